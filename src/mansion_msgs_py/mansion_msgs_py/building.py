@@ -1,0 +1,72 @@
+"""``building.json`` and ``report.json``: the index of a building folder, and what was asked and met."""
+
+from typing import Literal
+
+import msgspec
+
+from mansion_msgs_py.program import BuildingProgram, CorePlan, Downgrade
+from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.shapes import Identifier
+
+__all__ = ["Building", "BuildingReport", "FloorEntry", "FloorReport", "LoadBuilding"]
+
+
+class FloorEntry(msgspec.Struct, kw_only=True):
+    """Where a floor's files are, relative to the building's folder; empty for a file that is not there."""
+
+    floor: int
+    label: str
+    elevation: float
+    height: float
+    area: float
+    rooms: int
+    objects: int
+    files: dict[str, str]
+
+
+class Building(msgspec.Struct, kw_only=True):
+    """The content of ``building.json``."""
+
+    building_id: Identifier
+    request: BuildRequest
+    program: BuildingProgram
+    floors: list[FloorEntry]
+    cores: list[CorePlan]
+    seed: int
+    versions: dict[str, str] = {}
+    checks: dict[str, int] = {}
+    files: dict[str, str] = {}
+    schema_version: Literal[1] = 1
+
+
+class FloorReport(msgspec.Struct, kw_only=True):
+    """What one floor asked for and got."""
+
+    floor: int
+    rooms_asked: int
+    rooms_made: int
+    edges_asked: int
+    edges_met: int
+    area_scale: float
+    area_error: float
+    objects_asked: int
+    objects_placed: int
+
+
+class BuildingReport(msgspec.Struct, kw_only=True):
+    """The content of ``report.json``; the only file of a building that holds times."""
+
+    building_id: Identifier
+    floors: list[FloorReport]
+    downgrades: list[Downgrade]
+    seconds: dict[str, float]
+    warnings: list[str] = []
+    sources: dict[str, str] = {}
+    schema_version: Literal[1] = 1
+
+
+class LoadBuilding(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """Arguments of the ``load_building`` service: the folder that ``mansion build`` wrote."""
+
+    path: str
+    session: str = ""

@@ -1,0 +1,124 @@
+"""JSON text to payloads and back.
+
+Decoding gives a value or raises `MansionError` with the JSON path of the fault, and nothing else, whatever the input.
+"""
+
+import re
+from functools import cache
+from typing import Any, TypeVar
+
+import msgspec
+
+from mansion_msgs_py.errors import ErrorCode, ErrorInfo, ErrorReply, MansionError
+
+__all__ = ["decode", "decode_reply", "encode", "encode_bytes", "schema", "to_builtins"]
+
+T = TypeVar("T")
+
+_PATH = re.compile(r"^(?P<what>.*) - at `(?P<path>\$.*)`$", re.DOTALL)
+
+
+@cache
+def _decoder(kind: Any) -> msgspec.json.Decoder[Any]:
+    return msgspec.json.Decoder(kind)
+
+
+_encoder = msgspec.json.Encoder()
+
+
+def encode_bytes(value: Any, *, indent: int | None = None) -> bytes:
+    """Encode a payload as UTF-8 JSON; the same value always gives the same bytes.
+
+    Parameters
+    ----------
+    value : msgspec.Struct or JSON-compatible object
+    indent : int, optional
+        Spaces per level; one line when absent.
+    """
+    data = _encoder.encode(value)
+    return data if indent is None else msgspec.json.format(data, indent=indent)
+
+
+def encode(value: Any, *, indent: int | None = None) -> str:
+    """Encode a payload as JSON text (see `encode_bytes`)."""
+    return encode_bytes(value, indent=indent).decode()
+
+
+def to_builtins(value: Any) -> Any:
+    """Return `value` as dicts, lists and scalars."""
+    return msgspec.to_builtins(value)
+
+
+def decode(kind: type[T], text: str | bytes) -> T:
+    """Decode JSON into a value of type `kind`.
+
+    Parameters
+    ----------
+    kind : type
+        A payload type, or any type that msgspec can decode.
+    text : str or bytes
+        JSON. An empty text counts as ``{}``, so that a service call may leave its arguments out.
+
+    Raises
+    ------
+    MansionError
+        With code ``INVALID_PAYLOAD`` and the JSON path of the fault.
+
+    Examples
+    --------
+    >>> from mansion_msgs_py.request import BuildRequest
+    >>> decode(BuildRequest, '{"description": "a small flat", "floors": "two"}')
+    Traceback (most recent call last):
+        ...
+    mansion_msgs_py.errors.MansionError: INVALID_PAYLOAD at $.floors: Expected `int | null`, got `str`
+    """
+    name = getattr(kind, "__name__", str(kind))
+    try:
+        data = text.encode() if isinstance(text, str) else text
+        value: T = _decoder(kind).decode(data if data.strip() else b"{}")
+    except msgspec.ValidationError as error:
+        what, path = _split_path(str(error))
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD, what, path=path, details={"payload": name}
+        ) from None
+    except (msgspec.DecodeError, UnicodeError) as error:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD, f"not JSON: {error}", details={"payload": name}
+        ) from None
+    except RecursionError:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD, "JSON nested too deeply", details={"payload": name}
+        ) from None
+    return value
+
+
+def _split_path(message: str) -> tuple[str, str]:
+    match = _PATH.match(message)
+    if match is None:
+        return message, "$"
+    return match["what"], match["path"]
+
+
+def decode_reply(success: bool, message: str, kind: type[T]) -> T:
+    """Decode the two fields of a service reply.
+
+    Raises
+    ------
+    MansionError
+        The error that the server sent, or ``INVALID_PAYLOAD`` when it sent something else.
+    """
+    if success:
+        return decode(kind, message)
+    try:
+        info = decode(ErrorReply, message).error
+    except MansionError:
+        info = ErrorInfo(code=ErrorCode.INTERNAL, message=message or "the server gave no reason")
+    raise MansionError.from_info(info)
+
+
+def schema(kind: Any) -> dict[str, Any]:
+    """Return the JSON Schema (draft 2020-12) of a payload type."""
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        **msgspec.json.schema(kind),
+    }

@@ -1,0 +1,111 @@
+"""The error object that every service, command and client speaks."""
+
+from typing import Any, Final
+
+import msgspec
+
+__all__ = ["ErrorCode", "ErrorInfo", "ErrorReply", "MansionError"]
+
+
+class ErrorCode:
+    """Codes of errors that are no skill status."""
+
+    INVALID_PAYLOAD: Final = "INVALID_PAYLOAD"
+    """The JSON does not fit the payload type; `path` is the fault's JSON path."""
+    INFEASIBLE: Final = "INFEASIBLE"
+    """The request is understood and cannot be met."""
+    CONTRADICTION: Final = "CONTRADICTION"
+    """Two statements of the request exclude each other; `details` names both."""
+    NOT_FOUND: Final = "NOT_FOUND"
+    """A named thing (file, floor, room, service) does not exist."""
+    NOT_LOADED: Final = "NOT_LOADED"
+    """No building is loaded."""
+    CONFLICT: Final = "CONFLICT"
+    """Another job or session holds what this one needs."""
+    UNAVAILABLE: Final = "UNAVAILABLE"
+    """A node that the job needs does not answer."""
+    TIMEOUT: Final = "TIMEOUT"
+    """Aborted by a wall-clock limit; there is no result."""
+    CANCELED: Final = "CANCELED"
+    """Ended at the caller's wish."""
+    INTERNAL: Final = "INTERNAL"
+    """A fault of Mansion itself; the log has the traceback."""
+
+
+class ErrorInfo(msgspec.Struct, kw_only=True):
+    """What was wrong, where, and what would be accepted."""
+
+    code: str
+    message: str
+    path: str = "$"
+    details: dict[str, Any] = {}
+
+
+class ErrorReply(msgspec.Struct, kw_only=True):
+    """The body of a failed reply: ``{"error": {...}}``."""
+
+    error: ErrorInfo
+
+
+class MansionError(Exception):
+    """An expected failure, with all that its reader needs.
+
+    Parameters
+    ----------
+    code : str
+        One of `ErrorCode`, or a skill status.
+    message : str
+        What was wrong and what would be accepted.
+    path : str
+        JSON path of the place in the input.
+    details : dict, optional
+        JSON-compatible facts for programs; ``stage`` names the stage that failed.
+
+    Examples
+    --------
+    >>> str(MansionError("NOT_FOUND", "there is no floor 9; floors are 1 to 4", path="$.target_floor"))
+    'NOT_FOUND at $.target_floor: there is no floor 9; floors are 1 to 4'
+    """
+
+    def __init__(
+        self,
+        code: str,
+        message: str,
+        *,
+        path: str = "$",
+        details: dict[str, Any] | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.info = ErrorInfo(code=code, message=message, path=path, details=dict(details or {}))
+
+    @classmethod
+    def from_info(cls, info: ErrorInfo) -> "MansionError":
+        """Make the exception that `info` describes."""
+        return cls(info.code, info.message, path=info.path, details=info.details)
+
+    @property
+    def code(self) -> str:
+        """The error's code."""
+        return self.info.code
+
+    @property
+    def stage(self) -> str:
+        """The stage that failed, or an empty string."""
+        return str(self.info.details.get("stage", ""))
+
+    def at_stage(self, stage: str) -> "MansionError":
+        """Name the stage that failed, unless a deeper one is named already; return self."""
+        self.info.details.setdefault("stage", stage)
+        return self
+
+    def reply(self) -> ErrorReply:
+        """Return the body of the failed reply."""
+        return ErrorReply(error=self.info)
+
+    def __str__(self) -> str:
+        place = f" at {self.info.path}" if self.info.path not in ("", "$") else ""
+        stage = f" [{self.stage}]" if self.stage else ""
+        return f"{self.info.code}{stage}{place}: {self.info.message}"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (MansionError.from_info, (self.info,))

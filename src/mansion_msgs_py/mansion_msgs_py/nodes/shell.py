@@ -1,0 +1,130 @@
+"""Services and topics of a node, from the interface table.
+
+``diagnostic_msgs/srv/AddDiagnostics`` is the only service of the common interfaces that takes a string and returns a
+string: it is aliased here as `JsonCall` and used by that name everywhere.
+"""
+
+import traceback
+from collections.abc import Callable
+from typing import Any
+
+from diagnostic_msgs.srv import AddDiagnostics as JsonCall
+from rclpy.callback_groups import CallbackGroup
+from rclpy.node import Node
+from rclpy.publisher import Publisher
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.service import Service
+from rclpy.subscription import Subscription
+from std_msgs.msg import String
+from std_srvs.srv import Trigger
+
+from mansion_msgs_py.codec import decode, encode
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.interfaces import Qos, ServiceInterface, TopicInterface
+
+__all__ = [
+    "JsonCall",
+    "JsonPublisher",
+    "Trigger",
+    "add_json_service",
+    "add_json_subscription",
+    "qos_profile",
+    "run_handler",
+]
+
+
+def qos_profile(qos: Qos) -> QoSProfile:
+    """Return the ROS profile of `qos`."""
+    return QoSProfile(
+        depth=qos.depth,
+        reliability=(
+            ReliabilityPolicy.RELIABLE
+            if qos.reliability == "reliable"
+            else ReliabilityPolicy.BEST_EFFORT
+        ),
+        durability=(
+            DurabilityPolicy.TRANSIENT_LOCAL
+            if qos.durability == "transient_local"
+            else DurabilityPolicy.VOLATILE
+        ),
+    )
+
+
+class JsonPublisher:
+    """Publishes payloads on a topic of the table."""
+
+    def __init__(self, node: Node, interface: TopicInterface) -> None:
+        self.publisher: Publisher = node.create_publisher(
+            String, interface.name, qos_profile(interface.qos)
+        )
+
+    def publish(self, payload: Any) -> None:
+        """Encode and publish."""
+        self.publisher.publish(String(data=encode(payload)))
+
+
+def run_handler(node: Node, name: str, call: Callable[[], Any]) -> tuple[bool, str]:
+    """Run a handler and return (success, JSON); every failure becomes the error object, and the node lives on."""
+    try:
+        return True, encode(call())
+    except MansionError as error:
+        node.get_logger().warning(f"{name}: {error}")
+        return False, encode(error.reply())
+    except Exception as error:
+        node.get_logger().error(f"{name}: {traceback.format_exc()}")
+        internal = MansionError(
+            ErrorCode.INTERNAL,
+            f"{name} failed inside Mansion: {type(error).__name__}: {error}",
+            details={"node": node.get_fully_qualified_name()},
+        )
+        return False, encode(internal.reply())
+
+
+def add_json_service(
+    node: Node,
+    interface: ServiceInterface,
+    handler: Callable[[Any], Any],
+    *,
+    callback_group: CallbackGroup | None = None,
+) -> Service:
+    """Serve `interface` with `handler`, which gets the decoded arguments (``None`` for a Trigger).
+
+    Parameters
+    ----------
+    handler : callable
+        Pure or thin function from arguments to payload; raises `MansionError` to refuse.
+    """
+
+    def answer(request: Any, response: Any) -> Any:
+        def call() -> Any:
+            if interface.arguments is None:
+                return handler(None)
+            return handler(decode(interface.arguments, request.load_namespace))
+
+        response.success, response.message = run_handler(node, interface.name, call)
+        return response
+
+    kind = Trigger if interface.arguments is None else JsonCall
+    return node.create_service(kind, interface.name, answer, callback_group=callback_group)
+
+
+def add_json_subscription(
+    node: Node,
+    interface: TopicInterface,
+    handler: Callable[[Any], None],
+    *,
+    callback_group: CallbackGroup | None = None,
+) -> Subscription:
+    """Call `handler` with each decoded payload of a topic; a message that does not decode is logged and dropped."""
+
+    def receive(message: Any) -> None:
+        try:
+            payload = decode(interface.payload, message.data)
+        except MansionError as error:
+            node.get_logger().warning(f"{interface.name}: {error}")
+            return
+        handler(payload)
+
+    return node.create_subscription(
+        String, interface.name, receive, qos_profile(interface.qos), callback_group=callback_group
+    )

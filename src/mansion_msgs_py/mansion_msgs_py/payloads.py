@@ -1,0 +1,61 @@
+"""The payload types by name, as ``mansion schema NAME`` lists them."""
+
+from typing import Any
+
+from mansion_msgs_py.building import Building, BuildingReport, LoadBuilding
+from mansion_msgs_py.errors import ErrorCode, ErrorReply, MansionError
+from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.placement import PlacementResult, PlacementRoom
+from mansion_msgs_py.program import BuildingProgram
+from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.stages import BuildJob, BuildReply, FurnishRequest, PlanReply
+from mansion_msgs_py.topology import FloorTopology, SeedPlan
+from mansion_msgs_py.world import LiftState, Progress, RobotState, SkillResult, WorldState
+
+__all__ = ["PAYLOADS", "payload_type"]
+
+PAYLOADS: dict[str, type[Any]] = {
+    kind.__name__: kind
+    for kind in (
+        BuildRequest,
+        BuildingProgram,
+        FloorTopology,
+        SeedPlan,
+        FloorProblem,
+        FloorLayout,
+        FloorScene,
+        PlacementRoom,
+        PlacementResult,
+        PlanReply,
+        FurnishRequest,
+        BuildJob,
+        BuildReply,
+        Building,
+        BuildingReport,
+        LoadBuilding,
+        RobotState,
+        LiftState,
+        WorldState,
+        SkillResult,
+        Progress,
+        ErrorReply,
+    )
+}
+
+
+def payload_type(name: str) -> type[Any]:
+    """Return the payload type of that name.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` with the names that exist.
+    """
+    try:
+        return PAYLOADS[name]
+    except KeyError:
+        known = ", ".join(sorted(PAYLOADS))
+        raise MansionError(
+            ErrorCode.NOT_FOUND, f"there is no payload {name!r}; known are {known}"
+        ) from None

@@ -1,0 +1,154 @@
+"""The building program: the schema of Fig. 23, with the geometry that every floor shares."""
+
+from typing import Annotated, Literal
+
+import msgspec
+
+from mansion_msgs_py.shapes import Area, Identifier, Length, Point, Ring, Segment
+
+__all__ = [
+    "AreaSummary",
+    "BuildingProgram",
+    "CorePlan",
+    "Downgrade",
+    "FloorProgram",
+    "RoomProgram",
+    "TraceEntry",
+    "VerticalConnectivity",
+]
+
+
+class CorePlan(msgspec.Struct, kw_only=True):
+    """A vertical core, an axis-aligned box at the same place on every floor that it serves.
+
+    Attributes
+    ----------
+    id : str
+        ``stair_1``, ``elevator_1``; the id of its node in every floor's topology.
+    type : {"stair", "elevator"}
+    x, y : (float, float)
+        Lower and upper coordinate in metres, integers for outlines that the planner samples.
+    door_side : {"north", "south", "east", "west"}, optional
+        The side on which the core opens (north is +y); any side when absent.
+    """
+
+    id: Identifier
+    type: Literal["stair", "elevator"]
+    x: Point
+    y: Point
+    door_side: Literal["north", "south", "east", "west"] | None = None
+
+
+class VerticalConnectivity(msgspec.Struct, kw_only=True):
+    """How floors connect; `method` is ``none`` for one storey."""
+
+    method: Literal["none", "stair", "elevator", "stair_and_elevator"]
+    cores: list[CorePlan] = []
+    justification: str = ""
+
+
+class RoomProgram(msgspec.Struct, kw_only=True):
+    """A room that a floor is to have.
+
+    Attributes
+    ----------
+    id : str
+        Snake case, unique on the floor (``meeting_room_1``); the hub comes first in the floor's list.
+    area_estimate : float
+        Square metres.
+    room_type : str
+        Snake case type that later stages furnish by (``meeting_room``).
+    floor_material, wall_material : str
+        Descriptions such as ``warm oak hardwood, matte``.
+    open_relation : {"open", "door"}
+        Whether it stands open to the room it is reached from.
+    adjacent_to : list of str
+        Ids on the same floor that the brief or the type wants beside it.
+    notes : str
+    """
+
+    id: Identifier
+    area_estimate: Area
+    room_type: str = ""
+    floor_material: str = ""
+    wall_material: str = ""
+    open_relation: Literal["open", "door"] = "door"
+    adjacent_to: list[str] = []
+    notes: str = ""
+
+
+class AreaSummary(msgspec.Struct, kw_only=True):
+    """How a floor's areas add up: `reserve_ratio` is what circulation and cores keep of the gross area."""
+
+    sum_rooms: float
+    reserve_ratio: float
+    fits_within_gfa: bool
+    notes: str = ""
+
+
+class FloorProgram(msgspec.Struct, kw_only=True):
+    """One floor: what it is for, its outline and its rooms.
+
+    Attributes
+    ----------
+    index : int
+        Floor number, 1 at the ground, 0 and below for basements.
+    label : str
+        What a lift button says (``G``, ``2``).
+    elevation, height : float
+        Of the finished floor above the ground, and from floor to floor, in metres.
+    outline : Ring
+        Inner face of the outer wall.
+    structural_walls : list of Segment
+        Centre lines that rooms of every floor must respect.
+    copy : int, optional
+        The floor whose layout this one repeats exactly; `rooms` is then that floor's list.
+    """
+
+    index: int
+    requirement: str
+    gross_floor_area: Area
+    rooms: list[RoomProgram]
+    area_summary: AreaSummary
+    label: str = ""
+    elevation: float = 0.0
+    height: Length = 3.2
+    outline: Ring = []
+    holes: list[Ring] = []
+    structural_walls: list[Segment] = []
+    copy: int | None = None
+
+
+class TraceEntry(msgspec.Struct, kw_only=True):
+    """Which words of the brief (or which rule, when `words` is empty) led to which decision."""
+
+    words: str
+    effect: str
+    start: int | None = None
+    end: int | None = None
+
+
+class Downgrade(msgspec.Struct, kw_only=True):
+    """A wish that is not met, or met in part, and why."""
+
+    wish: str
+    got: str
+    reason: str
+    stage: str = ""
+    floor: int | None = None
+
+
+class BuildingProgram(msgspec.Struct, kw_only=True):
+    """The program of a whole building, ``B_plan`` of Algorithm 1, line 3."""
+
+    building_id: Identifier
+    reasoning: str
+    vertical_connectivity: VerticalConnectivity
+    floors: Annotated[list[FloorProgram], msgspec.Meta(min_length=1)]
+    description: str = ""
+    building_type: str = ""
+    style: str = ""
+    seed: int = 0
+    trace: list[TraceEntry] = []
+    downgrades: list[Downgrade] = []
+    schema_version: Literal[1] = 1

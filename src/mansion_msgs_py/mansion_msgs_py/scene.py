@@ -1,0 +1,273 @@
+"""The furnished floor: what the scene stages write and the skills read."""
+
+from typing import Annotated, Any, Literal, TypeAlias
+
+import msgspec
+
+from mansion_msgs_py.shapes import Area, Identifier, Length, Point3, Ring, Segment, Size3
+from mansion_msgs_py.topology import NodeKind
+
+__all__ = [
+    "Discard",
+    "Door",
+    "DoorKind",
+    "FloorScene",
+    "Light",
+    "Mount",
+    "SceneCore",
+    "SceneObject",
+    "SceneRoom",
+    "Sky",
+    "SpawnPose",
+    "Wall",
+    "Window",
+]
+
+DoorKind: TypeAlias = Literal[
+    "open", "doorway", "single", "double", "glazed", "sliding", "frame", "entrance", "balcony"
+]
+"""``open`` is a stretch of missing wall; ``sliding`` a lift's landing door; ``frame`` a stair's door frame."""
+
+Mount: TypeAlias = Literal["floor", "wall", "ceiling", "surface", "inside"]
+
+
+class SceneRoom(msgspec.Struct, kw_only=True):
+    """A room of a furnished floor.
+
+    Attributes
+    ----------
+    polygon, holes : Ring, list of Ring
+        On wall centre lines inside, on the outer wall's inner face outside.
+    net_polygon, net_holes : Ring, list of Ring
+        Between the faces of the walls: where things may stand.
+    area : float
+        Of the polygon, square metres.
+    """
+
+    id: Identifier
+    room_type: str
+    kind: NodeKind
+    polygon: Ring
+    net_polygon: Ring
+    area: Area
+    holes: list[Ring] = []
+    net_holes: list[Ring] = []
+    name: str = ""
+    floor_material: str = ""
+    wall_material: str = ""
+    ceiling_material: str = ""
+    open_relation: Literal["open", "door"] = "door"
+
+
+class Wall(msgspec.Struct, kw_only=True):
+    """A straight wall.
+
+    Attributes
+    ----------
+    segment : Segment
+        Centre line; `left` lies to the left of its direction.
+    left, right : str, optional
+        Room or core ids; ``None`` is outside.
+    left_material, right_material : str
+        Of the faces.
+    """
+
+    id: Identifier
+    segment: Segment
+    thickness: Length
+    height: Length
+    exterior: bool = False
+    structural: bool = False
+    left: str | None = None
+    right: str | None = None
+    left_material: str = ""
+    right_material: str = ""
+
+
+class Door(msgspec.Struct, kw_only=True):
+    """A passage between two rooms, a room and a core, or a room and the outside.
+
+    Attributes
+    ----------
+    segment : Segment
+        The clear opening on the wall's centre line.
+    wall : str
+        Id of the wall that it interrupts; empty for kind ``open``, where no wall stands.
+    rooms : (str, str or None)
+        Ids of what it joins; ``None`` is outside.
+    hinge : {"start", "end", "both", "none"}
+        Which end of the segment the leaf hangs from.
+    swing : str, optional
+        The room into which it opens.
+    is_open : bool
+        Standing open in the initial state.
+    """
+
+    id: Identifier
+    kind: DoorKind
+    segment: Segment
+    rooms: tuple[str, str | None]
+    width: Length
+    height: Length
+    wall: str = ""
+    hinge: Literal["start", "end", "both", "none"] = "none"
+    swing: str | None = None
+    is_open: bool = True
+    material: str = ""
+
+
+class Window(msgspec.Struct, kw_only=True):
+    """A window in an outer wall; `sill` is the height of its lower edge, metres."""
+
+    id: Identifier
+    wall: str
+    room: str
+    segment: Segment
+    sill: float
+    height: Length
+    kind: str = "fixed"
+
+
+class SceneObject(msgspec.Struct, kw_only=True):
+    """An object that stands, hangs or lies somewhere.
+
+    Attributes
+    ----------
+    position : (x, y, z)
+        Centre of its bounding box in the floor's frame: z above the finished floor.
+    rotation : float
+        Degrees counter-clockwise about z; at 0 the front faces +y.
+    size : (w, d, h)
+        Width along the front, depth, height, before rotation.
+    asset : str
+        Key in the asset catalogue.
+    asset_id : str, optional
+        AI2-THOR asset id, where one exists.
+    mount, parent
+        What carries it: ``surface`` and ``inside`` name the receptacle in `parent`.
+    states : dict
+        ``open``, ``on``, ``temperature``, ... where they apply.
+    """
+
+    id: Identifier
+    room: str
+    category: str
+    asset: str
+    position: Point3
+    rotation: float
+    size: Size3
+    name: str = ""
+    asset_id: str | None = None
+    mount: Mount = "floor"
+    parent: str | None = None
+    pickupable: bool = False
+    receptacle: bool = False
+    openable: bool = False
+    toggleable: bool = False
+    material: str = ""
+    color: str = ""
+    states: dict[str, bool | float | str] = {}
+
+
+class Light(msgspec.Struct, kw_only=True):
+    """A lamp or the sun; `color` is ``#rrggbb``."""
+
+    id: Identifier
+    kind: Literal["point", "spot", "area", "directional"]
+    position: Point3
+    color: str = "#ffffff"
+    intensity: float = 1.0
+    range: float = 10.0
+    room: str | None = None
+
+
+class Sky(msgspec.Struct, kw_only=True):
+    """Sky box and the sun's position; angles in degrees, azimuth from +y clockwise."""
+
+    name: str = "clear_noon"
+    hour: float = 12.0
+    sun_azimuth: float = 180.0
+    sun_elevation: float = 45.0
+    color: str = "#bfd9ff"
+
+
+class SpawnPose(msgspec.Struct, kw_only=True):
+    """Where the robot starts; yaw in degrees counter-clockwise from +x."""
+
+    x: float
+    y: float
+    yaw: float
+    room: str
+
+
+class SceneCore(msgspec.Struct, kw_only=True):
+    """A stair or a lift as it is on this floor.
+
+    Attributes
+    ----------
+    polygon : Ring
+        The shaft, the same on every floor.
+    door : str
+        Id of the door into it on this floor.
+    entrance : (x, y, yaw)
+        Standard pose outside the core, facing away from it; degrees.
+    floors : list of int
+        Floors that it serves, ascending.
+    """
+
+    id: Identifier
+    type: Literal["stair", "elevator"]
+    polygon: Ring
+    door: str
+    entrance: Point3
+    floors: list[int]
+    details: dict[str, Any] = {}
+
+
+class Discard(msgspec.Struct, kw_only=True):
+    """Objects that a room was to have and has not, and why."""
+
+    room: str
+    name: str
+    count: int
+    reason: str
+
+
+class FloorScene(msgspec.Struct, kw_only=True):
+    """One furnished floor, ``S_i`` of Algorithm 1; the truth that every export is made from.
+
+    Attributes
+    ----------
+    floor, floors : int
+        This floor's number, and how many the building has.
+    elevation, height : float
+        Of the finished floor above the ground; from floor to floor. Metres.
+    outline, holes : Ring, list of Ring
+        Inner face of the outer wall.
+    revision : int
+        Raised by one with each edit.
+    """
+
+    building_id: Identifier
+    floor: int
+    floors: Annotated[int, msgspec.Meta(ge=1)]
+    label: str
+    elevation: float
+    height: Length
+    outline: Ring
+    rooms: list[SceneRoom]
+    walls: list[Wall]
+    doors: list[Door]
+    windows: list[Window] = []
+    cores: list[SceneCore] = []
+    objects: list[SceneObject] = []
+    lights: list[Light] = []
+    sky: Sky = msgspec.field(default_factory=Sky)
+    spawn: SpawnPose | None = None
+    holes: list[Ring] = []
+    structural_walls: list[Segment] = []
+    discarded: list[Discard] = []
+    style: str = ""
+    seed: int = 0
+    revision: int = 1
+    schema_version: Literal[1] = 1

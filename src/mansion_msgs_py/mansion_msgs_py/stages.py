@@ -1,0 +1,64 @@
+"""Arguments and replies of the stage services that the building director calls (Algorithm 1)."""
+
+import msgspec
+
+from mansion_msgs_py.building import Building
+from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.program import BuildingProgram, FloorProgram, VerticalConnectivity
+from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.topology import FloorTopology
+
+__all__ = ["BuildJob", "BuildReply", "FurnishRequest", "PlanReply"]
+
+
+class PlanReply(msgspec.Struct, kw_only=True):
+    """Reply of ``plan_program``: the program, and for each floor its room graph and solver problem."""
+
+    program: BuildingProgram
+    topologies: list[FloorTopology]
+    problems: list[FloorProblem]
+
+
+class FurnishRequest(msgspec.Struct, kw_only=True):
+    """Arguments of ``furnish_floor``: all that a floor's scene is made from.
+
+    Attributes
+    ----------
+    floors : list of int
+        All floor numbers of the building, ascending; the cores serve them.
+    """
+
+    building_id: str
+    floor: FloorProgram
+    floors: list[int]
+    labels: list[str]
+    connectivity: VerticalConnectivity
+    topology: FloorTopology
+    layout: FloorLayout
+    building_type: str = ""
+    style: str = ""
+    seed: int = 0
+
+
+class BuildJob(BuildRequest, kw_only=True, forbid_unknown_fields=True):
+    """Arguments of ``build_building``: a request, and where its folder is to go.
+
+    Attributes
+    ----------
+    output : str, optional
+        Folder on the director's machine; below its ``output_root`` when absent.
+    """
+
+    output: str | None = None
+
+    def request(self) -> BuildRequest:
+        """Return the request alone."""
+        fields = {name: getattr(self, name) for name in BuildRequest.__struct_fields__}
+        return BuildRequest(**fields)
+
+
+class BuildReply(msgspec.Struct, kw_only=True):
+    """Reply of ``build_building``: the index of the finished building, and its folder when one was asked for."""
+
+    building: Building
+    path: str
