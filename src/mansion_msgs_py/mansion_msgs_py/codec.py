@@ -4,8 +4,9 @@ Decoding gives a value or raises `MansionError` with the JSON path of the fault,
 """
 
 import re
+from collections.abc import Hashable
 from functools import cache
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import msgspec
 
@@ -75,7 +76,7 @@ def decode(kind: type[T], text: str | bytes) -> T:
     name = getattr(kind, "__name__", str(kind))
     try:
         data = text.encode() if isinstance(text, str) else text
-        value: T = _decoder(kind).decode(data if data.strip() else b"{}")
+        value: T = _decoder(cast(Hashable, kind)).decode(data if data.strip() else b"{}")
     except msgspec.ValidationError as error:
         what, path = _split_path(str(error))
         raise MansionError(

@@ -1,6 +1,6 @@
 """The robot in the building: poses, lifts, skill results and progress."""
 
-from enum import Enum, IntEnum
+from enum import IntEnum, StrEnum
 from typing import Any, Literal
 
 import msgspec
@@ -84,14 +84,14 @@ class LiftState(msgspec.Struct, kw_only=True):
     motion_state: LiftMotion
     lift_time: float = 0.0
     position: float = 0.0
-    available_modes: list[int] = [2]
+    available_modes: list[int] = msgspec.field(default_factory=lambda: [2])
     current_mode: int = 2
     session_id: str = ""
     building_id: str = ""
     schema_version: Literal[1] = 1
 
 
-class SkillStatus(str, Enum):
+class SkillStatus(StrEnum):
     """Outcome of a skill."""
 
     SUCCESS = "SUCCESS"
