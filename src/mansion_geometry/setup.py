@@ -1,0 +1,31 @@
+"""Build mansion_geometry with colcon (ament_python) or pip."""
+
+from setuptools import find_packages, setup
+
+NAME = "mansion_geometry"
+
+setup(
+    name=NAME,
+    version="0.1.0",
+    description="Polygons, grids, free space and reachability for floor plans.",
+    author="Mansion maintainers",
+    maintainer="Mansion maintainers",
+    maintainer_email="maintainers@mansion.example",
+    license="Apache-2.0",
+    python_requires=">=3.11,<3.14",
+    packages=find_packages(include=[NAME, f"{NAME}.*"]),
+    package_data={"": ["py.typed", "**/*.json", "**/*.toml", "**/*.csv", "**/*.rviz"]},
+    data_files=[
+        ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
+        (f"share/{NAME}", ["package.xml"]),
+    ],
+    zip_safe=False,
+    install_requires=[
+        "mansion_msgs_py",
+        "networkx>=2.8",
+        "numba>=0.59",
+        "numpy>=1.26",
+        "shapely>=2.0",
+    ],
+    extras_require={"test": ["pytest"]},
+)

@@ -1,0 +1,28 @@
+"""Build mansion_llm with colcon (ament_python) or pip."""
+
+from setuptools import find_packages, setup
+
+NAME = "mansion_llm"
+
+setup(
+    name=NAME,
+    version="0.1.0",
+    description="A language-model client with structured answers, repair, cache and replay.",
+    author="Mansion maintainers",
+    maintainer="Mansion maintainers",
+    maintainer_email="maintainers@mansion.example",
+    license="Apache-2.0",
+    python_requires=">=3.11,<3.14",
+    packages=find_packages(include=[NAME, f"{NAME}.*"]),
+    package_data={"": ["py.typed", "**/*.json", "**/*.toml", "**/*.csv", "**/*.rviz"]},
+    data_files=[
+        ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
+        (f"share/{NAME}", ["package.xml"]),
+    ],
+    zip_safe=False,
+    install_requires=[
+        "mansion_msgs_py",
+        "msgspec>=0.19",
+    ],
+    extras_require={"test": ["pytest"], "llm": ["openai>=1.0"]},
+)

@@ -1,0 +1,27 @@
+"""Build mansion_msgs_py with colcon (ament_python) or pip."""
+
+from setuptools import find_packages, setup
+
+NAME = "mansion_msgs_py"
+
+setup(
+    name=NAME,
+    version="0.1.0",
+    description="Payload types of Mansion, their JSON codec, and the names of its topics and services.",
+    author="Mansion maintainers",
+    maintainer="Mansion maintainers",
+    maintainer_email="maintainers@mansion.example",
+    license="Apache-2.0",
+    python_requires=">=3.11,<3.14",
+    packages=find_packages(include=[NAME, f"{NAME}.*"]),
+    package_data={"": ["py.typed", "**/*.json", "**/*.toml", "**/*.csv", "**/*.rviz"]},
+    data_files=[
+        ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
+        (f"share/{NAME}", ["package.xml"]),
+    ],
+    zip_safe=False,
+    install_requires=[
+        "msgspec>=0.19",
+    ],
+    extras_require={"test": ["pytest"]},
+)

@@ -1,0 +1,44 @@
+"""Build mansion_skills with colcon (ament_python) or pip."""
+
+from setuptools import find_packages, setup
+
+NAME = "mansion_skills"
+
+setup(
+    name=NAME,
+    version="0.1.0",
+    description="The robot in the building: world state, navigation, skills, tasks and agents.",
+    author="Mansion maintainers",
+    maintainer="Mansion maintainers",
+    maintainer_email="maintainers@mansion.example",
+    license="Apache-2.0",
+    python_requires=">=3.11,<3.14",
+    packages=find_packages(include=[NAME, f"{NAME}.*"]),
+    package_data={"": ["py.typed", "**/*.json", "**/*.toml", "**/*.csv", "**/*.rviz"]},
+    data_files=[
+        ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
+        (f"share/{NAME}", ["package.xml"]),
+    ],
+    zip_safe=False,
+    install_requires=[
+        "mansion_geometry",
+        "mansion_llm",
+        "mansion_msgs_py",
+        "msgspec>=0.19",
+        "networkx>=2.8",
+        "numba>=0.59",
+        "numpy>=1.26",
+        "pillow>=10",
+        "shapely>=2.0",
+    ],
+    extras_require={
+        "test": ["pytest"],
+        "llm": ["openai>=1.0"],
+        "sim": ["gymnasium>=1.0", "mujoco>=3.0"],
+    },
+    entry_points={
+        "console_scripts": [
+            "skill_server = mansion_skills.nodes.skill_server:main",
+        ],
+    },
+)
