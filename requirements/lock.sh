@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Compile every requirements/*.in into locks with hashes, one for each Python: requirements/lock.sh [NAME...]
+# Needs uv. The locks name versions and hashes and nothing of the place where they were found.
+set -euo pipefail
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")"
+
+pythons=(3.11 3.12 3.13)
+extras=(cluster lint llm sim test usd)
+unset PIP_FIND_LINKS PIP_INDEX_URL PIP_EXTRA_INDEX_URL UV_FIND_LINKS UV_INDEX_URL UV_EXTRA_INDEX_URL UV_INDEX
+
+compile() { # python, input, output, further options
+    local python=$1 input=$2 output=$3
+    shift 3
+    echo "lock.sh: $output" >&2
+    {
+        echo "# Made by requirements/lock.sh from $input for Python $python; do not edit."
+        echo "--only-binary :all:"
+        grep '^--no-binary' "$input" || true # after the line above: pip lets the later one win
+        uv pip compile --quiet --no-config --python-version "$python" --python-platform linux \
+            --generate-hashes --only-binary :all: --no-annotate --no-header \
+            --no-emit-index-url --no-emit-find-links "$@" "$input"
+    } >"$output.new"
+    mv -- "$output.new" "$output"
+}
+
+wanted() { # is this name among the arguments, or are there none?
+    local name=$1
+    shift
+    (($# == 0)) || [[ " $* " == *" $name "* ]]
+}
+
+for python in "${pythons[@]}"; do
+    if wanted base "$@"; then
+        compile "$python" base.in "base-$python.txt"
+        compile "$python" core.in "core-$python.txt" --constraint "base-$python.txt"
+    fi
+    for extra in "${extras[@]}"; do
+        if wanted "$extra" "$@"; then
+            compile "$python" "$extra.in" "$extra-$python.txt" --constraint "base-$python.txt"
+        fi
+    done
+done
+if wanted ros "$@"; then
+    compile 3.12 ros.in ros.txt --constraint core-3.12.txt
+fi
