@@ -1,17 +1,22 @@
 """The furnished floor: what the scene stages write and the skills read."""
 
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
 import msgspec
 
+from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.shapes import Area, Identifier, Length, Point3, Ring, Segment, Size3
 from mansion_msgs_py.topology import NodeKind
 
 __all__ = [
+    "Box3",
+    "CoreDetails",
     "Discard",
     "Door",
     "DoorKind",
     "FloorScene",
+    "LiftButton",
+    "LiftDetails",
     "Light",
     "Mount",
     "SceneCore",
@@ -19,6 +24,7 @@ __all__ = [
     "SceneRoom",
     "Sky",
     "SpawnPose",
+    "StairDetails",
     "Wall",
     "Window",
 ]
@@ -42,6 +48,8 @@ class SceneRoom(msgspec.Struct, kw_only=True):
         Between the faces of the walls: where things may stand.
     area : float
         Of the polygon, square metres.
+    ceiling_height : float
+        Of the ceiling above the finished floor.
     """
 
     id: Identifier
@@ -56,6 +64,7 @@ class SceneRoom(msgspec.Struct, kw_only=True):
     floor_material: str = ""
     wall_material: str = ""
     ceiling_material: str = ""
+    ceiling_height: Length = 2.8
     open_relation: Literal["open", "door"] = "door"
 
 
@@ -200,6 +209,78 @@ class SpawnPose(msgspec.Struct, kw_only=True):
     room: str
 
 
+Box3: TypeAlias = tuple[Point3, Point3]
+"""An axis-aligned box: lower and upper corner, z above the finished floor; metres."""
+
+
+class StairDetails(msgspec.Struct, kw_only=True, tag_field="kind", tag="stair"):
+    """The flights that leave this floor upwards, and the openings that stairs need.
+
+    Attributes
+    ----------
+    form : {"dog_leg", "straight"}
+    risers, riser, going, width : int, float, float, float
+        Steps to the next floor up, height and depth of one, clear width of a flight; 0 risers on the top floor.
+    treads, landings : list of Box3
+        One solid step each, in walking order, its upper face at the step's level; and the landings between flights.
+    rails : list of (Point3, Point3)
+        Handrails, as the lines of their axes.
+    floor_landing : Ring
+        The part of this floor's slab inside the core; the door opens on to it.
+    floor_opening, ceiling_opening : Ring
+        Holes in this floor's slab and in the slab above; empty where there is none.
+    """
+
+    form: Literal["dog_leg", "straight"]
+    risers: int
+    riser: float
+    going: float
+    width: float
+    floor_landing: Ring
+    treads: list[Box3] = []
+    landings: list[Box3] = []
+    rails: list[tuple[Point3, Point3]] = []
+    floor_opening: Ring = []
+    ceiling_opening: Ring = []
+
+
+class LiftButton(msgspec.Struct, kw_only=True):
+    """A button of the cabin's panel: the floor it calls, what it says, and where it sits."""
+
+    floor: int
+    label: str
+    position: Point3
+
+
+class LiftDetails(msgspec.Struct, kw_only=True, tag_field="kind", tag="elevator"):
+    """The shaft on this floor, the cabin when it stands here, and the panels.
+
+    Attributes
+    ----------
+    cabin : Box3
+        Outer box of the cabin.
+    facing : float
+        Direction from the cabin out through its door, degrees from +x.
+    call_panel, button_panel : Point3
+        Centre of the panel beside the landing door, and of the one inside the cabin.
+    buttons : list of LiftButton
+        One for each floor of the building, ascending.
+    floor_opening, ceiling_opening : Ring
+        The shaft's holes in this floor's slab and in the slab above; empty where there is none.
+    """
+
+    cabin: Box3
+    facing: float
+    call_panel: Point3
+    button_panel: Point3
+    buttons: list[LiftButton]
+    floor_opening: Ring = []
+    ceiling_opening: Ring = []
+
+
+CoreDetails: TypeAlias = StairDetails | LiftDetails
+
+
 class SceneCore(msgspec.Struct, kw_only=True):
     """A stair or a lift as it is on this floor.
 
@@ -213,6 +294,8 @@ class SceneCore(msgspec.Struct, kw_only=True):
         Standard pose outside the core, facing away from it; degrees.
     floors : list of int
         Floors that it serves, ascending.
+    details : StairDetails or LiftDetails, optional
+        What export builds its meshes from.
     """
 
     id: Identifier
@@ -221,7 +304,7 @@ class SceneCore(msgspec.Struct, kw_only=True):
     door: str
     entrance: Point3
     floors: list[int]
-    details: dict[str, Any] = {}
+    details: CoreDetails | None = None
 
 
 class Discard(msgspec.Struct, kw_only=True):
@@ -244,6 +327,8 @@ class FloorScene(msgspec.Struct, kw_only=True):
         Of the finished floor above the ground; from floor to floor. Metres.
     outline, holes : Ring, list of Ring
         Inner face of the outer wall.
+    downgrades : list of Downgrade
+        Openings that differ from what the room graph asked, and why.
     revision : int
         Raised by one with each edit.
     """
@@ -267,6 +352,7 @@ class FloorScene(msgspec.Struct, kw_only=True):
     holes: list[Ring] = []
     structural_walls: list[Segment] = []
     discarded: list[Discard] = []
+    downgrades: list[Downgrade] = []
     style: str = ""
     seed: int = 0
     revision: int = 1
