@@ -1,12 +1,14 @@
 """What a user asks for: the input of Algorithm 1 of the MANSION paper (arXiv 2603.11554)."""
 
+import hashlib
+import re
 from typing import Annotated, Literal
 
 import msgspec
 
 from mansion_msgs_py.shapes import Area, Ring
 
-__all__ = ["BuildRequest", "Footprint"]
+__all__ = ["BuildRequest", "Footprint", "identified"]
 
 
 class Footprint(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
@@ -58,3 +60,19 @@ class BuildRequest(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
         Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,63}$")] | None
     ) = None
     schema_version: Literal[1] = 1
+
+
+def identified(request: BuildRequest) -> BuildRequest:
+    """Return the request with a ``building_id``: its own, else one made from its words and its hash.
+
+    Examples
+    --------
+    >>> identified(BuildRequest(description="A small flat", seed=3)).building_id
+    'a-small-flat-0ebd0d5d'
+    """
+    if request.building_id is not None:
+        return request
+    words = re.findall(r"[a-z0-9]+", request.description.lower())
+    slug = "-".join(words)[:40].strip("-") or "building"
+    digest = hashlib.sha256(msgspec.json.encode(request)).hexdigest()[:8]
+    return msgspec.structs.replace(request, building_id=f"{slug}-{digest}")

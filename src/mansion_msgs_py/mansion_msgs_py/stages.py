@@ -47,9 +47,12 @@ class BuildJob(BuildRequest, kw_only=True, forbid_unknown_fields=True):
     ----------
     output : str, optional
         Folder on the director's machine; below its ``output_root`` when absent.
+    force : bool
+        Replace a building there even if running worlds have state in it.
     """
 
     output: str | None = None
+    force: bool = False
 
     def request(self) -> BuildRequest:
         """Return the request alone."""

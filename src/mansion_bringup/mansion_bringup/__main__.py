@@ -1,0 +1,5 @@
+"""``python -m mansion_bringup``."""
+
+from mansion_bringup.cli import main
+
+main()

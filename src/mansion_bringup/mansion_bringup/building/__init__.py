@@ -1,0 +1,1 @@
+"""A building on disk: the files of a floor, the folder, its report."""

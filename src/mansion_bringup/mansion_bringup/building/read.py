@@ -1,0 +1,67 @@
+"""Read a building folder."""
+
+from pathlib import Path
+from typing import TypeVar
+
+from mansion_bringup.building.floor_files import floor_directory
+from mansion_msgs_py.building import Building
+from mansion_msgs_py.codec import decode
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.topology import FloorTopology
+
+__all__ = ["BuildingFolder"]
+
+T = TypeVar("T")
+
+
+class BuildingFolder:
+    """The payloads of a building on disk.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` when a file is missing, ``INVALID_PAYLOAD`` when one does not fit its type; both name the file.
+    """
+
+    def __init__(self, path: Path | str) -> None:
+        self.path = Path(path)
+        self.building = self._read(Building, "building.json")
+
+    @property
+    def floors(self) -> list[int]:
+        """Floor numbers, ascending."""
+        return [entry.floor for entry in self.building.floors]
+
+    def scene(self, floor: int) -> FloorScene:
+        """Return the scene of a floor."""
+        return self._read(FloorScene, f"{floor_directory(floor)}/scene.json")
+
+    def scenes(self) -> list[FloorScene]:
+        """Return the scenes of all floors, from below."""
+        return [self.scene(floor) for floor in self.floors]
+
+    def layout(self, floor: int) -> FloorLayout:
+        """Return the layout of a floor."""
+        return self._read(FloorLayout, f"{floor_directory(floor)}/layout.json")
+
+    def topology(self, floor: int) -> FloorTopology:
+        """Return the room graph of a floor."""
+        return self._read(FloorTopology, f"{floor_directory(floor)}/topology.json")
+
+    def _read(self, kind: type[T], name: str) -> T:
+        file = self.path / name
+        try:
+            data = file.read_bytes()
+        except OSError as error:
+            raise MansionError(
+                ErrorCode.NOT_FOUND,
+                f"{file}: {error.strerror}; expected a folder that `mansion build` wrote",
+                details={"file": str(file)},
+            ) from None
+        try:
+            return decode(kind, data)
+        except MansionError as error:
+            error.info.message = f"{file}: {error.info.message}"
+            raise

@@ -1,0 +1,121 @@
+"""``building.json`` and ``report.json`` from what the stages returned."""
+
+from collections.abc import Sequence
+
+from mansion_bringup import __version__
+from mansion_bringup.building.floor_files import FLOOR_FILES, floor_directory
+from mansion_msgs_py.building import Building, BuildingReport, FloorEntry, FloorReport
+from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.program import Downgrade
+from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.stages import PlanReply
+from mansion_msgs_py.topology import FloorTopology
+
+__all__ = ["building_index", "building_report"]
+
+
+def building_index(
+    request: BuildRequest, plan: PlanReply, scenes: Sequence[FloorScene]
+) -> Building:
+    """Return the content of ``building.json``."""
+    program = plan.program
+    return Building(
+        building_id=program.building_id,
+        request=request,
+        program=program,
+        floors=[_entry(scene) for scene in scenes],
+        cores=program.vertical_connectivity.cores,
+        seed=request.seed,
+        versions={"mansion": __version__},
+        checks={
+            "rooms": sum(len(scene.rooms) for scene in scenes),
+            "doors": sum(len(scene.doors) for scene in scenes),
+            "objects": sum(len(scene.objects) for scene in scenes),
+        },
+        files={"report": "report.json", "model": "building.glb", "picture": "building.png"},
+    )
+
+
+def _entry(scene: FloorScene) -> FloorEntry:
+    folder = floor_directory(scene.floor)
+    return FloorEntry(
+        floor=scene.floor,
+        label=scene.label,
+        elevation=scene.elevation,
+        height=scene.height,
+        area=round(sum(room.area for room in scene.rooms), 3),
+        rooms=len(scene.rooms),
+        objects=len(scene.objects),
+        files={key: f"{folder}/{name}" for key, name in FLOOR_FILES.items()},
+    )
+
+
+def building_report(
+    plan: PlanReply,
+    layouts: Sequence[FloorLayout],
+    scenes: Sequence[FloorScene],
+    seconds: dict[str, float],
+) -> BuildingReport:
+    """Return the content of ``report.json``: what was asked, what was met, what was downgraded."""
+    floors = [
+        _floor_report(topology, layout, scene)
+        for topology, layout, scene in zip(plan.topologies, layouts, scenes)
+    ]
+    downgrades = [*plan.program.downgrades]
+    for layout, scene in zip(layouts, scenes):
+        downgrades += _downgrades(layout, scene)
+    return BuildingReport(
+        building_id=plan.program.building_id,
+        floors=floors,
+        downgrades=downgrades,
+        seconds={name: round(value, 4) for name, value in seconds.items()},
+        warnings=[f"floor {lay.floor}: {text}" for lay in layouts for text in lay.messages],
+    )
+
+
+def _floor_report(topology: FloorTopology, layout: FloorLayout, scene: FloorScene) -> FloorReport:
+    asked = {
+        node.id: node.area * layout.area_scale
+        for node in topology.nodes
+        if node.type in ("main", "Entities")
+    }
+    prefix = f"F{scene.floor}/"
+    got = {room.id.removeprefix(prefix): room.area for room in scene.rooms}
+    errors = [abs(got.get(name, 0.0) - area) / area for name, area in asked.items()]
+    discarded = sum(entry.count for entry in scene.discarded)
+    return FloorReport(
+        floor=scene.floor,
+        rooms_asked=len(asked),
+        rooms_made=sum(1 for name in asked if name in got),
+        edges_asked=len(topology.edges),
+        edges_met=len(topology.edges) - len(layout.unmet_edges),
+        area_scale=round(layout.area_scale, 6),
+        area_error=round(sum(errors) / max(1, len(errors)), 4),
+        objects_asked=len(scene.objects) + discarded,
+        objects_placed=len(scene.objects),
+    )
+
+
+def _downgrades(layout: FloorLayout, scene: FloorScene) -> list[Downgrade]:
+    edges = [
+        Downgrade(
+            wish=f"{edge.source} {edge.kind} {edge.target}",
+            got="not realised",
+            reason=edge.reason,
+            stage="solve_floor",
+            floor=scene.floor,
+        )
+        for edge in layout.unmet_edges
+    ]
+    objects = [
+        Downgrade(
+            wish=f"{entry.count} x {entry.name} in {entry.room}",
+            got="left out",
+            reason=entry.reason,
+            stage="furnish_floor",
+            floor=scene.floor,
+        )
+        for entry in scene.discarded
+    ]
+    return edges + objects

@@ -1,0 +1,148 @@
+"""The folder that a build grows in before it takes its name, and that an interrupted build resumes from.
+
+Beside ``out/office`` a build writes ``out/.office.partial``: the plan first, then each floor as it is done. When all is
+there the folder is renamed. A later run of the same request takes over what it finds.
+"""
+
+import fcntl
+import shutil
+from collections.abc import Mapping
+from pathlib import Path
+from types import TracebackType
+from typing import Any, TypeVar
+
+from mansion_bringup import __version__
+from mansion_bringup.building.atomic import write_atomic
+from mansion_bringup.building.floor_files import floor_directory
+from mansion_msgs_py.codec import decode, encode_bytes
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.request import BuildRequest
+
+__all__ = ["Workspace"]
+
+T = TypeVar("T")
+
+
+class Workspace:
+    """A build in progress towards `target`.
+
+    Parameters
+    ----------
+    target : Path
+        The folder to be; may hold an older building, which is replaced at the end.
+    request : BuildRequest
+    force : bool
+        Replace a building even if robots have state in it.
+
+    Raises
+    ------
+    MansionError
+        ``CONFLICT`` when `target` holds something else, state of running worlds, or another build is at it.
+    """
+
+    def __init__(self, target: Path, request: BuildRequest, *, force: bool = False) -> None:
+        self.target = target.absolute()
+        self.partial = self.target.parent / f".{self.target.name}.partial"
+        self._key = encode_bytes({"version": __version__, "request": request})
+        _check_target(self.target, force=force)
+
+    def __enter__(self) -> "Workspace":
+        try:
+            self.partial.mkdir(parents=True, exist_ok=True)
+            self._lock = (self.partial / "lock").open("w")
+        except OSError as error:
+            raise MansionError(
+                ErrorCode.NOT_FOUND, f"cannot write to {self.partial}: {error.strerror}"
+            ) from None
+        try:
+            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            self._lock.close()
+            raise MansionError(
+                ErrorCode.CONFLICT, f"another build is writing {self.target}"
+            ) from None
+        self._adopt()
+        return self
+
+    def _adopt(self) -> None:
+        key = self.partial / "key.json"
+        if key.is_file() and key.read_bytes() == self._key:
+            return
+        for entry in self.partial.iterdir():
+            if entry.name != "lock":
+                shutil.rmtree(entry) if entry.is_dir() else entry.unlink()
+        write_atomic(key, self._key)
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._lock.close()
+
+    def load(self, kind: type[T], path: str) -> T | None:
+        """Return a payload that an earlier run left, or ``None``."""
+        file = self.partial / path
+        try:
+            return decode(kind, file.read_bytes())
+        except (OSError, MansionError):
+            return None
+
+    def save(self, path: str, payload: Any) -> None:
+        """Keep a payload for a later run."""
+        write_atomic(self.partial / path, encode_bytes(payload, indent=1))
+
+    def write(self, files: Mapping[str, bytes]) -> None:
+        """Write files by path relative to the building's folder; equal files are left alone."""
+        for path, data in files.items():
+            file = self.partial / path
+            if not (path.startswith("meshes/") and file.is_file()):
+                write_atomic(file, data)
+
+    def floor_done(self, floor: int) -> bool:
+        """Whether an earlier run finished this floor."""
+        return (self.partial / floor_directory(floor) / ".done").is_file()
+
+    def mark_floor(self, floor: int) -> None:
+        """Say that all files of the floor are there."""
+        write_atomic(self.partial / floor_directory(floor) / ".done", b"")
+
+    def read(self, path: str) -> bytes:
+        """Return the bytes of a file of the building in progress."""
+        return (self.partial / path).read_bytes()
+
+    def commit(self) -> Path:
+        """Take away what only a build in progress needs, give the folder its name, and return it."""
+        for name in ("plan.json", "key.json"):
+            (self.partial / name).unlink(missing_ok=True)
+        for marker in self.partial.glob("floors/*/.done"):
+            marker.unlink()
+        for stale in self.partial.rglob(".*.??????*"):
+            stale.unlink()
+        old = self.target.parent / f".{self.target.name}.old"
+        shutil.rmtree(old, ignore_errors=True)
+        if self.target.exists():
+            self.target.rename(old)
+        (self.partial / "lock").unlink()
+        self.partial.rename(self.target)
+        shutil.rmtree(old, ignore_errors=True)
+        return self.target
+
+
+def _check_target(target: Path, *, force: bool) -> None:
+    if not target.exists():
+        return
+    if not target.is_dir():
+        raise MansionError(ErrorCode.CONFLICT, f"{target} is a file; name a folder")
+    entries = {entry.name for entry in target.iterdir()}
+    if entries and "building.json" not in entries:
+        raise MansionError(
+            ErrorCode.CONFLICT,
+            f"{target} holds other files; name a new or empty folder, or one that holds a building",
+        )
+    if "state" in entries and not force:
+        raise MansionError(
+            ErrorCode.CONFLICT,
+            f"{target} holds the state of running worlds; use --force to replace it all the same",
+        )

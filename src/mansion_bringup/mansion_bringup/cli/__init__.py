@@ -1,0 +1,36 @@
+"""The command line: ``mansion COMMAND ...``."""
+
+import os
+import sys
+from typing import NoReturn
+
+from mansion_bringup.cli.app import app
+from mansion_msgs_py.errors import ErrorCode, MansionError
+
+__all__ = ["main"]
+
+EXIT_FAILURE = 1
+EXIT_INFEASIBLE = 2
+
+
+def main() -> NoReturn:
+    """Run the command line; expected failures print one line and end with status 1, an infeasible brief with 2."""
+    if "ROS_LOCALHOST_ONLY" not in os.environ:
+        os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+    try:
+        app(prog_name="mansion")
+    except MansionError as error:
+        if "MANSION_DEBUG" in os.environ:
+            raise
+        print(f"error: {error}", file=sys.stderr)
+        trace = error.info.details.get("traceback")
+        if error.code == ErrorCode.INTERNAL and trace:
+            print(
+                f"This is a fault of Mansion; please report it with this:\n{trace}", file=sys.stderr
+            )
+        infeasible = (ErrorCode.INFEASIBLE, ErrorCode.CONTRADICTION)
+        sys.exit(EXIT_INFEASIBLE if error.code in infeasible else EXIT_FAILURE)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(EXIT_FAILURE)
+    sys.exit(0)

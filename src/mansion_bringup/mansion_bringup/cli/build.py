@@ -1,0 +1,157 @@
+"""``mansion build``: one sentence to a building folder."""
+
+import os
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from mansion_bringup.cli.console import err, out, progress_bar
+from mansion_bringup.pipeline.build import BuildResult, build_building
+from mansion_msgs_py.building import Building, BuildingReport
+from mansion_msgs_py.codec import decode
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.request import BuildRequest, Footprint
+
+__all__ = ["planner_name", "read_footprint", "register", "request_from_options"]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command to `app`."""
+    app.command("build", no_args_is_help=True)(build)
+
+
+def request_from_options(
+    description: str,
+    floors: int | None,
+    area: float | None,
+    floor_area: float | None,
+    footprint: Path | None,
+    seed: int,
+    planner: Literal["rules", "llm"],
+) -> BuildRequest:
+    """Return the validated request that the options make."""
+    fields = {
+        "description": description,
+        "floors": floors,
+        "area": area,
+        "floor_area": floor_area,
+        "footprint": read_footprint(footprint) if footprint else None,
+        "seed": seed,
+        "planner": planner,
+    }
+    from mansion_msgs_py.codec import encode
+
+    return decode(BuildRequest, encode(fields))
+
+
+def read_footprint(path: Path) -> Footprint:
+    """Read a footprint: ``{"boundary": ring, "holes": [ring]}`` in metres, or GeoJSON with one polygon.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND``, or ``INVALID_PAYLOAD`` with what would be accepted.
+    """
+    from mansion_bringup.building.footprint import footprint_from_json
+
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise MansionError(ErrorCode.NOT_FOUND, f"{path}: {error.strerror}") from None
+    return footprint_from_json(data, str(path))
+
+
+def build(
+    description: Annotated[str, typer.Argument(help="The brief, in English.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="Folder to write.")],
+    floors: Annotated[int | None, typer.Option(min=1, help="Number of floors.")] = None,
+    area: Annotated[float | None, typer.Option(help="Gross area of the building, m2.")] = None,
+    floor_area: Annotated[float | None, typer.Option(help="Gross area of a floor, m2.")] = None,
+    footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
+    seed: Annotated[int, typer.Option(min=0, help="Same seed, same building.")] = 0,
+    planner: Annotated[str, typer.Option(help="rules or llm.")] = "rules",
+    graph: Annotated[bool, typer.Option("--graph", help="Build through the node graph.")] = False,
+    jobs: Annotated[int, typer.Option(min=0, help="Floors in work at once; 0: all cores.")] = 0,
+    timeout: Annotated[float, typer.Option(min=1, help="Seconds, for --graph.")] = 900.0,
+    force: Annotated[bool, typer.Option("--force", help="Replace even with state.")] = False,
+) -> None:
+    """Build a furnished building from one sentence.
+
+    The folder appears whole or not at all; an interrupted build goes on where it was when run again.
+
+    Examples:
+
+      mansion build "A four-storey office with a cafeteria on the ground floor" -o out/office
+
+      mansion build "a small flat for two" --seed 7 -o out/flat
+
+      mansion build "a library" --floors 3 --floor-area 400 --graph -o out/library
+    """
+    request = request_from_options(
+        description, floors, area, floor_area, footprint, seed, planner_name(planner)
+    )
+    if graph:
+        result = _through_graph(request, output, timeout, force)
+    else:
+        workers = jobs or min(os.cpu_count() or 1, 8)
+        with progress_bar() as report:
+            result = build_building(request, output, jobs=workers, report=report, force=force)
+    _print_summary(result)
+
+
+def planner_name(name: str) -> Literal["rules", "llm"]:
+    if name == "rules":
+        return "rules"
+    if name == "llm":
+        return "llm"
+    raise MansionError(
+        ErrorCode.INVALID_PAYLOAD, f"unknown planner {name!r}; use rules or llm", path="$.planner"
+    )
+
+
+def _through_graph(request: BuildRequest, output: Path, timeout: float, force: bool) -> BuildResult:
+    from mansion_bringup.graph.session import graph_client
+    from mansion_msgs_py.stages import BuildJob, BuildReply
+
+    with graph_client(notice=err.print) as client, progress_bar() as report:
+        from mansion_msgs_py.request import identified
+        from mansion_msgs_py.world import Progress
+
+        known = identified(request)
+
+        def show(text: str) -> None:
+            progress = decode(Progress, text)
+            if progress.building_id == known.building_id:
+                report(progress)
+
+        client.listen("progress", show)
+        job = BuildJob(
+            **{name: getattr(request, name) for name in BuildRequest.__struct_fields__},
+            output=str(output.absolute()),
+            force=force,
+        )
+        reply = client.call("build_building", job, reply=BuildReply, timeout=timeout)
+    path = Path(reply.path)
+    summary = decode(BuildingReport, (path / "report.json").read_bytes())
+    return BuildResult(path, reply.building, summary)
+
+
+def _print_summary(result: BuildResult) -> None:
+    building: Building = result.building
+    program = building.program
+    area = sum(floor.gross_floor_area for floor in program.floors)
+    out.print(
+        f"[bold]{result.path}[/bold]: {program.building_type or 'building'}, "
+        f"{len(building.floors)} floor{'s' if len(building.floors) != 1 else ''}, "
+        f"{area:.0f} m2, {building.checks['rooms']} rooms, {building.checks['objects']} objects, "
+        f"{result.report.seconds.get('total', 0.0):.1f} s",
+        highlight=False,
+    )
+    wishes = result.report.downgrades
+    if wishes:
+        out.print(f"{len(wishes)} wishes met in part or not at all (report.json):")
+        for entry in wishes[:5]:
+            out.print(
+                f"  {entry.wish}: {entry.got} ({entry.reason})", markup=False, highlight=False
+            )

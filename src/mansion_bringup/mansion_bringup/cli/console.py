@@ -1,0 +1,42 @@
+"""What commands print: results to standard output, progress to standard error."""
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+from mansion_msgs_py.codec import encode
+from mansion_msgs_py.world import Progress as ProgressPayload
+
+__all__ = ["err", "out", "print_json", "progress_bar"]
+
+out = Console()
+err = Console(stderr=True)
+
+
+def print_json(value: Any) -> None:
+    """Print a payload as indented JSON, nothing added."""
+    sys.stdout.write(encode(value, indent=2) + "\n")
+
+
+@contextmanager
+def progress_bar() -> Iterator[Callable[[ProgressPayload], None]]:
+    """Show `Progress` payloads: a bar on a terminal, plain lines elsewhere."""
+    if not err.is_terminal:
+        yield lambda p: err.print(
+            f"[{p.done}/{p.total}] {p.message}", markup=False, highlight=False
+        )
+        return
+    columns = (
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TextColumn("{task.completed}/{task.total}"),
+        TimeElapsedColumn(),
+    )
+    with Progress(*columns, console=err, transient=True) as bar:
+        task = bar.add_task("starting", total=None)
+        yield lambda p: bar.update(task, description=p.message, completed=p.done, total=p.total)

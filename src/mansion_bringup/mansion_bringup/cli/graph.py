@@ -1,0 +1,213 @@
+"""``mansion up``, ``call``, ``echo`` and ``graph``: the node graph from the shell."""
+
+import os
+import shutil
+import sys
+import time
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from mansion_bringup.cli.console import err, print_json
+from mansion_msgs_py.codec import decode
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
+
+__all__ = ["register"]
+
+Namespace = Annotated[str, typer.Option("--namespace", "-n", help="Where the graph lives.")]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the commands to `app`."""
+    app.command("up")(up)
+    app.command("call", no_args_is_help=True)(call)
+    app.command("echo", no_args_is_help=True)(echo)
+    app.command("graph")(graph)
+
+
+def up(
+    namespace: Namespace = DEFAULT_NAMESPACE,
+    log_level: Annotated[str, typer.Option(help="debug, info, warn, error or fatal.")] = "info",
+    params_file: Annotated[
+        Path | None, typer.Option(exists=True, dir_okay=False, help="ROS parameter file.")
+    ] = None,
+    processes: Annotated[
+        bool, typer.Option("--processes", help="Plain processes even where ros2 launch is.")
+    ] = False,
+) -> None:
+    """Start the node graph and stay until Ctrl-C.
+
+    Examples:
+
+      mansion up
+
+      mansion up --namespace /site_b/mansion --log-level debug
+
+      ROS_DOMAIN_ID=7 mansion up
+    """
+    if not processes and _has_launch():
+        _exec_launch(namespace, log_level, params_file)
+    from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
+
+    options = GraphOptions(
+        namespace=_namespace(namespace), log_level=log_level, params_file=params_file
+    )
+    with GraphProcesses(options) as running:
+        running.wait_ready()
+        names = ", ".join(f"{node.executable}" for node in running.nodes)
+        err.print(f"up in {options.namespace}: {names}. Ctrl-C ends them.", highlight=False)
+        try:
+            while not (ended := running.ended()):
+                time.sleep(0.2)
+        except KeyboardInterrupt:
+            err.print("ending the nodes")
+            return
+        name, status = next(iter(ended.items()))
+        raise MansionError(ErrorCode.UNAVAILABLE, f"node {name} ended with status {status}")
+
+
+def _namespace(text: str) -> str:
+    return "/" + text.strip("/")
+
+
+def _has_launch() -> bool:
+    share = Path("share/ament_index/resource_index/packages/mansion_bringup")
+    prefixes = os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
+    return shutil.which("ros2") is not None and any(
+        prefix and (Path(prefix) / share).exists() for prefix in prefixes
+    )
+
+
+def _exec_launch(namespace: str, log_level: str, params_file: Path | None) -> None:
+    arguments = [f"namespace:={_namespace(namespace)}", f"log_level:={log_level}"]
+    if params_file is not None:
+        arguments.append(f"params_file:={params_file.absolute()}")
+    sys.stdout.flush()
+    os.execvp("ros2", ["ros2", "launch", "mansion_bringup", "mansion.launch.py", *arguments])
+
+
+def call(
+    service: Annotated[str, typer.Argument(help="Name below the namespace, or absolute.")],
+    arguments: Annotated[str | None, typer.Argument(help="JSON; @FILE reads a file.")] = None,
+    namespace: Namespace = DEFAULT_NAMESPACE,
+    timeout: Annotated[float, typer.Option(min=0.1, help="Seconds for the answer.")] = 600.0,
+) -> None:
+    """Call a service and print the reply's JSON; exit status 1 when it fails.
+
+    Examples:
+
+      mansion call build_building '{"description": "a small flat", "output": "/tmp/flat"}'
+
+      mansion call load_building '{"path": "/tmp/flat"}'
+
+      mansion call skills/call_elevator
+    """
+    from mansion_bringup.client import MansionClient
+
+    payload = None if arguments is None else _json_argument(arguments)
+    with MansionClient(namespace=_namespace(namespace)) as client:
+        try:
+            print_json(client.call(service, payload, timeout=timeout))
+        except MansionError as error:
+            print_json(error.reply())
+            raise
+
+
+def _json_argument(text: str) -> Any:
+    if not text.startswith("@"):
+        return decode(object, text)
+    try:
+        return decode(object, Path(text[1:]).read_bytes())
+    except OSError as error:
+        raise MansionError(ErrorCode.NOT_FOUND, f"{text[1:]}: {error.strerror}") from None
+
+
+def echo(
+    topic: Annotated[str, typer.Argument(help="Name below the namespace, or absolute.")],
+    namespace: Namespace = DEFAULT_NAMESPACE,
+    count: Annotated[int, typer.Option("--count", "-c", min=0, help="0: until Ctrl-C.")] = 0,
+    timeout: Annotated[
+        float, typer.Option(min=0, help="Seconds without a message; 0: for ever.")
+    ] = 0,
+) -> None:
+    """Print the messages of a String topic, one line each; latched ones come at once.
+
+    Examples:
+
+      mansion echo progress
+
+      mansion echo floor_scene --count 4
+    """
+    import queue
+
+    from mansion_bringup.client import MansionClient
+
+    received: queue.Queue[str] = queue.Queue()
+    with MansionClient(namespace=_namespace(namespace)) as client:
+        client.listen(topic, received.put)
+        printed = 0
+        try:
+            while count == 0 or printed < count:
+                sys.stdout.write(received.get(timeout=timeout or None) + "\n")
+                sys.stdout.flush()
+                printed += 1
+        except queue.Empty:
+            raise MansionError(
+                ErrorCode.TIMEOUT, f"no message on {topic} in {timeout:g} s"
+            ) from None
+        except KeyboardInterrupt:
+            return
+
+
+def graph(
+    namespace: Namespace = DEFAULT_NAMESPACE,
+    wait: Annotated[float, typer.Option(min=0, help="Seconds for discovery.")] = 1.0,
+    as_json: Annotated[bool, typer.Option("--json", help="As JSON.")] = False,
+) -> None:
+    """List the nodes, topics and services of this domain.
+
+    Examples:
+
+      mansion graph
+
+      mansion graph --json
+    """
+    from mansion_bringup.client import MansionClient
+
+    with MansionClient(namespace=_namespace(namespace)) as client:
+        time.sleep(wait)
+        node = client.node
+        found = {
+            "nodes": sorted(
+                f"{space.rstrip('/')}/{name}"
+                for name, space in node.get_node_names_and_namespaces()
+                if not name.startswith("_")
+            ),
+            "topics": dict(sorted(node.get_topic_names_and_types())),
+            "services": dict(sorted(node.get_service_names_and_types())),
+        }
+    if as_json:
+        print_json(found)
+        return
+    _print_graph(found)
+
+
+def _print_graph(found: dict[str, Any]) -> None:
+    from rich.table import Table
+
+    from mansion_bringup.cli.console import out
+
+    out.print("[bold]nodes[/bold]")
+    for name in found["nodes"]:
+        out.print(f"  {name}", highlight=False)
+    hidden = ("parameter", "get_type_description")
+    for kind in ("topics", "services"):
+        table = Table(kind.rstrip("s"), "type", box=None)
+        for name, types in found[kind].items():
+            last = name.rsplit("/", 1)[-1]
+            if kind == "services" and any(word in last for word in hidden):
+                continue
+            table.add_row(name, ", ".join(types))
+        out.print(table)

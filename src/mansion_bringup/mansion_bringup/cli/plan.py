@@ -1,0 +1,87 @@
+"""``mansion plan``: the program of a brief, without building it."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from mansion_bringup.cli.build import planner_name, request_from_options
+from mansion_bringup.cli.console import out, print_json
+from mansion_msgs_py.program import BuildingProgram, FloorProgram
+from mansion_msgs_py.request import identified
+
+__all__ = ["register"]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command to `app`."""
+    app.command("plan", no_args_is_help=True)(plan)
+
+
+def plan(
+    description: Annotated[str, typer.Argument(help="The brief, in English.")],
+    floors: Annotated[int | None, typer.Option(min=1)] = None,
+    area: Annotated[float | None, typer.Option(help="Gross area of the building, m2.")] = None,
+    floor_area: Annotated[float | None, typer.Option(help="Gross area of a floor, m2.")] = None,
+    footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
+    seed: Annotated[int, typer.Option(min=0)] = 0,
+    planner: Annotated[str, typer.Option(help="rules or llm.")] = "rules",
+    as_json: Annotated[bool, typer.Option("--json", help="The program as JSON alone.")] = False,
+) -> None:
+    """Show the program of a brief: floors, rooms, areas, and which words led to what.
+
+    Examples:
+
+      mansion plan "a two-storey library with a reading room on the top floor"
+
+      mansion plan "a clinic" --floors 2 --json
+    """
+    from mansion_bringup.pipeline.stages import LocalStages
+
+    request = request_from_options(
+        description, floors, area, floor_area, footprint, seed, planner_name(planner)
+    )
+    program = LocalStages().plan(identified(request)).program
+    if as_json:
+        print_json(program)
+        return
+    _print_program(program)
+
+
+def _print_program(program: BuildingProgram) -> None:
+    out.print(f"[bold]{program.building_type}[/bold]  {program.reasoning}", highlight=False)
+    for floor in program.floors:
+        _print_floor(floor)
+    cores = program.vertical_connectivity
+    out.print(f"vertical: {cores.method}  {cores.justification}", highlight=False)
+    if program.trace:
+        out.print("[bold]what led to what[/bold]")
+    for entry in program.trace:
+        words = f"“{entry.words}”" if entry.words else "(not said)"
+        out.print(f"  {words} -> {entry.effect}", markup=False, highlight=False)
+    for wish in program.downgrades:
+        out.print(f"  not as asked: {wish.wish}: {wish.got} ({wish.reason})", markup=False)
+
+
+def _print_floor(floor: FloorProgram) -> None:
+    from rich.table import Table
+
+    summary = floor.area_summary
+    title = (
+        f"floor {floor.index} ({floor.label}), {floor.gross_floor_area:.0f} m2, "
+        f"{summary.reserve_ratio:.0%} in reserve"
+    )
+    if floor.copy is not None:
+        out.print(f"{title}: as floor {floor.copy}", highlight=False)
+        return
+    table = Table("room", "type", "m2", "floor", "walls", title=title, title_justify="left")
+    table.columns[2].justify = "right"
+    for room in floor.rooms:
+        table.add_row(
+            room.id,
+            room.room_type,
+            f"{room.area_estimate:.1f}",
+            room.floor_material,
+            room.wall_material,
+        )
+    out.print(table)

@@ -1,0 +1,33 @@
+"""``mansion schema``: the JSON Schema of a payload."""
+
+from typing import Annotated
+
+import typer
+
+from mansion_bringup.cli.console import print_json
+from mansion_msgs_py.codec import schema as schema_of
+from mansion_msgs_py.payloads import PAYLOADS, payload_type
+
+__all__ = ["register"]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command to `app`."""
+    app.command("schema")(schema)
+
+
+def schema(
+    name: Annotated[str | None, typer.Argument(help="Payload type; all names when absent.")] = None,
+) -> None:
+    """Print the JSON Schema of a payload.
+
+    Examples:
+
+      mansion schema
+
+      mansion schema BuildRequest
+    """
+    if name is None:
+        typer.echo("\n".join(sorted(PAYLOADS)))
+    else:
+        print_json(schema_of(payload_type(name)))

@@ -1,0 +1,251 @@
+"""The Python client: Mansion's services and topics from a script, over the node graph.
+
+Each client has a ROS context of its own, so one script can drive several graphs in several domains at once.
+"""
+
+import itertools
+import os
+import threading
+import time
+from collections.abc import Callable
+from types import TracebackType
+from typing import Any, TypeVar
+
+from rclpy.client import Client
+from rclpy.context import Context
+from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.node import Node
+
+import rclpy
+from mansion_msgs_py import interfaces
+from mansion_msgs_py.codec import decode_reply, encode
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.interfaces import Qos, ServiceInterface
+from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.nodes.shell import JsonCall, Trigger, qos_profile
+from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.stages import BuildJob, BuildReply, FurnishRequest, PlanReply
+from std_msgs.msg import String
+
+__all__ = ["MansionClient"]
+
+T = TypeVar("T")
+
+_numbers = itertools.count(1)
+
+
+class MansionClient:
+    """Calls the services of one graph.
+
+    Parameters
+    ----------
+    domain_id : int, optional
+        ROS domain; ``ROS_DOMAIN_ID`` when absent.
+    namespace : str
+        Where the graph lives.
+    timeout : float
+        Seconds that a call may take unless it says otherwise.
+
+    Examples
+    --------
+    With a graph running (``mansion up``)::
+
+        with MansionClient() as mansion:
+            print(mansion.build("a small flat", output="/tmp/flat").path)
+            mansion.call("load_building", {"path": "/tmp/flat"})
+    """
+
+    def __init__(
+        self,
+        *,
+        domain_id: int | None = None,
+        namespace: str = interfaces.DEFAULT_NAMESPACE,
+        timeout: float = 600.0,
+    ) -> None:
+        self.timeout = timeout
+        self._context = Context()
+        rclpy.init(context=self._context, args=[], domain_id=domain_id)
+        self.node: Node = rclpy.create_node(
+            f"_mansion_client_{os.getpid()}_{next(_numbers)}",
+            namespace=namespace,
+            context=self._context,
+            start_parameter_services=False,
+            use_global_arguments=False,
+        )
+        self._clients: dict[tuple[str, str], Client] = {}
+        self._lock = threading.Lock()
+        self._executor = MultiThreadedExecutor(num_threads=2, context=self._context)
+        self._executor.add_node(self.node)
+        self._thread = threading.Thread(target=self._spin, name="mansion_client", daemon=True)
+        self._thread.start()
+
+    def _spin(self) -> None:
+        try:
+            self._executor.spin()
+        except ExternalShutdownException:
+            return
+
+    def close(self) -> None:
+        """End the client and its context."""
+        if self._context.ok():
+            self._executor.shutdown(timeout_sec=2.0)
+            self.node.destroy_node()
+            rclpy.shutdown(context=self._context)
+        self._thread.join(timeout=2.0)
+
+    def __enter__(self) -> "MansionClient":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def call(
+        self,
+        name: str,
+        arguments: Any = None,
+        *,
+        reply: type[T] | Any = Any,
+        timeout: float | None = None,
+        wait: float = 5.0,
+    ) -> Any:
+        """Call a service by its name below the namespace and return the decoded reply.
+
+        Parameters
+        ----------
+        name : str
+            As in the interface table, or any Trigger or AddDiagnostics service of the graph.
+        arguments : payload or JSON-compatible object, optional
+        reply : type
+            What to decode the answer into; plain dicts and lists when absent.
+        timeout : float, optional
+            Seconds for the answer.
+        wait : float
+            Seconds for the service to appear.
+
+        Raises
+        ------
+        MansionError
+            What the service answered, ``UNAVAILABLE`` when no node serves it or its node is gone, or ``TIMEOUT``.
+        """
+        client = self._client(name, arguments)
+        if not client.service_is_ready() and not client.wait_for_service(timeout_sec=wait):
+            raise MansionError(
+                ErrorCode.UNAVAILABLE,
+                f"no node serves {client.service_name}; is the graph running (`mansion up`)?",
+                details={"service": client.service_name},
+            )
+        request = client.srv_type.Request()
+        if client.srv_type is JsonCall:
+            request.load_namespace = encode({} if arguments is None else arguments)
+        response = self._answer(client, request, self.timeout if timeout is None else timeout)
+        return decode_reply(response.success, response.message, reply)
+
+    def is_served(self, name: str) -> bool:
+        """Whether a node serves `name` now."""
+        return self._client(name, {}).service_is_ready()
+
+    def wait_served(self, name: str, timeout: float) -> bool:
+        """Wait until a node serves `name`; False when none does after `timeout` seconds."""
+        return self._client(name, {}).wait_for_service(timeout_sec=timeout)
+
+    def _answer(self, client: Client, request: Any, timeout: float) -> Any:
+        future = client.call_async(request)
+        answered = threading.Event()
+        future.add_done_callback(lambda _: answered.set())
+        deadline = time.monotonic() + timeout
+        missing_since: float | None = None
+        while not answered.wait(timeout=min(0.25, max(0.0, deadline - time.monotonic()))):
+            now = time.monotonic()
+            if client.service_is_ready():
+                missing_since = None
+            elif missing_since is None:
+                missing_since = now
+            gone = missing_since is not None and now - missing_since > 1.0
+            if gone or now >= deadline:
+                client.remove_pending_request(future)
+                raise self._lost(client, timeout, gone)
+        return future.result()
+
+    def _lost(self, client: Client, timeout: float, gone: bool) -> MansionError:
+        details = {"service": client.service_name}
+        if gone:
+            return MansionError(
+                ErrorCode.UNAVAILABLE,
+                f"the node that serves {client.service_name} went away during the call",
+                details=details,
+            )
+        return MansionError(
+            ErrorCode.TIMEOUT, f"{client.service_name}: no answer in {timeout:g} s", details=details
+        )
+
+    def _client(self, name: str, arguments: Any) -> Client:
+        kind = self._service_type(name, arguments)
+        with self._lock:
+            key = (name, kind.__name__)
+            if key not in self._clients:
+                self._clients[key] = self.node.create_client(kind, name)
+            return self._clients[key]
+
+    def _service_type(self, name: str, arguments: Any) -> Any:
+        known: dict[str, ServiceInterface] = {entry.name: entry for entry in interfaces.SERVICES}
+        if name in known:
+            return JsonCall if known[name].type == interfaces.JSON_CALL else Trigger
+        full = name if name.startswith("/") else f"{self.node.get_namespace().rstrip('/')}/{name}"
+        for found, types in self.node.get_service_names_and_types():
+            if found == full:
+                return Trigger if interfaces.TRIGGER in types else JsonCall
+        return Trigger if arguments is None else JsonCall
+
+    def plan(self, request: BuildRequest) -> PlanReply:
+        """Program, room graphs and solver problems of a request."""
+        reply: PlanReply = self.call("plan_program", request, reply=PlanReply)
+        return reply
+
+    def solve(self, problem: FloorProblem) -> FloorLayout:
+        """The layout of one floor."""
+        reply: FloorLayout = self.call("solve_floor", problem, reply=FloorLayout)
+        return reply
+
+    def furnish(self, request: FurnishRequest) -> FloorScene:
+        """The furnished scene of one floor."""
+        reply: FloorScene = self.call("furnish_floor", request, reply=FloorScene)
+        return reply
+
+    def build(self, description: str, *, output: str | None = None, **fields: Any) -> BuildReply:
+        """Build a whole building.
+
+        Parameters
+        ----------
+        description : str
+        output : str, optional
+            Folder, seen from the director's process.
+        **fields
+            Other fields of `BuildRequest`.
+        """
+        job = BuildJob(description=description, output=output, **fields)
+        reply: BuildReply = self.call("build_building", job, reply=BuildReply)
+        return reply
+
+    def listen(
+        self, name: str, handler: Callable[[str], None], qos: Qos | None = None
+    ) -> Callable[[], None]:
+        """Call `handler` with the text of each message of a String topic; return how to stop.
+
+        Parameters
+        ----------
+        qos : Qos, optional
+            Of the interface table when the topic is in it, else a latched reader with a volatile fallback.
+        """
+        if qos is None:
+            known = {entry.name: entry.qos for entry in interfaces.TOPICS}
+            qos = known.get(name, interfaces.STREAM)
+        subscription = self.node.create_subscription(
+            String, name, lambda message: handler(message.data), qos_profile(qos)
+        )
+        return lambda: self.node.destroy_subscription(subscription) and None

@@ -1,0 +1,1 @@
+"""The node graph as processes: starting, watching and ending it where no launch system is needed."""

@@ -1,0 +1,1 @@
+"""The node that runs Algorithm 1 over the other nodes."""

@@ -1,0 +1,107 @@
+"""``building_director``: Algorithm 1 by service calls to the other nodes."""
+
+import threading
+from collections.abc import Sequence
+from pathlib import Path
+
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.node import Node
+
+from mansion_bringup.client import MansionClient
+from mansion_bringup.pipeline.build import build_building
+from mansion_bringup.pipeline.remote import RemoteStages
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.nodes.run import run_node
+from mansion_msgs_py.nodes.shell import (
+    JsonPublisher,
+    add_json_service,
+    add_json_subscription,
+    run_handler,
+)
+from mansion_msgs_py.request import BuildRequest, identified
+from mansion_msgs_py.stages import BuildJob, BuildReply
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+
+__all__ = ["BuildingDirector", "main"]
+
+MAX_BUILDS = 4
+
+
+class BuildingDirector(Node):
+    """Serves ``build_building`` and builds what is published on ``build_requests``."""
+
+    def __init__(self) -> None:
+        super().__init__("building_director")
+        self.declare_parameter(
+            "output_root",
+            "buildings",
+            ParameterDescriptor(description="folder for buildings whose request names none"),
+        )
+        self.declare_parameter(
+            "stage_timeout",
+            120.0,
+            ParameterDescriptor(description="seconds that one stage of one floor may take"),
+        )
+        self.declare_parameter(
+            "floors_at_once",
+            2,
+            ParameterDescriptor(
+                description="floors of one building in work at the same time",
+                integer_range=[IntegerRange(from_value=1, to_value=64, step=1)],
+            ),
+        )
+        self._progress = JsonPublisher(self, topic("progress"))
+        self._slots = threading.BoundedSemaphore(MAX_BUILDS)
+        self._stages = MansionClient(
+            domain_id=self.context.get_domain_id(), namespace=self.get_namespace()
+        )
+        group = ReentrantCallbackGroup()
+        add_json_service(self, service("build_building"), self.build, callback_group=group)
+        add_json_subscription(
+            self, topic("build_requests"), self._build_from_topic, callback_group=group
+        )
+
+    def build(self, job: BuildJob) -> BuildReply:
+        """Build one building; at most `MAX_BUILDS` at the same time."""
+        if not self._slots.acquire(blocking=False):
+            raise MansionError(
+                ErrorCode.CONFLICT, f"{MAX_BUILDS} builds are running; ask again when one is done"
+            )
+        try:
+            request = identified(job.request())
+            result = build_building(
+                request,
+                self._output(job, request),
+                stages=RemoteStages(
+                    self._stages, self.get_parameter("stage_timeout").value or 120.0
+                ),
+                jobs=self.get_parameter("floors_at_once").value or 1,
+                report=self._progress.publish,
+                force=job.force,
+                cancelled=lambda: not self.context.ok(),
+            )
+        finally:
+            self._slots.release()
+        self.get_logger().info(f"wrote {result.path}")
+        return BuildReply(building=result.building, path=str(result.path))
+
+    def _output(self, job: BuildJob, request: BuildRequest) -> Path:
+        if job.output is not None:
+            return Path(job.output).expanduser()
+        root = Path(self.get_parameter("output_root").value or "buildings").expanduser()
+        return root / (request.building_id or "building")
+
+    def _build_from_topic(self, request: BuildRequest) -> None:
+        job = BuildJob(**{f: getattr(request, f) for f in BuildRequest.__struct_fields__})
+        run_handler(self, "build_requests", lambda: self.build(job))
+
+    def destroy_node(self) -> None:
+        """End the client of the stages, then the node."""
+        self._stages.close()
+        super().destroy_node()
+
+
+def main(args: Sequence[str] | None = None) -> None:
+    """Run the node."""
+    run_node(BuildingDirector, args, threads=2 * MAX_BUILDS + 2)

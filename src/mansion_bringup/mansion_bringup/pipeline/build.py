@@ -1,0 +1,241 @@
+"""Algorithm 1: a request becomes a building folder, floor by floor, resumable and repeatable."""
+
+import time
+from collections.abc import Callable
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import dataclass, field
+from multiprocessing import get_context
+from pathlib import Path
+from typing import TypeVar
+
+import msgspec
+
+from mansion_bringup.building.floor_files import floor_directory, floor_files
+from mansion_bringup.building.report import building_index, building_report
+from mansion_bringup.building.workspace import Workspace
+from mansion_bringup.pipeline import floors as steps
+from mansion_bringup.pipeline.stages import LocalStages, Stages
+from mansion_msgs_py.building import Building, BuildingReport
+from mansion_msgs_py.codec import decode, encode_bytes
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.request import BuildRequest, identified
+from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.stages import PlanReply
+from mansion_msgs_py.world import Progress
+
+__all__ = ["BuildResult", "build_building"]
+
+T = TypeVar("T")
+
+Report = Callable[[Progress], None]
+
+
+@dataclass(frozen=True)
+class BuildResult:
+    """A finished building and where it is."""
+
+    path: Path
+    building: Building
+    report: BuildingReport
+
+
+@dataclass
+class _Job:
+    request: BuildRequest
+    stages: Stages
+    report: Report
+    cancelled: Callable[[], bool]
+    done: int = 0
+    total: int = 1
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    def step(self, stage: str, message: str, floor: int | None = None, *, done: int = 0) -> None:
+        if self.cancelled():
+            raise MansionError(ErrorCode.CANCELED, "the build was ended at the caller's wish")
+        self.done += done
+        self.report(
+            Progress(
+                stage=stage,
+                message=message,
+                done=self.done,
+                total=self.total,
+                floor=floor,
+                building_id=self.request.building_id or "",
+            )
+        )
+
+    def timed(self, stage: str, seconds: float) -> None:
+        self.seconds[stage] = self.seconds.get(stage, 0.0) + seconds
+
+
+def build_building(
+    request: BuildRequest,
+    output: Path,
+    *,
+    stages: Stages | None = None,
+    jobs: int = 1,
+    report: Report = lambda progress: None,
+    cancelled: Callable[[], bool] = lambda: False,
+    force: bool = False,
+) -> BuildResult:
+    """Build and write a building.
+
+    Parameters
+    ----------
+    request : BuildRequest
+    output : Path
+        Folder to write; appears whole or not at all.
+    stages : Stages, optional
+        Where the stages run; in this process (or `jobs` processes) when absent.
+    jobs : int
+        Floors in work at once. The result does not depend on it.
+    report : callable
+        Gets a `Progress` for each step, on the calling thread.
+    cancelled : callable
+        Asked between steps.
+    force : bool
+        Replace a building that holds state of running worlds.
+
+    Raises
+    ------
+    MansionError
+        With the stage that failed in ``details["stage"]``. What is done stays for a later run.
+    """
+    request = identified(request)
+    job = _Job(request, stages or LocalStages(), report, cancelled)
+    started = time.perf_counter()
+    with Workspace(output, request, force=force) as workspace, _executor(stages, jobs) as pool:
+        plan = _plan(job, workspace)
+        layouts = _solve(job, workspace, pool, plan)
+        scenes = _furnish(job, workspace, pool, plan, layouts)
+        index = building_index(request, plan, scenes)
+        _write_building(job, workspace, index, scenes)
+        job.timed("total", time.perf_counter() - started)
+        summary = building_report(plan, layouts, scenes, job.seconds)
+        workspace.write({"report.json": encode_bytes(summary, indent=1)})
+        path = workspace.commit()
+    job.step("done", f"wrote {path}", done=1)
+    return BuildResult(path, index, summary)
+
+
+def _executor(stages: Stages | None, jobs: int) -> Executor:
+    if stages is None and jobs > 1:
+        _import_stages()
+        return ProcessPoolExecutor(jobs, mp_context=get_context("fork"))
+    return ThreadPoolExecutor(max(1, jobs))
+
+
+def _import_stages() -> None:
+    """Import what the workers need before they are forked, once instead of in each."""
+    import mansion_scene.assembly
+    import mansion_scene.export.plan  # noqa: F401
+
+
+def _plan(job: _Job, workspace: Workspace) -> PlanReply:
+    job.step("plan_program", "planning the building")
+    started = time.perf_counter()
+    plan = workspace.load(PlanReply, "plan.json")
+    if plan is None:
+        plan = steps.at_stage("plan_program", lambda: job.stages.plan(job.request))
+        workspace.save("plan.json", plan)
+    job.timed("plan_program", time.perf_counter() - started)
+    floors = plan.program.floors
+    job.total = 3 + len(steps.distinct_floors(plan)) + len(floors)
+    rooms = sum(len(floor.rooms) for floor in floors)
+    job.step("plan_program", f"{len(floors)} floors, {rooms} rooms", done=1)
+    return plan
+
+
+def _solve(job: _Job, workspace: Workspace, pool: Executor, plan: PlanReply) -> list[FloorLayout]:
+    found: dict[int, FloorLayout] = {}
+    waiting: dict[int, Future[tuple[bytes, float]]] = {}
+    remote = None if isinstance(pool, ProcessPoolExecutor) else job.stages
+    for index in steps.distinct_floors(plan):
+        floor = plan.program.floors[index].index
+        earlier = workspace.load(FloorLayout, f"{floor_directory(floor)}/layout.json")
+        if earlier is not None:
+            found[index] = earlier
+        else:
+            waiting[index] = pool.submit(_solve_task, remote, plan, index)
+    for index in steps.distinct_floors(plan):
+        floor = plan.program.floors[index].index
+        if index in waiting:
+            data, seconds = _result(waiting, index)
+            found[index] = decode(FloorLayout, data)
+            workspace.write({f"{floor_directory(floor)}/layout.json": data})
+            job.timed("solve_floor", seconds)
+        job.step("solve_floor", f"floor {floor} laid out", floor, done=1)
+    return [found[steps.source_floor(plan, index)] for index in range(len(plan.program.floors))]
+
+
+def _solve_task(stages: Stages | None, plan: PlanReply, index: int) -> tuple[bytes, float]:
+    started = time.perf_counter()
+    layout = steps.solve(stages or LocalStages(), plan, index)
+    return encode_bytes(layout, indent=1), time.perf_counter() - started
+
+
+def _furnish(
+    job: _Job,
+    workspace: Workspace,
+    pool: Executor,
+    plan: PlanReply,
+    layouts: list[FloorLayout],
+) -> list[FloorScene]:
+    remote = None if isinstance(pool, ProcessPoolExecutor) else job.stages
+    waiting: dict[int, Future[tuple[dict[str, bytes], float, float]]] = {}
+    for index, floor in enumerate(plan.program.floors):
+        if not workspace.floor_done(floor.index):
+            waiting[index] = pool.submit(_furnish_task, remote, plan, layouts[index], index)
+    scenes = []
+    for index, floor in enumerate(plan.program.floors):
+        if index in waiting:
+            files, furnishing, exporting = _result(waiting, index)
+            workspace.write(files)
+            workspace.mark_floor(floor.index)
+            job.timed("furnish_floor", furnishing)
+            job.timed("export_floor", exporting)
+        data = workspace.read(f"{floor_directory(floor.index)}/scene.json")
+        scenes.append(decode(FloorScene, data))
+        count = len(scenes[-1].objects)
+        job.step("furnish_floor", f"floor {floor.index}: {count} objects", floor.index, done=1)
+    return scenes
+
+
+def _furnish_task(
+    stages: Stages | None, plan: PlanReply, layout: FloorLayout, index: int
+) -> tuple[dict[str, bytes], float, float]:
+    started = time.perf_counter()
+    layout = msgspec.structs.replace(layout, floor=plan.program.floors[index].index)
+    scene = steps.furnish(stages or LocalStages(), plan, layout, index)
+    furnished = time.perf_counter()
+    files = steps.at_stage(
+        f"export (floor {scene.floor})", lambda: floor_files(plan.topologies[index], layout, scene)
+    )
+    return files, furnished - started, time.perf_counter() - furnished
+
+
+def _result(waiting: dict[int, Future[T]], index: int) -> T:
+    try:
+        return waiting[index].result()
+    except BaseException:
+        for future in waiting.values():
+            future.cancel()
+        raise
+
+
+def _write_building(
+    job: _Job, workspace: Workspace, index: Building, scenes: list[FloorScene]
+) -> None:
+    from mansion_scene.export.glb import building_glb
+    from mansion_scene.export.overview import overview_png
+
+    job.step("export", "writing the 3D building")
+    started = time.perf_counter()
+    files = steps.at_stage(
+        "export",
+        lambda: {"building.glb": building_glb(scenes), "building.png": overview_png(scenes)},
+    )
+    workspace.write(files)
+    workspace.write({"building.json": encode_bytes(index, indent=1)})
+    job.timed("export_building", time.perf_counter() - started)
