@@ -1,0 +1,104 @@
+"""Decoding gives a value or the documented error; encoding is repeatable."""
+
+import json
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from mansion_msgs_py.codec import decode, decode_reply, encode, encode_bytes, schema
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.payloads import PAYLOADS, payload_type
+from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.topology import FloorTopology
+
+JSON_VALUES = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4),
+    max_leaves=12,
+)
+
+
+def payload_like(kind: type[Any]) -> st.SearchStrategy[Any]:
+    """Objects with the payload's own field names and arbitrary values: far into the decoder."""
+    names = list(kind.__struct_encode_fields__)
+    return st.dictionaries(st.sampled_from(names), JSON_VALUES, max_size=len(names))
+
+
+@pytest.mark.parametrize("name", sorted(PAYLOADS))
+@given(data=st.data())
+@settings(max_examples=25, deadline=None)
+def test_any_bytes_give_a_value_or_the_documented_error(name: str, data: st.DataObject) -> None:
+    kind = PAYLOADS[name]
+    text = data.draw(
+        st.binary(max_size=200)
+        | st.text(max_size=200)
+        | JSON_VALUES.map(json.dumps)
+        | payload_like(kind).map(json.dumps)
+    )
+    try:
+        value = decode(kind, text)
+    except MansionError as error:
+        assert error.code == ErrorCode.INVALID_PAYLOAD
+        assert error.info.path.startswith("$")
+        assert error.info.details["payload"] == name
+    else:
+        assert isinstance(value, kind)
+        assert decode(kind, encode(value)) == value
+
+
+@pytest.mark.parametrize(
+    "text", ["\ud800", "[" * 100_000, '{"description": ' + "[" * 100_000, "nul", b"\xff\xfe"]
+)
+def test_hostile_texts_are_refused_as_invalid_payloads(text: str | bytes) -> None:
+    with pytest.raises(MansionError) as caught:
+        decode(BuildRequest, text)
+    assert caught.value.code == ErrorCode.INVALID_PAYLOAD
+
+
+def test_the_path_of_the_fault_is_in_the_error() -> None:
+    text = '{"nodes": [{"id": "a", "type": "main", "area": -1}], "edges": []}'
+    with pytest.raises(MansionError) as caught:
+        decode(FloorTopology, text)
+    assert caught.value.info.path == "$.nodes[0].area"
+
+
+def test_a_misspelt_field_of_a_request_is_named() -> None:
+    with pytest.raises(MansionError, match="descripton"):
+        decode(BuildRequest, '{"descripton": "a flat"}')
+
+
+def test_an_empty_text_counts_as_no_arguments() -> None:
+    with pytest.raises(MansionError, match="description"):
+        decode(BuildRequest, "  ")
+
+
+def test_equal_values_have_equal_bytes() -> None:
+    first = BuildRequest(description="a flat", seed=3)
+    assert encode_bytes(first) == encode_bytes(decode(BuildRequest, encode(first, indent=2)))
+
+
+@pytest.mark.parametrize("name", sorted(PAYLOADS))
+def test_every_payload_has_a_schema_that_names_it(name: str) -> None:
+    found = schema(payload_type(name))
+    assert found["$ref"].endswith(f"/{name}")
+    assert found["$schema"].startswith("https://json-schema.org/")
+
+
+def test_an_unknown_payload_is_answered_with_the_known_ones() -> None:
+    with pytest.raises(MansionError, match="FloorScene"):
+        payload_type("Nonsense")
+
+
+def test_a_failed_reply_becomes_the_error_that_the_server_raised() -> None:
+    sent = MansionError("CONFLICT", "busy", path="$.output", details={"stage": "export"})
+    with pytest.raises(MansionError) as caught:
+        decode_reply(False, encode(sent.reply()), dict)
+    assert caught.value.info == sent.info
+    assert caught.value.stage == "export"
+
+
+def test_a_failed_reply_that_is_no_error_object_still_becomes_an_error() -> None:
+    with pytest.raises(MansionError, match="out of paper"):
+        decode_reply(False, "out of paper", dict)
