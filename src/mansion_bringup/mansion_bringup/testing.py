@@ -1,0 +1,84 @@
+"""The test suite with the tools that it needs: what ``mansion test`` and CI run."""
+
+import os
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Final
+
+from mansion_bringup.extras import ensure_extra
+from mansion_msgs_py.errors import ErrorCode, MansionError
+
+__all__ = ["TEST_EXTRAS", "pytest_command", "run_tests", "test_environment"]
+
+TEST_EXTRAS: Final = ("test", "sim", "llm", "usd")
+"""What the suite imports: the tools themselves, and the extras whose code it covers."""
+
+_CHECKOUT: Final = Path(__file__).resolve().parents[3]
+
+
+def pytest_command(arguments: Sequence[str]) -> list[str]:
+    """Return the command that runs pytest on two processes with coverage.
+
+    Parameters
+    ----------
+    arguments : sequence of str
+        pytest's own; they come last and so win (``-n 0``, ``--no-cov``, a path).
+    """
+    return [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-n",
+        "2",
+        "--cov",
+        "--cov-report=term:skip-covered",
+        *arguments,
+    ]
+
+
+def test_environment(environment: Mapping[str, str]) -> dict[str, str]:
+    """Return the environment of the suite: loopback only, one thread for each numeric library.
+
+    Parameters
+    ----------
+    environment : mapping
+        The caller's; its own choices stay, but for the discovery range.
+    """
+    return {
+        "OMP_NUM_THREADS": "1",
+        "OPENBLAS_NUM_THREADS": "1",
+        "MPLBACKEND": "Agg",
+        **environment,
+        "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+    }
+
+
+def run_tests(arguments: Sequence[str]) -> int:
+    """Run the test suite of this checkout and return pytest's exit status.
+
+    Parameters
+    ----------
+    arguments : sequence of str
+        Passed on to pytest; paths are relative to the checkout.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` outside a checkout; ``UNAVAILABLE`` if the tools cannot be installed.
+    """
+    if not (_CHECKOUT / "tests").is_dir():
+        raise MansionError(
+            ErrorCode.NOT_FOUND,
+            f"there are no tests beside {_CHECKOUT}; run ./mansion test in a checkout of Mansion",
+        )
+    for name in TEST_EXTRAS:
+        ensure_extra(name)
+    done = subprocess.run(
+        pytest_command(arguments),
+        cwd=_CHECKOUT,
+        env=test_environment(os.environ),
+        check=False,
+    )
+    return done.returncode
