@@ -1,0 +1,177 @@
+"""Furniture outlines with their fronts, as an architect draws them."""
+
+from collections.abc import Callable
+
+from mansion_msgs_py.scene import FloorScene, SceneObject
+
+from mansion_scene.export.plan.palette import INK
+from mansion_scene.export.plan.shapes import Area, Canvas, Frame, Line, Shape, circle, rectangle
+
+__all__ = ["draw_furniture"]
+
+Symbol = Callable[[Frame, float, float], list[Shape]]
+"""Details of a symbol from its frame, half width and half depth."""
+
+SMALL = 0.12
+"""Objects on surfaces that are smaller than this in both directions are left out."""
+
+
+def draw_furniture(scene: FloorScene) -> list[Canvas]:
+    """Draw what stands on floors and hangs on walls; rugs first, small things last."""
+    order = {"floor": 1, "wall": 2, "surface": 3}
+    drawn = [
+        item
+        for item in scene.objects
+        if item.mount in order and not (item.mount == "surface" and max(item.size[:2]) < SMALL)
+    ]
+    drawn.sort(key=lambda item: 0 if _is_flat(item) else order[item.mount])
+    return [_object(item) for item in drawn]
+
+
+def _is_flat(item: SceneObject) -> bool:
+    return item.mount == "floor" and item.size[2] <= 0.05
+
+
+def _object(item: SceneObject) -> Canvas:
+    frame = Frame(item.position[0], item.position[1], item.rotation)
+    a, b = item.size[0] / 2, item.size[1] / 2
+    name = f"{item.category} {item.name}".lower()
+    title = item.id if item.name in ("", item.category) else f"{item.id}: {item.name}"
+    if _is_flat(item):
+        shapes: list[Shape] = [
+            Area(frame.place(rectangle(-a, -b, a, b)), INK["rug"], INK["furniture_detail"], 0.012)
+        ]
+        return Canvas("furniture", tuple(shapes), item.id, title)
+    if item.mount == "surface":
+        body = Area(
+            frame.place(rectangle(-a, -b, a, b)), "#eef0f2", INK["furniture_detail"], 0.008
+        )
+        return Canvas("furniture", (body,), item.id, title)
+    symbol = _symbol(name)
+    round_body = symbol in (_round, _plant)
+    outline = circle((0.0, 0.0), a, b) if round_body else rectangle(-a, -b, a, b)
+    fill = INK["green_fill"] if symbol is _plant else INK["furniture"]
+    line = INK["green"] if symbol is _plant else INK["furniture_line"]
+    shapes = [Area(frame.place(outline), fill, line, 0.015), *symbol(frame, a, b)]
+    return Canvas("furniture", tuple(shapes), item.id, title)
+
+
+def _detail(frame: Frame, points: list[tuple[float, float]], width: float = 0.012) -> Line:
+    return Line(frame.place(points), INK["furniture_detail"], width)
+
+
+def _plain(frame: Frame, a: float, b: float) -> list[Shape]:
+    """A line along the front edge."""
+    inset = min(0.06, b * 0.35)
+    return [_detail(frame, [(-a, b - inset), (a, b - inset)])]
+
+
+def _bed(frame: Frame, a: float, b: float) -> list[Shape]:
+    count = 2 if a > 0.6 else 1
+    width = 2 * a / count
+    pillows: list[Shape] = []
+    for i in range(count):
+        x = -a + i * width
+        corners = rectangle(x + 0.1 * width, -b + 0.08, x + 0.9 * width, -b + 0.42)
+        pillows.append(Area(frame.place(corners), "#ffffff", INK["furniture_detail"], 0.012))
+    return [*pillows, _detail(frame, [(-a, -b + 0.6), (a, -b + 0.6)])]
+
+
+def _seat(frame: Frame, a: float, b: float) -> list[Shape]:
+    """A back rest, and arms where it is wide enough."""
+    back = min(0.18, b * 0.5)
+    shapes: list[Shape] = [
+        Area(frame.place(rectangle(-a, -b, a, -b + back)), "#e3e6ea", INK["furniture_line"], 0.012)
+    ]
+    if a > 0.34:
+        arm = min(0.14, a * 0.25)
+        for x0, x1 in ((-a, -a + arm), (a - arm, a)):
+            shapes.append(_detail(frame, rectangle(x0, -b + back, x1, b)))
+        seats = max(1, round(2 * a / 0.75))
+        step = (2 * a - 2 * arm) / seats
+        shapes += [
+            _detail(frame, [(-a + arm + i * step, -b + back), (-a + arm + i * step, b)])
+            for i in range(1, seats)
+        ]
+    return shapes
+
+
+def _table(frame: Frame, a: float, b: float) -> list[Shape]:
+    return []
+
+
+def _shelf(frame: Frame, a: float, b: float) -> list[Shape]:
+    return [_detail(frame, [(-a, -b), (a, b)]), *_plain(frame, a, b)]
+
+
+def _basin(frame: Frame, a: float, b: float) -> list[Shape]:
+    bowl = circle((0.0, 0.1 * b), a * 0.72, b * 0.66)
+    return [
+        Area(frame.place(bowl), "#e7f1f6", INK["furniture_line"], 0.012),
+        _detail(frame, [(0.0, -b), (0.0, -0.35 * b)], 0.025),
+    ]
+
+
+def _toilet(frame: Frame, a: float, b: float) -> list[Shape]:
+    tank = -b + min(0.2, 0.6 * b)
+    return [
+        Area(frame.place(rectangle(-a, -b, a, tank)), "#ffffff", INK["furniture_line"], 0.012),
+        Area(
+            frame.place(circle((0.0, (tank + b) / 2), a * 0.78, (b - tank) / 2)),
+            "#e7f1f6",
+            INK["furniture_line"],
+            0.012,
+        ),
+    ]
+
+
+def _tub(frame: Frame, a: float, b: float) -> list[Shape]:
+    inner = rectangle(-a * 0.86, -b * 0.8, a * 0.86, b * 0.8)
+    return [Area(frame.place(inner), "#e7f1f6", INK["furniture_line"], 0.012)]
+
+
+def _stove(frame: Frame, a: float, b: float) -> list[Shape]:
+    return [
+        Area(
+            frame.place(circle((x * a * 0.45, y * b * 0.45), min(a, b) * 0.28)),
+            None,
+            INK["furniture_line"],
+            0.012,
+        )
+        for x in (-1, 1)
+        for y in (-1, 1)
+    ]
+
+
+def _round(frame: Frame, a: float, b: float) -> list[Shape]:
+    return []
+
+
+def _plant(frame: Frame, a: float, b: float) -> list[Shape]:
+    return [
+        Line(frame.place([(0.0, 0.0), point]), INK["green"], 0.012)
+        for point in circle((0.0, 0.0), 0.85 * a, 0.85 * b, steps=7)
+    ]
+
+
+SYMBOLS: tuple[tuple[tuple[str, ...], Symbol], ...] = (
+    (("bedside", "nightstand", "bed_table"), _plain),
+    (("plant", "tree", "palm"), _plant),
+    (("toilet_paper", "paper_holder"), _plain),
+    (("toilet", "urinal", "bidet"), _toilet),
+    (("bathtub", "tub", "shower"), _tub),
+    (("sink", "basin", "washing"), _basin),
+    (("stove", "cooker", "range", "hob"), _stove),
+    (("round", "stool", "pouf", "ottoman", "trash", "garbage", "bin", "lamp", "column"), _round),
+    (("chair", "sofa", "couch", "bench", "seat", "armchair", "recliner", "loveseat"), _seat),
+    (("bed", "crib", "cot", "gurney", "stretcher"), _bed),
+    (("desk", "table", "counter", "workbench"), _table),
+    (("shelf", "shelv", "bookcase", "rack", "wardrobe", "cabinet", "locker", "closet"), _shelf),
+)
+
+
+def _symbol(name: str) -> Symbol:
+    for words, symbol in SYMBOLS:
+        if any(word in name for word in words):
+            return symbol
+    return _plain
