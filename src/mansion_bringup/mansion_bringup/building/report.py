@@ -118,4 +118,4 @@ def _downgrades(layout: FloorLayout, scene: FloorScene) -> list[Downgrade]:
         )
         for entry in scene.discarded
     ]
-    return edges + objects
+    return edges + list(scene.downgrades) + objects

@@ -1,0 +1,89 @@
+"""All checks of a building, in an order that goes from files to geometry to reach."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from mansion_bringup.building.read import BuildingFolder
+from mansion_bringup.check.cores import check_cores
+from mansion_bringup.check.fault import Fault
+from mansion_bringup.check.files import check_files, check_maps
+from mansion_bringup.check.identity import check_identity
+from mansion_bringup.check.objects import check_objects
+from mansion_bringup.check.openings import check_openings
+from mansion_bringup.check.partition import check_partition
+from mansion_bringup.check.reach import check_reach
+from mansion_bringup.check.request import check_request
+from mansion_bringup.check.walls import check_walls
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.topology import FloorTopology
+
+__all__ = ["check_building", "check_floors"]
+
+
+def check_building(path: Path | str) -> list[Fault]:
+    """Return every fault of the building in a folder; empty for a sound one.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` when `path` is no building folder.
+    """
+    folder = Path(path)
+    if not (folder / "building.json").is_file():
+        raise MansionError(
+            ErrorCode.NOT_FOUND,
+            f"{folder} has no building.json; name a folder that `mansion build` wrote",
+        )
+    try:
+        read = BuildingFolder(folder)
+        scenes = read.scenes()
+        layouts = [read.layout(floor) for floor in read.floors]
+        topologies = [read.topology(floor) for floor in read.floors]
+    except MansionError as error:
+        return [Fault("FILE", str(error.info.details.get("file", folder)), str(error))]
+    faults = [
+        *check_files(folder, read.building),
+        *check_maps(folder, read.building, scenes),
+        *check_request(read.building, layouts, scenes),
+        *check_floors(read.building.building_id, scenes, topologies),
+    ]
+    return sorted(set(faults), key=lambda fault: (fault.kind, fault.where, fault.message))
+
+
+def check_floors(
+    building_id: str, scenes: Sequence[FloorScene], topologies: Sequence[FloorTopology]
+) -> Iterator[Fault]:
+    """Yield the faults of finished scenes, from their geometry and their room graphs."""
+    identity = list(check_identity(building_id, scenes))
+    yield from identity
+    if any(fault.kind == "NUMBER" for fault in identity):
+        return
+    for scene, topology in zip(scenes, topologies):
+        yield from check_partition(scene)
+        yield from check_walls(scene)
+        yield from check_openings(scene, _wished_doors(scene, topology))
+        yield from check_objects(scene)
+    yield from check_cores(scenes)
+    yield from check_reach(scenes)
+
+
+def _wished_doors(scene: FloorScene, topology: FloorTopology) -> list[tuple[str, str]]:
+    """Access edges between rooms that are there; an edge that a recorded downgrade gave up is left out."""
+    cores = {core.id for core in scene.cores}
+    rooms = {room.id for room in scene.rooms}
+    given_up = {frozenset(wish.wish.split(" access ")) for wish in scene.downgrades}
+    wished = []
+    for edge in topology.edges:
+        names = [
+            name if name in cores else f"F{scene.floor}/{name}"
+            for name in (edge.source, edge.target)
+        ]
+        known = all(name in cores or name in rooms for name in names)
+        if (
+            edge.kind == "access"
+            and known
+            and frozenset((edge.source, edge.target)) not in given_up
+        ):
+            wished.append((names[0], names[1]))
+    return wished

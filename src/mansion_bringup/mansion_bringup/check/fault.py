@@ -1,0 +1,16 @@
+"""One thing that is wrong with a building."""
+
+import msgspec
+
+__all__ = ["Fault"]
+
+
+class Fault(msgspec.Struct, frozen=True, order=True):
+    """A fault: its kind, the place (an id or a file), and what was found against what holds in a sound building."""
+
+    kind: str
+    where: str
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.kind} {self.where}: {self.message}"

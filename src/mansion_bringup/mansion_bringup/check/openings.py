@@ -1,0 +1,117 @@
+"""Is every door in a wall between its two rooms, and every window in an outer wall."""
+
+import itertools
+import math
+from collections import defaultdict
+from collections.abc import Iterator
+
+from shapely import LineString, Polygon
+from shapely.geometry.base import BaseGeometry
+
+from mansion_bringup.check.fault import Fault
+from mansion_bringup.check.shapes import along, room_area, segment_length
+from mansion_msgs_py.scene import Door, FloorScene, Wall, Window
+
+__all__ = ["check_openings"]
+
+CLEAR_WIDTH = 0.9
+"""Least clear width of a door, metres."""
+
+ASIDE = 0.13
+"""How far a door's line may lie from a room's polygon: an outer wall's centre line is half a wall off."""
+
+ROUNDING = 0.005
+
+
+def check_openings(scene: FloorScene, edges: list[tuple[str, str]]) -> Iterator[Fault]:
+    """Yield faults of doors and windows.
+
+    Parameters
+    ----------
+    edges : list of (str, str)
+        Pairs of room or core ids that must have a door between them.
+    """
+    places = _places(scene)
+    walls = {wall.id: wall for wall in scene.walls}
+    for door in scene.doors:
+        yield from _door(door, places, walls)
+    for window in scene.windows:
+        yield from _window(window, places, walls)
+    yield from _crowded(scene, walls)
+    joined = {frozenset(name for name in door.rooms if name) for door in scene.doors}
+    for source, target in edges:
+        if frozenset((source, target)) not in joined:
+            yield Fault(
+                "DOOR_MISSING", f"{source} and {target}", "are to be joined and have no door"
+            )
+
+
+def _places(scene: FloorScene) -> dict[str, BaseGeometry]:
+    places: dict[str, BaseGeometry] = {room.id: room_area(room) for room in scene.rooms}
+    places.update({core.id: Polygon(core.polygon) for core in scene.cores})
+    return places
+
+
+def _door(door: Door, places: dict[str, BaseGeometry], walls: dict[str, Wall]) -> Iterator[Fault]:
+    length = segment_length(door.segment)
+    if length < CLEAR_WIDTH - ROUNDING:
+        yield Fault("DOOR_NARROW", door.id, f"{length:.2f} m clear; {CLEAR_WIDTH} m at least")
+    if abs(length - door.width) > 0.02:
+        yield Fault(
+            "DOOR_WIDTH", door.id, f"states {door.width:.2f} m, its opening has {length:.2f}"
+        )
+    if door.kind != "open":
+        yield from _in_wall(door, walls)
+    line = LineString(door.segment)
+    for name in door.rooms:
+        if name is None:
+            continue
+        if name not in places:
+            yield Fault("DOOR_ROOMS", door.id, f"leads to {name}, which is not there")
+        elif line.difference(places[name].boundary.buffer(ASIDE)).length > ROUNDING:
+            yield Fault("DOOR_ROOMS", door.id, f"is not on the boundary of {name}")
+
+
+def _in_wall(opening: Door | Window, walls: dict[str, Wall]) -> Iterator[Fault]:
+    kind = "DOOR_WALL" if isinstance(opening, Door) else "WINDOW_WALL"
+    wall = walls.get(opening.wall)
+    if wall is None:
+        yield Fault(kind, opening.id, f"is in wall {opening.wall!r}, which is not there")
+        return
+    length = segment_length(wall.segment)
+    for point in opening.segment:
+        position, aside = along(wall.segment, point)
+        if aside > 0.02 or not -ROUNDING <= position <= length + ROUNDING:
+            yield Fault(kind, opening.id, f"is not within wall {wall.id}")
+            return
+    top = opening.height + (opening.sill if isinstance(opening, Window) else 0.0)
+    if top > wall.height + ROUNDING:
+        yield Fault(kind, opening.id, f"is higher than wall {wall.id}")
+
+
+def _window(
+    window: Window, places: dict[str, BaseGeometry], walls: dict[str, Wall]
+) -> Iterator[Fault]:
+    yield from _in_wall(window, walls)
+    wall = walls.get(window.wall)
+    if wall is not None and not wall.exterior:
+        yield Fault("WINDOW_WALL", window.id, f"is in the inner wall {wall.id}")
+    room = places.get(window.room)
+    line = LineString(window.segment)
+    if room is None or line.difference(room.boundary.buffer(2 * ASIDE)).length > ROUNDING:
+        yield Fault("WINDOW_ROOM", window.id, f"is not at {window.room}")
+
+
+def _crowded(scene: FloorScene, walls: dict[str, Wall]) -> Iterator[Fault]:
+    by_wall: dict[str, list[tuple[float, float, str]]] = defaultdict(list)
+    openings: list[Door | Window] = [*scene.doors, *scene.windows]
+    for opening in openings:
+        wall = walls.get(opening.wall)
+        if wall is not None:
+            ends = sorted(along(wall.segment, point)[0] for point in opening.segment)
+            by_wall[wall.id].append((ends[0], ends[1], opening.id))
+    for spans in by_wall.values():
+        spans.sort()
+        for (_, end, first), (start, _, second) in itertools.pairwise(spans):
+            if start < end - ROUNDING and not math.isclose(start, end, abs_tol=ROUNDING):
+                yield Fault("OPENINGS_OVERLAP", f"{first} and {second}", "overlap in their wall")

@@ -1,0 +1,48 @@
+"""Do the rooms partition the floor: valid, in one piece, no gap, no overlap, within the outline."""
+
+from collections.abc import Iterator
+
+from shapely import STRtree
+from shapely.ops import unary_union
+
+from mansion_bringup.check.fault import Fault
+from mansion_bringup.check.shapes import free_region, net_area, room_area
+from mansion_msgs_py.scene import FloorScene
+
+__all__ = ["check_partition"]
+
+COVERAGE = 0.999
+AREA_SLACK = 0.01
+"""Square metres of overlap or overhang that count as rounding."""
+
+
+def check_partition(scene: FloorScene) -> Iterator[Fault]:
+    """Yield faults of the rooms' polygons."""
+    rooms = [room for room in scene.rooms if room.kind not in ("stair", "elevator")]
+    shapes = [room_area(room) for room in rooms]
+    sound = True
+    for room, shape in zip(rooms, shapes):
+        if not shape.is_valid or shape.is_empty:
+            sound = False
+            yield Fault("ROOM_SHAPE", room.id, "its polygon crosses itself")
+        elif abs(shape.area - room.area) > 0.02 * shape.area + AREA_SLACK:
+            yield Fault("ROOM_AREA", room.id, f"states {room.area:.2f} m2, has {shape.area:.2f}")
+    if not sound:
+        return
+    region = free_region(scene.outline, scene.holes, [core.polygon for core in scene.cores])
+    for room, shape in zip(rooms, shapes):
+        net = net_area(room)
+        if not net.is_valid or net.is_empty or net.difference(shape.buffer(1e-3)).area > AREA_SLACK:
+            yield Fault("ROOM_NET", room.id, "its net interior is not within the room")
+        beyond = shape.difference(region).area
+        if beyond > AREA_SLACK:
+            yield Fault("ROOM_OUTSIDE", room.id, f"{beyond:.2f} m2 lie outside or in a core")
+    tree = STRtree(shapes)
+    for index, shape in enumerate(shapes):
+        for other in sorted(tree.query(shape)):
+            if other > index and (shared := shape.intersection(shapes[other]).area) > AREA_SLACK:
+                where = f"{rooms[index].id} and {rooms[other].id}"
+                yield Fault("ROOM_OVERLAP", where, f"share {shared:.2f} m2")
+    covered = unary_union(shapes).intersection(region).area / region.area
+    if covered < COVERAGE:
+        yield Fault("COVERAGE", f"floor {scene.floor}", f"rooms cover {covered:.1%} of the floor")

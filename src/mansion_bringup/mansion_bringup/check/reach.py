@@ -1,0 +1,112 @@
+"""Can a robot get everywhere: the walkable region eroded by its radius, by exact polygons instead of a grid."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import networkx as nx
+from shapely import LineString, MultiPolygon, Point, Polygon, STRtree, union_all
+from shapely.geometry.base import BaseGeometry
+
+from mansion_bringup.check.fault import Fault
+from mansion_bringup.check.shapes import footprint, net_area, vertical
+from mansion_msgs_py.scene import FloorScene, SceneObject
+
+__all__ = ["check_reach"]
+
+ROBOT_RADIUS = 0.20
+ROBOT_HEIGHT = 1.5
+ARM = 0.30
+"""Metres that the robot reaches beyond its body."""
+
+SLACK = 0.03
+"""Metres by which a grid of 0.05 m may differ from the exact region."""
+
+WALKABLE_HEIGHT = 0.03
+ENTRANCE_REACH = 0.8
+"""How near to a core's entrance pose the robot must get, metres."""
+
+
+@dataclass(frozen=True)
+class _Walk:
+    """The pieces of a floor that the robot's centre can move in."""
+
+    pieces: list[Polygon]
+    tree: STRtree
+
+    def near(self, shape: BaseGeometry, distance: float) -> set[int]:
+        """Numbers of the pieces within `distance` of `shape`."""
+        found = self.tree.query(shape, predicate="dwithin", distance=distance)
+        return set(found.tolist())
+
+
+def check_reach(scenes: Sequence[FloorScene]) -> Iterator[Fault]:
+    """Yield what cannot be reached from the building's entrance."""
+    graph: nx.Graph[tuple[int, int] | str] = nx.Graph()
+    walks = {scene.floor: _walkable(scene) for scene in scenes}
+    starts: list[tuple[int, int]] = []
+    for scene in scenes:
+        walk = walks[scene.floor]
+        graph.add_nodes_from((scene.floor, piece) for piece in range(len(walk.pieces)))
+        for core in scene.cores:
+            for piece in walk.near(Point(core.entrance[:2]), ENTRANCE_REACH):
+                graph.add_edge(core.id, (scene.floor, piece))
+        for door in scene.doors:
+            if None in door.rooms and scene.floor == 1:
+                starts += [(1, piece) for piece in walk.near(LineString(door.segment), 0.5)]
+    if not starts:
+        yield Fault("ENTRANCE", "floor 1", "no door leads outside from where a robot can stand")
+        return
+    reached = set().union(*(nx.node_connected_component(graph, start) for start in starts))
+    for scene in scenes:
+        pieces = {
+            node[1] for node in reached if not isinstance(node, str) and node[0] == scene.floor
+        }
+        yield from _floor(scene, walks[scene.floor], pieces)
+
+
+def _walkable(scene: FloorScene) -> _Walk:
+    rooms = [net_area(room) for room in scene.rooms if room.kind not in ("stair", "elevator")]
+    cores = {core.id for core in scene.cores}
+    inner = [door for door in scene.doors if door.is_open or door.kind != "entrance"]
+    passages = [
+        LineString(door.segment).buffer(0.14, cap_style="flat")
+        for door in inner
+        if None not in door.rooms and not cores.intersection(str(name) for name in door.rooms)
+    ]
+    obstacles = [footprint(thing) for thing in scene.objects if _obstructs(thing)]
+    region = union_all([*rooms, *passages]).difference(union_all(obstacles))
+    eroded = region.buffer(-(ROBOT_RADIUS - SLACK), quad_segs=4)
+    parts = eroded.geoms if isinstance(eroded, MultiPolygon) else [eroded]
+    pieces = [part for part in parts if not part.is_empty]
+    return _Walk(pieces, STRtree(pieces))
+
+
+def _obstructs(thing: SceneObject) -> bool:
+    low, high = vertical(thing)
+    return thing.mount in ("floor", "wall") and low < ROBOT_HEIGHT and high > WALKABLE_HEIGHT
+
+
+def _floor(scene: FloorScene, walk: _Walk, reached: set[int]) -> Iterator[Fault]:
+    if not reached:
+        yield Fault("FLOOR_UNREACHABLE", f"floor {scene.floor}", "no stair or lift leads to it")
+        return
+    for room in scene.rooms:
+        if room.kind in ("stair", "elevator"):
+            continue
+        inside = walk.near(net_area(room).buffer(-0.15), 0.0)
+        if not inside & reached:
+            yield Fault("ROOM_UNREACHABLE", room.id, "a robot cannot get in from the entrance")
+    for thing in scene.objects:
+        if thing.mount != "floor" or thing.size[2] <= WALKABLE_HEIGHT:
+            continue
+        if not walk.near(footprint(thing), ROBOT_RADIUS + ARM + SLACK) & reached:
+            yield Fault("OBJECT_UNREACHABLE", thing.id, "a robot cannot get near it")
+    yield from _spawn(scene, walk, reached)
+
+
+def _spawn(scene: FloorScene, walk: _Walk, reached: set[int]) -> Iterator[Fault]:
+    where = f"floor {scene.floor}"
+    if scene.spawn is None:
+        yield Fault("SPAWN", where, "has no spawn pose")
+    elif not walk.near(Point(scene.spawn.x, scene.spawn.y), SLACK) & reached:
+        yield Fault("SPAWN", where, "the spawn pose is not in a free, reachable place")
