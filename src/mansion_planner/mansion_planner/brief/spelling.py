@@ -1,0 +1,106 @@
+"""Correct misspelt words to the planner's vocabulary, by one edit (two in long words)."""
+
+from functools import cache
+
+from mansion_planner.brief.tokens import ORDINALS, Token, singular
+
+__all__ = ["GRAMMAR", "corrected"]
+
+GRAMMAR = frozenset(
+    """floor storey story level building with without the and for that has have including containing each every per
+    ground basement top upper lower square metre meter foot feet total area room about around people person family
+    next adjacent beside between above below identical same elevator lift stair staircase shaped courtyard terrace
+    setback material wooden style pupil student employee guest patient bed resident worker staff outline rectangular
+    house home high rise tower apartment penthouse roof rooftop underground contain include footprint typical""".split()
+)
+
+_COMMON = frozenset(
+    """there their where which while these those would could should large small space place light right night sight
+    three seven eight other after great being under along since those might still about after again below could every
+    first found house large learn never other place plant point right small sound spell still study their there these
+    thing think three water where which world would write please make build design create want need give like also
+    just very well must than then them they this that from into onto over some such only more most much many nice good
+    best long wide tall deep each both same main side back front open close near kind type sort size bath built heated
+    cooled quiet house party dinner ceiling window door wall garden street city town village modest spacious cozy wing
+    sunny shared client hosting served serving serves kiosk table chair shelf desk south north east west corner story
+    reading sleeping cooking eating working visitor visitors children parents couple bright private public service hover
+    cat dog cow car van bus fun sun run but put cut hot lot not dot got big bag beg pig fig wig dig rig top tip tap""".split()
+)
+
+
+def corrected(tokens: list[Token], words: frozenset[str]) -> list[Token]:
+    """Return the tokens with misspelt words replaced by the vocabulary's nearest word.
+
+    Parameters
+    ----------
+    tokens : list of Token
+    words : frozenset of str
+        The lexicon's words, in singular.
+    """
+    known: dict[str, str] = {}
+    result: list[Token] = []
+    for token in tokens:
+        if token.kind != "word" or len(token.text) < 5 or len(token.text) > 20:
+            result.append(token)
+            continue
+        if token.text not in known:
+            known[token.text] = _nearest(token.text, words)
+        text = known[token.text]
+        if text == token.text:
+            result.append(token)
+        elif text in ORDINALS:
+            value = float(ORDINALS[text])
+            result.append(Token("ordinal", text, token.start, token.end, value))
+        else:
+            result.append(Token("word", text, token.start, token.end, plural=token.plural))
+    return result
+
+
+@cache
+def _index(words: frozenset[str]) -> dict[str, list[str]]:
+    """Vocabulary words by each form that they take with one letter left out."""
+    index: dict[str, list[str]] = {}
+    for word in sorted(words | GRAMMAR | set(ORDINALS)):
+        if len(word) >= 5:
+            for form in _deletions(word):
+                index.setdefault(form, []).append(word)
+    return index
+
+
+def _deletions(word: str) -> list[str]:
+    return [word, *sorted({word[:i] + word[i + 1 :] for i in range(len(word))})]
+
+
+def _nearest(word: str, words: frozenset[str]) -> str:
+    if word in words or word in GRAMMAR or word in _COMMON or singular(word) in words:
+        return word
+    index = _index(words)
+    limit = 2 if len(word) >= 8 else 1
+    best, best_distance = word, limit + 1
+    forms = _deletions(word)
+    if limit == 2:
+        forms = [*forms, *(form for one in forms[1:] for form in _deletions(one)[1:])]
+    for form in forms:
+        for candidate in index.get(form, ()):
+            if candidate[0] != word[0] or abs(len(candidate) - len(word)) > limit:
+                continue
+            distance = _edit_distance(word, candidate, limit)
+            if (distance, candidate) < (best_distance, best):
+                best, best_distance = candidate, distance
+    return best
+
+
+def _edit_distance(a: str, b: str, limit: int) -> int:
+    """Edits between two words, a swap of neighbours counting one; `limit` + 1 when there are more."""
+    before: list[int] = []
+    row = list(range(len(b) + 1))
+    for i, left in enumerate(a, 1):
+        before, last, row = row, before, [i]
+        for j, right in enumerate(b, 1):
+            cost = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (left != right))
+            if i > 1 and j > 1 and left == b[j - 2] and a[i - 2] == right:
+                cost = min(cost, last[j - 2] + 1)
+            row.append(cost)
+        if min(row) > limit:
+            return limit + 1
+    return row[-1]

@@ -1,0 +1,168 @@
+"""Records of the knowledge base: room types, building types and styles of material."""
+
+import re
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+__all__ = [
+    "BuildingType",
+    "Family",
+    "Finish",
+    "Parti",
+    "RoomEntry",
+    "RoomType",
+    "Storey",
+    "Style",
+    "Zone",
+    "parse_entry",
+]
+
+Zone: TypeAlias = Literal["public", "private", "service", "circulation"]
+Finish: TypeAlias = Literal["wood", "carpet", "tile", "vinyl", "concrete", "rubber", "stone"]
+Storey: TypeAlias = Literal["any", "ground", "upper", "top", "basement"]
+Parti: TypeAlias = Literal["hall", "house", "spine"]
+"""The layout idea of a storey: rooms around one big room, around a landing, or along a corridor."""
+
+Family: TypeAlias = Literal[
+    "home", "lodging", "office", "education", "health", "culture", "retail", "food", "sport",
+    "civic", "worship", "transport", "industry", "mixed",
+]  # fmt: skip
+
+_ENTRY = re.compile(
+    r"^(?P<type>[a-z][a-z0-9_]*)(?::(?P<area>\d+(?:\.\d+)?))?(?: x(?P<count>\d+))?(?P<more> \+)?$"
+)
+
+
+@dataclass(frozen=True)
+class RoomEntry:
+    """A line of a storey's room list.
+
+    Attributes
+    ----------
+    room_type : str
+    area : float, optional
+        Square metres; the type's usual area when absent.
+    count : int
+    repeat : bool
+        More of it may fill what is left of the storey.
+    """
+
+    room_type: str
+    area: float | None = None
+    count: int = 1
+    repeat: bool = False
+
+
+def parse_entry(text: str) -> RoomEntry:
+    """Parse ``room_type[:area] [xCOUNT] [+]``.
+
+    Raises
+    ------
+    ValueError
+        The text has another form.
+
+    Examples
+    --------
+    >>> parse_entry("classroom:54 x3 +")
+    RoomEntry(room_type='classroom', area=54.0, count=3, repeat=True)
+    """
+    match = _ENTRY.match(text.strip())
+    if match is None:
+        raise ValueError(f'{text!r} is not of the form "room_type[:area] [xCOUNT] [+]"')
+    return RoomEntry(
+        room_type=match["type"],
+        area=float(match["area"]) if match["area"] else None,
+        count=int(match["count"] or 1),
+        repeat=bool(match["more"]),
+    )
+
+
+@dataclass(frozen=True)
+class RoomType:
+    """A kind of room.
+
+    Attributes
+    ----------
+    name : str
+        Snake case; what later stages furnish by.
+    synonyms : tuple of str
+        Other names, lower case, without hyphens.
+    least, usual, most : float
+        Area in square metres.
+    zone : {"public", "private", "service", "circulation"}
+    storey : {"any", "ground", "upper", "top", "basement"}
+        Where it prefers to be.
+    near : tuple of str
+        Room types that it likes beside it.
+    daylight, wet, open, flexible, unit : bool
+        Wants a window; has water; stands open to what it is reached from; may take up a storey's spare area; is a
+        dwelling of several rooms.
+    finish : str
+        Which floor material of a style it takes.
+    suite : tuple of RoomEntry
+        Rooms that are reached through it (a hotel room's bathroom).
+    """
+
+    name: str
+    least: float
+    usual: float
+    most: float
+    zone: Zone
+    storey: Storey
+    finish: Finish
+    synonyms: tuple[str, ...] = ()
+    near: tuple[str, ...] = ()
+    daylight: bool = False
+    wet: bool = False
+    open: bool = False
+    flexible: bool = False
+    unit: bool = False
+    suite: tuple[RoomEntry, ...] = ()
+
+
+@dataclass(frozen=True)
+class BuildingType:
+    """A kind of building: how large it usually is and what its storeys hold.
+
+    Attributes
+    ----------
+    floors : (int, int)
+        Usual number, and the most that is inferred.
+    floor_area : (float, float)
+        Least and usual gross area of a storey, square metres.
+    hub, hub_upper : str
+        Room type of the circulation hub at the entrance storey and above.
+    people : float
+        Gross square metres for a person, where a brief states occupants only.
+    seats : RoomEntry, optional
+        The room that occupants are counted by: its type, and occupants per room as `area`.
+    storeys : dict of str to tuple of RoomEntry
+        ``single``, ``ground``, ``second``, ``upper``, ``top``, ``basement``.
+    stretcher : bool
+        Needs a lift on any number of storeys above one.
+    """
+
+    name: str
+    synonyms: tuple[str, ...]
+    family: Family
+    floors: tuple[int, int]
+    floor_area: tuple[float, float]
+    hub: str
+    hub_upper: str
+    parti: Parti
+    height: float
+    style: str
+    people: float
+    storeys: dict[str, tuple[RoomEntry, ...]] = field(default_factory=dict)
+    seats: RoomEntry | None = None
+    stretcher: bool = False
+
+
+@dataclass(frozen=True)
+class Style:
+    """Materials: a floor covering for each finish, and a wall covering for each kind of room."""
+
+    name: str
+    synonyms: tuple[str, ...]
+    floors: dict[str, str]
+    walls: dict[str, str]
