@@ -1,0 +1,1 @@
+"""Interfaces of ROS 2 Jazzy's ``builtin_interfaces``."""

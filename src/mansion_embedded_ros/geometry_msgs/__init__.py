@@ -1,0 +1,1 @@
+"""Interfaces of ROS 2 Jazzy's ``geometry_msgs``."""

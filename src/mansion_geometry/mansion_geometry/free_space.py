@@ -1,0 +1,360 @@
+"""Free space of a disc robot on a grid: inflation of walls and boxes, 4-connected regions, reachability.
+
+Cells are squares of `cell` metres whose lattice starts at the lower left corner of the room's bounds; a cell is free
+when its centre lies in the room and at least the robot's radius away from walls and boxes. A door opening is no wall.
+Arrays are indexed ``[row (y), column (x)]``.
+"""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from mansion_geometry.boxes import point_inside
+from mansion_geometry.compiled import kernel
+
+__all__ = ["FreeGrid", "connected_components", "flood_fill"]
+
+Floats = npt.NDArray[np.float64]
+Counts = npt.NDArray[np.int16]
+Labels = npt.NDArray[np.int32]
+Bools = npt.NDArray[np.bool_]
+
+_SLACK = 1e-9
+
+
+@kernel
+def _segment_distance2(x: float, y: float, seg: Floats) -> float:
+    dx, dy = seg[2] - seg[0], seg[3] - seg[1]
+    length2 = dx * dx + dy * dy
+    t = 0.0
+    if length2 > 0.0:
+        t = min(1.0, max(0.0, ((x - seg[0]) * dx + (y - seg[1]) * dy) / length2))
+    ex, ey = x - seg[0] - t * dx, y - seg[1] - t * dy
+    distance2: float = ex * ex + ey * ey
+    return distance2
+
+
+@kernel
+def _wall_counts(
+    rows: int,
+    cols: int,
+    x0: float,
+    y0: float,
+    cell: float,
+    edges: Floats,
+    walls: Floats,
+    radius: float,
+) -> Counts:
+    """Return 1 where a cell is outside the room or nearer to a wall than `radius`, else 0."""
+    counts = np.zeros((rows, cols), dtype=np.int16)
+    limit = (radius - _SLACK) ** 2
+    for r in range(rows):
+        y = y0 + (r + 0.5) * cell
+        for c in range(cols):
+            x = x0 + (c + 0.5) * cell
+            if not point_inside(x, y, edges):
+                counts[r, c] = 1
+                continue
+            for k in range(walls.shape[0]):
+                if _segment_distance2(x, y, walls[k]) < limit:
+                    counts[r, c] = 1
+                    break
+    return counts
+
+
+@kernel
+def _near_segment(
+    counts: Counts, x0: float, y0: float, cell: float, segment: Floats, distance: float
+) -> Labels:
+    """Return the flat indices of free cells at most `distance` from a segment."""
+    rows, cols = counts.shape
+    found = np.empty(rows * cols, dtype=np.int32)
+    n = 0
+    limit = (distance + _SLACK) ** 2
+    for r in range(rows):
+        for c in range(cols):
+            if counts[r, c] == 0:
+                x, y = x0 + (c + 0.5) * cell, y0 + (r + 0.5) * cell
+                if _segment_distance2(x, y, segment) <= limit:
+                    found[n] = r * cols + c
+                    n += 1
+    return found[:n].copy()
+
+
+@kernel
+def _window(
+    box: Floats, margin: float, x0: float, y0: float, cell: float, rows: int, cols: int
+) -> tuple[int, int, int, int]:
+    """Return the rows and columns [r0, r1) x [c0, c1) that a box grown by `margin` can touch."""
+    ex = abs(box[2]) * box[4] + abs(box[3]) * box[5] + margin
+    ey = abs(box[3]) * box[4] + abs(box[2]) * box[5] + margin
+    c0 = max(0, math.floor((box[0] - ex - x0) / cell))
+    c1 = min(cols, math.ceil((box[0] + ex - x0) / cell) + 1)
+    r0 = max(0, math.floor((box[1] - ey - y0) / cell))
+    r1 = min(rows, math.ceil((box[1] + ey - y0) / cell) + 1)
+    return r0, r1, c0, c1
+
+
+@kernel
+def _stamp(
+    counts: Counts, x0: float, y0: float, cell: float, boxes: Floats, radius: float, delta: int
+) -> int:
+    """Add `delta` to each cell nearer to a box than `radius`; return by how many the free cells shrank."""
+    rows, cols = counts.shape
+    limit = (radius - _SLACK) ** 2
+    taken = 0
+    for k in range(boxes.shape[0]):
+        box = boxes[k]
+        r0, r1, c0, c1 = _window(box, radius, x0, y0, cell, rows, cols)
+        for r in range(r0, r1):
+            qy = y0 + (r + 0.5) * cell - box[1]
+            for c in range(c0, c1):
+                qx = x0 + (c + 0.5) * cell - box[0]
+                dx = max(abs(qx * box[2] + qy * box[3]) - box[4], 0.0)
+                dy = max(abs(-qx * box[3] + qy * box[2]) - box[5], 0.0)
+                if dx * dx + dy * dy < limit:
+                    before = counts[r, c]
+                    counts[r, c] = before + delta
+                    if before == 0:
+                        taken += 1
+                    elif before + delta == 0:
+                        taken -= 1
+    return taken
+
+
+@kernel
+def flood_fill(counts: Counts, seeds: Labels, reached: Bools) -> int:
+    """Mark in `reached` the free cells 4-connected to free `seeds` (flat indices); return how many there are."""
+    rows, cols = counts.shape
+    reached[:, :] = False
+    stack = np.empty(rows * cols, dtype=np.int32)
+    top = 0
+    total = 0
+    for k in range(seeds.shape[0]):
+        r, c = seeds[k] // cols, seeds[k] % cols
+        if counts[r, c] == 0 and not reached[r, c]:
+            reached[r, c] = True
+            stack[top] = seeds[k]
+            top += 1
+    while top > 0:
+        top -= 1
+        cell = stack[top]
+        total += 1
+        r, c = cell // cols, cell % cols
+        if r > 0 and counts[r - 1, c] == 0 and not reached[r - 1, c]:
+            reached[r - 1, c] = True
+            stack[top] = cell - cols
+            top += 1
+        if r + 1 < rows and counts[r + 1, c] == 0 and not reached[r + 1, c]:
+            reached[r + 1, c] = True
+            stack[top] = cell + cols
+            top += 1
+        if c > 0 and counts[r, c - 1] == 0 and not reached[r, c - 1]:
+            reached[r, c - 1] = True
+            stack[top] = cell - 1
+            top += 1
+        if c + 1 < cols and counts[r, c + 1] == 0 and not reached[r, c + 1]:
+            reached[r, c + 1] = True
+            stack[top] = cell + 1
+            top += 1
+    return total
+
+
+@kernel
+def connected_components(counts: Counts) -> tuple[Labels, Labels]:
+    """Label the 4-connected regions of free cells (count 0).
+
+    Returns
+    -------
+    labels : (rows, cols) array
+        From 1; 0 where not free.
+    sizes : (k,) array
+        Cells of each label.
+    """
+    rows, cols = counts.shape
+    labels = np.zeros((rows, cols), dtype=np.int32)
+    sizes = np.zeros(rows * cols // 2 + 1, dtype=np.int32)
+    stack = np.empty(rows * cols, dtype=np.int32)
+    count = 0
+    for r0 in range(rows):
+        for c0 in range(cols):
+            if counts[r0, c0] != 0 or labels[r0, c0] != 0:
+                continue
+            count += 1
+            labels[r0, c0] = count
+            stack[0] = r0 * cols + c0
+            top = 1
+            while top > 0:
+                top -= 1
+                r, c = stack[top] // cols, stack[top] % cols
+                sizes[count - 1] += 1
+                for dr, dc in ((-1, 0), (1, 0), (0, -1), (0, 1)):
+                    rr, cc = r + dr, c + dc
+                    inside = 0 <= rr < rows and 0 <= cc < cols
+                    if inside and counts[rr, cc] == 0 and labels[rr, cc] == 0:
+                        labels[rr, cc] = count
+                        stack[top] = rr * cols + cc
+                        top += 1
+    return labels, sizes[:count].copy()
+
+
+@kernel
+def _approachable(
+    reached: Bools, x0: float, y0: float, cell: float, box: Floats, reach: float, front: bool
+) -> bool:
+    """Tell whether a reached cell lies at most `reach` from a box (`front`: before its front edge)."""
+    rows, cols = reached.shape
+    r0, r1, c0, c1 = _window(box, reach, x0, y0, cell, rows, cols)
+    limit = (reach + _SLACK) ** 2
+    for r in range(r0, r1):
+        qy = y0 + (r + 0.5) * cell - box[1]
+        for c in range(c0, c1):
+            if not reached[r, c]:
+                continue
+            qx = x0 + (c + 0.5) * cell - box[0]
+            along, ahead = qx * box[2] + qy * box[3], -qx * box[3] + qy * box[2]
+            if front and (ahead < box[5] or abs(along) > box[4] + 0.1):
+                continue
+            dx, dy = max(abs(along) - box[4], 0.0), max(abs(ahead) - box[5], 0.0)
+            if dx * dx + dy * dy <= limit:
+                return True
+    return False
+
+
+@kernel
+def _first_unreachable(
+    reached: Bools,
+    x0: float,
+    y0: float,
+    cell: float,
+    boxes: Floats,
+    reach: float,
+    front: Bools,
+    partner: Labels,
+) -> int:
+    """Return the first box that cannot be approached, -1 if all can.
+
+    A box with `front` set needs a cell before its front, or one beside its `partner` (index, -1: none) that
+    stands there.
+    """
+    for k in range(boxes.shape[0]):
+        if not _approachable(reached, x0, y0, cell, boxes[k], reach, False):
+            return k
+        if front[k] and not _approachable(reached, x0, y0, cell, boxes[k], reach, True):
+            p = partner[k]
+            if p < 0 or not _approachable(reached, x0, y0, cell, boxes[p], reach, False):
+                return k
+    return -1
+
+
+class FreeGrid:
+    """The free cells of one room, kept up to date as boxes come and go.
+
+    Parameters
+    ----------
+    edges : (e, 4) array
+        The room's boundary, interior on the left.
+    walls : (w, 4) array
+        The boundary without door openings.
+    doors : sequence of (4,) arrays
+        Door segments; free cells at most `stand` metres from one are its threshold.
+    radius : float
+        The robot's radius, metres.
+    reach : float
+        How far beyond its body the robot reaches, metres.
+    cell : float
+        Cell size, metres.
+    """
+
+    def __init__(
+        self,
+        edges: Floats,
+        walls: Floats,
+        doors: Sequence[Floats],
+        *,
+        radius: float = 0.20,
+        reach: float = 0.30,
+        cell: float = 0.05,
+        stand: float = 0.10,
+    ) -> None:
+        self.cell, self.radius, self.reach = cell, radius, reach
+        self.x0 = float(min(edges[:, 0].min(), edges[:, 2].min()))
+        self.y0 = float(min(edges[:, 1].min(), edges[:, 3].min()))
+        width = float(max(edges[:, 0].max(), edges[:, 2].max())) - self.x0
+        height = float(max(edges[:, 1].max(), edges[:, 3].max())) - self.y0
+        # As many cell centres as lie below the far side, at least one.
+        cols = max(1, math.ceil(width / cell - 0.5 - 1e-9))
+        rows = max(1, math.ceil(height / cell - 0.5 - 1e-9))
+        self.counts = _wall_counts(rows, cols, self.x0, self.y0, cell, edges, walls, radius)
+        self.reached = np.zeros((rows, cols), dtype=np.bool_)
+        self.free_cells = int((self.counts == 0).sum())
+        self.thresholds = [
+            _near_segment(self.counts, self.x0, self.y0, cell, np.asarray(door, float), stand)
+            for door in doors
+        ]
+        self.seeds, self.required = self._entries()
+        self.reached_cells = flood_fill(self.counts, self.seeds, self.reached)
+
+    def _entries(self) -> tuple[Labels, list[Labels]]:
+        """Return the cells that one enters by, and the thresholds that must stay connected to them."""
+        labels, sizes = connected_components(self.counts)
+        if not len(sizes):
+            return np.zeros(0, dtype=np.int32), []
+        flat = labels.ravel()
+        entered = sorted({int(label) for cells in self.thresholds for label in flat[cells]})
+        pool = entered or range(1, len(sizes) + 1)
+        main = max(pool, key=lambda label: (int(sizes[label - 1]), -label))
+        required = [cells[flat[cells] == main] for cells in self.thresholds]
+        required = [cells for cells in required if len(cells)]
+        if required:
+            return required[0], required
+        return np.flatnonzero(flat == main).astype(np.int32), []
+
+    def copy(self) -> "FreeGrid":
+        """Return an independent copy."""
+        other = object.__new__(FreeGrid)
+        other.__dict__.update(self.__dict__)
+        other.counts = self.counts.copy()
+        other.reached = self.reached.copy()
+        return other
+
+    def add(self, boxes: Floats) -> None:
+        """Stamp boxes, shape (k, 6), grown by the robot's radius; `refresh` brings `reached` up to date."""
+        self.free_cells -= _stamp(self.counts, self.x0, self.y0, self.cell, boxes, self.radius, 1)
+
+    def remove(self, boxes: Floats) -> None:
+        """Take back what `add` stamped."""
+        self.free_cells -= _stamp(self.counts, self.x0, self.y0, self.cell, boxes, self.radius, -1)
+
+    def refresh(self) -> bool:
+        """Flood the free cells from the first door; tell whether every other door is reached."""
+        seeds = self.seeds
+        self.reached_cells = flood_fill(self.counts, seeds, self.reached)
+        flat = self.reached.ravel()
+        return all(bool(flat[cells].any()) for cells in self.required)
+
+    def first_unreachable(self, boxes: Floats, front: Bools, partner: Labels) -> int:
+        """Return the index of the first box that cannot be approached, -1 if all can.
+
+        Parameters
+        ----------
+        boxes : (m, 6) array
+        front : (m,) bool array
+            Whether a cell before the front is needed.
+        partner : (m,) int32 array
+            Index of the box (a chair at its desk) that counts for the front too, -1: none.
+        """
+        return int(
+            _first_unreachable(
+                self.reached,
+                self.x0,
+                self.y0,
+                self.cell,
+                boxes,
+                self.radius + self.reach,
+                front,
+                partner,
+            )
+        )

@@ -1,0 +1,71 @@
+"""From the best partition to the FloorLayout payload."""
+
+import shapely
+from mansion_geometry.rings import polygon_parts
+from mansion_msgs_py.layout import FloorLayout, LayoutRoom, RealisedEdge, UnmetEdge
+from shapely.geometry import MultiPolygon, Polygon
+
+from mansion_planner.solver.model import FloorModel
+from mansion_planner.solver.options import SolverOptions
+from mansion_planner.solver.polygons import room_shapes, turned_back
+from mansion_planner.solver.refine import Partition
+from mansion_planner.solver.verify import judge
+
+__all__ = ["finish"]
+
+
+def _layout_room(name: str, shape: Polygon, angle: float) -> LayoutRoom:
+    """Return a room in the problem's frame."""
+    shell = turned_back(shapely.get_coordinates(shape.exterior)[:-1].tolist(), angle)
+    holes = [
+        turned_back(shapely.get_coordinates(line)[:-1].tolist(), angle, ccw=False)
+        for line in shape.interiors
+    ]
+    return LayoutRoom(id=name, polygon=shell, holes=holes)
+
+
+def _turned_edge(edge: RealisedEdge, angle: float) -> RealisedEdge:
+    """Return the edge with its wall in the problem's frame."""
+    edge.length = round(edge.length, 4)
+    if edge.wall is not None:
+        a, b = (turned_back([p], angle)[0] for p in edge.wall)
+        edge.wall = (a, b)
+    return edge
+
+
+def _reason(model: FloorModel, edge: RealisedEdge) -> str:
+    need = model.problem.min_access_wall if edge.kind == "access" else 0.3
+    if edge.length <= 0.0:
+        return f"the search found no place where both touch and {need:g} m of wall fit"
+    return f"they share {edge.length:.2f} m of wall, {need:g} m are needed"
+
+
+def finish(model: FloorModel, partition: Partition, options: SolverOptions) -> FloorLayout:
+    """Return the layout of the best partition, measured on its final polygons."""
+    shapes: list[Polygon | MultiPolygon] = room_shapes(model, partition.grid, partition.labels)
+    verdict = judge(model, shapes, options)
+    rooms = [
+        _layout_room(room.id, max(polygon_parts(shape), key=lambda p: p.area), model.angle)
+        for room, shape in zip(model.rooms, shapes)
+    ]
+    rooms += [LayoutRoom(id=r.id, polygon=r.polygon) for r in model.problem.fixed_rooms]
+    edges = [_turned_edge(edge, model.angle) for edge in verdict.edges]
+    unmet = [
+        UnmetEdge(source=e.source, target=e.target, kind=e.kind, reason=_reason(model, e))
+        for e in edges
+        if not e.satisfied
+    ]
+    return FloorLayout(
+        rooms=rooms,
+        topology_satisfied=not unmet,
+        unmet_edges=unmet,
+        plan_id=model.problem.plan_id,
+        edges=edges,
+        hub=model.hub,
+        area_scale=round(model.area_scale, 6),
+        scores={"energy": round(partition.energy, 6)},
+        checks={name: round(value, 9) for name, value in verdict.checks.items()},
+        messages=list(model.messages),
+        building_id=model.problem.building_id,
+        floor=model.problem.floor,
+    )

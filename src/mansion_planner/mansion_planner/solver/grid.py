@@ -1,0 +1,238 @@
+"""Grids of cells over the free region: lines through the outline's corners, refined where wanted.
+
+The cells are rectangles between neighbouring lines, cut off at the true outline: their areas, centroids and borders
+are those of the part inside the free region, so slanted outlines need no staircase.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from mansion_geometry.rings import polygon_parts
+from numpy.typing import NDArray
+from shapely.geometry.base import BaseGeometry
+
+from mansion_planner.solver.model import FloorModel
+from mansion_planner.solver.state import Bools, Cells, Floats, Ints
+
+__all__ = ["Grid", "major_lines", "make_grid", "resample", "spaced_lines"]
+
+SAME_LINE = 1e-5
+SHORT_EDGE = 0.02
+MOST_MAJOR_LINES = 90
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Cells and the label of everything that is no room.
+
+    Attributes
+    ----------
+    cells : Cells
+    base : (rows, columns) int array
+        Label of obstacles and outside; -1 on free cells.
+    exact : bool
+        Every cell lies wholly inside or wholly outside: polygons follow from the lines alone.
+    """
+
+    cells: Cells
+    base: Ints
+    exact: bool
+
+
+def _axis_lines(shapes: list[BaseGeometry], axis: int) -> list[tuple[float, float]]:
+    """Return (coordinate, length) of all edges at right angles to `axis`."""
+    found: list[tuple[float, float]] = []
+    for shape in shapes:
+        parts = polygon_parts(shape)
+        lines = [line for part in parts for line in (part.exterior, *part.interiors)] or [shape]
+        for line in lines:
+            points = shapely.get_coordinates(line)
+            step = np.abs(np.diff(points, axis=0))
+            flat = (step[:, axis] <= 1e-6) & (step[:, 1 - axis] > SHORT_EDGE)
+            ends = points[:-1][flat]
+            found.extend(zip(ends[:, axis].tolist(), step[flat, 1 - axis].tolist()))
+    return found
+
+
+def major_lines(model: FloorModel) -> tuple[Floats, Floats]:
+    """Return the x and y coordinates of all axis-parallel edges of outline, holes, obstacles and structural walls.
+
+    Where there are very many (finely stepped outlines) only those of the longest edges are kept.
+    """
+    shapes: list[BaseGeometry] = [model.region, *(o.polygon for o in model.obstacles), *model.walls]
+    result = []
+    for axis in (0, 1):
+        low, high = model.outline.bounds[axis], model.outline.bounds[axis + 2]
+        weight: dict[float, float] = {low: 1e9, high: 1e9}
+        for value, length in _axis_lines(shapes, axis):
+            weight[value] = weight.get(value, 0.0) + length
+        values = sorted(weight)
+        merged: list[float] = []
+        for value in values:
+            if not merged or value - merged[-1] > SAME_LINE:
+                merged.append(value)
+        if len(merged) > MOST_MAJOR_LINES:
+            merged = sorted(merged, key=lambda v: -weight[v])[:MOST_MAJOR_LINES]
+        result.append(np.array(sorted(merged)))
+    return result[0], result[1]
+
+
+def spaced_lines(lines: Floats, spacing: float) -> Floats:
+    """Return `lines` with others put between them so that no gap is much wider than `spacing`."""
+    pieces = [lines[:1]]
+    for a, b in zip(lines[:-1].tolist(), lines[1:].tolist()):
+        parts = max(1, round((b - a) / spacing))
+        pieces.append(a + (b - a) * np.arange(1, parts + 1) / parts)
+    filled = np.concatenate(pieces)
+    keep = np.concatenate([[True], np.diff(filled) > SAME_LINE])
+    result: Floats = filled[keep]
+    return result
+
+
+def resample(grid: Grid, labels: Ints, finer: Grid) -> Ints:
+    """Return the labels on `finer` cells, each taken from the old cell that holds its centre."""
+    xs, ys = finer.cells.xs, finer.cells.ys
+    column = np.searchsorted(grid.cells.xs, (xs[:-1] + xs[1:]) / 2, side="right") - 1
+    row = np.searchsorted(grid.cells.ys, (ys[:-1] + ys[1:]) / 2, side="right") - 1
+    column = np.clip(column, 0, labels.shape[1] - 1)
+    row = np.clip(row, 0, labels.shape[0] - 1)
+    taken: Ints = labels[np.ix_(row, column)]
+    return np.where(finer.base >= 0, finer.base, taken)
+
+
+def _boxes(xs: Floats, ys: Floats) -> NDArray[np.object_]:
+    gx0, gy0 = np.meshgrid(xs[:-1], ys[:-1])
+    gx1, gy1 = np.meshgrid(xs[1:], ys[1:])
+    boxes: NDArray[np.object_] = shapely.box(gx0, gy0, gx1, gy1)
+    return boxes
+
+
+def _lengths_inside(model: FloorModel, x0: Floats, y0: Floats, x1: Floats, y1: Floats) -> Floats:
+    """Return the lengths of segments inside the free region."""
+    lines = shapely.linestrings(np.stack([np.stack([x0, y0], -1), np.stack([x1, y1], -1)], -2))
+    lengths: Floats = shapely.length(shapely.intersection(lines, model.region))
+    return lengths
+
+
+def _labels(model: FloorModel, xs: Floats, ys: Floats) -> tuple[Ints, Floats, Floats, Floats, Bools]:
+    """Classify the cells; return labels (-1 free), areas, centroids and which cells the outline crosses."""
+    rooms = len(model.rooms)
+    outside = rooms + len(model.obstacles)
+    gx, gy = np.meshgrid((xs[:-1] + xs[1:]) / 2, (ys[:-1] + ys[1:]) / 2)
+    size = np.outer(np.diff(ys), np.diff(xs))
+    shapely.prepare(model.region)
+    inside = shapely.contains_xy(model.region, gx, gy)
+    base = np.where(inside, -1, outside)
+    for k, obstacle in enumerate(model.obstacles):
+        shapely.prepare(obstacle.polygon)
+        base[~inside & shapely.contains_xy(obstacle.polygon, gx, gy)] = rooms + k
+    area = np.where(inside, size, 0.0)
+    crossed = np.zeros_like(inside)
+    if not _rectilinear_on_lines(model, xs, ys):
+        boxes = _boxes(xs, ys)
+        touched = shapely.intersects(model.region.boundary, boxes)
+        cut = shapely.intersection(boxes[touched], model.region)
+        part = shapely.area(cut)
+        whole = size[touched]
+        partial = (part > 1e-9) & (part < whole * (1 - 1e-6))
+        rows, columns = np.nonzero(touched)
+        for (j, i), a, c in zip(zip(rows[partial], columns[partial]), part[partial], cut[partial]):
+            crossed[j, i] = True
+            base[j, i] = -1
+            area[j, i] = a
+            centre = shapely.centroid(c)
+            gx[j, i], gy[j, i] = centre.x, centre.y
+    return base, area, gx, gy, crossed
+
+
+def _rectilinear_on_lines(model: FloorModel, xs: Floats, ys: Floats) -> bool:
+    """Tell whether every edge of the free region runs along grid lines."""
+    for part in polygon_parts(model.region):
+        for line in (part.exterior, *part.interiors):
+            points = shapely.get_coordinates(line)
+            step = np.abs(np.diff(points, axis=0)).min(axis=1)
+            if (step > 1e-6).any():
+                return False
+            for axis, lines in ((0, xs), (1, ys)):
+                at = np.clip(np.searchsorted(lines, points[:, axis]), 1, len(lines) - 1)
+                off = np.minimum(np.abs(lines[at] - points[:, axis]), np.abs(lines[at - 1] - points[:, axis]))
+                if (off > 2 * SAME_LINE).any():
+                    return False
+    return True
+
+
+def _borders(
+    model: FloorModel, xs: Floats, ys: Floats, base: Ints, crossed: Bools
+) -> tuple[Floats, Floats]:
+    """Return the border lengths of all cells (outside the frame); partly inside where the outline cuts them."""
+    rows, columns = base.shape
+    hb = np.zeros((rows, columns))
+    vb = np.zeros((rows, columns))
+    hb[:-1] = np.diff(xs)[None, :]
+    vb[:, :-1] = np.diff(ys)[:, None]
+    j, i = np.nonzero(crossed[:-1] | crossed[1:])
+    if len(j):
+        hb[j, i] = _lengths_inside(model, xs[i], ys[j + 1], xs[i + 1], ys[j + 1])
+    j, i = np.nonzero(crossed[:, :-1] | crossed[:, 1:])
+    if len(j):
+        vb[j, i] = _lengths_inside(model, xs[i + 1], ys[j], xs[i + 1], ys[j + 1])
+    return hb, vb
+
+
+def _structure(model: FloorModel, xs: Floats, ys: Floats) -> tuple[Floats, Floats]:
+    """Return the lengths of axis-parallel structural wall on each border."""
+    rows, columns = len(ys) - 1, len(xs) - 1
+    hs, vs = np.zeros((rows, columns)), np.zeros((rows, columns))
+    for wall in model.walls:
+        (x0, y0), (x1, y1) = shapely.get_coordinates(wall).tolist()
+        if abs(y1 - y0) < 1e-6:
+            at = int(np.argmin(np.abs(ys - y0)))
+            overlap = np.minimum(xs[1:], max(x0, x1)) - np.maximum(xs[:-1], min(x0, x1))
+            if 0 < at < rows and abs(ys[at] - y0) < 1e-3:
+                hs[at - 1] += np.maximum(overlap, 0.0)
+        elif abs(x1 - x0) < 1e-6:
+            at = int(np.argmin(np.abs(xs - x0)))
+            overlap = np.minimum(ys[1:], max(y0, y1)) - np.maximum(ys[:-1], min(y0, y1))
+            if 0 < at < columns and abs(xs[at] - x0) < 1e-3:
+                vs[:, at - 1] += np.maximum(overlap, 0.0)
+    return hs, vs
+
+
+def _slanted_contacts(
+    model: FloorModel, xs: Floats, ys: Floats, base: Ints, crossed: Bools
+) -> tuple[Ints, Floats]:
+    """Return, for crossed free cells, the obstacle whose side runs through the cell and for how long."""
+    near = np.zeros(base.shape, np.int64)
+    length = np.zeros(base.shape)
+    cells = np.argwhere(crossed & (base < 0))
+    if not len(cells) or not model.obstacles:
+        return near, length
+    boxes = shapely.box(
+        xs[cells[:, 1]], ys[cells[:, 0]], xs[cells[:, 1] + 1], ys[cells[:, 0] + 1]
+    )
+    for k, obstacle in enumerate(model.obstacles):
+        inner = shapely.length(shapely.intersection(boxes, obstacle.polygon.boundary))
+        edge = shapely.length(shapely.intersection(shapely.boundary(boxes), obstacle.polygon.boundary))
+        for (j, i), s in zip(cells.tolist(), (inner - edge).tolist()):
+            if s > length[j, i] + 1e-9:
+                near[j, i], length[j, i] = len(model.rooms) + k, s
+    return near, length
+
+
+def make_grid(model: FloorModel, xs: Floats, ys: Floats) -> Grid:
+    """Return the grid between the given lines, framed by a row and column of outside cells on each side.
+
+    Parameters
+    ----------
+    xs, ys : arrays
+        Ascending lines; the first and last are the outline's bounds.
+    """
+    xs = np.concatenate([[xs[0] - 1.0], xs, [xs[-1] + 1.0]])
+    ys = np.concatenate([[ys[0] - 1.0], ys, [ys[-1] + 1.0]])
+    base, area, cx, cy, crossed = _labels(model, xs, ys)
+    hb, vb = _borders(model, xs, ys, base, crossed)
+    hs, vs = _structure(model, xs, ys)
+    near, near_length = _slanted_contacts(model, xs, ys, base, crossed)
+    cells = Cells(xs, ys, area, cx, cy, hb, vb, hs, vs, near, near_length, base < 0)
+    return Grid(cells, base.astype(np.int64), not bool(crossed.any()))

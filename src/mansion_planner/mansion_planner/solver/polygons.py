@@ -1,0 +1,104 @@
+"""From cell labels to room polygons that cover the free region exactly."""
+
+import numpy as np
+import shapely
+from mansion_geometry.rings import oriented, polygon_parts, rotated, signed_area
+from shapely.geometry import MultiPolygon, Polygon
+
+from mansion_planner.solver.grid import Grid
+from mansion_planner.solver.model import FloorModel
+from mansion_planner.solver.state import Ints
+
+__all__ = ["room_shapes", "trace"]
+
+Ring = list[tuple[float, float]]
+Vertex = tuple[int, int]
+
+
+def trace(mask: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> list[list[Vertex]]:
+    """Return the rings of grid vertices (row, column) around the cells of `mask`, the cells on their left.
+
+    Cells that meet at a corner only are kept apart. Points on straight lines are left out.
+    """
+    follow: dict[Vertex, list[Vertex]] = {}
+
+    def edges(found: "np.ndarray[tuple[int, ...], np.dtype[np.bool_]]", start: Vertex, end: Vertex) -> None:
+        for j, i in np.argwhere(found).tolist():
+            follow.setdefault((j + start[0], i + start[1]), []).append((j + end[0], i + end[1]))
+
+    padded = np.pad(mask, 1)
+    edges(mask & ~padded[:-2, 1:-1], (0, 0), (0, 1))
+    edges(mask & ~padded[1:-1, 2:], (0, 1), (1, 1))
+    edges(mask & ~padded[2:, 1:-1], (1, 1), (1, 0))
+    edges(mask & ~padded[1:-1, :-2], (1, 0), (0, 0))
+    rings = []
+    while follow:
+        start = min(follow)
+        ring = [start]
+        before, here = start, follow[start][0]
+        _take(follow, start, here)
+        while here != start:
+            ring.append(here)
+            step = (here[0] - before[0], here[1] - before[1])
+            options = follow[here]
+            left = (here[0] + step[1], here[1] - step[0])
+            right = (here[0] - step[1], here[1] + step[0])
+            turn = options[0] if len(options) == 1 else (right if left not in options else left)
+            _take(follow, here, turn)
+            before, here = here, turn
+        rings.append(_straightened(ring))
+    return rings
+
+
+def _take(follow: dict[Vertex, list[Vertex]], start: Vertex, end: Vertex) -> None:
+    follow[start].remove(end)
+    if not follow[start]:
+        del follow[start]
+
+
+def _straightened(ring: list[Vertex]) -> list[Vertex]:
+    """Drop the vertices at which the ring goes straight on."""
+    kept = []
+    for k, point in enumerate(ring):
+        before, after = ring[k - 1], ring[(k + 1) % len(ring)]
+        if not (before[0] == point[0] == after[0] or before[1] == point[1] == after[1]):
+            kept.append(point)
+    return kept
+
+
+def _shape_of(grid: Grid, mask: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> Polygon | MultiPolygon:
+    """Return the shape of the masked cells from the grid lines alone."""
+    xs, ys = grid.cells.xs.tolist(), grid.cells.ys.tolist()
+    outer: list[Ring] = []
+    inner: list[Ring] = []
+    for vertices in trace(mask):
+        ring = [(xs[i], ys[j]) for j, i in vertices]
+        (outer if signed_area(ring) > 0 else inner).append(ring)
+    if len(outer) == 1:
+        return Polygon(outer[0], inner)
+    shells = [Polygon(ring) for ring in outer]
+    for ring in inner:
+        hole = Polygon(ring)
+        k = min(
+            (k for k, shell in enumerate(shells) if shell.covers(hole)),
+            key=lambda k: shells[k].area,
+        )
+        shells[k] = shells[k].difference(hole)
+    return MultiPolygon(shells)
+
+
+def room_shapes(model: FloorModel, grid: Grid, labels: Ints) -> list[Polygon | MultiPolygon]:
+    """Return each room's shape in the model's frame; together they cover the free region without overlap."""
+    shapes = []
+    for r in range(len(model.rooms)):
+        shape = _shape_of(grid, labels == r)
+        if not grid.exact:
+            parts = polygon_parts(shapely.intersection(shape, model.region))
+            shape = parts[0] if len(parts) == 1 else MultiPolygon(parts)
+        shapes.append(shape)
+    return shapes
+
+
+def turned_back(ring: Ring, angle: float, *, ccw: bool = True, digits: int = 4) -> Ring:
+    """Return `ring` in the problem's frame, in the wished order, rounded."""
+    return [(round(x, digits), round(y, digits)) for x, y in oriented(rotated(ring, -angle), ccw=ccw)]

@@ -1,0 +1,97 @@
+"""From a coarse partition to straight walls at the right places: levels of ever finer grids around the walls."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from mansion_planner.solver.grid import Grid, make_grid, resample
+from mansion_planner.solver.model import FloorModel
+from mansion_planner.solver.objective import WEIGHTS
+from mansion_planner.solver.options import SolverOptions
+from mansion_planner.solver.state import Floats, Goal, Ints
+
+__all__ = ["Partition", "make_goal", "refined_grid", "used_lines"]
+
+
+@dataclass(frozen=True)
+class Partition:
+    """A labelled grid and its energy."""
+
+    grid: Grid
+    labels: Ints
+    energy: float
+
+
+def make_goal(model: FloorModel, options: SolverOptions) -> Goal:
+    """Return the goal arrays of the wall search."""
+    n = len(model.rooms)
+    total = n + len(model.obstacles) + 1
+    index = model.index
+    pairs = np.array([(index[k.source], index[k.target]) for k in model.links], np.int64)
+    pairs = pairs.reshape(-1, 2)
+    kind = np.array([0 if k.kind == "access" else 1 for k in model.links], np.int64)
+    need = np.where(kind == 0, model.problem.min_access_wall, options.adjacent_wall).astype(float)
+    side = np.zeros(total, np.int64)
+    for k, obstacle in enumerate(model.obstacles):
+        side[n + k] = obstacle.side
+    known = ~np.isnan(model.seeds[:, 0])
+    linked = {(min(a, b), max(a, b)) for a, b in pairs.tolist()}
+    apart = np.array(
+        [(a, b) for a in range(n) for b in range(a + 1, n) if (a, b) not in linked]
+        if (kind == 1).any()
+        else [],
+        np.int64,
+    ).reshape(-1, 2)
+    hub = np.arange(n) == 0
+    return Goal(
+        target=model.targets,
+        seed=np.nan_to_num(model.seeds),
+        seed_weight=np.where(known, np.where(hub, 0.5, 1.0), 0.0),
+        min_width=model.min_widths,
+        shape_weight=np.where(hub, 0.2, 1.0),
+        corner_weight=np.where(hub, 0.5, 1.0),
+        first=np.ascontiguousarray(pairs[:, 0]),
+        second=np.ascontiguousarray(pairs[:, 1]),
+        kind=kind,
+        need=need + 1e-3,
+        side=side,
+        apart=apart,
+        weights=np.array([getattr(options.search, name) for name in WEIGHTS], dtype=float),
+    )
+
+
+def used_lines(grid: Grid, labels: Ints, rooms: int) -> tuple[Floats, Floats]:
+    """Return the lines of `grid` (without its frame) along which labels change."""
+    across = (labels[:, 1:] != labels[:, :-1]).any(axis=0)
+    along = (labels[1:, :] != labels[:-1, :]).any(axis=1)
+    return grid.cells.xs[1:-1][across], grid.cells.ys[1:-1][along]
+
+
+def _beside(lines: Floats, major: Floats, offsets: tuple[float, ...]) -> Floats:
+    """Return the major lines and `lines`, with others at the offsets on both sides of each that is not major."""
+    moved = [major, lines]
+    for offset in offsets:
+        moved.extend([lines - offset, lines + offset])
+    low, high = major[0], major[-1]
+    merged = np.unique(np.concatenate(moved))
+    merged = merged[(merged >= low) & (merged <= high)]
+    fixed = np.concatenate([major, lines])
+    gap = 0.4 * min(offsets)
+    keep: list[float] = []
+    for value in merged.tolist():
+        near = fixed[np.argmin(np.abs(fixed - value))]
+        if value != near and abs(value - near) < gap:
+            continue
+        if keep and value - keep[-1] < 1e-5:
+            continue
+        keep.append(value)
+    return np.array(keep)
+
+
+def refined_grid(
+    model: FloorModel, major: tuple[Floats, Floats], partition: Partition, offsets: tuple[float, ...]
+) -> tuple[Grid, Ints]:
+    """Return a grid of the used lines with finer ones around them, and the partition's labels on it."""
+    xs, ys = used_lines(partition.grid, partition.labels, len(model.rooms))
+    grid = make_grid(model, _beside(xs, major[0], offsets), _beside(ys, major[1], offsets))
+    return grid, resample(partition.grid, partition.labels, grid)

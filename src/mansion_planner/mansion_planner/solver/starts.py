@@ -1,0 +1,231 @@
+"""First partitions for the wall search: rectangles fitted to seeds, and floods from points."""
+
+import numpy as np
+
+from mansion_planner.solver.jit import kernel
+from mansion_planner.solver.state import Cells, Floats, Goal, Ints
+
+__all__ = ["fit_rectangles", "flood", "paint_rectangles"]
+
+
+@kernel
+def _prefix(cells: Cells) -> Floats:
+    """Return prefix sums of area and first moments, shape (3, rows + 1, columns + 1)."""
+    rows, columns = cells.area.shape
+    total = np.zeros((3, rows + 1, columns + 1))
+    for j in range(rows):
+        for i in range(columns):
+            a = cells.area[j, i] if cells.free[j, i] else 0.0
+            for q in range(3):
+                v = a
+                if q == 1:
+                    v = a * cells.cx[j, i]
+                elif q == 2:
+                    v = a * cells.cy[j, i]
+                total[q, j + 1, i + 1] = v + total[q, j, i + 1] + total[q, j + 1, i] - total[q, j, i]
+    return total
+
+
+@kernel
+def _within(total: Floats, q: int, j0: int, j1: int, i0: int, i1: int) -> float:
+    return total[q, j1, i1] - total[q, j0, i1] - total[q, j1, i0] + total[q, j0, i0]
+
+
+@kernel
+def fit_rectangles(cells: Cells, goal: Goal, keep: int) -> tuple[Ints, Floats]:
+    """List, for each room with a seed, the grid rectangles that fit its area and centroid best.
+
+    A rectangle stands for its part inside the free region.
+
+    Returns
+    -------
+    boxes : (k, 5) int array
+        Room, first row, last row + 1, first column, last column + 1; best first for each room.
+    costs : (k,) array
+    """
+    total = _prefix(cells)
+    rows, columns = cells.area.shape
+    n = goal.target.size
+    boxes = np.empty((n * keep, 5), np.int64)
+    costs = np.empty(n * keep)
+    made = 0
+    for r in range(n):
+        if goal.seed_weight[r] <= 0.0:
+            continue
+        t = goal.target[r]
+        sx, sy = goal.seed[r, 0], goal.seed[r, 1]
+        reach = 1.6 * t**0.5
+        begin = made
+        for j0 in range(1, rows - 1):
+            if cells.ys[j0] > sy or cells.ys[j0 + 1] < sy - reach:
+                continue
+            for j1 in range(j0 + 1, rows):
+                if cells.ys[j1] < sy or cells.ys[j1 - 1] > sy + reach:
+                    continue
+                height = cells.ys[j1] - cells.ys[j0]
+                for i0 in range(1, columns - 1):
+                    if cells.xs[i0] > sx or cells.xs[i0 + 1] < sx - reach:
+                        continue
+                    for i1 in range(i0 + 1, columns):
+                        if cells.xs[i1] < sx:
+                            continue
+                        span = cells.xs[i1] - cells.xs[i0]
+                        if height * span < 0.7 * t:
+                            continue
+                        if height * span > 2.0 * t or cells.xs[i1 - 1] > sx + reach:
+                            break
+                        a = _within(total, 0, j0, j1, i0, i1)
+                        if a < 0.7 * t or a > 1.4 * t:
+                            continue
+                        dx = _within(total, 1, j0, j1, i0, i1) / a - sx
+                        dy = _within(total, 2, j0, j1, i0, i1) / a - sy
+                        cost = abs(a - t) / t + 2.0 * (dx * dx + dy * dy) ** 0.5 / t**0.5
+                        cost += 0.3 * (1.0 - a / (height * span))
+                        cost += 0.15 * max(0.0, (span + height) / (2.0 * (span * height) ** 0.5) - 1.1)
+                        if min(span, height) < goal.min_width[r]:
+                            cost += 1.0
+                        if made - begin == keep:
+                            if cost >= costs[made - 1]:
+                                continue
+                            made -= 1
+                        k = made
+                        while k > begin and costs[k - 1] > cost:
+                            costs[k] = costs[k - 1]
+                            boxes[k] = boxes[k - 1]
+                            k -= 1
+                        costs[k] = cost
+                        boxes[k, 0] = r
+                        boxes[k, 1], boxes[k, 2], boxes[k, 3], boxes[k, 4] = j0, j1, i0, i1
+                        made += 1
+    return boxes[:made], costs[:made]
+
+
+@kernel
+def paint_rectangles(labels: Ints, cells: Cells, boxes: Ints, costs: Floats) -> None:
+    """Give unclaimed cells (-1) of each room's best rectangle to that room, well-fitting rooms first."""
+    done = np.zeros(boxes.shape[0], np.bool_)
+    while True:
+        best = -1
+        for k in range(boxes.shape[0]):
+            first = k == 0 or boxes[k - 1, 0] != boxes[k, 0]
+            if first and not done[k] and (best < 0 or costs[k] < costs[best]):
+                best = k
+        if best < 0:
+            return
+        done[best] = True
+        for j in range(boxes[best, 1], boxes[best, 2]):
+            for i in range(boxes[best, 3], boxes[best, 4]):
+                if cells.free[j, i] and labels[j, i] == -1:
+                    labels[j, i] = boxes[best, 0]
+
+
+@kernel
+def _keep_main_piece(labels: Ints, cells: Cells, r: int, sx: float, sy: float) -> int:
+    """Clear all of room r's pieces but the largest; put the room on the free cell nearest its seed if it has none.
+
+    Returns
+    -------
+    int
+        Flat index of one of its cells, or -1 when there is no room left for it.
+    """
+    rows, columns = labels.shape
+    seen = np.zeros((rows, columns), np.bool_)
+    stack = np.empty(rows * columns * 4, np.int64)
+    best, best_area = -1, -1.0
+    for turn in range(2):
+        if turn == 1:
+            seen[:, :] = False
+        for j in range(1, rows - 1):
+            for i in range(1, columns - 1):
+                if labels[j, i] != r or seen[j, i] or (turn == 1 and j * columns + i != best):
+                    continue
+                top, size = 0, 0.0
+                stack[0] = j * columns + i
+                seen[j, i] = True
+                while top >= 0:
+                    p = stack[top]
+                    top -= 1
+                    y, x = p // columns, p % columns
+                    size += cells.area[y, x]
+                    for q in range(4):
+                        yy, xx = y + (q == 0) - (q == 1), x + (q == 2) - (q == 3)
+                        s = cells.hb[min(y, yy), x] if q < 2 else cells.vb[y, min(x, xx)]
+                        if labels[yy, xx] == r and not seen[yy, xx] and s > 1e-6:
+                            seen[yy, xx] = True
+                            top += 1
+                            stack[top] = yy * columns + xx
+                if turn == 0 and size > best_area:
+                    best, best_area = j * columns + i, size
+    if best >= 0:
+        for j in range(1, rows - 1):
+            for i in range(1, columns - 1):
+                if labels[j, i] == r and not seen[j, i]:
+                    labels[j, i] = -1
+        return best
+    nearest = 1e18
+    for j in range(1, rows - 1):
+        for i in range(1, columns - 1):
+            if labels[j, i] == -1:
+                d = (cells.cx[j, i] - sx) ** 2 + (cells.cy[j, i] - sy) ** 2
+                if d < nearest:
+                    best, nearest = j * columns + i, d
+    if best >= 0:
+        labels[best // columns, best % columns] = r
+    return best
+
+
+@kernel
+def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
+    """Fill all unclaimed cells (-1): the room that lacks most of its area takes the nearest cell at its edge.
+
+    Rooms without a cell start at the unclaimed cell nearest their seed; of a room in pieces only the largest stays.
+
+    Returns
+    -------
+    bool
+        Every room has a cell and every free cell a room.
+    """
+    rows, columns = labels.shape
+    n = goal.target.size
+    area = np.zeros(n)
+    for r in range(n):
+        if _keep_main_piece(labels, cells, r, seeds[r, 0], seeds[r, 1]) < 0:
+            return False
+    empty = 0
+    for j in range(1, rows - 1):
+        for i in range(1, columns - 1):
+            if labels[j, i] == -1:
+                empty += 1
+            elif labels[j, i] < n:
+                area[labels[j, i]] += cells.area[j, i]
+    closed = np.zeros(n, np.bool_)
+    while empty > 0:
+        r = -1
+        for k in range(n):
+            if not closed[k] and (r < 0 or area[k] / goal.target[k] < area[r] / goal.target[r]):
+                r = k
+        if r < 0:
+            return False
+        best, nearest = -1, 1e18
+        for j in range(1, rows - 1):
+            for i in range(1, columns - 1):
+                if labels[j, i] != -1:
+                    continue
+                touch = 0
+                touch += labels[j, i + 1] == r and cells.vb[j, i] > 1e-6
+                touch += labels[j, i - 1] == r and cells.vb[j, i - 1] > 1e-6
+                touch += labels[j + 1, i] == r and cells.hb[j, i] > 1e-6
+                touch += labels[j - 1, i] == r and cells.hb[j - 1, i] > 1e-6
+                if touch == 0:
+                    continue
+                dx, dy = abs(cells.cx[j, i] - seeds[r, 0]), abs(cells.cy[j, i] - seeds[r, 1])
+                d = max(dx, dy) + 0.3 * min(dx, dy) - 0.5 * touch
+                if d < nearest:
+                    best, nearest = j * columns + i, d
+        if best < 0:
+            closed[r] = True
+            continue
+        labels[best // columns, best % columns] = r
+        area[r] += cells.area[best // columns, best % columns]
+        empty -= 1
+    return True

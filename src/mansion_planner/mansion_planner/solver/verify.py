@@ -1,0 +1,117 @@
+"""What a finished layout is worth, measured on its final polygons."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from mansion_geometry.rings import corner_points, polygon_parts
+from mansion_geometry.shared_walls import (
+    SharedWall,
+    edge_array,
+    longest_wall,
+    shared_walls,
+    total_length,
+)
+from mansion_msgs_py.layout import RealisedEdge
+from numpy.typing import NDArray
+from shapely.geometry import MultiPolygon, Polygon
+from shapely.geometry.base import BaseGeometry
+
+from mansion_planner.solver.model import FloorModel, Obstacle
+from mansion_planner.solver.options import SolverOptions
+
+__all__ = ["Verdict", "judge", "realise_edges"]
+
+SLACK = 1e-3
+GAP = 1e-3
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Edges as realised, and figures of the whole layout."""
+
+    edges: list[RealisedEdge]
+    checks: dict[str, float]
+
+
+def _on_side(wall: SharedWall, obstacle: Obstacle) -> bool:
+    """Tell whether a wall, running along the room's boundary, lies on the obstacle's door side.
+
+    The room is on the wall's left, the obstacle on its right, so a room north of the core sees a wall running east.
+    """
+    if obstacle.side == 0:
+        return True
+    dx, dy = wall.end[0] - wall.start[0], wall.end[1] - wall.start[1]
+    facing = {1: (dx, 0.0), 2: (-dy, 0.0), 3: (-dx, 0.0), 4: (dy, 0.0)}[obstacle.side][0]
+    return facing > 0.7 * float(np.hypot(dx, dy))
+
+
+def _walls(
+    edges: dict[str, NDArray[np.float64]], obstacles: dict[str, Obstacle], a: str, b: str, kind: str
+) -> list[SharedWall]:
+    """Return the walls between `a` and `b` that count for an edge of `kind`."""
+    walls = shared_walls(edges[a], edges[b], GAP)
+    if kind == "access":
+        if b in obstacles:
+            walls = [w for w in walls if _on_side(w, obstacles[b])]
+        if a in obstacles:
+            walls = [w for w in walls if _on_side(SharedWall(w.end, w.start), obstacles[a])]
+    return walls
+
+
+def realise_edges(
+    model: FloorModel, shapes: list[Polygon | MultiPolygon], options: SolverOptions
+) -> list[RealisedEdge]:
+    """Measure every link of the room graph on the shapes (in any frame, sides as in the model's)."""
+    obstacles = {o.id: o for o in model.obstacles}
+    edges = {room.id: edge_array(shape) for room, shape in zip(model.rooms, shapes)}
+    edges |= {o.id: edge_array(o.polygon) for o in model.obstacles}
+    found = []
+    for link in model.links:
+        walls = _walls(edges, obstacles, link.source, link.target, link.kind)
+        longest = longest_wall(walls)
+        if link.kind == "access":
+            length = longest.length if longest else 0.0
+            need = model.problem.min_access_wall
+        else:
+            length, need = total_length(walls), options.adjacent_wall
+        found.append(
+            RealisedEdge(
+                source=link.source,
+                target=link.target,
+                kind="access" if link.kind == "access" else "adjacent",
+                satisfied=length >= need - SLACK,
+                wall=None if longest is None else (longest.start, longest.end),
+                length=length,
+            )
+        )
+    return found
+
+
+def judge(
+    model: FloorModel, shapes: list[Polygon | MultiPolygon], options: SolverOptions
+) -> Verdict:
+    """Return the realised edges and the figures of a layout given in the model's frame."""
+    edges = realise_edges(model, shapes, options)
+    free = float(model.region.area)
+    areas = np.array([shape.area for shape in shapes])
+    whole: BaseGeometry = shapely.union_all(shapes)
+    access = [e.satisfied for e in edges if e.kind == "access"]
+    adjacent = [e.satisfied for e in edges if e.kind == "adjacent"]
+    corners = 0
+    for shape in shapes:
+        for part in polygon_parts(shape):
+            for line in (part.exterior, *part.interiors):
+                corners += len(corner_points(shapely.get_coordinates(line)[:-1]))
+    checks = {
+        "rooms": float(len(shapes)),
+        "one_piece": float(sum(len(polygon_parts(s)) == 1 for s in shapes)),
+        "area_error": float(np.mean(np.abs(areas - model.targets) / model.targets)),
+        "coverage": float(whole.intersection(model.region).area) / free,
+        "overlap": max(0.0, float(areas.sum() - whole.area)) / free,
+        "outside": float(whole.difference(model.region).area) / free,
+        "access": float(np.mean(access)) if access else 1.0,
+        "adjacent": float(np.mean(adjacent)) if adjacent else 1.0,
+        "corners": corners / len(shapes),
+    }
+    return Verdict(edges, checks)

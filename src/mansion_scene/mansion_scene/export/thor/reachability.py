@@ -1,0 +1,203 @@
+"""Where AI2-THOR's agent can stand: ``GetReachablePositions`` from the house JSON alone."""
+
+from collections import deque
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+__all__ = ["GRID", "RADIUS", "reachable"]
+
+Json: TypeAlias = dict[str, Any]
+Bools: TypeAlias = npt.NDArray[np.bool_]
+
+GRID = 0.25
+"""AI2-THOR's default ``gridSize``, metres."""
+
+RADIUS = 0.2
+"""Radius of the agent's capsule, metres."""
+
+AGENT_TOP = 1.8
+"""Height of the capsule; what hangs higher is no obstacle."""
+
+STEP_OVER = 0.05
+
+
+def reachable(
+    house: Json, start: tuple[float, float], everywhere: bool = False
+) -> list[list[tuple[float, float]]]:
+    """Return the grid points (x, z) where the agent fits, connected by steps of `GRID` in four directions.
+
+    Parameters
+    ----------
+    house : dict
+        House JSON; objects need ``size``.
+    start : (x, z)
+        A point of the grid.
+    everywhere : bool
+        Return all connected sets instead of the one that holds `start`.
+
+    Returns
+    -------
+    list of list of (x, z)
+        Empty where `start` is no free point.
+    """
+    xs, zs = _axes(house, start)
+    free = _inside(house, xs, zs)
+    passages = _steps(house, xs, zs)
+    for item in _flatten(house["objects"]):
+        bottom = item["position"]["y"] - item["size"]["y"] / 2
+        if bottom < AGENT_TOP and bottom + item["size"]["y"] > STEP_OVER:
+            free &= ~_near_box(item, xs, zs)
+    labels = _components(free, *passages)
+    wanted: list[int] = list(range(1, int(labels.max()) + 1))
+    if not everywhere:
+        i = int(np.argmin(np.abs(zs - start[1])))
+        j = int(np.argmin(np.abs(xs - start[0])))
+        wanted = [int(labels[i, j])] if labels[i, j] else []
+    found = []
+    for label in wanted:
+        rows, columns = np.nonzero(labels == label)
+        found.append(
+            [(round(float(xs[j]), 4), round(float(zs[i]), 4)) for i, j in zip(rows, columns)]
+        )
+    return found
+
+
+def _axes(
+    house: Json, start: tuple[float, float]
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+    points = np.array([[p["x"], p["z"]] for room in house["rooms"] for p in room["floorPolygon"]])
+    low = np.floor((points.min(0) - start) / GRID).astype(int)
+    high = np.ceil((points.max(0) - start) / GRID).astype(int)
+    return (
+        start[0] + GRID * np.arange(low[0], high[0] + 1),
+        start[1] + GRID * np.arange(low[1], high[1] + 1),
+    )
+
+
+def _inside(house: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]) -> Bools:
+    inside = np.zeros((len(zs), len(xs)), dtype=bool)
+    for room in house["rooms"]:
+        ring = [(p["x"], p["z"]) for p in room["floorPolygon"]]
+        hit = np.zeros_like(inside)
+        for (ax, az), (bx, bz) in zip(ring, ring[1:] + ring[:1]):
+            if az != bz:
+                cross = (bx - ax) * (zs - az) / (bz - az) + ax
+                hit ^= ((az > zs) != (bz > zs))[:, None] & (xs[None, :] < cross[:, None])
+        inside |= hit
+    return inside
+
+
+def _solid_parts(house: Json) -> list[tuple[float, float, float, float]]:
+    """Walls between their passable doors, as segments (ax, az, bx, bz); one face of each twin."""
+    gaps: dict[str, tuple[float, float]] = {}
+    for door in house["doors"]:
+        if not door["openable"] or door["openness"] > 0.5:
+            low, high = (point["x"] for point in door["holePolygon"])
+            gaps[door["wall0"]] = (low, high)
+    parts = []
+    twins = {door["wall1"]: door["wall0"] for door in house["doors"]}
+    for wall in house["walls"]:
+        if wall.get("empty") or wall["id"] in twins:
+            continue
+        (a, b) = wall["polygon"][0], wall["polygon"][1]
+        ax, az, bx, bz = a["x"], a["z"], b["x"], b["z"]
+        length = float(np.hypot(bx - ax, bz - az))
+        low, high = gaps.get(wall["id"], (length, length))
+        for s, t in ((0.0, low), (high, length)):
+            if t - s > 1e-6:
+                u, v = s / length, t / length
+                parts.append(
+                    (
+                        ax + (bx - ax) * u,
+                        az + (bz - az) * u,
+                        ax + (bx - ax) * v,
+                        az + (bz - az) * v,
+                    )
+                )
+    return parts
+
+
+def _steps(
+    house: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]
+) -> tuple[Bools, Bools, Bools]:
+    """Points too near to a wall, and steps to the right and upwards that cross one."""
+    near = np.zeros((len(zs), len(xs)), dtype=bool)
+    right = np.zeros_like(near)
+    up = np.zeros_like(near)
+    grid_x, grid_z = np.meshgrid(xs, zs)
+    for ax, az, bx, bz in _solid_parts(house):
+        columns = (xs > min(ax, bx) - 2 * GRID) & (xs < max(ax, bx) + 2 * GRID)
+        rows = (zs > min(az, bz) - 2 * GRID) & (zs < max(az, bz) + 2 * GRID)
+        window = np.ix_(rows, columns)
+        x, z = grid_x[window], grid_z[window]
+        for target, dx, dz in ((near, 0.0, 0.0), (right, GRID, 0.0), (up, 0.0, GRID)):
+            distance = _distance(x, z, dx, dz, (ax, az, bx, bz))
+            target[window] |= distance < RADIUS - 1e-6
+    return near, right, up
+
+
+def _distance(
+    x: npt.NDArray[np.float64],
+    z: npt.NDArray[np.float64],
+    dx: float,
+    dz: float,
+    part: tuple[float, float, float, float],
+) -> npt.NDArray[np.float64]:
+    """Distance of a wall from points, or from the middle third of a step from them."""
+    ax, az, bx, bz = part
+    length = (bx - ax) ** 2 + (bz - az) ** 2
+    best = np.full(x.shape, np.inf)
+    for share in (0.0,) if dx == dz == 0.0 else (0.25, 0.5, 0.75):
+        px, pz = x + share * dx, z + share * dz
+        t = np.clip(((px - ax) * (bx - ax) + (pz - az) * (bz - az)) / length, 0.0, 1.0)
+        best = np.minimum(best, np.hypot(px - ax - t * (bx - ax), pz - az - t * (bz - az)))
+    return best
+
+
+def _components(free: Bools, near: Bools, right: Bools, up: Bools) -> npt.NDArray[np.int32]:
+    """Label points that steps connect, from 1; 0 where the agent does not fit."""
+    free = free & ~near
+    go_right = free[:, :-1] & free[:, 1:] & ~right[:, :-1]
+    go_up = free[:-1] & free[1:] & ~up[:-1]
+    labels = np.zeros(free.shape, dtype=np.int32)
+    rows, columns = free.shape
+    label = 0
+    for seed in zip(*np.nonzero(free)):
+        if labels[seed]:
+            continue
+        label += 1
+        labels[seed] = label
+        queue = deque([(int(seed[0]), int(seed[1]))])
+        while queue:
+            i, j = queue.popleft()
+            steps = (
+                (i, j + 1, j + 1 < columns and go_right[i, j]),
+                (i, j - 1, j > 0 and go_right[i, j - 1]),
+                (i + 1, j, i + 1 < rows and go_up[i, j]),
+                (i - 1, j, i > 0 and go_up[i - 1, j]),
+            )
+            for m, n, open_step in steps:
+                if open_step and not labels[m, n]:
+                    labels[m, n] = label
+                    queue.append((m, n))
+    return labels
+
+
+def _near_box(
+    item: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]
+) -> Bools:
+    angle = np.radians(item["rotation"]["y"])
+    c, s = float(np.cos(angle)), float(np.sin(angle))
+    dx = xs[None, :] - item["position"]["x"]
+    dz = zs[:, None] - item["position"]["z"]
+    # Turning clockwise by the angle maps local (w, d) to (w c + d s, d c - w s).
+    w = np.maximum(np.abs(dx * c - dz * s) - item["size"]["x"] / 2, 0.0)
+    d = np.maximum(np.abs(dx * s + dz * c) - item["size"]["z"] / 2, 0.0)
+    near: Bools = np.hypot(w, d) < RADIUS - 1e-6
+    return near
+
+
+def _flatten(objects: list[Json]) -> list[Json]:
+    return [part for item in objects for part in (item, *_flatten(item["children"]))]

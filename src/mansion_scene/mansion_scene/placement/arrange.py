@@ -1,0 +1,136 @@
+"""Repeated units as one pattern: evenly spaced rows along walls, aligned tables over the floor."""
+
+import numpy as np
+import numpy.typing as npt
+
+from mansion_geometry.boxes import compose, unit_vector
+from mansion_scene.placement.candidates import wall_poses
+from mansion_scene.placement.floor import Floor
+from mansion_scene.placement.groups import Spec
+from mansion_scene.placement.scoring import pose_scores
+from mansion_scene.placement.search import examine, relation_mask
+from mansion_scene.placement.units import Unit
+
+__all__ = ["place_lattice", "place_rows", "repeated"]
+
+Floats = npt.NDArray[np.float64]
+
+
+def repeated(unit: Unit, offsets: Floats) -> Unit:
+    """Return one unit that holds a copy of `unit` at each offset, shape (n, 2), in the anchor's frame."""
+    out = Unit()
+    size = len(unit.parts)
+    for i, (dx, dy) in enumerate(offsets):
+        for part, spec, host, own in zip(unit.parts, unit.specs, unit.hosts, unit.sizes):
+            out.parts.append((part[0] + float(dx), part[1] + float(dy), *part[2:]))
+            out.specs.append(spec)
+            out.hosts.append(host + i * size if host >= 0 else -1)
+            out.sizes.append(own)
+    return out
+
+
+def place_rows(
+    floor: Floor, spec: Spec, unit: Unit, count: int, rng: np.random.Generator, aisle: float
+) -> bool:
+    """Place `count` units with their backs to walls in evenly spaced rows of equal length, all or none.
+
+    Rows that leave an aisle between units come first, then shorter rows on several walls, then narrower spacing;
+    storage stands shoulder to shoulder.
+    """
+    x0, x1, _, _ = unit.extent()
+    gaps = [aisle, 0.75 * aisle, 0.45, 0.25, 0.05]
+    if not (spec.role.centred or spec.role.bed or len(unit.parts) > 1):
+        gaps = [floor.options.gap, 0.45]
+    lengths = sorted({count, -(-count // 2), -(-count // 3)}, reverse=True)
+    longest = max((wall.length for wall in floor.room.walls), default=0.0)
+    for gap in gaps:
+        pitch = x1 - x0 + gap
+        for length in lengths:
+            if length < 2 or (length - 1) * pitch + x1 - x0 > longest:
+                continue
+            before = floor.copy()
+            left = count
+            while left:
+                n = min(length, left)
+                offsets = np.array([[i * pitch, 0.0] for i in range(n)])
+                if not _place_row(floor, spec, repeated(unit, offsets), rng):
+                    break
+                left -= n
+            if not left:
+                return True
+            floor.__dict__.update(before.__dict__)
+    return False
+
+
+def _place_row(floor: Floor, spec: Spec, row: Unit, rng: np.random.Generator) -> bool:
+    poses = wall_poses(floor, row.extent(), row.sizes[0][1] / 2, rng)
+    if not len(poses):
+        return False
+    poses = poses[floor.fits(poses, row.array())]
+    held, asked = relation_mask(floor, spec, row, poses)
+    poses = poses[held == asked]
+    if not len(poses):
+        return False
+    if len(poses) > 120:
+        poses = poses[np.sort(rng.choice(len(poses), 120, replace=False))]
+    scores = pose_scores(floor, spec, row, poses, rng, at_wall=True)
+    return examine(floor, row, poses, scores, host=spec.host) is not None
+
+
+def place_lattice(
+    floor: Floor, spec: Spec, unit: Unit, count: int, rng: np.random.Generator, aisle: float
+) -> bool:
+    """Place `count` units over the floor on one lattice in the direction of the walls, all or none.
+
+    The pitch starts as wide as the area allows, so that a large room is used evenly, and shrinks until enough
+    places are free.
+    """
+    x0, x1, y0, y1 = unit.extent()
+    centre = np.array([(x0 + x1) / 2, (y0 + y1) / 2])
+    spare = (floor.room.area / count) ** 0.5 - max(x1 - x0, y1 - y0)
+    gap = max(min(spare, 2.5), 0.45)
+    while gap >= 0.4:
+        for turn in rng.permutation(2):
+            for _ in range(2):
+                poses = _lattice(floor, x1 - x0 + gap, y1 - y0 + gap, 90.0 * int(turn), centre, rng)
+                if len(poses) < count:
+                    continue
+                poses = poses[floor.fits(poses, unit.array())]
+                held, asked = relation_mask(floor, spec, unit, poses)
+                poses = poses[held == asked]
+                if len(poses) >= count and _put_lattice(floor, spec, unit, poses, count, rng):
+                    return True
+        gap *= 0.86
+    return False
+
+
+def _lattice(
+    floor: Floor, px: float, py: float, turn: float, centre: Floats, rng: np.random.Generator
+) -> Floats:
+    """Return lattice poses over the room's bounds with a random offset."""
+    angle = (floor.room.angles or [0.0])[0] + turn
+    u = np.array(unit_vector(angle))
+    v = np.array([-u[1], u[0]])
+    low, high = floor.room.bounds[:2], floor.room.bounds[2:]
+    corners = np.array([(x, y) for x in (low[0], high[0]) for y in (low[1], high[1])])
+    a = np.arange((corners @ u).min() + rng.uniform(0, px), (corners @ u).max(), px)
+    b = np.arange((corners @ v).min() + rng.uniform(0, py), (corners @ v).max(), py)
+    ga, gb = (g.ravel() for g in np.meshgrid(a, b))
+    xy = np.outer(ga - centre[0], u) + np.outer(gb - centre[1], v)
+    return np.hstack([xy, np.broadcast_to(u, (len(xy), 2))])
+
+
+def _put_lattice(
+    floor: Floor, spec: Spec, unit: Unit, poses: Floats, count: int, rng: np.random.Generator
+) -> bool:
+    """Put `count` of the feasible lattice places that leave the doors and each other most room."""
+    scores = pose_scores(floor, spec, unit, poses, rng, at_wall=False)
+    for _ in range(3):
+        chosen = np.sort(np.argsort(-scores, kind="stable")[:count])
+        boxes = np.concatenate([compose(pose, unit.array()) for pose in poses[chosen]])
+        size = len(unit.parts)
+        hosts = [-2 - (h + i * size) if h >= 0 else -1 for i in range(count) for h in unit.hosts]
+        if floor.put(boxes, unit.specs * count, hosts, unit.sizes * count) is not None:
+            return True
+        scores = scores + rng.uniform(-0.5, 0.5, len(scores))
+    return False

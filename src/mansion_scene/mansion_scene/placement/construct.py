@@ -1,0 +1,146 @@
+"""The constructive pass: Algorithm 4 over groups in strict priority order."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from mansion_scene.placement.arrange import place_lattice, place_rows
+from mansion_scene.placement.floor import Floor
+from mansion_scene.placement.groups import Group, Spec
+from mansion_scene.placement.matrix import place_matrix
+from mansion_scene.placement.search import find_placement
+from mansion_scene.placement.units import Unit, UnitStyle, build_unit
+
+__all__ = ["Construction", "construct"]
+
+_TIGHT = frozenset({"paired", "around", "in_front_of", "side_of"})
+
+
+@dataclass
+class Construction:
+    """One construction of a room.
+
+    Attributes
+    ----------
+    floor : Floor
+    children : dict of object index to its members
+    rng : numpy.random.Generator
+    aisle : float
+        Widest aisle that patterns try, metres.
+    """
+
+    floor: Floor
+    children: dict[int, list[Spec]]
+    rng: np.random.Generator
+    aisle: float
+
+    def missing(self, spec: Spec) -> int:
+        """Return how many copies do not stand yet."""
+        return spec.quantity - self.floor.count(spec.index)
+
+    def place_group(self, group: Group) -> None:
+        """Place a group: its anchor (all copies), then what members did not come with it."""
+        anchor = group.anchor
+        if anchor.rows:
+            self._place_matrix(anchor)
+        else:
+            self.place_copies(anchor)
+        for member in group.members:
+            self.place_copies(member)
+
+    def place_copies(self, spec: Spec, *, strict: bool = True) -> None:
+        """Place the missing copies of an object, each with its share of members."""
+        count = self.missing(spec)
+        if count >= 2 and spec.host < 0 and strict and self._place_pattern(spec, count):
+            return
+        for left in range(self.missing(spec), 0, -1):
+            if not self._place_one(spec, left, strict=strict):
+                return
+
+    def _place_pattern(self, spec: Spec, count: int) -> bool:
+        if spec.role.symmetric or (spec.where == "unconstrained" and count < 4):
+            return False
+        place = place_rows if spec.where == "edge" else place_lattice
+        for style in self._styles(spec)[:3]:
+            unit = build_unit(spec, spec.size, self._shares(spec, count), self.children, style)
+            if place(self.floor, spec, unit, count, self.rng, self.aisle):
+                return True
+        return False
+
+    def _place_matrix(self, spec: Spec) -> None:
+        count = spec.quantity
+        for style in self._styles(spec)[-2:-1] or self._styles(spec):
+            unit = build_unit(spec, spec.size, self._shares(spec, count), self.children, style)
+            if place_matrix(self.floor, spec, unit, self.rng, self.aisle) is not None:
+                return
+
+    def _place_one(self, spec: Spec, left: int, *, strict: bool) -> bool:
+        shares = self._shares(spec, left)
+        for size in (spec.size, *spec.smaller):
+            tried: list[Unit] = []
+            for style in self._styles(spec):
+                unit = build_unit(spec, size, shares, self.children, style)
+                if any(unit.parts == other.parts for other in tried):
+                    continue
+                tried.append(unit)
+                if find_placement(self.floor, spec, unit, self.rng, strict=strict):
+                    return True
+        return False
+
+    def _styles(self, spec: Spec) -> list[UnitStyle]:
+        """Return ways to compose a unit, the most complete first."""
+        mirrored = bool(self.rng.integers(2))
+        every = _TIGHT | {"near"} if spec.quantity > 1 else _TIGHT
+        long_sides = bool(self.rng.integers(3) == 0)
+        return [
+            UnitStyle(every, mirrored, long_sides),
+            UnitStyle(every, not mirrored, not long_sides),
+            UnitStyle(_TIGHT, mirrored, True),
+            UnitStyle(_TIGHT, not mirrored, False),
+            UnitStyle(frozenset({"paired"}), mirrored),
+            UnitStyle(frozenset({"paired"}), not mirrored),
+            UnitStyle(frozenset(), mirrored),
+        ]
+
+    def _shares(self, spec: Spec, copies: int) -> dict[int, int]:
+        """Return how many members of each kind one of `copies` copies gets."""
+        shares: dict[int, int] = {}
+        for child in self.children.get(spec.index, ()):
+            left = self.missing(child)
+            if left <= 0 or child.rows:
+                continue
+            share = -(-left // copies)
+            shares[child.index] = min(share, 1) if child.link == "paired" else share
+            shares.update(self._shares(child, max(left, 1)))
+        return shares
+
+
+def construct(
+    floor: Floor,
+    specs: Sequence[Spec],
+    groups: Sequence[Group],
+    rng: np.random.Generator,
+    *,
+    aisle: float,
+) -> None:
+    """Fill `floor` group by group (Algorithm 4), then try what is left over wherever it fits.
+
+    Parameters
+    ----------
+    groups : sequence of Group
+        In the order in which they are placed.
+    aisle : float
+        Widest aisle that patterns try, metres.
+    """
+    children: dict[int, list[Spec]] = {}
+    for group in groups:
+        for member in group.members:
+            children.setdefault(member.host, []).append(member)
+    build = Construction(floor, children, rng, aisle)
+    for group in groups:
+        build.place_group(group)
+    for strict in (True, False):
+        for spec in sorted(specs, key=lambda s: (-s.size[0] * s.size[1], s.index)):
+            if build.missing(spec) > 0 and not spec.rows:
+                build.place_copies(spec, strict=strict)

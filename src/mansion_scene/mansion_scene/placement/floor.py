@@ -1,0 +1,191 @@
+"""The floor while it fills: placed boxes, free space, and the hard constraints that every addition must keep."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from mansion_geometry.boxes import feasible_poses
+from mansion_scene.placement.groups import Spec
+from mansion_scene.placement.options import PlacementOptions
+from mansion_scene.placement.room import RoomModel
+
+__all__ = ["Floor", "Placed"]
+
+Floats = npt.NDArray[np.float64]
+Bools = npt.NDArray[np.bool_]
+
+_POCKET = 0.15
+"""Free floor that one addition may leave cut off, square metres."""
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A copy on the floor.
+
+    Attributes
+    ----------
+    spec : int
+        Index of its object.
+    box : (6,) tuple
+        See `mansion_geometry.boxes`.
+    size : (float, float, float)
+        Its own size (a smaller asset's where one stands in).
+    host : int
+        Key of the copy it belongs to, -1 for none.
+    key : int
+        Number of the copy on this floor, never used again.
+    """
+
+    spec: int
+    box: tuple[float, ...]
+    size: tuple[float, float, float]
+    host: int
+    key: int
+
+
+class Floor:
+    """Placed copies with their free space; `put` adds some if every hard constraint still holds.
+
+    Parameters
+    ----------
+    room : RoomModel
+    specs : list of Spec
+    options : PlacementOptions
+    roomy : bool
+        Whether clearances include the margins of comfort.
+    """
+
+    def __init__(
+        self, room: RoomModel, specs: list[Spec], options: PlacementOptions, *, roomy: bool = True
+    ) -> None:
+        self.room, self.specs, self.options = room, specs, options
+        self.placed: list[Placed] = []
+        self.boxes: Floats = np.zeros((0, 6))
+        self.examined = 0
+        self._next = 0
+        self._set_comfort(roomy)
+
+    def _set_comfort(self, roomy: bool) -> None:
+        self.roomy = roomy
+        self.zones = self.room.zones(roomy=roomy)
+        self.gap = self.options.gap if roomy else 0.002
+        self.grid = self.room.grid(self.options, roomy=roomy)
+        self._pocket = (_POCKET if roomy else 3 * _POCKET) / self.options.cell**2
+        self.grid.add(self.boxes)
+        self.grid.refresh()
+
+    def relax(self) -> None:
+        """Go on without the margins of comfort."""
+        if self.roomy:
+            self._set_comfort(False)
+
+    def copy(self) -> "Floor":
+        """Return an independent copy."""
+        other = object.__new__(Floor)
+        other.__dict__.update(self.__dict__)
+        other.placed = list(self.placed)
+        other.grid = self.grid.copy()
+        return other
+
+    def count(self, spec: int) -> int:
+        """Return how many copies of an object stand."""
+        return sum(copy.spec == spec for copy in self.placed)
+
+    def copies(self, spec: int) -> list[Placed]:
+        """Return the copies of an object in the order they were placed."""
+        return [copy for copy in self.placed if copy.spec == spec]
+
+    def boxes_of(self, spec: int) -> Floats:
+        """Return the boxes of an object's copies, shape (n, 6)."""
+        return np.array([copy.box for copy in self.placed if copy.spec == spec]).reshape(-1, 6)
+
+    def fits(self, poses: Floats, parts: Floats) -> Bools:
+        """Tell at which poses rigid `parts`, shape (k, 7), are in bounds, free and clear of openings."""
+        return feasible_poses(poses, parts, self.room.edges, self.boxes, self.zones, self.gap)
+
+    def put(
+        self,
+        boxes: Floats,
+        specs: list[int],
+        hosts: list[int],
+        sizes: list[tuple[float, float, float]],
+    ) -> list[Placed] | None:
+        """Add copies if all stay reachable and the doors connected; else leave the floor as it was.
+
+        Parameters
+        ----------
+        boxes : (k, 6) array
+        specs : k object indices
+        hosts : k keys
+            Key of the host copy, -1 for none; -2 - i for the i-th of these copies.
+        sizes : k sizes
+
+        Returns
+        -------
+        The new copies, or None.
+        """
+        self.examined += 1
+        keys = [self._next + i for i in range(len(specs))]
+        added = [
+            Placed(
+                spec,
+                tuple(float(v) for v in box),
+                size,
+                keys[-2 - host] if host <= -2 else host,
+                key,
+            )
+            for spec, box, host, size, key in zip(specs, boxes, hosts, sizes, keys)
+        ]
+        before = self.placed, self.boxes
+        lost_before = self.grid.free_cells - self.grid.reached_cells
+        self.placed = [*self.placed, *added]
+        self.boxes = np.concatenate([self.boxes, boxes[:, :6]])
+        self.grid.add(boxes)
+        if self._sound(lost_before):
+            self._next += len(specs)
+            return added
+        self.placed, self.boxes = before
+        self.grid.remove(boxes)
+        return None
+
+    def _sound(self, lost_before: int) -> bool:
+        if not self.grid.refresh():
+            return False
+        lost = self.grid.free_cells - self.grid.reached_cells
+        if lost - lost_before > self._pocket:
+            return False
+        return self.grid.first_unreachable(self.boxes, *self._fronts()) < 0
+
+    def _fronts(self) -> tuple[Bools, npt.NDArray[np.int32]]:
+        """Return which copies need their front approached, and which copy stands there for it."""
+        n = len(self.placed)
+        front = np.zeros(n, dtype=np.bool_)
+        partner = np.full(n, -1, dtype=np.int32)
+        place = {copy.key: i for i, copy in enumerate(self.placed)}
+        for i, copy in enumerate(self.placed):
+            spec = self.specs[copy.spec]
+            front[i] = self.roomy and spec.front_needed
+            if copy.host >= 0 and spec.link in ("paired", "in_front_of", "around"):
+                host = place.get(copy.host)
+                if host is not None:
+                    partner[host] = i
+        return front, partner
+
+    def take(self, keys: set[int]) -> list[Placed]:
+        """Remove copies by key and return them; the floor stays valid (less stands in the way)."""
+        gone = [copy for copy in self.placed if copy.key in keys]
+        if gone:
+            self.placed = [copy for copy in self.placed if copy.key not in keys]
+            self.boxes = np.array([copy.box for copy in self.placed]).reshape(-1, 6)
+            self.grid.remove(np.array([copy.box for copy in gone]))
+            self.grid.refresh()
+        return gone
+
+    def restore(self, copies: list[Placed]) -> None:
+        """Put back copies that `take` removed, unchecked."""
+        if copies:
+            self.placed = [*self.placed, *copies]
+            self.boxes = np.array([copy.box for copy in self.placed]).reshape(-1, 6)
+            self.grid.add(np.array([copy.box for copy in copies]))
+            self.grid.refresh()

@@ -1,0 +1,207 @@
+"""Objects normalised into groups: an anchor and members in its frame (supplement G, input of Algorithm 4)."""
+
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.placement import (
+    MatrixStructure,
+    PairedStructure,
+    PlacementObject,
+    PlacementRoom,
+    RelationKind,
+)
+from mansion_scene.placement.roles import Role, role_of
+
+__all__ = ["Group", "Link", "Spec", "make_groups"]
+
+Link: TypeAlias = Literal["paired", "around", "in_front_of", "side_of", "near", "center_aligned"]
+
+_LINKS: tuple[Link, ...] = ("around", "in_front_of", "side_of", "near", "center_aligned")
+"""Relations that bind a member to an anchor, the strongest first."""
+
+
+@dataclass(frozen=True)
+class Spec:
+    """One object of the request with its references resolved.
+
+    Attributes
+    ----------
+    index : int
+        Its place in the request.
+    rows, cols : int
+        Matrix size, 0 where it is none.
+    host : int
+        Index of the object whose frame it is placed in, -1 for an anchor.
+    link : Link or None
+        How it belongs to its host.
+    relations : tuple of (kind, index)
+        All relations to other objects, "paired" not among them.
+    """
+
+    index: int
+    name: str
+    size: tuple[float, float, float]
+    smaller: tuple[tuple[float, float, float], ...]
+    quantity: int
+    where: str
+    rows: int
+    cols: int
+    host: int
+    link: Link | None
+    relations: tuple[tuple[RelationKind, int], ...]
+    role: Role
+
+    @property
+    def area(self) -> float:
+        """Footprint of all copies, square metres."""
+        return self.size[0] * self.size[1] * self.quantity
+
+    @property
+    def front_needed(self) -> bool:
+        """Whether one must be able to stand before its front (not for small round things, seats and beds)."""
+        if self.role.seat or self.role.bed or self.role.symmetric:
+            return False
+        return self.where == "edge" or self.rows > 0
+
+
+@dataclass
+class Group:
+    """An anchor and its members, hosts before what they host."""
+
+    anchor: Spec
+    members: list[Spec] = field(default_factory=list)
+
+    @property
+    def priority(self) -> int:
+        """0 edge+matrix, 1 edge, 2 matrix, 3 middle, 4 free (Algorithm 4, line 1)."""
+        if self.anchor.rows:
+            return 0 if self.anchor.where == "edge" else 2
+        return {"edge": 1, "middle": 3}.get(self.anchor.where, 4)
+
+    @property
+    def area(self) -> float:
+        """Footprint of the whole group, square metres."""
+        return self.anchor.area + sum(member.area for member in self.members)
+
+
+def make_groups(room: PlacementRoom) -> tuple[list[Spec], list[Group]]:
+    """Normalise the objects of a room into groups, in priority order, larger groups first.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` for a repeated name, an unknown target, or a quantity other than rows x cols.
+    """
+    index = _index(room.objects)
+    hosts = _hosts(room.objects, index)
+    specs = [_spec(i, obj, index, hosts) for i, obj in enumerate(room.objects)]
+    groups = {spec.index: Group(spec) for spec in specs if spec.host < 0}
+    pending = [spec for spec in specs if spec.host >= 0]
+    root = {i: i for i in groups}
+    while pending:
+        later = []
+        for spec in pending:
+            if spec.host in root:
+                root[spec.index] = root[spec.host]
+                groups[root[spec.host]].members.append(spec)
+            else:
+                later.append(spec)
+        pending = later
+    order = {link: rank for rank, link in enumerate(("paired", *_LINKS))}
+    for group in groups.values():
+        depth = {group.anchor.index: 0}
+        for member in group.members:
+            depth[member.index] = depth[member.host] + 1
+        group.members.sort(
+            key=lambda m: (
+                depth[m.index],
+                order[m.link or "near"],
+                m.where != "edge",
+                -m.area,
+                m.index,
+            )
+        )
+    ranked = sorted(groups.values(), key=lambda g: (g.priority, -g.area, g.anchor.index))
+    return specs, ranked
+
+
+def _index(objects: list[PlacementObject]) -> dict[str, int]:
+    index: dict[str, int] = {}
+    for i, obj in enumerate(objects):
+        if obj.name in index:
+            raise MansionError(
+                ErrorCode.INVALID_PAYLOAD,
+                f"object name {obj.name!r} occurs twice; names must be unique in a room",
+                path=f"$.objects[{i}].name",
+            )
+        index[obj.name] = i
+    for i, obj in enumerate(objects):
+        targets = [(f"relative[{j}].target", r.target) for j, r in enumerate(obj.relative)]
+        if isinstance(obj.structure, PairedStructure):
+            targets.append(("structure.with", obj.structure.with_))
+        for place, target in targets:
+            if target not in index or target == obj.name:
+                raise MansionError(
+                    ErrorCode.INVALID_PAYLOAD,
+                    f"{obj.name!r} refers to {target!r}; the name of another object of the room is needed",
+                    path=f"$.objects[{i}].{place}",
+                )
+    return index
+
+
+def _hosts(objects: list[PlacementObject], index: dict[str, int]) -> dict[int, tuple[int, Link]]:
+    """Return each member's host and link; a link that would close a circle is left a mere relation."""
+    hosts: dict[int, tuple[int, Link]] = {}
+
+    def closes_circle(i: int, host: int) -> bool:
+        while host != i and host in hosts:
+            host = hosts[host][0]
+        return host == i
+
+    for i, obj in enumerate(objects):
+        if isinstance(obj.structure, PairedStructure):
+            host = index[obj.structure.with_]
+            if not closes_circle(i, host):
+                hosts[i] = (host, "paired")
+    for link in _LINKS:
+        for i, obj in enumerate(objects):
+            if i in hosts or isinstance(obj.structure, MatrixStructure):
+                continue
+            for relation in obj.relative:
+                host = index[relation.target]
+                if relation.kind == link and not closes_circle(i, host):
+                    hosts[i] = (host, link)
+                    break
+    return hosts
+
+
+def _spec(
+    i: int, obj: PlacementObject, index: dict[str, int], hosts: dict[int, tuple[int, Link]]
+) -> Spec:
+    rows = cols = 0
+    quantity = obj.quantity
+    if isinstance(obj.structure, MatrixStructure):
+        rows, cols = obj.structure.rows, obj.structure.cols
+        if quantity not in (1, rows * cols):
+            raise MansionError(
+                ErrorCode.INVALID_PAYLOAD,
+                f"{obj.name!r}: a matrix of {rows} x {cols} has quantity {rows * cols}, not {quantity}",
+                path=f"$.objects[{i}].quantity",
+            )
+        quantity = rows * cols
+    host, link = hosts.get(i, (-1, None))
+    return Spec(
+        index=i,
+        name=obj.name,
+        size=obj.size,
+        smaller=tuple(obj.smaller),
+        quantity=quantity,
+        where=obj.global_,
+        rows=rows,
+        cols=cols,
+        host=host,
+        link=link,
+        relations=tuple((r.kind, index[r.target]) for r in obj.relative),
+        role=role_of(obj.name, obj.category),
+    )

@@ -1,0 +1,68 @@
+"""What the words of a category or room type imply for placement: seats, beds, storage, the wall a class looks at."""
+
+import re
+
+__all__ = ["Role", "is_public_room", "role_of"]
+
+_WORDS = re.compile(r"[a-z]+")
+
+
+def _set(text: str) -> frozenset[str]:
+    return frozenset(_WORDS.findall(text))
+
+
+_SEATS = _set("chair stool armchair seat recliner pew highchair rocker lounger")
+_SOFAS = _set("sofa couch loveseat settee bench futon daybed")
+_BEDS = _set("bed crib cot bunk stretcher gurney")
+_FOCAL = _set(
+    "teacher blackboard whiteboard chalkboard smartboard podium lectern stage altar projector"
+    " instructor pulpit judge"
+)
+_CENTRED = _set(
+    "bed sofa couch counter bar desk television tv fireplace piano stage altar podium lectern"
+    " blackboard whiteboard reception"
+)
+_SYMMETRIC = _set(
+    "plant lamp bin basket vase can pot tree stand rack umbrella pouf ottoman pillar column"
+)
+_TABLES = _set("table desk island workbench counter")
+_PRIVATE = _set(
+    "bedroom bathroom living kitchen home apartment toilet closet pantry study nursery dressing"
+    " laundry guest balcony attic garage lounge den dorm dormitory"
+)
+
+
+class Role:
+    """How an object is used, as far as its words tell.
+
+    Attributes
+    ----------
+    seat : bool
+        One person sits on it, facing what it belongs to.
+    sofa, bed, focal, centred, symmetric, table : bool
+        A wider seat; a bed (head at a wall); what a class looks at; stands amid a wall; has no front; one works at it.
+    """
+
+    __slots__ = ("bed", "centred", "focal", "seat", "sofa", "symmetric", "table")
+
+    def __init__(self, words: frozenset[str]) -> None:
+        self.seat = bool(words & _SEATS)
+        self.sofa = bool(words & _SOFAS)
+        self.bed = bool(words & _BEDS)
+        self.table = bool(words & _TABLES) and not self.seat
+        self.focal = bool(words & _FOCAL) and not self.seat
+        self.centred = bool(words & _CENTRED) and not self.seat
+        self.symmetric = bool(words & _SYMMETRIC) and not self.table
+
+
+def role_of(name: str, category: str) -> Role:
+    """Return the role that the words of an object's name and category imply."""
+    text = f"{name} {category}".lower().replace("_", " ")
+    words = _WORDS.findall(text)
+    return Role(frozenset(words) | {word.removesuffix("s") for word in words})
+
+
+def is_public_room(room_type: str) -> bool:
+    """Tell whether a room of this type needs the wider public aisle."""
+    words = _WORDS.findall(room_type.lower().replace("_", " "))
+    return bool(words) and not any(word in _PRIVATE for word in words)

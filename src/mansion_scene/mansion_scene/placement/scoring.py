@@ -1,0 +1,99 @@
+"""How good a feasible pose is: clear fronts, snug storage, centred beds and desks, even use, aligned rows."""
+
+import numpy as np
+import numpy.typing as npt
+
+from mansion_geometry.boxes import compose, front_clearance, gap_matrix
+from mansion_scene.placement.floor import Floor
+from mansion_scene.placement.groups import Spec
+from mansion_scene.placement.units import Unit
+
+__all__ = ["pose_scores"]
+
+Floats = npt.NDArray[np.float64]
+
+_FAR = 1.5
+
+
+def pose_scores(
+    floor: Floor,
+    spec: Spec,
+    unit: Unit,
+    poses: Floats,
+    rng: np.random.Generator,
+    *,
+    at_wall: bool,
+) -> Floats:
+    """Return a score for each feasible pose of a unit, higher is better.
+
+    Parameters
+    ----------
+    poses : (n, 4) array
+        Poses of the unit's anchor.
+    at_wall : bool
+        Whether the anchor's back is at a wall at these poses.
+    """
+    x0, x1, y0, y1 = unit.extent()
+    middle = np.array([[(x0 + x1) / 2, (y0 + y1) / 2, 1.0, 0.0, 0.0, 0.0]])
+    centres = np.array([compose(pose, middle)[0, :4] for pose in poses]).reshape(-1, 4)
+    room = floor.room
+    aisle = room.aisle
+    clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, room.edges, floor.boxes, _FAR)
+    score = rng.uniform(0.0, 0.25, len(poses))
+    front = np.minimum(clear[:, 0], aisle) / aisle
+    beside = np.minimum(clear[:, 2], clear[:, 3])
+    if at_wall:
+        score += 1.2 * front
+        if spec.role.centred or spec.role.bed:
+            score += 0.8 * np.minimum(beside, 0.9) / 0.9
+            score -= 0.15 * np.abs(clear[:, 2] - clear[:, 3])
+        else:
+            score += 0.5 * (1.0 - beside / _FAR)
+            # Either touching its neighbour or leaving room to pass: no gap that collects dust.
+            score -= 0.4 * ((beside > 0.06) & (beside < 0.35))
+    else:
+        around = np.minimum(clear, aisle).sum(axis=1) / (4 * aisle)
+        narrow = ((clear > 0.12) & (clear < 0.5)).sum(axis=1)
+        if spec.where == "middle" or len(unit.parts) > 1:
+            score += 1.5 * around - 0.15 * narrow
+        else:
+            score += 0.5 * front + 0.5 * (1.0 - clear.min(axis=1) / _FAR) - 0.1 * narrow
+    score += _away_from_doors(floor, poses, spec)
+    score += _spread_out(floor, spec, centres)
+    score += _aligned(floor, spec, poses)
+    return np.asarray(score)
+
+
+def _away_from_doors(floor: Floor, poses: Floats, spec: Spec) -> Floats:
+    """Large things keep away from doors more than small ones."""
+    doors = floor.room.door_points
+    if not len(doors):
+        return np.zeros(len(poses))
+    distance = np.hypot(*(poses[:, None, :2] - doors[None]).transpose(2, 0, 1)).min(axis=1)
+    weight = 0.6 if spec.size[0] * spec.size[1] > 0.5 else 0.2
+    return np.asarray(weight * np.minimum(distance, 3.0) / 3.0)
+
+
+def _spread_out(floor: Floor, spec: Spec, centres: Floats) -> Floats:
+    """Copies that stand alone keep apart from each other, and big rooms are used evenly."""
+    score = np.zeros(len(centres))
+    if len(floor.boxes) and spec.where == "middle":
+        gaps = gap_matrix(centres, 0.01, 0.01, floor.boxes).min(axis=1)
+        score += 0.3 * np.minimum(gaps, 3.0) / 3.0
+    same = floor.boxes_of(spec.index)
+    if len(same) and spec.role.symmetric:
+        gaps = gap_matrix(centres, 0.01, 0.01, same).min(axis=1)
+        score += 0.4 * np.minimum(gaps, 4.0) / 4.0
+    return score
+
+
+def _aligned(floor: Floor, spec: Spec, poses: Floats) -> Floats:
+    """Copies like to stand in line with earlier ones, turned the same way or opposite."""
+    same = floor.boxes_of(spec.index)
+    if not len(same):
+        return np.zeros(len(poses))
+    q = poses[:, None, :2] - same[None, :, :2]
+    along = np.abs(q[..., 0] * same[:, 2] + q[..., 1] * same[:, 3])
+    across = np.abs(-q[..., 0] * same[:, 3] + q[..., 1] * same[:, 2])
+    parallel = np.abs(poses[:, None, 2] * same[:, 2] + poses[:, None, 3] * same[:, 3]) > 0.999
+    return np.asarray(0.25 * ((np.minimum(along, across) < 0.02) & parallel).any(axis=1))

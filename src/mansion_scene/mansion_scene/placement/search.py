@@ -1,0 +1,189 @@
+"""FINDFEASIBLEPLACEMENT of Algorithm 4: candidate poses, hard filters, a score, then incremental reachability."""
+
+import numpy as np
+import numpy.typing as npt
+
+from mansion_geometry.boxes import compose, gap_matrix
+from mansion_scene.placement.candidates import floor_poses, ring_poses, wall_poses
+from mansion_scene.placement.floor import Floor, Placed
+from mansion_scene.placement.groups import Spec
+from mansion_scene.placement.relations import LIMITS, relation_holds
+from mansion_scene.placement.scoring import pose_scores
+from mansion_scene.placement.units import Unit
+
+__all__ = ["examine", "find_placement", "relation_mask"]
+
+Floats = npt.NDArray[np.float64]
+Bools = npt.NDArray[np.bool_]
+
+_SCORED = 240
+"""Feasible poses that are scored; more are thinned out at random."""
+
+
+def find_placement(
+    floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator, *, strict: bool = True
+) -> list[Placed] | None:
+    """Place a unit at its best feasible pose.
+
+    Parameters
+    ----------
+    strict : bool
+        Whether all of the anchor's relations must hold; else as many as can. An edge object keeps to a wall
+        either way.
+
+    Returns
+    -------
+    The new copies, or None where no examined pose is feasible.
+    """
+    for poses, at_wall in _candidates(floor, spec, unit, rng):
+        if not len(poses):
+            continue
+        poses = poses[floor.fits(poses, unit.array())]
+        held, asked = relation_mask(floor, spec, unit, poses)
+        if strict:
+            poses, held = poses[held == asked], held[held == asked]
+        if not len(poses):
+            continue
+        if len(poses) > _SCORED:
+            chosen = np.sort(rng.choice(len(poses), _SCORED, replace=False))
+            poses, held = poses[chosen], held[chosen]
+        scores = pose_scores(floor, spec, unit, poses, rng, at_wall=at_wall)
+        scores += 2.0 * held + _belonging(floor, spec, unit, poses)
+        placed = examine(floor, unit, poses, scores, host=spec.host)
+        if placed is not None:
+            return placed
+    return None
+
+
+def examine(
+    floor: Floor, unit: Unit, poses: Floats, scores: Floats, *, host: int = -1
+) -> list[Placed] | None:
+    """Try poses from the best score down; after a failure its close neighbours are passed over.
+
+    Parameters
+    ----------
+    host : int
+        Index of the object that the unit's anchor belongs to, -1 for none.
+    """
+    order = np.argsort(-scores, kind="stable")
+    tried: list[Floats] = []
+    radius = 0.08
+    for i in order:
+        pose = poses[i]
+        if any(
+            abs(pose[0] - t[0]) + abs(pose[1] - t[1]) < radius and pose[2:] @ t[2:] > 0.9
+            for t in tried
+        ):
+            continue
+        placed = floor.put(
+            compose(pose, unit.array()), unit.specs, _hosts(floor, unit, pose, host), unit.sizes
+        )
+        if placed is not None:
+            return placed
+        tried.append(pose)
+        radius = 0.08 + 0.02 * len(tried)
+        if len(tried) >= floor.options.candidates:
+            break
+    return None
+
+
+def _hosts(floor: Floor, unit: Unit, pose: Floats, host: int) -> list[int]:
+    """Return host keys for `Floor.put`: within the unit, or the nearest copy that the anchor belongs to."""
+    hosts = floor.copies(host) if host >= 0 else []
+    if not hosts:
+        first = -1
+    else:
+        box = np.array([pose[:4]])
+        gaps = gap_matrix(
+            box, unit.sizes[0][0] / 2, unit.sizes[0][1] / 2, np.array([h.box for h in hosts])
+        )
+        first = hosts[int(gaps[0].argmin())].key
+    return [-2 - at if at >= 0 else first for at in unit.hosts]
+
+
+def relation_mask(
+    floor: Floor, spec: Spec, unit: Unit, poses: Floats
+) -> tuple[npt.NDArray[np.int64], int]:
+    """Count at each pose the relations of the unit's anchor that hold, and those far from it of what stands.
+
+    Returns
+    -------
+    held : (n,) int array
+    asked : int
+        How many could hold at most.
+    """
+    hw, hd = unit.sizes[0][0] / 2, unit.sizes[0][1] / 2
+    held = np.zeros(len(poses), dtype=np.int64)
+    asked = 0
+    for kind, target in spec.relations:
+        boxes = floor.boxes_of(target)
+        if len(boxes):
+            asked += 1
+            held += relation_holds(kind, poses, hw, hd, boxes)
+    if spec.link == "paired":
+        boxes = _free_hosts(floor, spec)
+        if len(boxes):
+            asked += 1
+            held += relation_holds("around", poses, hw, hd, boxes)
+    for other in floor.specs:
+        if ("far", spec.index) in other.relations:
+            boxes = floor.boxes_of(other.index)
+            if len(boxes):
+                asked += 1
+                held += relation_holds("far", poses, hw, hd, boxes)
+    return held, asked
+
+
+def _free_hosts(floor: Floor, spec: Spec) -> Floats:
+    """Return the boxes of host copies that have the fewest members of this kind."""
+    hosts = floor.copies(spec.host)
+    load = {host.key: 0 for host in hosts}
+    for copy in floor.copies(spec.index):
+        if copy.host in load:
+            load[copy.host] += 1
+    least = min(load.values(), default=0)
+    return np.array([h.box for h in hosts if load[h.key] == least]).reshape(-1, 6)
+
+
+def _candidates(
+    floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator
+) -> list[tuple[Floats, bool]]:
+    """Return candidate sets in order of preference, each with whether its poses are backed by a wall."""
+    walls = wall_poses(floor, unit.extent(), unit.sizes[0][1] / 2, rng)
+    if spec.where == "edge":
+        return [(walls, True)]
+    grid = floor_poses(floor, rng)
+    rings = _rings(floor, spec, unit)
+    if spec.where == "middle":
+        return [(np.concatenate([rings, grid]), False), (walls, True)]
+    free = np.concatenate([rings, walls, grid])
+    return [(free, False)]
+
+
+def _rings(floor: Floor, spec: Spec, unit: Unit) -> Floats:
+    """Return poses around the copies that the unit's anchor belongs to."""
+    if spec.host < 0 or spec.link is None:
+        return np.zeros((0, 4))
+    targets = _free_hosts(floor, spec)[:12]
+    hw, hd = unit.sizes[0][0] / 2, unit.sizes[0][1] / 2
+    limit = LIMITS.get(spec.link, 0.5)
+    gaps = tuple(g for g in (0.02, 0.08, 0.2, 0.4, 0.7, 1.1) if g <= limit - 0.05)
+    turned = (0,) if spec.role.seat else (0, 1, 2, 3)
+    return ring_poses(targets, hw, hd, gaps, turned=turned)
+
+
+def _belonging(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
+    """Members like to be close to a host copy without one yet; seats like to face it."""
+    if spec.host < 0:
+        return np.zeros(len(poses))
+    targets = _free_hosts(floor, spec)
+    if not len(targets):
+        return np.zeros(len(poses))
+    gaps = gap_matrix(poses, unit.sizes[0][0] / 2, unit.sizes[0][1] / 2, targets)
+    nearest = gaps.argmin(axis=1)
+    score = 1.0 - np.minimum(gaps.min(axis=1), 2.0) / 2.0
+    if spec.role.seat or spec.role.sofa:
+        q = targets[nearest, :2] - poses[:, :2]
+        q /= np.maximum(np.hypot(q[:, 0], q[:, 1]), 1e-6)[:, None]
+        score += 0.6 * (-poses[:, 3] * q[:, 0] + poses[:, 2] * q[:, 1])
+    return np.asarray(score)

@@ -1,0 +1,138 @@
+"""The building's entrance: which room has it, and where in the outer wall."""
+
+from collections.abc import Mapping, Sequence
+
+import shapely
+from shapely.geometry import Polygon
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_scene.structure.dimensions import CLEAR_WIDTH, WALL_END
+from mansion_scene.structure.frontage import Frontage, approach_zone, choose_position
+from mansion_scene.structure.opening_kinds import OpeningKind, entrance_kind, is_circulation
+from mansion_scene.structure.openings import Opening
+from mansion_scene.structure.regions import FloorRegions, Region
+from mansion_scene.structure.room_classes import is_class
+from mansion_scene.structure.stretches import Stretch
+
+__all__ = ["entrance_room", "is_residential", "place_entrance"]
+
+_RESIDENTIAL = frozenset(
+    [
+        "house",
+        "apartment",
+        "villa",
+        "residential",
+        "flat",
+        "townhouse",
+        "cabin",
+        "studio",
+        "home",
+        "duplex",
+        "cottage",
+        "bungalow",
+        "condo",
+        "loft",
+        "mansion",
+        "residence",
+    ]
+)
+_ENTRANCE_WALL = CLEAR_WIDTH + 2 * WALL_END
+
+
+def is_residential(building_type: str) -> bool:
+    """Whether a building type is a dwelling, which gets a house door.
+
+    Examples
+    --------
+    >>> is_residential("single_family_house"), is_residential("office")
+    (True, False)
+    """
+    words = building_type.lower().replace("-", "_").replace(" ", "_").split("_")
+    return any(word in _RESIDENTIAL for word in words)
+
+
+def _facades(floor: FloorRegions, stretches: Sequence[Stretch], region: str) -> list[Stretch]:
+    """Return the region's stretches on the outline itself, courtyards left out, longest first."""
+    ring = floor.outline.exterior
+    facades = [
+        stretch
+        for stretch in stretches
+        if stretch.exterior
+        and stretch.left == region
+        and stretch.length >= _ENTRANCE_WALL - 1e-6
+        and shapely.distance(ring, shapely.Point(stretch.at(stretch.length / 2))) < 0.01
+    ]
+    return sorted(facades, key=lambda stretch: -round(stretch.length, 3))
+
+
+def entrance_room(floor: FloorRegions, stretches: Sequence[Stretch]) -> Region:
+    """Return the room through which the building is entered: the hub, else the room best placed on the outer wall.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` when no room has 1.2 m of outer wall.
+    """
+    choices = [
+        (_entrance_rank(floor, region), -round(facades[0].length, 3), region.id)
+        for region in floor.regions
+        if region.is_room and (facades := _facades(floor, stretches, region.id))
+    ]
+    if not choices:
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"the ground floor has no entrance: no room has {_ENTRANCE_WALL:.2f} m of outer wall",
+            path="$.layout.rooms",
+        )
+    return floor.by_id[min(choices)[2]]
+
+
+def _entrance_rank(floor: FloorRegions, region: Region) -> int:
+    if region.id == floor.hub.id:
+        return 0
+    if is_class(region.room_type, "welcome"):
+        return 1
+    if is_circulation(region):
+        return 2
+    for rank, name in ((6, "outdoor"), (9, "wet"), (8, "store"), (7, "sleeping")):
+        if is_class(region.room_type, name):
+            return rank
+    return (
+        3 if is_class(region.room_type, "living") or is_class(region.room_type, "assembly") else 4
+    )
+
+
+def place_entrance(
+    floor: FloorRegions,
+    stretches: Sequence[Stretch],
+    region: Region,
+    frontages: dict[str, Frontage],
+    nets: Mapping[str, Polygon],
+    *,
+    residential: bool,
+) -> Opening:
+    """Place the entrance door in the region's facade: in the middle of a public one, out of the way in a house."""
+    kind = entrance_kind(not residential)
+    facades = _facades(floor, stretches, region.id)
+    for width in (kind.width, 1.2, CLEAR_WIDTH):
+        for facade in facades:
+            margin = WALL_END if residential else (facade.length - width) / 2 - 1e-6
+            if margin < WALL_END - 1e-6:
+                continue
+            position = choose_position([facade], frontages, width, margin=margin)
+            if position is None:
+                continue
+            dx, dy = facade.direction
+            zone = approach_zone(position.segment, (-dy, dx), wall=0.0)
+            if nets[region.id].intersection(zone).area > 0.95 * zone.area or facade is facades[-1]:
+                return Opening(
+                    (region.id, None),
+                    OpeningKind("entrance", round(position.width, 4), kind.material),
+                    facade,
+                    position.segment,
+                )
+    raise MansionError(
+        ErrorCode.INFEASIBLE,
+        f"no room for an entrance of {CLEAR_WIDTH} m in the outer wall of {region.id}",
+        path="$.layout.rooms",
+    )

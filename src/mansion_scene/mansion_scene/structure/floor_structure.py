@@ -1,0 +1,123 @@
+"""The structure of a floor: from a furnish request to rooms, walls, doors, windows and cores."""
+
+import math
+from dataclasses import dataclass
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.program import Downgrade
+from mansion_msgs_py.scene import Door, SceneCore, SceneRoom, Wall, Window
+from mansion_msgs_py.stages import FurnishRequest
+from mansion_scene.structure.access import plan_access, shared_stretches
+from mansion_scene.structure.cores import scene_cores
+from mansion_scene.structure.dimensions import SLAB_THICKNESS
+from mansion_scene.structure.entrance import entrance_room, is_residential, place_entrance
+from mansion_scene.structure.interiors import Partition, partition_floor
+from mansion_scene.structure.openings import (
+    make_frontages,
+    open_passages,
+    place_doors,
+    take,
+)
+from mansion_scene.structure.regions import FloorRegions, floor_regions
+from mansion_scene.structure.scene_rooms import scene_rooms
+from mansion_scene.structure.stretches import boundary_stretches
+from mansion_scene.structure.swings import hang_doors
+from mansion_scene.structure.wall_bodies import number_doors, number_walls, number_windows
+from mansion_scene.structure.windows import place_windows
+
+__all__ = ["FloorStructure", "build_structure", "ceiling_height"]
+
+_GROUND = 1
+
+
+@dataclass(frozen=True)
+class FloorStructure:
+    """All that stands on a floor before furniture; `downgrades` tells where it differs from the room graph."""
+
+    floor: FloorRegions
+    rooms: list[SceneRoom]
+    walls: list[Wall]
+    doors: list[Door]
+    windows: list[Window]
+    cores: list[SceneCore]
+    downgrades: list[Downgrade]
+    ceiling: float
+
+
+def ceiling_height(storey: float) -> float:
+    """Return the clear height of a storey, metres: what the slab leaves.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` below 2.2 m.
+    """
+    ceiling = round(storey - SLAB_THICKNESS, 4)
+    if not math.isfinite(ceiling) or ceiling < 2.2:
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"a storey of {storey:.2f} m is too low; at least {2.2 + SLAB_THICKNESS:.2f} m are needed",
+            path="$.floor.height",
+        )
+    return ceiling
+
+
+def build_structure(request: FurnishRequest) -> FloorStructure:
+    """Build walls, openings and cores from a layout (Algorithm 1, lines 9 and 10).
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` for a layout that is no partition, ``INFEASIBLE`` where a room would be unreachable, a
+        stair does not fit, or there is no place for the entrance.
+    """
+    ceiling = ceiling_height(request.floor.height)
+    floor = floor_regions(request)
+    stretches = boundary_stretches(floor, request.floor.structural_walls)
+    shared = shared_stretches(stretches)
+    ground = floor.floor == _GROUND
+    root = entrance_room(floor, stretches) if ground else floor.hub
+    plan = plan_access(floor, request.topology, request.layout, shared, root)
+    open_pairs = frozenset(passage.pair for passage in plan.passages if passage.is_open)
+    partition = partition_floor(floor, stretches, open_pairs)
+    frontages = make_frontages(floor, partition)
+    openings = open_passages(partition)
+    if ground:
+        residential = is_residential(request.building_type)
+        openings.append(
+            place_entrance(
+                floor, stretches, root, frontages, partition.nets, residential=residential
+            )
+        )
+    for opening in openings:
+        take(opening, frontages)
+    placed, narrowed = place_doors(floor, plan, shared, frontages)
+    openings, leafless = hang_doors(floor, partition.nets, [*openings, *placed])
+    rooms = scene_rooms(request, floor, partition, ceiling)
+    walls = number_walls(floor, partition.walls, {room.id: room for room in rooms}, ceiling)
+    windows = place_windows(floor, partition.walls, openings, ceiling)
+    doors = number_doors(floor, walls, openings, ceiling)
+    return FloorStructure(
+        floor=floor,
+        rooms=rooms,
+        walls=[wall for _, wall in walls],
+        doors=doors,
+        windows=number_windows(floor, walls, windows),
+        cores=scene_cores(request, floor, partition, openings, doors),
+        downgrades=[*plan.downgrades, *_cut_off(floor, partition), *narrowed, *leafless],
+        ceiling=ceiling,
+    )
+
+
+def _cut_off(floor: FloorRegions, partition: Partition) -> list[Downgrade]:
+    """Record the floor that rooms lose where they are narrower than their walls."""
+    return [
+        Downgrade(
+            wish=f"all of {region}",
+            got=f"{lost:.2f} m2 less",
+            reason="a part of the room is cut off by its walls",
+            stage="furnish_floor",
+            floor=floor.floor,
+        )
+        for region, lost in partition.cut_off.items()
+    ]

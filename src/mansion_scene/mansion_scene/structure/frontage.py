@@ -1,0 +1,236 @@
+"""Where in the walls between two regions an opening leaves most wall for furniture.
+
+The cost of a position is the wall that furniture loses in both rooms: the piece taken, pieces too short to use, and
+the adjacent wall where the approach to a door in a corner covers it.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+import shapely
+from shapely.geometry import Polygon
+
+from mansion_msgs_py.shapes import Point, Segment
+from mansion_scene.structure.dimensions import (
+    APPROACH_DEPTH,
+    DOOR_GAP,
+    INTERIOR_THICKNESS,
+    WALL_END,
+)
+from mansion_scene.structure.stretches import Stretch
+
+__all__ = ["Frontage", "Position", "approach_zone", "choose_position"]
+
+_POCKET = 0.6  # metres beside a door in which a cupboard against the adjacent wall fits
+_SHORT_PIECE = 0.5  # a wall piece as short as this holds nothing
+
+
+@dataclass
+class Frontage:
+    """A region as doors see it.
+
+    Attributes
+    ----------
+    net : Polygon
+        Free floor between the walls.
+    weight : float
+        What a metre of its wall is worth: little in circulation, nothing in a core.
+    zones : list of Polygon
+        Approach zones of the doors that it has already.
+    taken : list of Segment
+        Their openings.
+    """
+
+    net: Polygon
+    weight: float
+    zones: list[Polygon] = field(default_factory=list)
+    taken: list[Segment] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        shapely.prepare(self.net)
+
+
+@dataclass(frozen=True)
+class Position:
+    """An opening of a stretch, between two distances from its start."""
+
+    stretch: Stretch
+    low: float
+    high: float
+
+    @property
+    def segment(self) -> Segment:
+        """The clear opening on the stretch."""
+        return self.stretch.at(self.low), self.stretch.at(self.high)
+
+    @property
+    def width(self) -> float:
+        """Clear width, metres."""
+        return self.high - self.low
+
+
+def approach_zone(
+    segment: Segment,
+    inward: Point,
+    *,
+    depth: float = APPROACH_DEPTH,
+    wall: float = INTERIOR_THICKNESS / 2,
+) -> Polygon:
+    """Return the floor in front of an opening, from the wall's face `depth` into the room that `inward` points to."""
+    (ax, ay), (bx, by) = segment
+    nx, ny = inward
+    near, far = wall, wall + depth
+    return Polygon(
+        [
+            (ax + nx * near, ay + ny * near),
+            (bx + nx * near, by + ny * near),
+            (bx + nx * far, by + ny * far),
+            (ax + nx * far, ay + ny * far),
+        ]
+    )
+
+
+def _free_intervals(
+    stretch: Stretch, taken: Sequence[Segment], margin: float
+) -> list[tuple[float, float]]:
+    """Return where the stretch has neither wall ends nor openings of its line, with their distances."""
+    (dx, dy), (x0, y0) = stretch.direction, stretch.start
+    intervals = [(margin, stretch.length - margin)]
+    for a, b in taken:
+        if any(abs((p[0] - x0) * dy - (p[1] - y0) * dx) > INTERIOR_THICKNESS for p in (a, b)):
+            continue
+        low, high = sorted((p[0] - x0) * dx + (p[1] - y0) * dy for p in (a, b))
+        low, high = low - DOOR_GAP, high + DOOR_GAP
+        intervals = [
+            piece
+            for start, end in intervals
+            for piece in ((start, min(end, low)), (max(start, high), end))
+            if piece[1] - piece[0] > 1e-6
+        ]
+    return intervals
+
+
+def _candidates(
+    stretch: Stretch, taken: Sequence[Segment], width: float, margin: float
+) -> list[Position]:
+    positions = []
+    for start, end in _free_intervals(stretch, taken, margin):
+        room = end - start - width
+        if room < -1e-6:
+            continue
+        room = max(room, 0.0)
+        shift = _POCKET + INTERIOR_THICKNESS / 2 - margin
+        offsets = sorted({0.0, min(shift, room), room / 2, max(room - shift, 0.0), room})
+        positions += [Position(stretch, start + o, start + o + width) for o in offsets]
+    return positions
+
+
+def _worth(length: float) -> float:
+    """Return what a piece of wall is worth: nothing when short, and one long piece more than two of half its length."""
+    usable = max(length - _SHORT_PIECE, 0.0)
+    return usable + 0.01 * usable * usable
+
+
+def _side_of(region: Polygon, position: Position) -> tuple[float, float] | None:
+    """Return the distances of an opening from the two ends of the straight side of the room that it lies in."""
+    (ax, ay), (bx, by) = position.segment
+    dx, dy = position.stretch.direction
+    mx, my = (ax + bx) / 2, (ay + by) / 2
+    for ring in (region.exterior, *region.interiors):
+        coords = np.asarray(ring.coords)
+        across = (coords[:, 0] - mx) * dy - (coords[:, 1] - my) * dx
+        along = (coords[:, 0] - mx) * dx + (coords[:, 1] - my) * dy
+        on_line = np.abs(across) < INTERIOR_THICKNESS
+        for i in np.nonzero(on_line[:-1] & on_line[1:])[0]:
+            low, high = sorted((float(along[i]), float(along[i + 1])))
+            if low <= 0.0 <= high:
+                half = position.width / 2
+                return -half - low, high - half
+    return None
+
+
+def _loss(frontage: Frontage, position: Position) -> float:
+    ends = _side_of(frontage.net, position)
+    if ends is None:
+        return 0.0
+    side = ends[0] + ends[1] + position.width
+    lost = _worth(side) - _worth(ends[0]) - _worth(ends[1])
+    return lost + sum(APPROACH_DEPTH for end in ends if end < _POCKET)
+
+
+def _cost(position: Position, sides: Sequence[tuple[Frontage, Point]]) -> float:
+    cost = 0.0
+    for frontage, inward in sides:
+        zone = approach_zone(position.segment, inward)
+        cost += frontage.weight * _loss(frontage, position)
+        if not frontage.net.covers(zone):
+            cost += 20.0 * max(zone.area - frontage.net.intersection(zone).area - 1e-3, 0.0)
+        cost += 6.0 * sum(zone.intersection(other).area for other in frontage.zones)
+    return cost
+
+
+def choose_position(
+    stretches: Sequence[Stretch],
+    frontages: dict[str, Frontage],
+    width: float,
+    *,
+    margin: float = WALL_END,
+    within: Polygon | None = None,
+) -> Position | None:
+    """Choose where the stretches between two regions open.
+
+    Parameters
+    ----------
+    stretches : sequence of Stretch
+        Of one pair of regions.
+    frontages : dict
+        By region id; the two sides' doors so far are respected.
+    width : float
+        Clear width.
+    margin : float
+        Wall that stays between the opening and each end of its stretch.
+    within : Polygon, optional
+        The opening must lie in it, where it is given.
+
+    Returns
+    -------
+    Position or None
+        ``None`` when no stretch has that much free.
+    """
+    best: tuple[float, Position] | None = None
+    for stretch in stretches:
+        dx, dy = stretch.direction
+        sides = [(frontages[stretch.left], (-dy, dx))]
+        if stretch.right is not None:
+            sides.append((frontages[stretch.right], (dy, -dx)))
+        taken = [segment for frontage, _ in sides for segment in frontage.taken]
+        pieces = [stretch] if within is None else _clipped(stretch, within)
+        for piece in pieces:
+            for position in _candidates(piece, taken, width, margin):
+                cost = _cost(position, sides)
+                if best is None or cost < best[0] - 1e-9:
+                    best = cost, position
+    return best[1] if best is not None else None
+
+
+def _clipped(stretch: Stretch, within: Polygon) -> list[Stretch]:
+    """Return the part of a stretch inside a polygon."""
+    part = shapely.LineString([stretch.start, stretch.end]).intersection(within)
+    if part.geom_type != "LineString" or part.is_empty:
+        return []
+    ends = sorted(
+        (math.dist(stretch.start, point), (float(point[0]), float(point[1])))
+        for point in part.coords
+    )
+    return [
+        Stretch(
+            ends[0][1],
+            ends[-1][1],
+            stretch.left,
+            stretch.right,
+            stretch.exterior,
+            stretch.structural,
+        )
+    ]

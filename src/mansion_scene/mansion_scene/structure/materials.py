@@ -1,0 +1,133 @@
+"""The library of physically based materials, and the match from free-text descriptions to it.
+
+Each material carries the name of a material that AI2-THOR has, taken from the material database of the `procthor`
+package (Apache-2.0).
+"""
+
+import re
+from functools import cache
+from importlib import resources
+from typing import Annotated, Literal
+
+import msgspec
+
+__all__ = ["Material", "library", "match_material", "material"]
+
+Use = Literal["floor", "wall", "ceiling", "part"]
+
+
+class Material(msgspec.Struct, frozen=True, kw_only=True):
+    """A material of the library.
+
+    Attributes
+    ----------
+    color : str
+        Base colour, sRGB ``#rrggbb``.
+    roughness, metallic, alpha : float
+        0 to 1, as in glTF's metallic-roughness model.
+    uses : tuple of str
+        Where descriptions may match it.
+    thor : str
+        The AI2-THOR material that looks most like it.
+    """
+
+    name: str
+    color: Annotated[str, msgspec.Meta(pattern="^#[0-9a-f]{6}$")]
+    roughness: float
+    metallic: float
+    uses: tuple[Use, ...]
+    keywords: tuple[str, ...]
+    thor: str
+    alpha: float = 1.0
+
+
+_DEFAULTS: dict[Use, str] = {
+    "floor": "oak_hardwood",
+    "wall": "white_drywall",
+    "ceiling": "white_drywall",
+    "part": "painted_steel",
+}
+# What a surface is made of says more than its colour.
+_SUBSTANCES = frozenset(
+    [
+        "oak",
+        "hardwood",
+        "wood",
+        "wooden",
+        "timber",
+        "parquet",
+        "vinyl",
+        "linoleum",
+        "lino",
+        "rubber",
+        "carpet",
+        "ceramic",
+        "porcelain",
+        "tile",
+        "tiles",
+        "tiled",
+        "terrazzo",
+        "marble",
+        "granite",
+        "concrete",
+        "epoxy",
+        "deck",
+        "decking",
+        "paving",
+        "drywall",
+        "plaster",
+        "brick",
+        "subway",
+        "panel",
+        "panels",
+        "panelling",
+        "paneling",
+        "acoustic",
+        "stone",
+        "cladding",
+        "resin",
+        "herringbone",
+    ]
+)
+
+
+@cache
+def library() -> dict[str, Material]:
+    """Return all materials by name, in the order of the library."""
+    text = resources.files("mansion_scene.structure").joinpath("data/materials.json").read_bytes()
+    return {entry.name: entry for entry in msgspec.json.decode(text, type=list[Material])}
+
+
+def material(name: str) -> Material:
+    """Return the material of that name; KeyError when the library has none."""
+    return library()[name]
+
+
+@cache
+def match_material(description: str, use: Use) -> Material:
+    """Return the material of a use that a description names best.
+
+    Words for a substance count three times as much as words for a colour or a finish; the first material of the
+    library wins a tie, and a default stands in when no word is known.
+
+    Examples
+    --------
+    >>> match_material("warm oak hardwood, matte", "floor").name
+    'oak_hardwood'
+    >>> match_material("carpet, neutral gray", "floor").name
+    'grey_carpet'
+    """
+    words = re.findall(r"[a-z]+", description.lower())
+    best, best_score = library()[_DEFAULTS[use]], 0.0
+    if description in library() and use in library()[description].uses:
+        return library()[description]
+    for entry in library().values():
+        if use not in entry.uses:
+            continue
+        score = sum(3.0 if word in _SUBSTANCES else 1.0 for word in words if word in entry.keywords)
+        # Among equals, the material that says least beside the description is the plainest reading of it.
+        if score > 0.0:
+            score += 0.5 / (1 + len(entry.keywords))
+        if score > best_score:
+            best, best_score = entry, score
+    return best

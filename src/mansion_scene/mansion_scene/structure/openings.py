@@ -1,0 +1,195 @@
+"""The doors of a floor before they are numbered: positions, widths, leaves and the entrance."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from shapely.geometry import Polygon
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.program import Downgrade
+from mansion_msgs_py.shapes import Point, Segment
+from mansion_scene.structure.access import AccessPlan, Pair
+from mansion_scene.structure.dimensions import (
+    CLEAR_WIDTH,
+    INTERIOR_THICKNESS,
+    MIN_CLEAR_WIDTH,
+    WALL_END,
+)
+from mansion_scene.structure.frontage import (
+    Frontage,
+    Position,
+    approach_zone,
+    choose_position,
+)
+from mansion_scene.structure.interiors import Partition
+from mansion_scene.structure.opening_kinds import (
+    OpeningKind,
+    is_circulation,
+    opening_kind,
+)
+from mansion_scene.structure.regions import FloorRegions, Region
+from mansion_scene.structure.stairs import landing_zone
+from mansion_scene.structure.stretches import Stretch
+
+__all__ = ["Opening", "make_frontages", "open_passages", "place_doors", "take"]
+
+
+@dataclass(frozen=True)
+class Opening:
+    """A passage through a wall, or a stretch without wall (kind ``open``).
+
+    Attributes
+    ----------
+    regions : (str, str or None)
+    stretch : Stretch
+        Whose wall it interrupts.
+    segment : Segment
+        Clear opening on the stretch, which is the wall's centre line inside and the outline outside.
+    """
+
+    regions: tuple[str, str | None]
+    kind: OpeningKind
+    stretch: Stretch
+    segment: Segment
+    hinge: Literal["start", "end", "both", "none"] = "none"
+    swing: str | None = None
+
+    def inward(self, region: str) -> Point:
+        """Return the unit vector from the wall into a region."""
+        dx, dy = self.stretch.direction
+        return (-dy, dx) if region == self.stretch.left else (dy, -dx)
+
+
+def make_frontages(floor: FloorRegions, partition: Partition) -> dict[str, Frontage]:
+    """Return each region as doors see it, without doors."""
+    return {
+        region.id: Frontage(partition.nets[region.id], _wall_worth(region))
+        for region in floor.regions
+    }
+
+
+def _wall_worth(region: Region) -> float:
+    if not region.is_room:
+        return 0.0
+    return 0.25 if is_circulation(region) else 1.0
+
+
+def take(opening: Opening, frontages: Mapping[str, Frontage]) -> None:
+    """Enter an opening into the frontages of its two sides."""
+    for region in opening.regions:
+        if region is not None:
+            frontage = frontages[region]
+            frontage.taken.append(opening.segment)
+            frontage.zones.append(approach_zone(opening.segment, opening.inward(region)))
+
+
+def open_passages(partition: Partition) -> list[Opening]:
+    """Return an opening of kind ``open`` for each stretch where two rooms share no wall."""
+    return [
+        Opening((stretch.left, stretch.right), OpeningKind("open", CLEAR_WIDTH), stretch, segment)
+        for parts in partition.open_stretches.values()
+        for stretch, segment in parts
+    ]
+
+
+def place_doors(
+    floor: FloorRegions,
+    plan: AccessPlan,
+    shared: Mapping[Pair, Sequence[Stretch]],
+    frontages: Mapping[str, Frontage],
+) -> tuple[list[Opening], list[Downgrade]]:
+    """Place a door for each passage that is not open.
+
+    Cores come first, then the pairs with the shortest walls, so that who has little choice has it first.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` when other openings leave a passage no room; access was planned on walls long enough.
+    """
+    passages = [passage for passage in plan.passages if not passage.is_open]
+
+    def freedom(pair: Pair) -> tuple[bool, float, Pair]:
+        rooms = all(floor.by_id[region].is_room for region in pair)
+        return rooms, round(sum(stretch.length for stretch in shared[pair]), 3), pair
+
+    openings: list[Opening] = []
+    downgrades: list[Downgrade] = []
+    for passage in sorted(passages, key=lambda passage: freedom(passage.pair)):
+        opening, downgrade = _place(floor, passage.pair, shared[passage.pair], dict(frontages))
+        openings.append(opening)
+        take(opening, frontages)
+        if downgrade is not None:
+            downgrades.append(downgrade)
+    return openings, downgrades
+
+
+def _place(
+    floor: FloorRegions, pair: Pair, stretches: Sequence[Stretch], frontages: dict[str, Frontage]
+) -> tuple[Opening, Downgrade | None]:
+    a, b = floor.by_id[pair[0]], floor.by_id[pair[1]]
+    kind = opening_kind(a, b)
+    stair = next((region for region in (a, b) if region.kind == "stair" and region.core), None)
+    if stair is not None and stair.core is not None:
+        zone = landing_zone(stair.core, floor.outline)
+        position = _widest(stretches, frontages, kind.width, zone)
+        if position is not None and position.width >= CLEAR_WIDTH - 1e-6:
+            return _opening(position, kind), None
+    position = _widest(stretches, frontages, kind.width, None)
+    if position is None:
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"no room for a door of {MIN_CLEAR_WIDTH} m between {a.id} and {b.id}; 1.20 m of free shared wall would do",
+            path="$.layout.rooms",
+            details={"rooms": list(pair)},
+        )
+    if stair is not None:
+        return _opening(position, kind), _note(
+            floor,
+            pair,
+            "a door off the floor landing",
+            "the shared wall does not reach the landing's end of the core",
+        )
+    if position.width < CLEAR_WIDTH - 1e-6:
+        return _opening(position, kind), _note(
+            floor, pair, f"{position.width:.2f} m clear", "the shared wall is shorter than 1.02 m"
+        )
+    return _opening(position, kind), None
+
+
+def _opening(position: Position, kind: OpeningKind) -> Opening:
+    stretch = position.stretch
+    return Opening(
+        (stretch.left, stretch.right),
+        replace(kind, width=round(position.width, 4)),
+        stretch,
+        position.segment,
+    )
+
+
+def _note(floor: FloorRegions, pair: Pair, got: str, reason: str) -> Downgrade:
+    return Downgrade(
+        wish=f"door of {CLEAR_WIDTH} m between {pair[0]} and {pair[1]}",
+        got=got,
+        reason=reason,
+        stage="furnish_floor",
+        floor=floor.floor,
+    )
+
+
+def _widest(
+    stretches: Sequence[Stretch],
+    frontages: dict[str, Frontage],
+    width: float,
+    within: Polygon | None,
+) -> Position | None:
+    """Choose the position of the widest opening that fits: as wished, 0.9 m, then with thinner jambs, then narrower."""
+    bare = INTERIOR_THICKNESS / 2
+    trials = [(width, WALL_END), (CLEAR_WIDTH, WALL_END), (CLEAR_WIDTH, bare)]
+    trials += [(trial, bare) for trial in (0.85, 0.8, 0.75, MIN_CLEAR_WIDTH)]
+    for trial, margin in trials:
+        position = choose_position(stretches, frontages, trial, margin=margin, within=within)
+        if position is not None:
+            return position
+    return None

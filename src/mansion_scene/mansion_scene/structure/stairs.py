@@ -1,0 +1,247 @@
+"""Dog-leg and straight flights that fit a stair core.
+
+Steps follow the usual rule of comfort, two risers and a going of about 0.63 m, with risers of 0.15 to 0.19 m. The
+floor landing lies at the same end of the core on every floor, so that flights stack.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import shapely
+from shapely.geometry import Polygon, box
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.program import CorePlan
+from mansion_msgs_py.scene import Box3, StairDetails
+from mansion_msgs_py.shapes import Point, Point3, Ring
+
+__all__ = ["MAX_RISER", "MIN_RISER", "StairFrame", "landing_zone", "stair_details", "stair_frame"]
+
+MIN_RISER: Final = 0.15
+MAX_RISER: Final = 0.19
+_GOINGS: Final = (0.30, 0.29, 0.28, 0.27, 0.26, 0.25, 0.24, 0.23, 0.22)
+_COMFORT: Final = 0.63
+_WELL: Final = 0.12  # gap between the two flights
+_RAIL_HEIGHT: Final = 0.95
+_LANDING_THICKNESS: Final = 0.18
+_MIN_FLIGHT: Final = 0.75
+
+Side = Literal["north", "south", "east", "west"]
+_INWARD: Final[dict[Side, Point]] = {
+    "south": (0.0, 1.0),
+    "north": (0.0, -1.0),
+    "west": (1.0, 0.0),
+    "east": (-1.0, 0.0),
+}
+
+
+@dataclass(frozen=True)
+class StairFrame:
+    """The net interior of a stair core as seen from its floor landing.
+
+    Attributes
+    ----------
+    origin : Point
+        Left corner of the landing's end, looking up the stair.
+    forward : Point
+        Unit vector from the landing's end to the other.
+    length, width : float
+        Along and across `forward`.
+    """
+
+    origin: Point
+    forward: Point
+    length: float
+    width: float
+
+    @property
+    def landing(self) -> float:
+        """Depth of the floor landing; depends on the core alone, so that it is the same on every floor."""
+        return min(max(0.24 * self.length, 0.9), 1.6)
+
+    def point(self, along: float, across: float) -> Point:
+        """Return the plan point at a distance up the stair and to the right of its left edge."""
+        (fx, fy), (ox, oy) = self.forward, self.origin
+        return round(ox + fx * along + fy * across, 4) + 0.0, round(
+            oy + fy * along - fx * across, 4
+        ) + 0.0
+
+    def rectangle(self, along: tuple[float, float], across: tuple[float, float]) -> Ring:
+        """Return a rectangle of the frame as a counter-clockwise ring."""
+        (x0, y0), (x1, y1) = self.point(along[0], across[0]), self.point(along[1], across[1])
+        x0, x1, y0, y1 = min(x0, x1), max(x0, x1), min(y0, y1), max(y0, y1)
+        return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+
+    def box(
+        self, along: tuple[float, float], across: tuple[float, float], z: tuple[float, float]
+    ) -> Box3:
+        """Return a box over a rectangle of the frame."""
+        ring = self.rectangle(along, across)
+        return (*ring[0], round(z[0], 4)), (*ring[2], round(z[1], 4))
+
+
+def _landing_side(core: CorePlan, outline: Polygon) -> Side:
+    """Return the landing's end: the door's if that is a short side, else the end deeper in the building."""
+    (x0, x1), (y0, y1) = sorted(core.x), sorted(core.y)
+    ends: tuple[Side, Side] = ("south", "north") if y1 - y0 >= x1 - x0 else ("west", "east")
+    if core.door_side in ends:
+        return core.door_side
+    middles: dict[Side, Point] = {
+        "south": ((x0 + x1) / 2, y0),
+        "north": ((x0 + x1) / 2, y1),
+        "west": (x0, (y0 + y1) / 2),
+        "east": (x1, (y0 + y1) / 2),
+    }
+    from_edge = [
+        round(float(shapely.distance(outline.exterior, shapely.Point(middles[end]))), 3)
+        for end in ends
+    ]
+    return ends[0] if from_edge[0] >= from_edge[1] else ends[1]
+
+
+def stair_frame(core: CorePlan, net: Polygon, outline: Polygon) -> StairFrame:
+    """Return the frame of a stair core.
+
+    Parameters
+    ----------
+    core : CorePlan
+    net : Polygon
+        Net interior of the core (its bounding box is used).
+    outline : Polygon
+        Of the floor; decides the landing's end when the core has no door side.
+    """
+    x0, y0, x1, y1 = net.bounds
+    side = _landing_side(core, outline)
+    corners: dict[Side, Point] = {
+        "south": (x0, y0),
+        "north": (x1, y1),
+        "west": (x0, y1),
+        "east": (x1, y0),
+    }
+    along_y = side in ("south", "north")
+    length, width = (y1 - y0, x1 - x0) if along_y else (x1 - x0, y1 - y0)
+    return StairFrame(corners[side], _INWARD[side], length, width)
+
+
+def landing_zone(core: CorePlan, outline: Polygon) -> Polygon:
+    """Return the part of a stair core, on wall centre lines, through whose walls a door reaches the floor landing."""
+    (x0, x1), (y0, y1) = sorted(core.x), sorted(core.y)
+    frame = stair_frame(core, box(x0, y0, x1, y1), outline)
+    ring = frame.rectangle((0.0, frame.landing), (0.0, frame.width))
+    return Polygon(ring).buffer(1e-3, join_style="mitre")
+
+
+def _even_risers(height: float) -> list[int]:
+    counts = [n for n in range(4, 200, 2) if MIN_RISER - 1e-9 <= height / n <= MAX_RISER + 1e-9]
+    return sorted(counts, key=lambda n: (abs(height / n - 0.17), n))
+
+
+def _dog_leg(frame: StairFrame, height: float) -> tuple[int, float] | None:
+    """Return risers and going of the most comfortable dog-leg that fits, if one does."""
+    flight = (frame.width - _WELL) / 2
+    if flight < _MIN_FLIGHT:
+        return None
+    best: tuple[float, int, float] | None = None
+    for risers in _even_risers(height):
+        for going in _GOINGS:
+            half_landing = frame.length - frame.landing - (risers // 2 - 1) * going
+            if half_landing < min(flight, 1.2) - 0.05:
+                continue
+            discomfort = abs(2 * height / risers + going - _COMFORT)
+            if best is None or discomfort < best[0] - 1e-9:
+                best = discomfort, risers, going
+    return best[1:] if best is not None else None
+
+
+def stair_details(
+    core_id: str,
+    frame: StairFrame,
+    height: float,
+    *,
+    goes_up: bool,
+    comes_from_below: bool,
+) -> StairDetails:
+    """Lay out the flights that leave a floor.
+
+    Parameters
+    ----------
+    frame : StairFrame
+    height : float
+        From this floor to the next, metres.
+    goes_up, comes_from_below : bool
+        Whether the core serves a floor above and one below.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` when no stair with risers of 0.15 to 0.19 m fits the core.
+    """
+    fit = _dog_leg(frame, height)
+    if fit is None:
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"no stair fits {core_id}: {frame.width:.2f} x {frame.length:.2f} m inside its walls for a storey of "
+            f"{height:.2f} m; 3 x 6 m serves storeys up to 4.2 m, 2 x 4 m up to 3.0 m",
+            path="$.connectivity.cores",
+        )
+    risers, going = fit
+    flight = round((frame.width - _WELL) / 2, 4)
+    well = frame.rectangle((frame.landing, frame.length), (0.0, frame.width))
+    details = StairDetails(
+        form="dog_leg",
+        risers=risers if goes_up else 0,
+        riser=round(height / risers, 4),
+        going=going,
+        width=flight,
+        floor_landing=frame.rectangle((0.0, frame.landing), (0.0, frame.width)),
+        floor_opening=well if comes_from_below else [],
+        ceiling_opening=well if goes_up else [],
+    )
+    if goes_up:
+        _add_flights(details, frame, height)
+    elif comes_from_below:
+        # The top floor has no flight up: a guard closes the half of the landing's edge where one would start.
+        edge = frame.landing
+        details.rails.append(_rail(frame, (edge, edge), (0.0, flight), (0.0, 0.0)))
+    return details
+
+
+def _add_flights(details: StairDetails, frame: StairFrame, height: float) -> None:
+    """Add both flights, the half landing and the rails along the well."""
+    half, riser, going, width = (
+        details.risers // 2,
+        height / details.risers,
+        details.going,
+        details.width,
+    )
+    foot, turn = frame.landing, frame.landing + (half - 1) * going
+    left, right = (0.0, width), (frame.width - width, frame.width)
+    for step in range(half - 1):
+        top = (step + 1) * riser
+        span = (foot + step * going, foot + (step + 1) * going)
+        details.treads.append(frame.box(span, left, (max(top - 2 * riser, 0.0), top)))
+    middle = half * riser
+    details.landings.append(
+        frame.box((turn, frame.length), (0.0, frame.width), (middle - _LANDING_THICKNESS, middle))
+    )
+    for step in range(half - 1):
+        top = middle + (step + 1) * riser
+        span = (turn - (step + 1) * going, turn - step * going)
+        details.treads.append(frame.box(span, right, (top - 2 * riser, top)))
+    inner = (width, width)
+    outer = (frame.width - width, frame.width - width)
+    details.rails.extend(
+        [
+            _rail(frame, (foot, turn), inner, (riser, middle)),
+            _rail(frame, (turn, turn), (width, frame.width - width), (middle, middle)),
+            _rail(frame, (turn, foot), outer, (middle, height)),
+        ]
+    )
+
+
+def _rail(
+    frame: StairFrame, along: Sequence[float], across: Sequence[float], z: Sequence[float]
+) -> tuple[Point3, Point3]:
+    ends = [(*frame.point(along[i], across[i]), round(z[i] + _RAIL_HEIGHT, 4)) for i in (0, 1)]
+    return ends[0], ends[1]

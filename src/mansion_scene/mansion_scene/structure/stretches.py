@@ -1,0 +1,204 @@
+"""Straight stretches of boundary between two regions, or between a region and the outside.
+
+All edges of all rings are sorted on to their supporting lines; a sweep along each line then knows, between any two
+breakpoints, which region lies to its left and which to its right.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+from mansion_msgs_py.shapes import Point, Ring, Segment
+from mansion_scene.structure.regions import FloorRegions, ring_points
+
+__all__ = ["Stretch", "boundary_stretches"]
+
+_ANGLE = 1e-4  # radians between lines that count as parallel
+_SNAP = 2e-3  # metres between points, or lines, that count as one
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A straight piece of boundary with one region, or none, on each side all along.
+
+    Attributes
+    ----------
+    start, end : Point
+        On the boundary; `left` lies to the left of start -> end.
+    left : str
+        Region id; an exterior stretch has its region here.
+    right : str, optional
+        ``None`` for the outside, and for ground that the layout gave to nobody.
+    exterior : bool
+        On the floor's outline or one of its holes.
+    structural : bool
+        On a structural wall of the program.
+    """
+
+    start: Point
+    end: Point
+    left: str
+    right: str | None
+    exterior: bool
+    structural: bool
+
+    @property
+    def length(self) -> float:
+        """Length, metres."""
+        return math.dist(self.start, self.end)
+
+    @property
+    def direction(self) -> Point:
+        """Unit vector from start to end."""
+        length = self.length
+        return (self.end[0] - self.start[0]) / length, (self.end[1] - self.start[1]) / length
+
+    def at(self, distance: float) -> Point:
+        """Return the point at a distance from the start."""
+        dx, dy = self.direction
+        return self.start[0] + dx * distance, self.start[1] + dy * distance
+
+
+@dataclass
+class _Line:
+    """A supporting line: unit direction, signed distance from the origin, and what lies along it."""
+
+    direction: Point
+    offset: float
+    spans: list[tuple[float, float, int, str]] = field(default_factory=list)
+
+    def along(self, point: Point) -> float:
+        return self.direction[0] * point[0] + self.direction[1] * point[1]
+
+    def across(self, point: Point) -> float:
+        return self.direction[0] * point[1] - self.direction[1] * point[0]
+
+    def point(self, along: float) -> Point:
+        (dx, dy), offset = self.direction, self.offset
+        return round(dx * along - dy * offset, 4) + 0.0, round(dy * along + dx * offset, 4) + 0.0
+
+
+# Owners of spans that are no region.
+_OUTLINE = "\x00outline"
+_STRUCTURE = "\x00structure"
+
+
+def _edges(ring: Ring) -> Iterable[Segment]:
+    for index, point in enumerate(ring):
+        yield ring[index - 1], point
+
+
+class _Lines:
+    """Supporting lines by rounded angle, so that an edge finds its line among few."""
+
+    def __init__(self) -> None:
+        self.lines: list[_Line] = []
+        self._buckets: dict[int, list[_Line]] = {}
+
+    def add(self, edge: Segment, owner: str) -> None:
+        (x0, y0), (x1, y1) = edge
+        length = math.hypot(x1 - x0, y1 - y0)
+        if length < _SNAP:
+            return
+        dx, dy = (x1 - x0) / length, (y1 - y0) / length
+        side = 1
+        if dx < -_ANGLE or (abs(dx) <= _ANGLE and dy < 0.0):
+            dx, dy, side = -dx, -dy, -1
+        line = self._find((dx, dy), edge)
+        t0, t1 = sorted((line.along(edge[0]), line.along(edge[1])))
+        line.spans.append((t0, t1, side, owner))
+
+    def _find(self, direction: Point, edge: Segment) -> _Line:
+        dx, dy = direction
+        middle = (edge[0][0] + edge[1][0]) / 2, (edge[0][1] + edge[1][1]) / 2
+        key = round(math.atan2(dy, dx) / (2 * _ANGLE))
+        for near in (key, key - 1, key + 1):
+            for line in self._buckets.get(near, ()):
+                turn = abs(line.direction[0] * dy - line.direction[1] * dx)
+                if turn < _ANGLE and abs(line.across(middle) - line.offset) < _SNAP:
+                    return line
+        line = _Line(direction, dx * middle[1] - dy * middle[0])
+        self.lines.append(line)
+        self._buckets.setdefault(key, []).append(line)
+        return line
+
+
+def _breakpoints(line: _Line) -> list[float]:
+    ends = sorted(t for span in line.spans for t in span[:2])
+    points: list[float] = []
+    for t in ends:
+        if not points or t - points[-1] > _SNAP:
+            points.append(t)
+    return points
+
+
+def _sweep(line: _Line) -> list[Stretch]:
+    stretches: list[Stretch] = []
+    points = _breakpoints(line)
+    for low, high in pairwise(points):
+        middle = (low + high) / 2
+        here = [span for span in line.spans if span[0] <= middle <= span[1]]
+        left = next((o for _, _, side, o in here if side > 0 and o[0] != "\x00"), None)
+        right = next((o for _, _, side, o in here if side < 0 and o[0] != "\x00"), None)
+        owners = {span[3] for span in here}
+        start, end = line.point(low), line.point(high)
+        if left is None:
+            start, end, left, right = end, start, right, None
+        if left is None:
+            continue
+        stretch = Stretch(
+            start, end, left, right, right is None and _OUTLINE in owners, _STRUCTURE in owners
+        )
+        stretches.append(stretch)
+    return _merge(stretches)
+
+
+def _merge(stretches: Sequence[Stretch]) -> list[Stretch]:
+    merged: list[Stretch] = []
+    for stretch in stretches:
+        last = merged[-1] if merged else None
+        same = last is not None and (last.left, last.right, last.exterior, last.structural) == (
+            stretch.left,
+            stretch.right,
+            stretch.exterior,
+            stretch.structural,
+        )
+        if last is not None and same and math.dist(last.end, stretch.start) < _SNAP:
+            merged[-1] = _joined(last.start, stretch.end, stretch)
+        elif last is not None and same and math.dist(last.start, stretch.end) < _SNAP:
+            merged[-1] = _joined(stretch.start, last.end, stretch)
+        else:
+            merged.append(stretch)
+    return merged
+
+
+def _joined(start: Point, end: Point, like: Stretch) -> Stretch:
+    return Stretch(start, end, like.left, like.right, like.exterior, like.structural)
+
+
+def boundary_stretches(floor: FloorRegions, structural: Sequence[Segment] = ()) -> list[Stretch]:
+    """Return every stretch of the floor's boundaries, in a fixed order.
+
+    Parameters
+    ----------
+    floor : FloorRegions
+    structural : sequence of Segment
+        Centre lines of structural walls; a stretch on one is marked.
+
+    Returns
+    -------
+    list of Stretch
+        By supporting line in the order in which the regions first touch it, then along the line.
+    """
+    lines = _Lines()
+    for region in floor.regions:
+        for ring in (region.polygon.exterior, *region.polygon.interiors):
+            for edge in _edges(ring_points(ring)):
+                lines.add(edge, region.id)
+    for ring in (floor.outline.exterior, *floor.outline.interiors):
+        for edge in _edges(ring_points(ring)):
+            lines.add(edge, _OUTLINE)
+    for segment in structural:
+        lines.add(segment, _STRUCTURE)
+    return [stretch for line in lines.lines for stretch in _sweep(line)]

@@ -1,0 +1,130 @@
+"""Windows in outer walls, by room type."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from mansion_msgs_py.shapes import Segment
+from mansion_scene.structure.openings import Opening
+from mansion_scene.structure.regions import FloorRegions, Region
+from mansion_scene.structure.room_classes import is_class
+from mansion_scene.structure.stretches import Stretch
+
+__all__ = ["WindowKind", "WindowOpening", "place_windows", "window_kind"]
+
+_END = 0.3  # metres of wall between a window and a wall end or a door
+_HEAD = 0.2  # metres of wall above a window
+
+
+@dataclass(frozen=True)
+class WindowKind:
+    """Size and rhythm of a room type's windows: clear width, height, sill, wall between two; metres."""
+
+    width: float
+    height: float
+    sill: float
+    gap: float
+    name: str = "fixed"
+
+
+@dataclass(frozen=True)
+class WindowOpening:
+    """A window: its opening on the outline."""
+
+    region: str
+    kind: WindowKind
+    stretch: Stretch
+    segment: Segment
+
+
+_KINDS: tuple[tuple[str, WindowKind | None], ...] = (
+    ("outdoor", None),
+    ("store", None),
+    ("wet", WindowKind(0.6, 0.5, 1.6, 1.5, "hung")),
+    ("assembly", WindowKind(2.4, 1.9, 0.6, 0.8)),
+    ("office", WindowKind(1.8, 1.5, 0.85, 0.7)),
+    ("teaching", WindowKind(1.8, 1.5, 0.9, 0.5)),
+    ("clinical", WindowKind(1.5, 1.4, 0.9, 1.0)),
+    ("welcome", WindowKind(2.0, 2.1, 0.3, 0.7)),
+    ("circulation", WindowKind(1.2, 1.5, 0.9, 1.5)),
+    ("living", WindowKind(1.8, 1.4, 0.9, 0.9, "hung")),
+    ("sleeping", WindowKind(1.5, 1.3, 0.9, 1.0, "hung")),
+)
+_DEFAULT = WindowKind(1.5, 1.4, 0.9, 1.0)
+_NARROWEST = 0.6
+
+
+def window_kind(region: Region) -> WindowKind | None:
+    """Return the windows of a region's type; ``None`` for stores, shafts and outdoor rooms."""
+    if region.kind == "elevator":
+        return None
+    if region.kind == "stair":
+        return None
+    for name, kind in _KINDS:
+        if is_class(region.room_type, name):
+            return kind
+    return _DEFAULT
+
+
+def place_windows(
+    floor: FloorRegions, stretches: Sequence[Stretch], openings: Sequence[Opening], ceiling: float
+) -> list[WindowOpening]:
+    """Place windows, evenly spaced between wall ends and doors, in every outer wall of a floor above ground.
+
+    Parameters
+    ----------
+    openings : sequence of Opening
+        Doors; those in outer walls keep their distance.
+    ceiling : float
+        Height of the ceilings, metres; windows stay below.
+    """
+    if floor.floor < 1:
+        return []
+    doors: dict[Stretch, list[Segment]] = {}
+    for opening in openings:
+        doors.setdefault(opening.stretch, []).append(opening.segment)
+    windows: list[WindowOpening] = []
+    for stretch in stretches:
+        kind = window_kind(floor.by_id[stretch.left]) if stretch.exterior else None
+        if kind is None:
+            continue
+        kind = _below(kind, ceiling)
+        for low, high in _free(stretch, doors.get(stretch, [])):
+            windows.extend(_row(stretch, kind, low, high))
+    return windows
+
+
+def _below(kind: WindowKind, ceiling: float) -> WindowKind:
+    height = min(kind.height, ceiling - _HEAD - kind.sill)
+    return WindowKind(kind.width, round(max(height, 0.3), 4), kind.sill, kind.gap, kind.name)
+
+
+def _free(stretch: Stretch, doors: Sequence[Segment]) -> list[tuple[float, float]]:
+    (x0, y0), (dx, dy) = stretch.start, stretch.direction
+    intervals = [(_END, stretch.length - _END)]
+    for door in doors:
+        low, high = sorted((p[0] - x0) * dx + (p[1] - y0) * dy for p in door)
+        intervals = [
+            piece
+            for start, end in intervals
+            for piece in ((start, min(end, low - _END)), (max(start, high + _END), end))
+            if piece[1] > piece[0]
+        ]
+    return intervals
+
+
+def _row(stretch: Stretch, kind: WindowKind, low: float, high: float) -> list[WindowOpening]:
+    room = high - low
+    if room < _NARROWEST - 1e-6:
+        return []
+    count = max(int((room + kind.gap) / (kind.width + kind.gap) + 1e-9), 1)
+    if kind.name == "hung" and kind.sill > 1.2:
+        # A high toilet window is for air: one is enough.
+        count = 1
+    width = min(kind.width, room)
+    gap = (room - count * width) / (count + 1)
+    row = []
+    for index in range(count):
+        start = low + gap + index * (width + gap)
+        segment = stretch.at(start), stretch.at(start + width)
+        row.append(WindowOpening(stretch.left, kind, stretch, segment))
+    return row

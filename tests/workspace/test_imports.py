@@ -1,0 +1,128 @@
+"""Who may import whom, and that what is imported is declared and locked."""
+
+import ast
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+LAYERS: dict[str, set[str]] = {
+    "mansion_msgs_py": set(),
+    "mansion_geometry": {"mansion_msgs_py"},
+    "mansion_llm": {"mansion_msgs_py"},
+    "mansion_planner": {"mansion_msgs_py", "mansion_geometry", "mansion_llm"},
+    "mansion_scene": {"mansion_msgs_py", "mansion_geometry", "mansion_llm"},
+    "mansion_skills": {"mansion_msgs_py", "mansion_geometry", "mansion_llm"},
+}
+
+# Distribution -> module, where the two differ.
+MODULES = {"pillow": "PIL", "pyyaml": "yaml", "usd_core": "pxr", "dask": "dask"}
+
+ROS_MODULES = {
+    "ament_index_python",
+    "builtin_interfaces",
+    "diagnostic_msgs",
+    "geometry_msgs",
+    "launch",
+    "launch_ros",
+    "nav_msgs",
+    "rcl_interfaces",
+    "rclpy",
+    "sensor_msgs",
+    "std_msgs",
+    "std_srvs",
+    "tf2_msgs",
+    "visualization_msgs",
+}
+
+
+def imports(source: Path) -> Iterator[str]:
+    """Top-level names of the modules that a file imports, anywhere in it."""
+    for node in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                yield alias.name.partition(".")[0]
+        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
+            yield node.module.partition(".")[0]
+
+
+def sources(package: Path) -> list[Path]:
+    """The package's modules."""
+    return sorted((package / package.name).rglob("*.py"))
+
+
+def modules_of(requirements: str) -> set[str]:
+    """Modules of the distributions that are named in a text of requirements."""
+    names = re.findall(r"^\s*\"?([A-Za-z][\w.-]*)", requirements, re.MULTILINE)
+    normal = [name.lower().replace("-", "_") for name in names]
+    return {MODULES.get(name, name) for name in normal}
+
+
+def declared(package: Path) -> set[str]:
+    """Modules that the package's setup.py declares, extras included."""
+    setup = ast.parse((package / "setup.py").read_text(encoding="utf-8"))
+    call = next(
+        node
+        for node in ast.walk(setup)
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Name)
+        and node.func.id == "setup"
+    )
+    lines: list[str] = []
+    for keyword in call.keywords:
+        if keyword.arg == "install_requires":
+            lines += ast.literal_eval(keyword.value)
+        elif keyword.arg == "extras_require":
+            lines += [line for extra in ast.literal_eval(keyword.value).values() for line in extra]
+    return modules_of("\n".join(lines))
+
+
+def test_packages_import_only_the_layers_below(packages: list[Path]) -> None:
+    for package in packages:
+        if package.name not in LAYERS:
+            continue
+        allowed = LAYERS[package.name] | {package.name}
+        for source in sources(package):
+            ours = {name for name in imports(source) if name.startswith("mansion_")}
+            assert ours <= allowed, source
+
+
+def test_only_nodes_and_bringup_import_ros(packages: list[Path]) -> None:
+    for package in packages:
+        if package.name == "mansion_bringup":
+            continue
+        for source in sources(package):
+            if "nodes" not in source.relative_to(package).parts:
+                assert not ROS_MODULES & set(imports(source)), source
+
+
+def test_what_is_imported_is_declared(packages: list[Path]) -> None:
+    for package in packages:
+        known = declared(package) | ROS_MODULES | {package.name} | set(sys.stdlib_module_names)
+        for source in sources(package):
+            assert set(imports(source)) <= known, source
+
+
+def test_what_is_declared_is_locked(root: Path, packages: list[Path]) -> None:
+    locked = set()
+    for name in ("base", "sim", "llm", "usd", "cluster", "test"):
+        locked |= modules_of((root / f"requirements/{name}-3.12.txt").read_text(encoding="utf-8"))
+    for package in packages:
+        ours = {name for name in declared(package) if name.startswith("mansion_")}
+        assert declared(package) - ours <= locked, package.name
+
+
+def test_manifests_name_the_ros_packages_that_are_imported(packages: list[Path]) -> None:
+    catkin_package = pytest.importorskip("catkin_pkg.package")
+    for package in packages:
+        manifest = catkin_package.parse_package(str(package))
+        named = {depend.name for depend in manifest.exec_depends}
+        for source in sources(package):
+            needed = {
+                name
+                for name in imports(source)
+                if name in ROS_MODULES or (name.startswith("mansion_") and name != package.name)
+            }
+            assert needed <= named, source
