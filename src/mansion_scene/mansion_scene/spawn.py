@@ -6,9 +6,10 @@ from typing import Final
 
 import numpy as np
 import shapely
+from shapely.geometry import LineString, Point, Polygon
+
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Door, SceneObject, SceneRoom, SpawnPose
-from shapely.geometry import LineString, Point, Polygon
 
 __all__ = ["ROBOT_RADIUS", "footprint", "free_region", "place_spawn"]
 

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import shapely
-from mansion_msgs_py.scene import Light, SceneObject, SceneRoom
 from shapely.geometry import Polygon
 
+from mansion_msgs_py.scene import Light, SceneObject, SceneRoom
 from mansion_scene.structure.room_classes import is_class
 
 __all__ = ["LightPlan", "light_plan", "room_lights"]

@@ -1,0 +1,123 @@
+"""A furnished floor from its layout (Algorithm 1, lines 9 to 17)."""
+
+from collections.abc import Callable
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import Discard, FloorScene, Light, SceneObject
+from mansion_msgs_py.stages import FurnishRequest
+from mansion_scene.lighting import choose_sky, room_lights, sun
+from mansion_scene.spawn import place_spawn
+from mansion_scene.structure import FloorStructure, build_structure
+from mansion_scene.structure.regions import ring_points
+
+__all__ = ["ProgressReport", "furnish_floor"]
+
+ProgressReport = Callable[[str, float], None]
+"""Gets what is being done, and the share of the floor that is done, 0 to 1."""
+
+
+def furnish_floor(request: FurnishRequest, *, progress: ProgressReport | None = None) -> FloorScene:
+    """Make the scene of one floor: structure, openings, objects, light, sky and the robot's start.
+
+    Parameters
+    ----------
+    request : FurnishRequest
+    progress : callable, optional
+        Called with a description and the share done, before each room and at the end.
+
+    Returns
+    -------
+    FloorScene
+        The same bytes for the same request.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` for a layout that is no partition of its floor, ``INFEASIBLE`` where a room cannot be
+        reached, a stair does not fit its core, or the robot finds no place; `details` names the stage.
+    """
+    report = progress or (lambda what, share: None)
+    try:
+        report("walls and openings", 0.0)
+        structure = build_structure(request)
+        objects, discarded = _contents(request, structure, report)
+        scene = _scene(request, structure, objects, discarded)
+    except MansionError as error:
+        raise error.at_stage("furnish_floor") from error
+    report("furnished", 1.0)
+    return scene
+
+
+def _contents(
+    request: FurnishRequest, structure: FloorStructure, report: ProgressReport
+) -> tuple[list[SceneObject], list[Discard]]:
+    # The placement solver compiles its kernels when it is imported.
+    from mansion_scene.room_contents import RoomFurnisher
+
+    furnisher = RoomFurnisher(structure, seed=request.seed, style=request.style)
+    objects: list[SceneObject] = []
+    discarded: list[Discard] = []
+    for index, room in enumerate(structure.rooms):
+        report(room.id, 0.1 + 0.85 * index / len(structure.rooms))
+        placed, left = furnisher.furnish(room)
+        objects.extend(placed)
+        discarded.extend(left)
+    return objects, discarded
+
+
+def _scene(
+    request: FurnishRequest,
+    structure: FloorStructure,
+    objects: list[SceneObject],
+    discarded: list[Discard],
+) -> FloorScene:
+    program, floor = request.floor, structure.floor
+    hub = next(room for room in structure.rooms if room.id == floor.hub.id)
+    sky = choose_sky(request.seed)
+    center = floor.outline.centroid
+    lights: list[Light] = [sun(sky, floor.floor, (center.x, center.y))]
+    for room in structure.rooms:
+        lights.extend(room_lights(room, objects))
+    scene = FloorScene(
+        building_id=request.building_id,
+        floor=program.index,
+        floors=len(request.floors),
+        label=program.label or str(program.index),
+        elevation=program.elevation,
+        height=program.height,
+        outline=ring_points(floor.outline.exterior),
+        holes=[ring_points(hole) for hole in floor.outline.interiors],
+        rooms=structure.rooms,
+        walls=structure.walls,
+        doors=structure.doors,
+        windows=structure.windows,
+        cores=structure.cores,
+        objects=objects,
+        lights=lights,
+        sky=sky,
+        spawn=place_spawn(hub, structure.doors, objects),
+        structural_walls=list(program.structural_walls),
+        discarded=discarded,
+        downgrades=structure.downgrades,
+        style=request.style,
+        seed=request.seed,
+    )
+    _require_unique_ids(scene)
+    return scene
+
+
+def _require_unique_ids(scene: FloorScene) -> None:
+    seen: set[str] = set()
+    for group in (
+        scene.rooms,
+        scene.walls,
+        scene.doors,
+        scene.windows,
+        scene.cores,
+        scene.objects,
+        scene.lights,
+    ):
+        for item in group:
+            if item.id in seen:
+                raise MansionError(ErrorCode.INTERNAL, f"the id {item.id} comes twice in the scene")
+            seen.add(item.id)

@@ -1,0 +1,163 @@
+"""Objects of a room: what the catalogue asks for, the placer places and the decorator adds (lines 12 and 13)."""
+
+from shapely.geometry import LineString, Polygon
+
+from mansion_geometry.randomness import item_seed
+from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementRoom
+from mansion_msgs_py.scene import Discard, SceneObject, SceneRoom
+from mansion_msgs_py.shapes import Segment
+from mansion_scene.catalogue import (
+    Asset,
+    Catalogue,
+    RoomFurnishing,
+    furnish_request,
+    load_catalogue,
+)
+from mansion_scene.decor import decorate_room
+from mansion_scene.placement import place_room
+from mansion_scene.structure import FloorStructure
+
+__all__ = ["RoomFurnisher", "room_openings"]
+
+
+def room_openings(
+    structure: FloorStructure, room: SceneRoom
+) -> tuple[list[PlacementOpening], list[PlacementOpening]]:
+    """Return a room's doors and windows as openings in the boundary of its net interior."""
+    net = Polygon(room.net_polygon, room.net_holes)
+    doors = [
+        PlacementOpening(id=door.id, segment=_on_boundary(net, door.segment), sill=0.0)
+        for door in structure.doors
+        if room.id in door.rooms
+    ]
+    windows = [
+        PlacementOpening(id=window.id, segment=_on_boundary(net, window.segment), sill=window.sill)
+        for window in structure.windows
+        if window.room == room.id
+    ]
+    return doors, windows
+
+
+def _on_boundary(net: Polygon, segment: Segment) -> Segment:
+    """Move a segment from a wall's centre line on to the face that bounds a net interior."""
+    line = LineString(segment)
+    middle = line.interpolate(0.5, normalized=True)
+    boundary = net.boundary
+    face = boundary.interpolate(boundary.project(middle))
+    dx, dy = face.x - middle.x, face.y - middle.y
+    (ax, ay), (bx, by) = segment
+    return (round(ax + dx, 4), round(ay + dy, 4)), (round(bx + dx, 4), round(by + dy, 4))
+
+
+class RoomFurnisher:
+    """Furnishes the rooms of one floor, each from a seed of its own.
+
+    Parameters
+    ----------
+    structure : FloorStructure
+    seed : int
+        Of the building.
+    style : str
+        Of the building; rooms of one style and seed prefer the same assets.
+    catalogue : Catalogue, optional
+        The package's own when absent.
+    """
+
+    def __init__(
+        self,
+        structure: FloorStructure,
+        *,
+        seed: int,
+        style: str = "",
+        catalogue: Catalogue | None = None,
+    ) -> None:
+        self._structure = structure
+        self._seed = seed
+        self._style = style
+        self._catalogue = catalogue if catalogue is not None else load_catalogue()
+
+    def furnish(self, room: SceneRoom) -> tuple[list[SceneObject], list[Discard]]:
+        """Return a room's objects, large ones first, and what could not be placed."""
+        net = Polygon(room.net_polygon, room.net_holes)
+        x0, y0, x1, y1 = net.bounds
+        wishes = furnish_request(
+            self._catalogue,
+            room.room_type,
+            net.area,
+            seed=self._seed,
+            style=self._style,
+            room_id=room.id,
+            extent=(x1 - x0, y1 - y0),
+        )
+        doors, windows = room_openings(self._structure, room)
+        seed = item_seed(self._seed, room.id)
+        result = place_room(
+            PlacementRoom(
+                room_id=room.id,
+                room_type=room.room_type,
+                polygon=room.net_polygon,
+                holes=room.net_holes,
+                objects=wishes.floor,
+                doors=doors,
+                windows=windows,
+            ),
+            seed=seed,
+        )
+        placed = _scene_objects(room, wishes, result.placements)
+        small = decorate_room(
+            self._catalogue,
+            wishes,
+            room_id=room.id,
+            net_polygon=room.net_polygon,
+            net_holes=room.net_holes,
+            ceiling_height=room.ceiling_height,
+            doors=doors,
+            windows=windows,
+            placed=placed,
+            seed=seed,
+        )
+        left = [
+            Discard(room=room.id, name=lost.name, count=lost.count, reason=lost.reason)
+            for lost in result.discarded
+        ]
+        return [*placed, *small], left
+
+
+def _scene_objects(
+    room: SceneRoom, wishes: RoomFurnishing, placements: list[PlacedObject]
+) -> list[SceneObject]:
+    counts: dict[str, int] = {}
+    objects = []
+    for placement in placements:
+        asset = wishes.asset_for(placement.name, placement.size)
+        counts[asset.category] = counts.get(asset.category, 0) + 1
+        objects.append(
+            SceneObject(
+                id=f"{room.id}/{asset.category}_{counts[asset.category]}",
+                room=room.id,
+                category=asset.category,
+                name=asset.name,
+                asset=asset.key,
+                asset_id=asset.asset_id,
+                position=(*placement.center, round(placement.size[2] / 2, 4)),
+                rotation=placement.rotation,
+                size=placement.size,
+                mount="floor",
+                pickupable=asset.pickupable,
+                receptacle=asset.receptacle,
+                openable=asset.openable,
+                toggleable=asset.toggleable,
+                material=asset.material,
+                states=_states(asset),
+            )
+        )
+    return objects
+
+
+def _states(asset: Asset) -> dict[str, bool | float | str]:
+    states: dict[str, bool | float | str] = {}
+    if asset.openable:
+        states["open"] = False
+    if asset.toggleable:
+        states["on"] = False
+    return states
