@@ -99,10 +99,13 @@ def test_only_nodes_and_bringup_import_ros(packages: list[Path]) -> None:
 
 
 def test_what_is_imported_is_declared(packages: list[Path]) -> None:
+    undeclared = {}
     for package in packages:
         known = declared(package) | ROS_MODULES | {package.name} | set(sys.stdlib_module_names)
         for source in sources(package):
-            assert set(imports(source)) <= known, source
+            if missing := set(imports(source)) - known:
+                undeclared[str(source.relative_to(package))] = missing
+    assert undeclared == {}
 
 
 def test_what_is_declared_is_locked(root: Path, packages: list[Path]) -> None:
@@ -116,13 +119,16 @@ def test_what_is_declared_is_locked(root: Path, packages: list[Path]) -> None:
 
 def test_manifests_name_the_ros_packages_that_are_imported(packages: list[Path]) -> None:
     catkin_package = pytest.importorskip("catkin_pkg.package")
+    unnamed = {}
     for package in packages:
         manifest = catkin_package.parse_package(str(package))
-        named = {depend.name for depend in manifest.exec_depends}
+        named = {depend.name for depend in manifest.exec_depends} | {package.name}
         for source in sources(package):
             needed = {
                 name
                 for name in imports(source)
-                if name in ROS_MODULES or (name.startswith("mansion_") and name != package.name)
+                if name in ROS_MODULES or name.startswith("mansion_")
             }
-            assert needed <= named, source
+            if missing := needed - named:
+                unnamed[str(source.relative_to(package))] = missing
+    assert unnamed == {}

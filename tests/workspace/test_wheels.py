@@ -20,18 +20,9 @@ def wheels(packages: list[Path], tmp_path_factory: pytest.TempPathFactory) -> di
         shutil.copytree(package, folder / "src" / package.name, ignore=ignore)
         for package in packages
     ]
-    subprocess.run(
-        [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation"]
-        + [
-            "--no-index",
-            "--disable-pip-version-check",
-            "--wheel-dir",
-            str(folder),
-            *map(str, sources),
-        ],
-        check=True,
-        timeout=120,
-    )
+    options = ["--quiet", "--no-deps", "--no-build-isolation", "--no-index"]
+    command = [sys.executable, "-m", "pip", "wheel", *options, "--wheel-dir", str(folder)]
+    subprocess.run([*command, *map(str, sources)], check=True, timeout=120)
     return {
         path.name.split("-")[0]: set(zipfile.ZipFile(path).namelist())
         for path in sorted(folder.glob("*.whl"))

@@ -32,6 +32,8 @@ def pytest_command(arguments: Sequence[str]) -> list[str]:
         "pytest",
         "-n",
         "2",
+        "--dist",
+        "loadgroup",
         "--cov",
         "--cov-report=term:skip-covered",
         *arguments,
