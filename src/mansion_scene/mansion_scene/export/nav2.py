@@ -8,7 +8,7 @@ import numpy.typing as npt
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
 from mansion_msgs_py.shapes import Point
 
-from mansion_scene.export.solids import Box, segment_box, wall_boxes
+from mansion_scene.export.solids import Box, WallBodies, segment_box
 
 __all__ = ["FREE", "OCCUPIED", "UNKNOWN", "OccupancyMap", "map_pgm", "map_yaml", "occupancy"]
 
@@ -74,8 +74,9 @@ def occupancy(scene: FloorScene, resolution: float = 0.05) -> OccupancyMap:
         grid.fill(ring, FREE, holes)
     for core in scene.cores:
         grid.fill(core.polygon, OCCUPIED if core.type == "stair" else FREE)
+    bodies = WallBodies(scene)
     for wall in scene.walls:
-        for box in wall_boxes(scene, wall):
+        for box in bodies.boxes(wall):
             if box.center[2] - box.size[2] / 2 < CLEARANCE:
                 grid.block(box)
     for item in scene.objects:

@@ -1,4 +1,4 @@
-"""Walls cut at their openings, as intervals along the wall and boxes in height."""
+"""Walls cut at their openings and joined at their corners, as intervals and as boxes."""
 
 from dataclasses import dataclass
 
@@ -6,15 +6,12 @@ import numpy as np
 from mansion_msgs_py.scene import FloorScene, Wall
 from mansion_msgs_py.shapes import Segment
 
-__all__ = [
-    "Box",
-    "Opening",
-    "segment_box",
-    "span",
-    "wall_boxes",
-    "wall_openings",
-    "wall_pieces",
-]
+__all__ = ["Box", "Opening", "WallBodies", "box_between", "segment_box", "span"]
+
+SEAM = 0.002
+"""Metres by which a lengthened wall stays behind the face it meets, so that no two faces coincide."""
+
+NEAR = 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +31,16 @@ class Box:
 
     center: tuple[float, float, float]
     size: tuple[float, float, float]
-    rotation: float
+    rotation: float = 0.0
+
+
+def box_between(
+    low: tuple[float, float, float], high: tuple[float, float, float], least: float = 1e-3
+) -> Box:
+    """Return the upright box between two corners, at least `least` thick each way."""
+    center = tuple((a + b) / 2 for a, b in zip(low, high))
+    size = tuple(max(abs(b - a), least) for a, b in zip(low, high))
+    return Box((center[0], center[1], center[2]), (size[0], size[1], size[2]))
 
 
 def segment_box(segment: Segment, thickness: float, height: float, base: float = 0.0) -> Box:
@@ -55,60 +61,106 @@ def span(wall: Wall, segment: Segment) -> tuple[float, float]:
     return t[0], t[1]
 
 
-def wall_openings(scene: FloorScene, wall: Wall) -> list[Opening]:
-    """Return the doors and windows of a wall from its start to its end."""
-    found = [
-        Opening(door.id, *span(wall, door.segment), 0.0, min(door.height, wall.height))
-        for door in scene.doors
-        if door.wall == wall.id
-    ]
-    found += [
-        Opening(
-            window.id,
-            *span(wall, window.segment),
-            window.sill,
-            min(window.sill + window.height, wall.height),
+class WallBodies:
+    """The bodies of a floor's walls.
+
+    Parameters
+    ----------
+    scene : FloorScene
+    """
+
+    def __init__(self, scene: FloorScene) -> None:
+        walls = scene.walls
+        starts = np.array([wall.segment[0] for wall in walls], dtype=float).reshape(-1, 2)
+        ends = np.array([wall.segment[1] for wall in walls], dtype=float).reshape(-1, 2)
+        vectors = ends - starts
+        self._lengths = np.maximum(np.hypot(vectors[:, 0], vectors[:, 1]), 1e-9)
+        self._units = vectors / self._lengths[:, None]
+        self._starts, self._ends = starts, ends
+        self._half = np.array([wall.thickness / 2 for wall in walls])
+        self._index = {wall.id: i for i, wall in enumerate(walls)}
+        self._openings: dict[str, list[Opening]] = {wall.id: [] for wall in walls}
+        by_id = {wall.id: wall for wall in walls}
+        for door in scene.doors:
+            wall = by_id.get(door.wall)
+            if wall is not None:
+                low, high = span(wall, door.segment)
+                head = min(door.height, wall.height)
+                self._openings[wall.id].append(Opening(door.id, low, high, 0.0, head))
+        for window in scene.windows:
+            wall = by_id.get(window.wall)
+            if wall is not None:
+                low, high = span(wall, window.segment)
+                head = min(window.sill + window.height, wall.height)
+                self._openings[wall.id].append(Opening(window.id, low, high, window.sill, head))
+        for found in self._openings.values():
+            found.sort(key=lambda opening: opening.low)
+
+    def openings(self, wall: Wall) -> list[Opening]:
+        """Return the doors and windows of a wall from its start to its end."""
+        return self._openings[wall.id]
+
+    def pieces(self, wall: Wall) -> list[tuple[float, float]]:
+        """Return the full-height parts of a wall between its openings, lengthened to close corners."""
+        i = self._index[wall.id]
+        end = float(self._lengths[i]) + self._extension(i, at_end=True)
+        reached = -self._extension(i, at_end=False)
+        pieces = []
+        for opening in self._openings[wall.id]:
+            if opening.low > reached + 1e-6:
+                pieces.append((reached, opening.low))
+            reached = max(reached, opening.high)
+        if end > reached + 1e-6:
+            pieces.append((reached, end))
+        return pieces
+
+    def boxes(self, wall: Wall) -> list[Box]:
+        """Return a wall as boxes between, below and above its openings; local x runs along the wall."""
+        parts = [(low, high, 0.0, wall.height) for low, high in self.pieces(wall)]
+        for opening in self._openings[wall.id]:
+            if opening.sill > 0.0:
+                parts.append((opening.low, opening.high, 0.0, opening.sill))
+            if opening.head < wall.height - 1e-6:
+                parts.append((opening.low, opening.high, opening.head, wall.height))
+        i = self._index[wall.id]
+        (ax, ay), (ux, uy) = self._starts[i].tolist(), self._units[i].tolist()
+        rotation = float(np.degrees(np.arctan2(uy, ux)))
+        boxes = []
+        for low, high, bottom, top in parts:
+            middle = (low + high) / 2
+            center = (ax + ux * middle, ay + uy * middle, (bottom + top) / 2)
+            boxes.append(Box(center, (high - low, wall.thickness, top - bottom), rotation))
+        return boxes
+
+    def _extension(self, i: int, *, at_end: bool) -> float:
+        """How far wall `i` goes on beyond its end: to the far face at a corner, to the middle at a T."""
+        point = self._ends[i] if at_end else self._starts[i]
+        ahead = self._units[i] if at_end else -self._units[i]
+        cross = ahead[0] * self._units[:, 1] - ahead[1] * self._units[:, 0]
+        parallel = np.abs(cross) < 0.05
+        to_start, to_end = self._starts - point, self._ends - point
+        for other in np.flatnonzero(parallel):
+            gap = min(np.hypot(*to_start[other]), np.hypot(*to_end[other]))
+            if other != i and gap < NEAR:
+                return 0.0
+        reach = self._half[i] + self._half + NEAR
+        along = np.clip(-np.einsum("ij,ij->i", to_start, self._units), 0.0, self._lengths)
+        nearest = to_start + along[:, None] * self._units
+        close = ~parallel & (np.hypot(nearest[:, 0], nearest[:, 1]) < reach)
+        if not close.any():
+            return 0.0
+        others = np.flatnonzero(close)
+        # Where this wall's line meets the other's, counted from the end.
+        meets = (
+            to_start[others, 0] * self._units[others, 1]
+            - to_start[others, 1] * self._units[others, 0]
+        ) / cross[others]
+        sides = np.stack(
+            [ahead[0] * to[others, 1] - ahead[1] * to[others, 0] for to in (to_start, to_end)]
         )
-        for window in scene.windows
-        if window.wall == wall.id
-    ]
-    return sorted(found, key=lambda opening: opening.low)
-
-
-def wall_pieces(scene: FloorScene, wall: Wall) -> list[tuple[float, float]]:
-    """Return the full-height parts of a wall between its openings, ends lengthened to close corners."""
-    length, extra = _length(wall), wall.thickness / 2
-    pieces = []
-    reached = -extra
-    for opening in wall_openings(scene, wall):
-        if opening.low > reached:
-            pieces.append((reached, opening.low))
-        reached = max(reached, opening.high)
-    if length + extra > reached:
-        pieces.append((reached, length + extra))
-    return pieces
-
-
-def wall_boxes(scene: FloorScene, wall: Wall) -> list[Box]:
-    """Return a wall as boxes: between, below and above its openings."""
-    intervals = [(low, high, 0.0, wall.height) for low, high in wall_pieces(scene, wall)]
-    for opening in wall_openings(scene, wall):
-        if opening.sill > 0.0:
-            intervals.append((opening.low, opening.high, 0.0, opening.sill))
-        if opening.head < wall.height:
-            intervals.append((opening.low, opening.high, opening.head, wall.height))
-    (ax, ay), (bx, by) = wall.segment
-    length = _length(wall) or 1.0
-    ux, uy = (bx - ax) / length, (by - ay) / length
-    rotation = float(np.degrees(np.arctan2(by - ay, bx - ax)))
-    boxes = []
-    for low, high, bottom, top in intervals:
-        middle = (low + high) / 2
-        center = (ax + ux * middle, ay + uy * middle, (bottom + top) / 2)
-        boxes.append(Box(center, (high - low, wall.thickness, top - bottom), rotation))
-    return boxes
-
-
-def _length(wall: Wall) -> float:
-    (ax, ay), (bx, by) = wall.segment
-    return float(np.hypot(bx - ax, by - ay))
+        wide = float(self._half[i]) + NEAR
+        through = bool((sides.max(0) > wide).any() and (sides.min(0) < -wide).any())
+        if through:
+            return max(float(meets.max()), 0.0)
+        corner = meets + self._half[others] / np.abs(cross[others]) - SEAM
+        return max(float(corner.max()), 0.0)

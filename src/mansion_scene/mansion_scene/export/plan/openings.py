@@ -9,7 +9,7 @@ from mansion_msgs_py.shapes import Point, Segment
 from mansion_scene.export.plan.palette import INK
 from mansion_scene.export.plan.shapes import Area, Canvas, Frame, Line, Shape, arc, rectangle
 from mansion_scene.export.sides import swing_side
-from mansion_scene.export.solids import wall_pieces
+from mansion_scene.export.solids import WallBodies
 
 __all__ = ["draw_doors", "draw_walls", "draw_windows"]
 
@@ -19,13 +19,14 @@ DEFAULT_THICKNESS = 0.12
 def draw_walls(scene: FloorScene) -> list[Canvas]:
     """Draw each wall in pieces between its openings, thick and dark."""
     canvases = []
+    bodies = WallBodies(scene)
     for wall in scene.walls:
         ink = INK["structural" if wall.structural else "outer_wall" if wall.exterior else "wall"]
         frame = segment_frame(wall.segment)
         half = wall.thickness / 2
         shapes = tuple(
             Area(frame.place(rectangle(low, -half, high, half)), ink, width=0.0)
-            for low, high in wall_pieces(scene, wall)
+            for low, high in bodies.pieces(wall)
         )
         canvases.append(Canvas("walls", shapes, wall.id))
     return canvases

@@ -1,0 +1,242 @@
+"""The binary glTF 2.0 writer: meshes shared by nodes, materials by name, flat and smooth normals by angle."""
+
+import json
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from mansion_scene.export.appearance import linear
+from mansion_scene.export.frames import gltf_points, gltf_quaternion
+from mansion_scene.export.model import Material, Mesh, Model, Node, Surface
+
+__all__ = ["corner_normals", "write_glb"]
+
+Json: TypeAlias = dict[str, Any]
+Floats = npt.NDArray[np.float64]
+
+SMOOTH = np.cos(np.radians(40.0))
+"""Faces that meet at less than this angle are shaded as one curved surface."""
+
+FLOAT, USHORT, UINT = 5126, 5123, 5125
+ARRAY, ELEMENTS = 34962, 34963
+
+
+def write_glb(models: Sequence[Model], name: str) -> bytes:
+    """Write models as one binary glTF scene.
+
+    Parameters
+    ----------
+    models : sequence of Model
+        One a floor; each becomes a node ``floor_N`` at its elevation, with a child for each group.
+    name : str
+        Of the root node.
+
+    Returns
+    -------
+    bytes
+        The ``.glb`` file. Every node is named after the id of its element.
+    """
+    writer = _Writer()
+    floors = [writer.floor(model) for model in models]
+    root = writer.node({"name": name, "children": floors})
+    return writer.finish(root)
+
+
+class _Writer:
+    """Collects the JSON arrays and the binary buffer."""
+
+    def __init__(self) -> None:
+        self.nodes: list[Json] = []
+        self.meshes: list[Json] = []
+        self.materials: list[Json] = []
+        self.accessors: list[Json] = []
+        self.views: list[Json] = []
+        self.buffer = bytearray()
+        self._mesh_index: dict[str, int] = {}
+        self._material_index: dict[Material, int] = {}
+
+    def node(self, content: Json) -> int:
+        self.nodes.append(content)
+        return len(self.nodes) - 1
+
+    def floor(self, model: Model) -> int:
+        """Write a floor's groups and nodes; return the index of the floor's node."""
+        groups: dict[str, list[int]] = {}
+        for node in model.nodes:
+            mesh = self.mesh(model.meshes[node.mesh])
+            if mesh is not None:
+                groups.setdefault(node.group, []).append(self.node(_placed(node, mesh)))
+        children = [
+            self.node({"name": f"{model.name}/{group}", "children": members})
+            for group, members in groups.items()
+        ]
+        content: Json = {"name": model.name, "children": children}
+        if model.elevation:
+            content["translation"] = [0.0, round(model.elevation, 5), 0.0]
+        if not children:
+            del content["children"]
+        return self.node(content)
+
+    def mesh(self, mesh: Mesh) -> int | None:
+        """Write a mesh once; None where it has no triangle."""
+        if not mesh.surfaces:
+            return None
+        if mesh.name not in self._mesh_index:
+            primitives = [self.primitive(surface) for surface in mesh.surfaces]
+            self.meshes.append({"name": mesh.name, "primitives": primitives})
+            self._mesh_index[mesh.name] = len(self.meshes) - 1
+        return self._mesh_index[mesh.name]
+
+    def primitive(self, surface: Surface) -> Json:
+        points, normals, indices = corner_normals(surface.vertices, surface.faces)
+        positions = gltf_points(points)
+        kind = USHORT if len(positions) < 65535 else UINT
+        dtype = np.uint16 if kind == USHORT else np.uint32
+        return {
+            "attributes": {
+                "POSITION": self.accessor(positions, "VEC3", FLOAT, ARRAY, bounds=True),
+                "NORMAL": self.accessor(gltf_points(normals), "VEC3", FLOAT, ARRAY),
+            },
+            "indices": self.accessor(
+                indices.astype(dtype).reshape(-1), "SCALAR", kind, ELEMENTS
+            ),
+            "material": self.material(surface.material),
+        }
+
+    def material(self, material: Material) -> int:
+        if material not in self._material_index:
+            pbr: Json = {
+                "baseColorFactor": [*linear(material.color), material.alpha],
+                "metallicFactor": material.metallic,
+                "roughnessFactor": material.roughness,
+            }
+            content: Json = {"name": material.name, "pbrMetallicRoughness": pbr}
+            if material.alpha < 1.0:
+                content |= {"alphaMode": "BLEND", "doubleSided": True}
+            if material.emission > 0.0:
+                content["emissiveFactor"] = [
+                    round(material.emission * c, 6) for c in linear(material.color)
+                ]
+            self.materials.append(content)
+            self._material_index[material] = len(self.materials) - 1
+        return self._material_index[material]
+
+    def accessor(
+        self, array: npt.NDArray[Any], kind: str, component: int, target: int, bounds: bool = False
+    ) -> int:
+        """Append an array to the buffer, on a multiple of four bytes, and describe it."""
+        data = array.tobytes()
+        self.views.append(
+            {
+                "buffer": 0,
+                "byteOffset": len(self.buffer),
+                "byteLength": len(data),
+                "target": target,
+            }
+        )
+        self.buffer += data + b"\0" * (-len(data) % 4)
+        content: Json = {
+            "bufferView": len(self.views) - 1,
+            "componentType": component,
+            "count": len(array),
+            "type": kind,
+        }
+        if bounds:
+            content["min"] = [float(value) for value in array.min(0)]
+            content["max"] = [float(value) for value in array.max(0)]
+        self.accessors.append(content)
+        return len(self.accessors) - 1
+
+    def finish(self, root: int) -> bytes:
+        """Write header, JSON chunk and binary chunk (glTF 2.0, 4.4)."""
+        document: Json = {
+            "asset": {"version": "2.0", "generator": "Mansion"},
+            "scene": 0,
+            "scenes": [{"nodes": [root]}],
+            "nodes": self.nodes,
+        }
+        if self.meshes:
+            document |= {
+                "meshes": self.meshes,
+                "materials": self.materials,
+                "accessors": self.accessors,
+                "bufferViews": self.views,
+                "buffers": [{"byteLength": len(self.buffer)}],
+            }
+        text = json.dumps(document, separators=(",", ":")).encode()
+        text += b" " * (-len(text) % 4)
+        chunks = len(text).to_bytes(4, "little") + b"JSON" + text
+        if self.buffer:
+            chunks += len(self.buffer).to_bytes(4, "little") + b"BIN\0" + bytes(self.buffer)
+        return b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little") + chunks
+
+
+def _placed(node: Node, mesh: int) -> Json:
+    content: Json = {"name": node.id, "mesh": mesh}
+    if any(node.position):
+        x, y, z = node.position
+        content["translation"] = [round(x, 5), round(z, 5), round(-y, 5)]
+    if node.rotation % 360.0:
+        content["rotation"] = gltf_quaternion(node.rotation)
+    if node.scale != (1.0, 1.0, 1.0):
+        w, d, h = node.scale
+        content["scale"] = [round(w, 6), round(h, 6), round(d, 6)]
+    if node.room and node.room != node.id:
+        content["extras"] = {"room": node.room}
+    return content
+
+
+def corner_normals(
+    vertices: Floats, faces: npt.NDArray[np.int64]
+) -> tuple[Floats, Floats, npt.NDArray[np.int64]]:
+    """Give each corner of each face a normal, smooth over flat angles, and join equal corners.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array
+    faces : (m, 3) array of int
+
+    Returns
+    -------
+    (points, normals, faces)
+        Arrays (k, 3), (k, 3) and (m, 3).
+    """
+    a, b, c = (vertices[faces[:, i]] for i in range(3))
+    areas = np.cross(b - a, c - a)
+    lengths = np.linalg.norm(areas, axis=1)
+    keep = lengths > 1e-12
+    faces, areas, lengths = faces[keep], areas[keep], lengths[keep]
+    units = areas / lengths[:, None]
+    _, points = np.unique(np.round(vertices, 5), axis=0, return_inverse=True)
+    corner_point = points.reshape(-1)[faces].reshape(-1)
+    corner_face = np.repeat(np.arange(len(faces)), 3)
+    normals = _smoothed(corner_point, corner_face, areas, units)
+    key = np.column_stack([vertices[faces.reshape(-1)], np.round(normals, 4)])
+    rows, index = np.unique(np.round(key, 5), axis=0, return_inverse=True)
+    return rows[:, :3], rows[:, 3:], index.reshape(-1, 3).astype(np.int64)
+
+
+def _smoothed(
+    corner_point: npt.NDArray[np.int64],
+    corner_face: npt.NDArray[np.int64],
+    areas: Floats,
+    units: Floats,
+) -> Floats:
+    """Sum, at each corner, the area normals of the faces around its point that look almost its way."""
+    order = np.argsort(corner_point, kind="stable")
+    sorted_points = corner_point[order]
+    starts = np.flatnonzero(np.r_[True, sorted_points[1:] != sorted_points[:-1]])
+    counts = np.diff(np.r_[starts, len(order)])
+    sizes = np.repeat(counts, counts)
+    first = np.repeat(np.repeat(starts, counts), sizes)
+    mine = np.repeat(np.arange(len(order)), sizes)
+    offset = np.arange(len(mine)) - np.repeat(np.cumsum(sizes) - sizes, sizes)
+    own, other = order[mine], order[first + offset]
+    alike = np.einsum("ij,ij->i", units[corner_face[own]], units[corner_face[other]]) > SMOOTH
+    sums = np.zeros((len(corner_point), 3))
+    np.add.at(sums, own[alike], areas[corner_face[other[alike]]])
+    lengths = np.linalg.norm(sums, axis=1, keepdims=True)
+    result: Floats = np.where(lengths > 1e-12, sums / np.maximum(lengths, 1e-12), units[corner_face])
+    return result

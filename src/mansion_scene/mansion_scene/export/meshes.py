@@ -1,0 +1,52 @@
+"""A floor, and a building, as models."""
+
+from collections.abc import Sequence
+
+from mansion_msgs_py.scene import FloorScene
+
+from mansion_scene.export.core_meshes import add_cores
+from mansion_scene.export.model import Model
+from mansion_scene.export.object_meshes import add_objects
+from mansion_scene.export.opening_meshes import add_doors, add_windows
+from mansion_scene.export.structure_meshes import add_ceilings, add_floors, add_roof, add_walls
+
+__all__ = ["building_models", "floor_model"]
+
+
+def floor_model(
+    scene: FloorScene, *, ceilings: bool = True, cabins: frozenset[str] | None = None
+) -> Model:
+    """Make the model of a floor: structure, openings, cores and objects.
+
+    Parameters
+    ----------
+    scene : FloorScene
+    ceilings : bool
+        Leave them out for a view from above.
+    cabins : frozenset of str, optional
+        Ids of the lifts whose cabin stands here; all when it is left out.
+    """
+    model = Model(f"floor_{scene.floor}", scene.floor, scene.elevation)
+    add_floors(model, scene)
+    add_walls(model, scene)
+    if ceilings:
+        add_ceilings(model, scene)
+    add_doors(model, scene)
+    add_windows(model, scene)
+    add_cores(model, scene, cabins)
+    add_objects(model, scene)
+    return model
+
+
+def building_models(scenes: Sequence[FloorScene], *, ceilings: bool = True) -> list[Model]:
+    """Make the models of all floors, lowest first; lifts wait on the lowest floor that is above ground."""
+    ordered = sorted(scenes, key=lambda scene: scene.floor)
+    ground = next((s.floor for s in ordered if s.floor >= 1), ordered[-1].floor if ordered else 1)
+    models = []
+    for scene in ordered:
+        here = frozenset(core.id for core in scene.cores) if scene.floor == ground else frozenset()
+        model = floor_model(scene, ceilings=ceilings, cabins=here)
+        if ceilings and scene is ordered[-1]:
+            add_roof(model, scene)
+        models.append(model)
+    return models
