@@ -23,9 +23,6 @@ def _load_miniature() -> ModuleType:
 
 miniature = _load_miniature()
 
-# One worker makes the environment that these share.
-of_ready = pytest.mark.xdist_group("ready")
-
 
 @pytest.fixture(scope="module")
 def ready(tmp_path_factory: pytest.TempPathFactory):  # type: ignore[no-untyped-def]
@@ -42,7 +39,6 @@ def fresh(tmp_path: Path):  # type: ignore[no-untyped-def]
     return miniature.make_miniature(tmp_path / "checkout")
 
 
-@of_ready
 def test_first_use_shows_progress_on_stderr_and_leaves_stdout_to_the_command(ready) -> None:  # type: ignore[no-untyped-def]
     _, first = ready
     assert first.stdout.startswith('{"arguments": ["first"]') and first.stdout.count("\n") == 1
@@ -51,7 +47,6 @@ def test_first_use_shows_progress_on_stderr_and_leaves_stdout_to_the_command(rea
     assert first.stderr.splitlines()[-1].startswith("mansion: ready after")
 
 
-@of_ready
 def test_later_uses_say_nothing_and_start_no_python_but_their_own(ready, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
     checkout, _ = ready
     calls = tmp_path / "calls"
@@ -64,7 +59,6 @@ def test_later_uses_say_nothing_and_start_no_python_but_their_own(ready, tmp_pat
     assert not calls.exists()
 
 
-@of_ready
 def test_the_command_sees_the_locked_packages_and_the_sources(ready) -> None:  # type: ignore[no-untyped-def]
     checkout, _ = ready
     seen = checkout.report()
@@ -76,7 +70,6 @@ def test_the_command_sees_the_locked_packages_and_the_sources(ready) -> None:  #
     )
 
 
-@of_ready
 def test_arguments_folder_and_exit_status_pass_through_a_symbolic_link(
     ready, tmp_path: Path
 ) -> None:  # type: ignore[no-untyped-def]
@@ -120,7 +113,6 @@ def test_a_package_that_differs_from_the_lock_is_refused(fresh) -> None:  # type
     assert not list(fresh.venv.glob("lib/*/site-packages/brick*"))
 
 
-@of_ready
 def test_the_environment_is_made_anew_when_what_made_it_changes(ready) -> None:  # type: ignore[no-untyped-def]
     checkout, _ = ready
 

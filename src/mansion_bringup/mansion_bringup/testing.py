@@ -32,8 +32,6 @@ def pytest_command(arguments: Sequence[str]) -> list[str]:
         "pytest",
         "-n",
         "2",
-        "--dist",
-        "loadgroup",
         "--cov",
         "--cov-report=term:skip-covered",
         *arguments,
