@@ -22,6 +22,8 @@ Labels = npt.NDArray[np.int32]
 Bools = npt.NDArray[np.bool_]
 
 _SLACK = 1e-9
+_LOOK_AROUND = 0.6
+"""How far beyond a new box's inflation its surroundings are looked at, metres."""
 
 
 @kernel
@@ -201,6 +203,44 @@ def connected_components(counts: Counts) -> tuple[Labels, Labels]:
 
 
 @kernel
+def _one_piece(
+    counts: Counts, reached: Bools, r0: int, r1: int, c0: int, c1: int
+) -> tuple[bool, int]:
+    """Tell whether the free cells of a window that were reached hang together inside it, and count them.
+
+    Where they do, blocking cells amid the window cut nothing off: a path through them can go round inside the window.
+    """
+    rows, cols = r1 - r0, c1 - c0
+    seen = np.zeros((rows, cols), dtype=np.bool_)
+    stack = np.empty(rows * cols, dtype=np.int32)
+    total = 0
+    start = -1
+    for r in range(rows):
+        for c in range(cols):
+            if reached[r0 + r, c0 + c] and counts[r0 + r, c0 + c] == 0:
+                total += 1
+                start = r * cols + c
+    if total == 0:
+        return False, 0
+    seen[start // cols, start % cols] = True
+    stack[0] = start
+    top, found = 1, 0
+    while top > 0:
+        top -= 1
+        found += 1
+        r, c = stack[top] // cols, stack[top] % cols
+        for dr, dc in ((-1, 0), (1, 0), (0, -1), (0, 1)):
+            rr, cc = r + dr, c + dc
+            if rr < 0 or rr >= rows or cc < 0 or cc >= cols or seen[rr, cc]:
+                continue
+            if reached[r0 + rr, c0 + cc] and counts[r0 + rr, c0 + cc] == 0:
+                seen[rr, cc] = True
+                stack[top] = rr * cols + cc
+                top += 1
+    return found == total, total
+
+
+@kernel
 def _approachable(
     reached: Bools, x0: float, y0: float, cell: float, box: Floats, reach: float, front: bool
 ) -> bool:
@@ -295,7 +335,8 @@ class FreeGrid:
             for door in doors
         ]
         self.seeds, self.required = self._entries()
-        self.reached_cells = flood_fill(self.counts, self.seeds, self.reached)
+        self.reached_cells = int(flood_fill(self.counts, self.seeds, self.reached))
+        self._undo = (np.zeros((0, 6)), self.reached, self.reached_cells)
 
     def _entries(self) -> tuple[Labels, list[Labels]]:
         """Return the cells that one enters by, and the thresholds that must stay connected to them."""
@@ -317,21 +358,58 @@ class FreeGrid:
         other = object.__new__(FreeGrid)
         other.__dict__.update(self.__dict__)
         other.counts = self.counts.copy()
-        other.reached = self.reached.copy()
         return other
 
-    def add(self, boxes: Floats) -> None:
-        """Stamp boxes, shape (k, 6), grown by the robot's radius; `refresh` brings `reached` up to date."""
-        self.free_cells -= _stamp(self.counts, self.x0, self.y0, self.cell, boxes, self.radius, 1)
+    def add(self, boxes: Floats) -> bool:
+        """Stamp boxes, shape (k, 6), grown by the robot's radius; tell whether the doors stay connected.
+
+        `undo` takes the last addition back.
+        """
+        self._undo = (boxes, self.reached, self.reached_cells)
+        self.free_cells -= self._stamp(boxes, 1)
+        if len(boxes) > 3 or not self._shrink_locally(boxes):
+            self._flood()
+        return self._doors_joined()
+
+    def undo(self) -> None:
+        """Take back the last `add`."""
+        boxes, self.reached, self.reached_cells = self._undo
+        self.free_cells -= self._stamp(boxes, -1)
 
     def remove(self, boxes: Floats) -> None:
-        """Take back what `add` stamped."""
-        self.free_cells -= _stamp(self.counts, self.x0, self.y0, self.cell, boxes, self.radius, -1)
+        """Take boxes away that stand."""
+        self.free_cells -= self._stamp(boxes, -1)
+        self._flood()
 
-    def refresh(self) -> bool:
-        """Flood the free cells from the first door; tell whether every other door is reached."""
-        seeds = self.seeds
-        self.reached_cells = flood_fill(self.counts, seeds, self.reached)
+    def _stamp(self, boxes: Floats, delta: int) -> int:
+        return int(_stamp(self.counts, self.x0, self.y0, self.cell, boxes, self.radius, delta))
+
+    def _flood(self) -> None:
+        self.reached = np.zeros_like(self.reached)
+        self.reached_cells = int(flood_fill(self.counts, self.seeds, self.reached))
+
+    def _shrink_locally(self, boxes: Floats) -> bool:
+        """Drop newly blocked cells from `reached` where a look around the boxes proves that nothing is cut off."""
+        rows, cols = self.counts.shape
+        margin = self.radius + _LOOK_AROUND
+        spans = np.array(
+            [_window(box, margin, self.x0, self.y0, self.cell, rows, cols) for box in boxes]
+        )
+        r0, r1 = int(spans[:, 0].min()), int(spans[:, 1].max())
+        c0, c1 = int(spans[:, 2].min()), int(spans[:, 3].max())
+        if (r1 - r0) * (c1 - c0) > rows * cols // 3:
+            return False
+        whole, left = _one_piece(self.counts, self.reached, r0, r1, c0, c1)
+        if not whole:
+            return False
+        before = self.reached[r0:r1, c0:c1]
+        self.reached_cells += left - int(before.sum())
+        self.reached = self.reached.copy()
+        self.reached[r0:r1, c0:c1] &= self.counts[r0:r1, c0:c1] == 0
+        return True
+
+    def _doors_joined(self) -> bool:
+        """Tell whether every door's threshold is reached, the first one's being where one comes from."""
         flat = self.reached.ravel()
         return all(bool(flat[cells].any()) for cells in self.required)
 

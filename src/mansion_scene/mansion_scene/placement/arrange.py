@@ -1,5 +1,7 @@
 """Repeated units as one pattern: evenly spaced rows along walls, aligned tables over the floor."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import numpy.typing as npt
 
@@ -7,11 +9,12 @@ from mansion_geometry.boxes import compose, unit_vector
 from mansion_scene.placement.candidates import wall_poses
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
+from mansion_scene.placement.room import Wall
 from mansion_scene.placement.scoring import pose_scores
 from mansion_scene.placement.search import examine, relation_mask
 from mansion_scene.placement.units import Unit
 
-__all__ = ["place_lattice", "place_rows", "repeated"]
+__all__ = ["place_along_walls", "place_lattice", "place_rows", "repeated", "row_gaps"]
 
 Floats = npt.NDArray[np.float64]
 
@@ -29,6 +32,13 @@ def repeated(unit: Unit, offsets: Floats) -> Unit:
     return out
 
 
+def row_gaps(floor: Floor, spec: Spec, unit: Unit, aisle: float) -> list[float]:
+    """Return gaps between the units of a row in order of preference; plain storage stands shoulder to shoulder."""
+    if spec.role.centred or spec.role.bed or len(unit.parts) > 1:
+        return [aisle, 0.75 * aisle, 0.45, 0.25, 0.05]
+    return [floor.options.gap, 0.45]
+
+
 def place_rows(
     floor: Floor, spec: Spec, unit: Unit, count: int, rng: np.random.Generator, aisle: float
 ) -> bool:
@@ -38,9 +48,7 @@ def place_rows(
     storage stands shoulder to shoulder.
     """
     x0, x1, _, _ = unit.extent()
-    gaps = [aisle, 0.75 * aisle, 0.45, 0.25, 0.05]
-    if not (spec.role.centred or spec.role.bed or len(unit.parts) > 1):
-        gaps = [floor.options.gap, 0.45]
+    gaps = row_gaps(floor, spec, unit, aisle)
     lengths = sorted({count, -(-count // 2), -(-count // 3)}, reverse=True)
     longest = max((wall.length for wall in floor.room.walls), default=0.0)
     for gap in gaps:
@@ -62,8 +70,15 @@ def place_rows(
     return False
 
 
-def _place_row(floor: Floor, spec: Spec, row: Unit, rng: np.random.Generator) -> bool:
-    poses = wall_poses(floor, row.extent(), row.sizes[0][1] / 2, rng)
+def _place_row(
+    floor: Floor,
+    spec: Spec,
+    row: Unit,
+    rng: np.random.Generator,
+    *,
+    walls: Sequence[Wall] | None = None,
+) -> bool:
+    poses = wall_poses(floor, row.extent(), row.sizes[0][1] / 2, rng, walls=walls)
     if not len(poses):
         return False
     poses = poses[floor.fits(poses, row.array())]
@@ -71,10 +86,75 @@ def _place_row(floor: Floor, spec: Spec, row: Unit, rng: np.random.Generator) ->
     poses = poses[held == asked]
     if not len(poses):
         return False
-    if len(poses) > 120:
-        poses = poses[np.sort(rng.choice(len(poses), 120, replace=False))]
+    if len(poses) > 60:
+        poses = poses[np.sort(rng.choice(len(poses), 60, replace=False))]
     scores = pose_scores(floor, spec, row, poses, rng, at_wall=True)
-    return examine(floor, row, poses, scores, host=spec.host) is not None
+    return examine(floor, row, poses, scores, host=spec.host, most=6) is not None
+
+
+def place_along_walls(
+    floor: Floor,
+    spec: Spec,
+    unit: Unit,
+    lines: int,
+    per_line: int,
+    rng: np.random.Generator,
+    aisle: float,
+) -> bool:
+    """Place one or two aligned rows with every back at a wall: two stand at opposite walls, facing each other.
+
+    Where no two walls lie opposite, the rows go to any walls. All units or none are placed.
+    """
+    x0, x1, _, _ = unit.extent()
+    for gap in row_gaps(floor, spec, unit, aisle):
+        offsets = np.array([[i * (x1 - x0 + gap), 0.0] for i in range(per_line)])
+        row = repeated(unit, offsets)
+        if lines == 1:
+            if _place_row(floor, spec, row, rng):
+                return True
+            continue
+        for walls, distance in _opposite_walls(floor):
+            across = distance - 2.0 * (unit.sizes[0][1] / 2 + floor.options.wall_gap)
+            pair = _joined(row, _turned(row, float(offsets[-1, 0]), across))
+            if _place_row(floor, spec, pair, rng, walls=walls):
+                return True
+    if lines == 1:
+        return False
+    before = floor.copy()
+    if all(place_along_walls(floor, spec, unit, 1, per_line, rng, aisle) for _ in range(lines)):
+        return True
+    floor.__dict__.update(before.__dict__)
+    return False
+
+
+def _opposite_walls(floor: Floor) -> list[tuple[list[Wall], float]]:
+    """Return walls by the distance of a parallel wall that faces them, the nearest first."""
+    found: dict[float, list[Wall]] = {}
+    for wall in floor.room.walls:
+        for other in floor.room.walls:
+            distance = float((other.start - wall.start) @ wall.inward)
+            if wall.inward @ other.inward < -0.99999 and distance > 0.5:
+                walls = found.setdefault(round(distance, 4), [])
+                if not any(wall is known for known in walls):
+                    walls.append(wall)
+    return [(found[distance], distance) for distance in sorted(found)]
+
+
+def _turned(unit: Unit, dx: float, dy: float) -> Unit:
+    """Return a unit turned by 180 degrees about its anchor, then moved."""
+    parts = [(dx - p[0], dy - p[1], -p[2], -p[3], *p[4:]) for p in unit.parts]
+    return Unit(parts, list(unit.specs), list(unit.hosts), list(unit.sizes))
+
+
+def _joined(first: Unit, second: Unit) -> Unit:
+    """Return one unit with the parts of two."""
+    shift = len(first.parts)
+    return Unit(
+        first.parts + second.parts,
+        first.specs + second.specs,
+        first.hosts + [host + shift if host >= 0 else -1 for host in second.hosts],
+        first.sizes + second.sizes,
+    )
 
 
 def place_lattice(

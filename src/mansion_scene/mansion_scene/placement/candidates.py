@@ -1,5 +1,7 @@
 """Candidate poses: backs along walls, a grid over the floor, and rings around what an object belongs to."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import numpy.typing as npt
 
@@ -13,7 +15,14 @@ Floats = npt.NDArray[np.float64]
 Extent = tuple[float, float, float, float]
 
 
-def wall_poses(floor: Floor, extent: Extent, half_depth: float, rng: np.random.Generator) -> Floats:
+def wall_poses(
+    floor: Floor,
+    extent: Extent,
+    half_depth: float,
+    rng: np.random.Generator,
+    *,
+    walls: Sequence[Wall] | None = None,
+) -> Floats:
     """Return poses of a unit whose anchor has its back to a wall.
 
     Positions are a regular series, both corners, the middle, and next to whatever stands or must stay free along
@@ -25,6 +34,8 @@ def wall_poses(floor: Floor, extent: Extent, half_depth: float, rng: np.random.G
         Of the unit in its anchor's frame, metres.
     half_depth : float
         Of the anchor.
+    walls : sequence of Wall, optional
+        Which walls; all of the room's by default.
 
     Returns
     -------
@@ -33,7 +44,7 @@ def wall_poses(floor: Floor, extent: Extent, half_depth: float, rng: np.random.G
     options = floor.options
     obstacles = np.concatenate([floor.boxes, floor.zones[:, :6]])
     rows = []
-    for wall in floor.room.walls:
+    for wall in floor.room.walls if walls is None else walls:
         stops = _stops(wall, extent, half_depth, obstacles, floor.gap, rng)
         backs = [options.wall_gap]
         if wall.length < extent[1] - extent[0]:
@@ -122,23 +133,31 @@ def ring_poses(
     (n, 4) array
     """
     rows = []
-    for target in targets:
-        u = target[2:4]
-        v = np.array([-u[1], u[0]])
-        # Outward normal, its half extent, direction along the side, its half extent.
-        sides = [(v, target[5], u, target[4]), (-v, target[5], u, target[4])]
-        sides += [(u, target[4], v, target[5]), (-u, target[4], v, target[5])]
-        for out, half_out, along, half_along in sides:
-            for turn in turned:
-                # Facing the side: front v = -out, so the width axis u = (v_y, -v_x).
-                face = np.array([-out[1], out[0]])
-                for _ in range(turn):
-                    face = np.array([-face[1], face[0]])
-                deep, wide = (hd, hw) if turn % 2 == 0 else (hw, hd)
-                ends = half_along - wide
-                places = {0.0, round(ends, 6), round(-ends, 6), half_along, -half_along}
-                places |= {round(ends / 2, 6), round(-ends / 2, 6)}
-                for gap in gaps:
-                    xy = target[:2] + out * (half_out + gap + deep)
-                    rows += [(*(xy + along * t), face[0], face[1]) for t in sorted(places)]
-    return np.array(rows, dtype=float).reshape(-1, 4)
+    for side in range(4):
+        # Outward normal of the side, its half extent, and the same along the side.
+        u = targets[:, 2:4]
+        v = np.column_stack([-u[:, 1], u[:, 0]])
+        out = (v, -v, u, -u)[side]
+        along = u if side < 2 else v
+        half_out, half_along = targets[:, 5], targets[:, 4]
+        if side >= 2:
+            half_out, half_along = half_along, half_out
+        for turn in turned:
+            # Facing the side the front is -out, so the width axis is (-out_y, out_x); then turned.
+            face = np.column_stack([-out[:, 1], out[:, 0]])
+            for _ in range(turn):
+                face = np.column_stack([-face[:, 1], face[:, 0]])
+            deep, wide = (hd, hw) if turn % 2 == 0 else (hw, hd)
+            flush = half_along - wide
+            places = np.stack(
+                [0 * flush, flush, -flush, flush / 2, -flush / 2, half_along, -half_along]
+            )
+            for gap in gaps:
+                xy = targets[:, :2] + out * (half_out + gap + deep)[:, None]
+                shifted = xy[None] + places[:, :, None] * along[None]
+                rows.append(
+                    np.concatenate([shifted, np.broadcast_to(face, shifted.shape)], axis=2).reshape(
+                        -1, 4
+                    )
+                )
+    return np.concatenate(rows)

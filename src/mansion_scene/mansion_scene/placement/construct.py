@@ -62,17 +62,22 @@ class Construction:
         if spec.role.symmetric or (spec.where == "unconstrained" and count < 4):
             return False
         place = place_rows if spec.where == "edge" else place_lattice
+        shares = self._shares(spec, count, equal=True)
         for style in self._styles(spec)[:3]:
-            unit = build_unit(spec, spec.size, self._shares(spec, count), self.children, style)
+            unit = build_unit(spec, spec.size, shares, self.children, style)
             if place(self.floor, spec, unit, count, self.rng, self.aisle):
                 return True
         return False
 
     def _place_matrix(self, spec: Spec) -> None:
-        count = spec.quantity
-        for style in self._styles(spec)[-2:-1] or self._styles(spec):
-            unit = build_unit(spec, spec.size, self._shares(spec, count), self.children, style)
-            if place_matrix(self.floor, spec, unit, self.rng, self.aisle) is not None:
+        shares = self._shares(spec, spec.quantity, equal=True)
+        units: list[Unit] = []
+        for style in self._styles(spec):
+            unit = build_unit(spec, spec.size, shares, self.children, style)
+            if all(unit.parts != other.parts for other in units):
+                units.append(unit)
+        for unit, whole in [(unit, True) for unit in units] + [(unit, False) for unit in units]:
+            if place_matrix(self.floor, spec, unit, self.rng, self.aisle, whole=whole) is not None:
                 return
 
     def _place_one(self, spec: Spec, left: int, *, strict: bool) -> bool:
@@ -103,16 +108,16 @@ class Construction:
             UnitStyle(frozenset(), mirrored),
         ]
 
-    def _shares(self, spec: Spec, copies: int) -> dict[int, int]:
-        """Return how many members of each kind one of `copies` copies gets."""
+    def _shares(self, spec: Spec, copies: int, *, equal: bool = False) -> dict[int, int]:
+        """Return how many members of each kind one of `copies` copies gets; `equal`: all the same, the rest later."""
         shares: dict[int, int] = {}
         for child in self.children.get(spec.index, ()):
             left = self.missing(child)
             if left <= 0 or child.rows:
                 continue
-            share = -(-left // copies)
+            share = left // copies if equal else -(-left // copies)
             shares[child.index] = min(share, 1) if child.link == "paired" else share
-            shares.update(self._shares(child, max(left, 1)))
+            shares.update(self._shares(child, max(left, 1), equal=equal))
         return shares
 
 

@@ -62,6 +62,9 @@ class Floor:
         self.room, self.specs, self.options = room, specs, options
         self.placed: list[Placed] = []
         self.boxes: Floats = np.zeros((0, 6))
+        self._counts: dict[int, int] = {}
+        self._front: Bools = np.zeros(0, dtype=np.bool_)
+        self._partner: npt.NDArray[np.int32] = np.zeros(0, dtype=np.int32)
         self.examined = 0
         self._next = 0
         self._set_comfort(roomy)
@@ -72,8 +75,9 @@ class Floor:
         self.gap = self.options.gap if roomy else 0.002
         self.grid = self.room.grid(self.options, roomy=roomy)
         self._pocket = (_POCKET if roomy else 3 * _POCKET) / self.options.cell**2
-        self.grid.add(self.boxes)
-        self.grid.refresh()
+        if len(self.boxes):
+            self.grid.add(self.boxes)
+        self._index()
 
     def relax(self) -> None:
         """Go on without the margins of comfort."""
@@ -85,12 +89,13 @@ class Floor:
         other = object.__new__(Floor)
         other.__dict__.update(self.__dict__)
         other.placed = list(self.placed)
+        other._counts = dict(self._counts)
         other.grid = self.grid.copy()
         return other
 
     def count(self, spec: int) -> int:
         """Return how many copies of an object stand."""
-        return sum(copy.spec == spec for copy in self.placed)
+        return self._counts.get(spec, 0)
 
     def copies(self, spec: int) -> list[Placed]:
         """Return the copies of an object in the order they were placed."""
@@ -126,66 +131,79 @@ class Floor:
         The new copies, or None.
         """
         self.examined += 1
+        lost_before = self.grid.free_cells - self.grid.reached_cells
+        front = np.array([self.roomy and self.specs[spec].front_needed for spec in specs])
+        partner = self._partners(specs, hosts)
+        everything = np.concatenate([self.boxes, boxes[:, :6]])
+        sound = self.grid.add(boxes[:, :6])
+        if sound:
+            lost = self.grid.free_cells - self.grid.reached_cells
+            sound = lost - lost_before <= self._pocket
+        fronts = np.concatenate([self._front, front])
+        if not sound or self.grid.first_unreachable(everything, fronts, partner) >= 0:
+            self.grid.undo()
+            return None
         keys = [self._next + i for i in range(len(specs))]
         added = [
             Placed(
                 spec,
-                tuple(float(v) for v in box),
+                tuple(float(v) for v in box[:6]),
                 size,
                 keys[-2 - host] if host <= -2 else host,
                 key,
             )
             for spec, box, host, size, key in zip(specs, boxes, hosts, sizes, keys)
         ]
-        before = self.placed, self.boxes
-        lost_before = self.grid.free_cells - self.grid.reached_cells
         self.placed = [*self.placed, *added]
-        self.boxes = np.concatenate([self.boxes, boxes[:, :6]])
-        self.grid.add(boxes)
-        if self._sound(lost_before):
-            self._next += len(specs)
-            return added
-        self.placed, self.boxes = before
-        self.grid.remove(boxes)
-        return None
+        self.boxes, self._front, self._partner = everything, fronts, partner
+        self._next += len(specs)
+        for spec in specs:
+            self._counts[spec] = self._counts.get(spec, 0) + 1
+        return added
 
-    def _sound(self, lost_before: int) -> bool:
-        if not self.grid.refresh():
-            return False
-        lost = self.grid.free_cells - self.grid.reached_cells
-        if lost - lost_before > self._pocket:
-            return False
-        return self.grid.first_unreachable(self.boxes, *self._fronts()) < 0
+    def _partners(self, specs: list[int], hosts: list[int]) -> npt.NDArray[np.int32]:
+        """Return for every copy, old and new, which copy stands before its front and counts for its approach."""
+        first = len(self.placed)
+        partner: npt.NDArray[np.int32] = np.full(first + len(specs), -1, dtype=np.int32)
+        partner[:first] = self._partner
+        for i, (spec, host) in enumerate(zip(specs, hosts)):
+            if host == -1 or self.specs[spec].link not in ("paired", "in_front_of", "around"):
+                continue
+            at = first - 2 - host if host <= -2 else self._place(host)
+            if at >= 0:
+                partner[at] = first + i
+        return partner
 
-    def _fronts(self) -> tuple[Bools, npt.NDArray[np.int32]]:
-        """Return which copies need their front approached, and which copy stands there for it."""
-        n = len(self.placed)
-        front = np.zeros(n, dtype=np.bool_)
-        partner = np.full(n, -1, dtype=np.int32)
-        place = {copy.key: i for i, copy in enumerate(self.placed)}
-        for i, copy in enumerate(self.placed):
-            spec = self.specs[copy.spec]
-            front[i] = self.roomy and spec.front_needed
-            if copy.host >= 0 and spec.link in ("paired", "in_front_of", "around"):
-                host = place.get(copy.host)
-                if host is not None:
-                    partner[host] = i
-        return front, partner
+    def _place(self, key: int) -> int:
+        """Return the place of a copy among the placed, -1 where it is gone."""
+        return next((i for i, copy in enumerate(self.placed) if copy.key == key), -1)
+
+    def _index(self) -> None:
+        """Bring the arrays that go with `placed` up to date after copies came or went."""
+        copies, self.placed = self.placed, []
+        self.boxes = np.array([copy.box for copy in copies]).reshape(-1, 6)
+        self._counts = {}
+        self._partner = np.zeros(0, dtype=np.int32)
+        for copy in copies:
+            self._partner = self._partners([copy.spec], [copy.host])
+            self.placed.append(copy)
+            self._counts[copy.spec] = self._counts.get(copy.spec, 0) + 1
+        self._front = np.array(
+            [self.roomy and self.specs[copy.spec].front_needed for copy in copies], dtype=np.bool_
+        )
 
     def take(self, keys: set[int]) -> list[Placed]:
         """Remove copies by key and return them; the floor stays valid (less stands in the way)."""
         gone = [copy for copy in self.placed if copy.key in keys]
         if gone:
             self.placed = [copy for copy in self.placed if copy.key not in keys]
-            self.boxes = np.array([copy.box for copy in self.placed]).reshape(-1, 6)
+            self._index()
             self.grid.remove(np.array([copy.box for copy in gone]))
-            self.grid.refresh()
         return gone
 
     def restore(self, copies: list[Placed]) -> None:
         """Put back copies that `take` removed, unchecked."""
         if copies:
             self.placed = [*self.placed, *copies]
-            self.boxes = np.array([copy.box for copy in self.placed]).reshape(-1, 6)
+            self._index()
             self.grid.add(np.array([copy.box for copy in copies]))
-            self.grid.refresh()

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 import numpy.typing as npt
 
-from mansion_scene.placement.arrange import repeated
+from mansion_scene.placement.arrange import place_along_walls, repeated
 from mansion_scene.placement.candidates import floor_poses, wall_poses
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
@@ -33,7 +33,13 @@ def focus_direction(floor: Floor) -> Floats | None:
 
 
 def place_matrix(
-    floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator, aisle: float
+    floor: Floor,
+    spec: Spec,
+    unit: Unit,
+    rng: np.random.Generator,
+    aisle: float,
+    *,
+    whole: bool,
 ) -> tuple[int, int] | None:
     """Place the largest matrix of units that fits and return its size, None where not one copy does.
 
@@ -43,8 +49,16 @@ def place_matrix(
         One copy with its members.
     aisle : float
         Widest gap between rows and columns that is tried, metres.
+    whole : bool
+        Whether only the whole matrix will do.
     """
     for rows, cols in downgrades(spec.rows, spec.cols):
+        if whole and (rows, cols) != (spec.rows, spec.cols):
+            break
+        if spec.where == "edge" and min(rows, cols) <= 2:
+            if place_along_walls(floor, spec, unit, min(rows, cols), max(rows, cols), rng, aisle):
+                return rows, cols
+            continue
         for gap_x, gap_y, lines, per_line in _spacings(spec, unit, rows, cols, aisle):
             if _place_macro(floor, spec, unit, (lines, per_line), (gap_x, gap_y), rng):
                 return rows, cols

@@ -47,21 +47,35 @@ def pose_scores(
         if spec.role.centred or spec.role.bed:
             score += 0.8 * np.minimum(beside, 0.9) / 0.9
             score -= 0.15 * np.abs(clear[:, 2] - clear[:, 3])
+            if spec.role.focal:
+                score -= _window_behind(floor, poses)
         else:
             score += 0.5 * (1.0 - beside / _FAR)
             # Either touching its neighbour or leaving room to pass: no gap that collects dust.
             score -= 0.4 * ((beside > 0.06) & (beside < 0.35))
     else:
         around = np.minimum(clear, aisle).sum(axis=1) / (4 * aisle)
+        uneven = np.abs(clear[:, 0] - clear[:, 1]) + np.abs(clear[:, 2] - clear[:, 3])
         narrow = ((clear > 0.12) & (clear < 0.5)).sum(axis=1)
         if spec.where == "middle" or len(unit.parts) > 1:
-            score += 1.5 * around - 0.15 * narrow
+            score += 1.5 * around - 0.15 * narrow - 0.1 * uneven
         else:
             score += 0.5 * front + 0.5 * (1.0 - clear.min(axis=1) / _FAR) - 0.1 * narrow
     score += _away_from_doors(floor, poses, spec)
     score += _spread_out(floor, spec, centres)
     score += _aligned(floor, spec, poses)
     return np.asarray(score)
+
+
+def _window_behind(floor: Floor, poses: Floats) -> Floats:
+    """A board does not hang between windows, nor beside a door if it can help it."""
+    penalty = np.zeros(len(poses))
+    for zones, weight in ((floor.room.window_zones, 0.6), (floor.room.door_zones, 0.3)):
+        for zone in zones:
+            same = (-poses[:, 3] * -zone[3] + poses[:, 2] * zone[2]) > 0.99
+            back = (poses[:, 0] - zone[0]) * -zone[3] + (poses[:, 1] - zone[1]) * zone[2]
+            penalty = np.maximum(penalty, weight * (same & (np.abs(back) < 1.0)))
+    return penalty
 
 
 def _away_from_doors(floor: Floor, poses: Floats, spec: Spec) -> Floats:

@@ -16,8 +16,8 @@ __all__ = ["examine", "find_placement", "relation_mask"]
 Floats = npt.NDArray[np.float64]
 Bools = npt.NDArray[np.bool_]
 
-_SCORED = 240
-"""Feasible poses that are scored; more are thinned out at random."""
+_RELATED, _SCORED = 900, 200
+"""Feasible poses whose relations are tested, and of these how many are scored; more are thinned out at random."""
 
 
 def find_placement(
@@ -38,7 +38,7 @@ def find_placement(
     for poses, at_wall in _candidates(floor, spec, unit, rng):
         if not len(poses):
             continue
-        poses = poses[floor.fits(poses, unit.array())]
+        poses = _thinned(poses[floor.fits(poses, unit.array())], _RELATED, rng)
         held, asked = relation_mask(floor, spec, unit, poses)
         if strict:
             poses, held = poses[held == asked], held[held == asked]
@@ -55,8 +55,14 @@ def find_placement(
     return None
 
 
+def _thinned(poses: Floats, most: int, rng: np.random.Generator) -> Floats:
+    if len(poses) <= most:
+        return poses
+    return np.asarray(poses[np.sort(rng.choice(len(poses), most, replace=False))])
+
+
 def examine(
-    floor: Floor, unit: Unit, poses: Floats, scores: Floats, *, host: int = -1
+    floor: Floor, unit: Unit, poses: Floats, scores: Floats, *, host: int = -1, most: int = 0
 ) -> list[Placed] | None:
     """Try poses from the best score down; after a failure its close neighbours are passed over.
 
@@ -64,6 +70,8 @@ def examine(
     ----------
     host : int
         Index of the object that the unit's anchor belongs to, -1 for none.
+    most : int
+        Most poses to examine, 0 for the options' number.
     """
     order = np.argsort(-scores, kind="stable")
     tried: list[Floats] = []
@@ -82,7 +90,7 @@ def examine(
             return placed
         tried.append(pose)
         radius = 0.08 + 0.02 * len(tried)
-        if len(tried) >= floor.options.candidates:
+        if len(tried) >= (most or floor.options.candidates):
             break
     return None
 
@@ -164,11 +172,11 @@ def _rings(floor: Floor, spec: Spec, unit: Unit) -> Floats:
     """Return poses around the copies that the unit's anchor belongs to."""
     if spec.host < 0 or spec.link is None:
         return np.zeros((0, 4))
-    targets = _free_hosts(floor, spec)[:12]
+    targets = _free_hosts(floor, spec)[:6]
     hw, hd = unit.sizes[0][0] / 2, unit.sizes[0][1] / 2
     limit = LIMITS.get(spec.link, 0.5)
-    gaps = tuple(g for g in (0.02, 0.08, 0.2, 0.4, 0.7, 1.1) if g <= limit - 0.05)
-    turned = (0,) if spec.role.seat else (0, 1, 2, 3)
+    gaps = tuple(g for g in (0.03, 0.08, 0.3, 0.6) if g <= limit - 0.05)
+    turned = (0,) if spec.role.seat else (0, 1)
     return ring_poses(targets, hw, hd, gaps, turned=turned)
 
 
