@@ -1,6 +1,7 @@
 """A furnished floor from its layout (Algorithm 1, lines 9 to 17)."""
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Discard, FloorScene, Light, SceneObject
@@ -10,13 +11,21 @@ from mansion_scene.spawn import place_spawn
 from mansion_scene.structure import FloorStructure, build_structure
 from mansion_scene.structure.regions import ring_points
 
+if TYPE_CHECKING:
+    from mansion_scene.catalogue import Catalogue
+
 __all__ = ["ProgressReport", "furnish_floor"]
 
 ProgressReport = Callable[[str, float], None]
 """Gets what is being done, and the share of the floor that is done, 0 to 1."""
 
 
-def furnish_floor(request: FurnishRequest, *, progress: ProgressReport | None = None) -> FloorScene:
+def furnish_floor(
+    request: FurnishRequest,
+    *,
+    progress: ProgressReport | None = None,
+    catalogue: "Catalogue | None" = None,
+) -> FloorScene:
     """Make the scene of one floor: structure, openings, objects, light, sky and the robot's start.
 
     Parameters
@@ -24,6 +33,8 @@ def furnish_floor(request: FurnishRequest, *, progress: ProgressReport | None = 
     request : FurnishRequest
     progress : callable, optional
         Called with a description and the share done, before each room and at the end.
+    catalogue : Catalogue, optional
+        With assets and room types of the user's own; the package's when absent.
 
     Returns
     -------
@@ -40,7 +51,7 @@ def furnish_floor(request: FurnishRequest, *, progress: ProgressReport | None = 
     try:
         report("walls and openings", 0.0)
         structure = build_structure(request)
-        objects, discarded = _contents(request, structure, report)
+        objects, discarded = _contents(request, structure, report, catalogue)
         scene = _scene(request, structure, objects, discarded)
     except MansionError as error:
         raise error.at_stage("furnish_floor") from error
@@ -49,12 +60,17 @@ def furnish_floor(request: FurnishRequest, *, progress: ProgressReport | None = 
 
 
 def _contents(
-    request: FurnishRequest, structure: FloorStructure, report: ProgressReport
+    request: FurnishRequest,
+    structure: FloorStructure,
+    report: ProgressReport,
+    catalogue: "Catalogue | None",
 ) -> tuple[list[SceneObject], list[Discard]]:
     # The placement solver compiles its kernels when it is imported.
     from mansion_scene.room_contents import RoomFurnisher
 
-    furnisher = RoomFurnisher(structure, seed=request.seed, style=request.style)
+    furnisher = RoomFurnisher(
+        structure, seed=request.seed, style=request.style, catalogue=catalogue
+    )
     objects: list[SceneObject] = []
     discarded: list[Discard] = []
     for index, room in enumerate(structure.rooms):

@@ -25,6 +25,9 @@ __all__ = ["Frontage", "Position", "approach_zone", "choose_position"]
 
 _POCKET = 0.6  # metres beside a door in which a cupboard against the adjacent wall fits
 _SHORT_PIECE = 0.5  # a wall piece as short as this holds nothing
+_CORNER_LOSS = (
+    0.3  # metres of the adjacent wall that a door in a corner spoils for all but shallow things
+)
 
 
 @dataclass
@@ -157,7 +160,7 @@ def _loss(frontage: Frontage, position: Position) -> float:
         return 0.0
     side = ends[0] + ends[1] + position.width
     lost = _worth(side) - _worth(ends[0]) - _worth(ends[1])
-    return lost + sum(APPROACH_DEPTH for end in ends if end < _POCKET)
+    return lost + sum(_CORNER_LOSS for end in ends if end < _POCKET)
 
 
 def _cost(position: Position, sides: Sequence[tuple[Frontage, Point]]) -> float:
@@ -178,6 +181,7 @@ def choose_position(
     *,
     margin: float = WALL_END,
     within: Polygon | None = None,
+    center: Point | None = None,
 ) -> Position | None:
     """Choose where the stretches between two regions open.
 
@@ -193,6 +197,8 @@ def choose_position(
         Wall that stays between the opening and each end of its stretch.
     within : Polygon, optional
         The opening must lie in it, where it is given.
+    center : Point, optional
+        The opening should be abreast of it, where it is given.
 
     Returns
     -------
@@ -209,10 +215,18 @@ def choose_position(
         pieces = [stretch] if within is None else _clipped(stretch, within)
         for piece in pieces:
             for position in _candidates(piece, taken, width, margin):
-                cost = _cost(position, sides)
+                cost = _cost(position, sides) + _off_center(position, center)
                 if best is None or cost < best[0] - 1e-9:
                     best = cost, position
     return best[1] if best is not None else None
+
+
+def _off_center(position: Position, center: Point | None) -> float:
+    if center is None:
+        return 0.0
+    (ax, ay), (bx, by) = position.segment
+    dx, dy = position.stretch.direction
+    return 2.0 * abs((center[0] - (ax + bx) / 2) * dx + (center[1] - (ay + by) / 2) * dy)
 
 
 def _clipped(stretch: Stretch, within: Polygon) -> list[Stretch]:

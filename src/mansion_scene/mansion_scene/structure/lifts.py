@@ -17,6 +17,10 @@ _CABIN_HEIGHT: Final = 2.3
 _PANEL_HEIGHT: Final = 1.1
 _BUTTON_PITCH: Final = 0.07
 _PANEL_OFFSET: Final = 0.25
+_BUTTONS_HEIGHT: Final = 1.25
+_BUTTONS_IN_TWO_COLUMNS: Final = 24
+_CABIN_WALL: Final = 0.05
+_PLATE: Final = 0.02  # from a panel's middle to the face of its buttons
 
 
 def lift_details(
@@ -45,7 +49,7 @@ def lift_details(
     x0, y0, x1, y1 = net.bounds
     cabin = (x0 + _GAP, y0 + _GAP, x1 - _GAP, y1 - _GAP)
     ring: Ring = [(round(x, 4), round(y, 4)) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))]
-    panel = _button_panel(cabin, landing_door, outward)
+    panel = _button_panel(cabin, outward)
     return LiftDetails(
         cabin=(
             (round(cabin[0], 4), round(cabin[1], 4), 0.0),
@@ -72,38 +76,39 @@ def _call_panel(door: Segment, outward: Point) -> Point3:
     )
 
 
-def _button_panel(
-    cabin: tuple[float, float, float, float], door: Segment, outward: Point
-) -> Point3:
-    """Return a place on the cabin's side wall next to the door."""
+def _button_panel(cabin: tuple[float, float, float, float], outward: Point) -> Point3:
+    """Return a place on the cabin's rear wall, where a camera before the open door sees it."""
     (ox, oy), (rx, ry) = outward, (-outward[1], outward[0])
     cx, cy = (cabin[0] + cabin[2]) / 2, (cabin[1] + cabin[3]) / 2
     half_out = abs(ox) * (cabin[2] - cabin[0]) / 2 + abs(oy) * (cabin[3] - cabin[1]) / 2
     half_side = abs(rx) * (cabin[2] - cabin[0]) / 2 + abs(ry) * (cabin[3] - cabin[1]) / 2
-    forward, side = half_out * 0.55, half_side - 0.05
+    back, side = half_out - _CABIN_WALL - _PLATE, 0.4 * half_side
     return (
-        round(cx + ox * forward + rx * side, 4),
-        round(cy + oy * forward + ry * side, 4),
-        1.2,
+        round(cx - ox * back + rx * side, 4),
+        round(cy - oy * back + ry * side, 4),
+        _BUTTONS_HEIGHT,
     )
 
 
 def _buttons(
     panel: Point3, floors: Sequence[int], labels: Sequence[str], outward: Point
 ) -> list[LiftButton]:
-    """Return the buttons in two columns, the lowest floor below."""
-    rows = (len(floors) + 1) // 2
+    """Return the buttons in two columns, three from 25 floors, the lowest floor bottom left."""
+    columns = 2 if len(floors) <= _BUTTONS_IN_TWO_COLUMNS else 3
+    rows = -(-len(floors) // columns)
+    # Seen from the door, columns run to the right: against the vector to the left of the cabin's heading.
+    rx, ry = outward[1], -outward[0]
     buttons = []
     for index, floor in enumerate(floors):
-        row, column = divmod(index, 2)
-        shift = (column - 0.5) * _BUTTON_PITCH
+        row, column = divmod(index, columns)
+        across = ((columns - 1) / 2 - column) * _BUTTON_PITCH
         buttons.append(
             LiftButton(
                 floor=floor,
                 label=labels[index] if index < len(labels) and labels[index] else str(floor),
                 position=(
-                    round(panel[0] + outward[0] * shift, 4),
-                    round(panel[1] + outward[1] * shift, 4),
+                    round(panel[0] + rx * across + outward[0] * _PLATE, 4),
+                    round(panel[1] + ry * across + outward[1] * _PLATE, 4),
                     round(panel[2] + (row - (rows - 1) / 2) * _BUTTON_PITCH, 4),
                 ),
             )

@@ -136,7 +136,9 @@ def _place(
         position = _widest(stretches, frontages, kind.width, zone)
         if position is not None and position.width >= CLEAR_WIDTH - 1e-6:
             return _opening(position, kind), None
-    position = _widest(stretches, frontages, kind.width, None)
+    lift = next((region for region in (a, b) if region.kind == "elevator"), None)
+    center = (lift.polygon.centroid.x, lift.polygon.centroid.y) if lift is not None else None
+    position = _widest(stretches, frontages, kind.width, None, center)
     if position is None:
         raise MansionError(
             ErrorCode.INFEASIBLE,
@@ -183,13 +185,16 @@ def _widest(
     frontages: dict[str, Frontage],
     width: float,
     within: Polygon | None,
+    center: Point | None = None,
 ) -> Position | None:
     """Choose the position of the widest opening that fits: as wished, 0.9 m, then with thinner jambs, then narrower."""
     bare = INTERIOR_THICKNESS / 2
     trials = [(width, WALL_END), (CLEAR_WIDTH, WALL_END), (CLEAR_WIDTH, bare)]
     trials += [(trial, bare) for trial in (0.85, 0.8, 0.75, MIN_CLEAR_WIDTH)]
     for trial, margin in trials:
-        position = choose_position(stretches, frontages, trial, margin=margin, within=within)
+        position = choose_position(
+            stretches, frontages, trial, margin=margin, within=within, center=center
+        )
         if position is not None:
             return position
     return None

@@ -81,6 +81,10 @@ def hang_doors(
             continue
         others = [other for i, other in enumerate(openings) if i != index]
         chosen = _choose(floor, nets, opening, others, swept)
+        if chosen is None and opening.regions[1] is None:
+            # An outer door that finds no room inside opens outwards.
+            results[index] = replace(opening, hinge="both" if opening.kind.leaves == 2 else "start")
+            continue
         if chosen is None:
             results[index] = replace(
                 opening, kind=OpeningKind("doorway", opening.kind.width, "painted_wood")

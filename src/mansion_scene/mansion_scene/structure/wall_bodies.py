@@ -12,7 +12,7 @@ from mansion_scene.structure.dimensions import (
     PARAPET_HEIGHT,
 )
 from mansion_scene.structure.openings import Opening
-from mansion_scene.structure.regions import FloorRegions
+from mansion_scene.structure.regions import FloorRegions, ring_points
 from mansion_scene.structure.room_classes import is_class
 from mansion_scene.structure.stretches import Stretch
 from mansion_scene.structure.windows import WindowOpening
@@ -28,6 +28,40 @@ def _outside(stretch: Stretch, point: Point) -> Point:
     dx, dy = stretch.direction
     half = EXTERIOR_THICKNESS / 2
     return round(point[0] + dy * half, 4) + 0.0, round(point[1] - dx * half, 4) + 0.0
+
+
+def _outline_corners(floor: FloorRegions) -> dict[Point, Point]:
+    """Return, for each corner of the outline, where the centre lines of its two outer walls meet."""
+    corners: dict[Point, Point] = {}
+    for ring in (floor.outline.exterior, *floor.outline.interiors):
+        points = ring_points(ring)
+        for index, point in enumerate(points):
+            before, after = points[index - 1], points[(index + 1) % len(points)]
+            (ax, ay), (bx, by) = _outward(before, point), _outward(point, after)
+            scale = EXTERIOR_THICKNESS / 2 / max(1.0 + ax * bx + ay * by, 0.2)
+            meeting = point[0] + (ax + bx) * scale, point[1] + (ay + by) * scale
+            corners[_key(point)] = round(meeting[0], 4) + 0.0, round(meeting[1], 4) + 0.0
+    return corners
+
+
+def _outward(start: Point, end: Point) -> Point:
+    length = math.dist(start, end)
+    return (end[1] - start[1]) / length, (start[0] - end[0]) / length
+
+
+def _key(point: Point) -> Point:
+    return round(point[0], 2) + 0.0, round(point[1], 2) + 0.0
+
+
+def _center_line(stretch: Stretch, corners: Mapping[Point, Point]) -> Segment:
+    """Return the centre line of a stretch's wall; outer walls meet at the corners of the building."""
+    if not stretch.exterior:
+        return _on_wall(stretch, (stretch.start, stretch.end))
+    ends = [
+        corners.get(_key(point)) or _outside(stretch, point)
+        for point in (stretch.start, stretch.end)
+    ]
+    return ends[0], ends[1]
 
 
 def _on_wall(stretch: Stretch, segment: Segment) -> Segment:
@@ -47,6 +81,7 @@ def number_walls(
 
     Balconies and terraces have a parapet towards the outside instead of a wall.
     """
+    corners = _outline_corners(floor)
     walls = []
     for number, stretch in enumerate(stretches, start=1):
         parapet = stretch.exterior and is_class(floor.by_id[stretch.left].room_type, "outdoor")
@@ -55,7 +90,7 @@ def number_walls(
                 stretch,
                 Wall(
                     id=f"F{floor.floor}/wall_{number}",
-                    segment=_on_wall(stretch, (stretch.start, stretch.end)),
+                    segment=_center_line(stretch, corners),
                     thickness=EXTERIOR_THICKNESS if stretch.exterior else INTERIOR_THICKNESS,
                     height=PARAPET_HEIGHT if parapet else ceiling,
                     exterior=stretch.exterior,
