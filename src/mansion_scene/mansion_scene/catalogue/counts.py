@@ -12,7 +12,9 @@ _AISLE = 0.7
 """Free strip that a matrix leaves along the walls, metres."""
 
 
-def copies(count: int | Count, area: float, others: dict[str, int], rng: np.random.Generator) -> int:
+def copies(
+    count: int | Count, area: float, others: dict[str, int], rng: np.random.Generator
+) -> int:
     """Return the number of copies for a room of `area` square metres.
 
     Parameters
@@ -67,7 +69,10 @@ def grid(
         rows = _fitting(along, cell[1], shape.gap[1], shape.max_rows)
         for r in range(1, rows + 1):
             c = min(cols, wanted // r)
-            if c >= 1 and (r * c, -abs(c - 1.3 * r)) > (best[0] * best[1], -abs(best[1] - 1.3 * best[0])):
+            if c >= 1 and (r * c, -abs(c - 1.3 * r)) > (
+                best[0] * best[1],
+                -abs(best[1] - 1.3 * best[0]),
+            ):
                 best = (r, c)
     return best
 

@@ -79,7 +79,9 @@ class _Style:
         """Return one of `assets`; the building's own choice more often than not."""
         draws = rng.random(2)
         if draws[0] < _LOYALTY:
-            generator = item_generator(self.seed, "style", self.name, assets[0].category, len(assets))
+            generator = item_generator(
+                self.seed, "style", self.name, assets[0].category, len(assets)
+            )
             return assets[int(generator.integers(len(assets)))]
         return assets[int(draws[1] * len(assets))]
 
@@ -104,7 +106,13 @@ class _Draft:
         rng: np.random.Generator,
         style: _Style,
     ) -> None:
-        self.catalogue, self.card, self.area, self.rng, self.style = catalogue, card, area, rng, style
+        self.catalogue, self.card, self.area, self.rng, self.style = (
+            catalogue,
+            card,
+            area,
+            rng,
+            style,
+        )
         self.extent = room_extent(area, extent)
         self.left = area * card.cover * min(1.0, 0.7 + 0.3 * area / 12.0)
         self.entries: dict[str, _Entry] = {}
@@ -127,7 +135,10 @@ class _Draft:
             wanted = self.entries[item.paired].count
             structure = PairedStructure(with_=item.paired)
         elif asset.footprint > 0.0:
-            wanted = min(wanted, int(self.left / self._share(item, asset)))
+            wanted = min(
+                wanted, max(1, int((self.left - self._reserved(item)) / self._share(item, asset)))
+            )
+            wanted = wanted if asset.footprint <= max(self.left, 0.0) else 0
             if item.matrix is not None:
                 rows, cols = self._grid(item, asset, wanted)
                 wanted = rows * cols
@@ -144,9 +155,24 @@ class _Draft:
         for other in self.card.floor:
             follows = not isinstance(other.count, int) and other.count.each == item.name
             if (other.paired == item.name or follows) and other.min_area <= self.area:
-                sizes = [a.footprint for a in self.catalogue.choose_from(other.category, other.extent)]
+                sizes = [
+                    a.footprint for a in self.catalogue.choose_from(other.category, other.extent)
+                ]
                 times = 1.0 if isinstance(other.count, int) or not follows else other.count.times
                 total += times * other.p * (min(sizes) if sizes else 0.0)
+        return total
+
+    def _reserved(self, item: Item) -> float:
+        """Floor kept for the smallest assets of the later items that every such room has."""
+        later = self.card.floor[self.card.floor.index(item) + 1 :]
+        total = 0.0
+        for other in later:
+            certain = other.p >= 1.0 and other.min_area <= self.area <= other.max_area
+            if certain and not other.paired and isinstance(other.count, int):
+                sizes = [
+                    a.footprint for a in self.catalogue.choose_from(other.category, other.extent)
+                ]
+                total += other.count * (min(sizes) if sizes else 0.0)
         return total
 
     def _grid(self, item: Item, asset: Asset, wanted: int) -> tuple[int, int]:
@@ -154,7 +180,9 @@ class _Draft:
         depth = asset.size[1]
         for other in self.card.floor:
             if other.paired == item.name:
-                sizes = [a.size[1] for a in self.catalogue.choose_from(other.category, other.extent)]
+                sizes = [
+                    a.size[1] for a in self.catalogue.choose_from(other.category, other.extent)
+                ]
                 depth += 0.8 * min(sizes) if sizes else 0.0
         return grid(wanted, (asset.size[0], depth), item.matrix, self.extent)
 
@@ -165,7 +193,8 @@ class _Draft:
         assets = [a for a in assets if a.size[0] <= long - 0.3 and a.size[1] <= short - 0.3]
         if not assets:
             return None
-        limit = max(self.left, 0.0) / max(1, min(wanted, 3)) * (0.6 if not item.paired else 9.0)
+        free = max(self.left - self._reserved(item), 0.0)
+        limit = 99.0 if item.paired else 0.7 * free / max(1, min(wanted, 3))
         fitting = [a for a in assets if a.footprint <= limit]
         if not fitting:
             fitting = sorted(assets, key=lambda a: a.footprint)[: max(1, len(assets) // 8)]
@@ -190,7 +219,9 @@ class _Draft:
         """Return the placer's objects, without relations to what the room has not."""
         floor = []
         for name, entry in self.entries.items():
-            relative = [r for r in entry.item.relative if r.target in self.entries and r.target != name]
+            relative = [
+                r for r in entry.item.relative if r.target in self.entries and r.target != name
+            ]
             floor.append(
                 PlacementObject(
                     name=name,
@@ -204,7 +235,11 @@ class _Draft:
                 )
             )
         assets = {name: entry.asset for name, entry in self.entries.items()}
-        return floor, assets, {name: entry.smaller for name, entry in self.entries.items() if entry.smaller}
+        return (
+            floor,
+            assets,
+            {name: entry.smaller for name, entry in self.entries.items() if entry.smaller},
+        )
 
 
 def _hang(draft: _Draft, item: HangItem) -> HangWish | None:
@@ -232,7 +267,9 @@ def _rugs(draft: _Draft) -> list[RugWish]:
         order = draft.rng.permutation(len(assets))
         if present and assets and (not item.under or _has(draft, item.under)):
             chosen = tuple(assets[int(i)] for i in order)
-            out.append(RugWish(assets=chosen, under=item.under, margin=item.margin, count=item.count))
+            out.append(
+                RugWish(assets=chosen, under=item.under, margin=item.margin, count=item.count)
+            )
     return out
 
 
@@ -244,6 +281,7 @@ def _arrangements(catalogue: Catalogue, card: RoomProgramCard) -> list[Arrangeme
     """Return the room's own arrangements, then those for its type, then those for any room."""
     table = catalogue.arrangements
     own = [table[name] for name in card.arrangements if name in table]
-    typed = [a for a in table.values() if card.room_type in a.rooms]
+    names = {card.room_type, *card.tags}
+    typed = [a for a in table.values() if names & set(a.rooms)]
     general = [a for a in table.values() if not a.rooms]
     return own + [a for a in typed if a not in own] + [a for a in general if a not in own]

@@ -11,7 +11,13 @@ from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_scene.catalogue.asset import Asset
 from mansion_scene.catalogue.catalogue import Catalogue
-from mansion_scene.catalogue.records import Arrangement, AssetRecord, CategoryRecord, Item, RoomRecord
+from mansion_scene.catalogue.records import (
+    Arrangement,
+    AssetRecord,
+    CategoryRecord,
+    Item,
+    RoomRecord,
+)
 from mansion_scene.catalogue.surfaces import surfaces_of
 
 __all__ = ["DATA", "load_catalogue"]
@@ -76,8 +82,8 @@ def _read(kind: type[T], file: Path) -> T:
     except MansionError as error:
         raise MansionError(
             error.code,
-            f"{file.name}: {error.message}",
-            path=error.path,
+            f"{file.name}: {error.info.message}",
+            path=error.info.path,
             details={"file": str(file)},
         ) from None
 

@@ -154,7 +154,8 @@ class HangItem(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     above : str
         Name or category of the floor object over which it hangs.
     place : str
-        Wall: ``free``, ``door`` (beside it), ``facing_door``, ``above``. Ceiling: ``grid``, ``center``, ``spread``, ``door``, ``above``.
+        Wall: ``free``, ``door`` (beside it), ``facing_door``, ``above``. Ceiling: ``grid``, ``center``, ``spread``,
+        ``door``, ``above``.
     spacing : float
         Of a ceiling grid, metres.
     """

@@ -179,7 +179,12 @@ def _fridge(size: Size3, p: dict[str, Any]) -> list[Carrier]:
 def _oven(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     w, d, h = size
     wall = min(0.05, w * 0.1)
-    box = (-w / 2 + wall, w / 2 - wall * (3 if p.get("panel") == "side" else 1), -d / 2 + wall, d / 2 - wall)
+    box = (
+        -w / 2 + wall,
+        w / 2 - wall * (3 if p.get("panel") == "side" else 1),
+        -d / 2 + wall,
+        d / 2 - wall,
+    )
     low = float(p.get("base", 0.25 if h > 0.6 else 0.03))
     out: list[Carrier] = [_volume("cavity", box, low, h - max(0.04, h * 0.22 if h > 0.6 else 0.04))]
     if 0.5 < h <= 1.2:
@@ -191,16 +196,23 @@ def _bin(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     w, d, h = size
     wall = min(0.03, 0.12 * min(w, d))
     shrink = 0.72 if p.get("shape", "round") == "round" else 0.9
-    box = (-w / 2 * shrink + wall, w / 2 * shrink - wall, -d / 2 * shrink + wall, d / 2 * shrink - wall)
+    box = (
+        -w / 2 * shrink + wall,
+        w / 2 * shrink - wall,
+        -d / 2 * shrink + wall,
+        d / 2 * shrink - wall,
+    )
     return [_volume("inside", box, min(0.02, h * 0.15), h * 0.92)]
 
 
 def _trolley(size: Size3, p: dict[str, Any]) -> list[Carrier]:
-    w, d, h = size
+    h = size[2]
     count = int(p.get("levels", 2))
     rail = float(p.get("rail", 0.08 if h > 0.5 else 0.0))
     top = h - rail
-    heights = [top - (top - 0.2) * i / max(1, count - 1) for i in range(count)] if count > 1 else [top]
+    heights = (
+        [top - (top - 0.2) * i / max(1, count - 1) for i in range(count)] if count > 1 else [top]
+    )
     gap = (top - 0.2) / max(1, count - 1) - 0.03
     box = _inset(size, 0.05)
     return [_rect("shelf", box, z, 0.8 if i == 0 else gap) for i, z in enumerate(heights)]
@@ -234,7 +246,9 @@ def _bathtub(size: Size3, p: dict[str, Any]) -> list[Carrier]:
 
 def _toilet(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     w, d, h = size
-    return [_rect("tank", (-w * 0.38, w * 0.38, -d / 2 + 0.02, -d / 2 + min(0.17, d * 0.24)), h, 0.5)]
+    return [
+        _rect("tank", (-w * 0.38, w * 0.38, -d / 2 + 0.02, -d / 2 + min(0.17, d * 0.24)), h, 0.5)
+    ]
 
 
 def _vitrine(size: Size3, p: dict[str, Any]) -> list[Carrier]:
@@ -243,12 +257,14 @@ def _vitrine(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     box = (-w / 2 + 0.04, w / 2 - 0.04, -d / 2 + 0.04, d / 2 - 0.04)
     count = int(p.get("levels", 1))
     step = (h - 0.03 - base) / count
-    return [_volume("case", box, base + i * step, base + (i + 1) * step - 0.02) for i in range(count)]
+    return [
+        _volume("case", box, base + i * step, base + (i + 1) * step - 0.02) for i in range(count)
+    ]
 
 
 def _open_top(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     """A tray of goods: stands, chest freezers, cradles."""
-    w, d, h = size
+    h = size[2]
     depth = float(p.get("depth", h * 0.3))
     return [_volume("tray", _inset(size, 0.05), h - depth, h)]
 
