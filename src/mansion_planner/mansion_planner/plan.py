@@ -1,0 +1,68 @@
+"""The offline planner: from a request to the program, the room graph of each floor and its solver problem.
+
+Lines 1 to 7 of Algorithm 1 (section C.1) without a language model.
+"""
+
+import hashlib
+
+from mansion_geometry.randomness import item_generator
+from mansion_msgs_py.codec import encode_bytes
+from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.stages import PlanReply
+
+from mansion_planner.brief import read_brief
+from mansion_planner.knowledge import KnowledgeBase, default_knowledge
+from mansion_planner.program.building import plan_program
+from mansion_planner.topology.graph import floor_topology
+from mansion_planner.topology.problem import floor_problem
+
+__all__ = ["building_id_of", "plan_building"]
+
+
+def building_id_of(request: BuildRequest) -> str:
+    """Return the request's building id, or one made of a hash of the request."""
+    if request.building_id is not None:
+        return request.building_id
+    return "b" + hashlib.sha256(encode_bytes(request)).hexdigest()[:12]
+
+
+def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = None) -> PlanReply:
+    """Plan a building from its brief.
+
+    Parameters
+    ----------
+    request : BuildRequest
+    knowledge : KnowledgeBase, optional
+        The shipped one when absent.
+
+    Returns
+    -------
+    PlanReply
+        The program, and for each floor its room graph and the problem for the floor solver.
+
+    Raises
+    ------
+    MansionError
+        ``CONTRADICTION`` for statements that exclude each other (``details`` names both), ``INFEASIBLE`` for what no
+        building can meet, ``INVALID_PAYLOAD`` for a footprint that is no polygon.
+
+    Examples
+    --------
+    >>> reply = plan_building(BuildRequest(description="a two-storey library"))
+    >>> [floor.index for floor in reply.program.floors]
+    [1, 2]
+    """
+    base = knowledge or default_knowledge()
+    building_id = building_id_of(request)
+    try:
+        facts = read_brief(request.description, base)
+        planned = plan_program(request, facts, base, building_id, item_generator(request.seed, "program"))
+    except MansionError as error:
+        raise error.at_stage("program") from None
+    topologies = [floor_topology(planned, storey, base) for storey in planned.storeys]
+    problems = [
+        floor_problem(planned, storey, topology, request.seed)
+        for storey, topology in zip(planned.storeys, topologies)
+    ]
+    return PlanReply(program=planned.program, topologies=topologies, problems=problems)

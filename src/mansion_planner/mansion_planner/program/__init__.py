@@ -1,0 +1,1 @@
+"""From facts to the building program: storeys, rooms, outlines, cores and areas."""

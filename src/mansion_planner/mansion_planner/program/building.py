@@ -1,0 +1,212 @@
+"""Assemble the building program of Fig. 23 from decisions, massing and sketches."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from mansion_msgs_py.program import (
+    AreaSummary,
+    BuildingProgram,
+    CorePlan,
+    FloorProgram,
+    RoomProgram,
+    VerticalConnectivity,
+)
+from mansion_msgs_py.request import BuildRequest
+
+from mansion_planner.brief.facts import BriefFacts
+from mansion_planner.knowledge import KnowledgeBase
+from mansion_planner.program.allocation import Allocation, allocate, make_storeys
+from mansion_planner.program.decisions import Decisions, decide, note
+from mansion_planner.program.envelope import Envelope, envelope_of
+from mansion_planner.program.filling import fill_storey, fit_areas, name_rooms
+from mansion_planner.program.frame import Frame
+from mansion_planner.program.massing import MassingWish, choose_massing
+from mansion_planner.program.materials import materials_of
+from mansion_planner.program.model import Massing, Storey
+from mansion_planner.program.sizes import storey_area
+from mansion_planner.program.sketch import Sketch, capacity, sketch_storey
+from mansion_planner.program.vertical import vertical_method
+
+__all__ = ["PlannedBuilding", "plan_program"]
+
+
+@dataclass
+class PlannedBuilding:
+    """The program and what it was made from, for the topology stage."""
+
+    program: BuildingProgram
+    decisions: Decisions
+    massing: Massing
+    frame: Frame
+    storeys: list[Storey]
+    sketches: dict[int, Sketch] = field(default_factory=dict)
+    envelopes: dict[int, Envelope] = field(default_factory=dict)
+
+
+def hub_name(storey: Storey) -> str:
+    """Return the id of a storey's hub."""
+    return storey.hub.name
+
+
+def plan_program(
+    request: BuildRequest,
+    facts: BriefFacts,
+    knowledge: KnowledgeBase,
+    building_id: str,
+    generator: np.random.Generator,
+) -> PlannedBuilding:
+    """Decide, distribute the rooms, choose the massing, and sketch every storey.
+
+    Raises
+    ------
+    MansionError
+        See `mansion_planner.plan.plan_building`.
+    """
+    decisions = decide(request, facts, knowledge, generator)
+    storeys = make_storeys(decisions, knowledge)
+    allocation = allocate(decisions, knowledge, storeys)
+    method, stairs, lifts, why = vertical_method(decisions, storeys, allocation, knowledge)
+    area = storey_area(decisions, storeys, allocation, knowledge, stairs, lifts)
+    wish = MassingWish(area, decisions.building, stairs, lifts, exact=decisions.area_stated)
+    massing = choose_massing(wish, generator)
+    frame_choice = generator.random(3) < 0.5
+    frame = Frame(
+        (0.0, 0.0, massing.length, massing.depth),
+        mirror_x=bool(frame_choice[0]), mirror_y=bool(frame_choice[1]), swap=bool(frame_choice[2]),
+    )  # fmt: skip
+    sketches: dict[int, Sketch] = {}
+    envelopes: dict[int, Envelope] = {}
+    for storey in storeys:
+        _furnish(storey, massing, allocation, knowledge)
+        sketches[storey.index] = sketch_storey(massing, storey, hub_name(storey))
+        envelopes[storey.index] = envelope_of(massing, storey, frame)
+    program = BuildingProgram(
+        building_id=building_id,
+        reasoning=_reasoning(decisions, area),
+        vertical_connectivity=VerticalConnectivity(
+            method=method, cores=_cores(massing, frame), justification=why
+        ),
+        floors=[
+            _floor(decisions, storey, sketches[storey.index], envelopes[storey.index], knowledge)
+            for storey in storeys
+        ],
+        description=request.description,
+        building_type=decisions.building.name,
+        style=decisions.style,
+        seed=request.seed,
+        trace=decisions.trace,
+        downgrades=decisions.downgrades,
+    )
+    _set_elevations(program)
+    note(decisions.trace, None, f"{why}")
+    return PlannedBuilding(program, decisions, massing, frame, storeys, sketches, envelopes)
+
+
+def _furnish(
+    storey: Storey, massing: Massing, allocation: Allocation, knowledge: KnowledgeBase
+) -> None:
+    """Choose a storey's rooms, settle their areas and name them."""
+    room = capacity(massing, storey)
+    share = 0.0
+    if massing.hall:
+        share = max(storey.hub.usual, 0.38 * room)
+    storey.rooms = fill_storey(storey, allocation, knowledge, room, hub_share=share)
+    if massing.hall:
+        asked = sum(r.gross for r in storey.rooms)
+        fit_areas(storey.rooms, min(room - share, max(asked, 0.45 * room)))
+    else:
+        fit_areas(storey.rooms, room)
+    name_rooms(storey, hub_name(storey))
+
+
+def _reasoning(decisions: Decisions, area: float) -> str:
+    levels = f"{decisions.floors} storeys" if decisions.floors > 1 else "one storey"
+    below = f" and {decisions.basements} below ground" if decisions.basements else ""
+    return (
+        f"A {decisions.building.name.replace('_', ' ')} of {levels}{below}, about {area:.0f} m2 each; rooms follow "
+        f"the brief first, then what such a building usually holds; circulation and cores stay at the same place on "
+        f"every floor."
+    )
+
+
+def _cores(massing: Massing, frame: Frame) -> list[CorePlan]:
+    cores = []
+    for core in massing.cores:
+        x0, y0, x1, y1 = frame.area_box(core.box)
+        cores.append(
+            CorePlan(id=core.id, type=core.type, x=(x0, x1), y=(y0, y1), door_side=frame.side(core.side))  # type: ignore[arg-type]
+        )
+    return cores
+
+
+def _floor(
+    decisions: Decisions, storey: Storey, sketch: Sketch, envelope: Envelope, knowledge: KnowledgeBase
+) -> FloorProgram:
+    gross = envelope.area
+    placed = sum(placement.area for placement in sketch.rooms)
+    circulation = gross - placed
+    hub_least = min(storey.hub.least, 0.5 * circulation)
+    reserve = min(max(0.12 * gross, min(0.25 * gross, circulation - hub_least)), circulation - 1.0)
+    hub_area = max(circulation - reserve, 1.0)
+    floor, wall = materials_of(storey.hub, decisions.style, knowledge)
+    rooms = [
+        RoomProgram(
+            id=hub_name(storey), area_estimate=round(hub_area, 2), room_type=storey.hub.name,
+            floor_material=floor, wall_material=wall, open_relation="open", notes="circulation hub",
+        )
+    ]  # fmt: skip
+    for placement in sketch.rooms:
+        room = placement.room
+        floor, wall = materials_of(room.kind, decisions.style, knowledge)
+        rooms.append(
+            RoomProgram(
+                id=room.id, area_estimate=round(placement.area, 2), room_type=room.kind.name,
+                floor_material=floor, wall_material=wall,
+                open_relation="open" if room.kind.open else "door", notes=room.notes,
+            )
+        )  # fmt: skip
+    total = sum(room.area_estimate for room in rooms)
+    summary = AreaSummary(
+        sum_rooms=round(total, 2),
+        reserve_ratio=round(1.0 - total / gross, 4),
+        fits_within_gfa=total <= gross,
+        notes="the reserve holds cores, corridors and the rest of the hub",
+    )
+    return FloorProgram(
+        index=storey.index,
+        requirement=_requirement(storey),
+        gross_floor_area=round(gross, 2),
+        rooms=rooms,
+        area_summary=summary,
+        label="G" if storey.index == 1 and decisions.floors > 1 else _label(storey.index),
+        height=min(max(storey.use.height, 3.0), 4.2),
+        outline=envelope.outline,
+        holes=envelope.holes,
+    )
+
+
+def _label(index: int) -> str:
+    return str(index) if index >= 1 else f"B{1 - index}"
+
+
+def _requirement(storey: Storey) -> str:
+    kinds: list[str] = []
+    for room in storey.rooms:
+        name = room.kind.name.replace("_", " ")
+        if name not in kinds:
+            kinds.append(name)
+    use = storey.use.name.replace("_", " ")
+    return f"{storey.role} storey of a {use}: {', '.join(kinds[:8])}" if kinds else f"{storey.role} storey of a {use}"
+
+
+def _set_elevations(program: BuildingProgram) -> None:
+    level = 0.0
+    for floor in program.floors:
+        if floor.index >= 1:
+            floor.elevation = round(level, 3)
+            level += floor.height
+    level = 0.0
+    for floor in reversed(program.floors):
+        if floor.index < 1:
+            level -= floor.height
+            floor.elevation = round(level, 3)

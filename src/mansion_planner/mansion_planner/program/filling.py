@@ -1,0 +1,112 @@
+"""Fill a storey with rooms up to what it can hold, and settle their areas."""
+
+from mansion_planner.knowledge import KnowledgeBase
+from mansion_planner.program.allocation import Allocation, entries_of, planned_room
+from mansion_planner.program.model import PlannedRoom, Storey
+
+__all__ = ["base_rooms", "fill_storey", "fit_areas", "name_rooms"]
+
+MOST_ROOMS = 34
+
+
+def base_rooms(
+    storey: Storey, allocation: Allocation, knowledge: KnowledgeBase
+) -> list[PlannedRoom]:
+    """Return the rooms that the brief asks for on a storey, as rooms to be placed."""
+    rooms = []
+    for fact in allocation.wanted[storey.index]:
+        if fact.room_type == storey.hub.name and fact.count == 1:
+            continue
+        rooms.append(planned_room(knowledge.room(fact.room_type), knowledge, fact=fact))
+    return rooms
+
+
+def fill_storey(
+    storey: Storey,
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    capacity: float,
+    *,
+    hub_share: float = 0.0,
+) -> list[PlannedRoom]:
+    """Choose a storey's rooms: those asked for, then its type's list by priority, then what may repeat.
+
+    Parameters
+    ----------
+    capacity : float
+        Area for rooms, square metres.
+    hub_share : float
+        Area that the hub takes of it, where the hub is the main room.
+    """
+    rooms = base_rooms(storey, allocation, knowledge)
+    present = {fact.room_type for fact in allocation.wanted[storey.index]}
+    budget = capacity - hub_share
+    used = sum(room.gross for room in rooms)
+    repeats = []
+    for entry in entries_of(storey):
+        kind = knowledge.room(entry.room_type)
+        if entry.repeat:
+            repeats.append(entry)
+        if kind.name in allocation.settled or kind.name == storey.hub.name:
+            continue
+        count = 0 if entry.repeat else max(entry.count - (kind.name in present), 0)
+        for _ in range(count):
+            room = planned_room(kind, knowledge, area=entry.area)
+            small = min(room.gross, room.gross * 0.5 + 0.5 * kind.least)
+            if used + small <= budget * 1.03 or (not rooms and used + kind.least <= budget):
+                rooms.append(room)
+                used += room.gross
+    for entry in repeats:
+        kind = knowledge.room(entry.room_type)
+        while kind.name not in allocation.settled and len(rooms) < MOST_ROOMS:
+            room = planned_room(kind, knowledge, area=entry.area)
+            if used + 0.72 * room.gross > budget:
+                break
+            rooms.append(room)
+            used += room.gross
+    return rooms
+
+
+def fit_areas(rooms: list[PlannedRoom], capacity: float) -> float:
+    """Scale the rooms to fill `capacity`: stated areas stay, flexible rooms give and take first.
+
+    Returns
+    -------
+    float
+        Area that is left when every room is at its limit (negative when they do not fit).
+    """
+    every = [room for top in rooms for room in top.each()]
+    fixed = sum(room.area for room in every if room.fixed)
+    loose = [room for room in every if not room.fixed]
+    spare = capacity - fixed
+    for limited in (True, False):
+        for _ in range(6):
+            total = sum(room.area for room in loose)
+            if not loose or total <= 0 or abs(total - spare) < 0.01:
+                break
+            _scale(loose, spare / total, limited=limited)
+    return capacity - sum(room.area for room in every)
+
+
+def _scale(rooms: list[PlannedRoom], factor: float, *, limited: bool) -> None:
+    for room in rooms:
+        strength = factor if not room.kind.flexible or factor < 1.0 else factor * 1.05
+        if limited:
+            room.area = min(max(room.area * strength, room.least), room.most)
+        else:
+            room.area = max(room.area * factor, 1.0)
+
+
+def name_rooms(storey: Storey, hub_id: str) -> None:
+    """Number the rooms of a storey: ``meeting_room_1``; a name that occurs once stays bare."""
+    counts: dict[str, int] = {}
+    every = [room for top in storey.rooms for room in top.each()]
+    for room in every:
+        counts[room.id] = counts.get(room.id, 0) + 1
+    seen: dict[str, int] = {hub_id: 0}
+    for room in every:
+        base = room.id
+        if counts[base] == 1 and base != hub_id:
+            continue
+        seen[base] = seen.get(base, 0) + 1
+        room.id = f"{base}_{seen[base]}"

@@ -1,0 +1,48 @@
+"""Turn and mirror the massing frame, so that buildings differ in how they stand."""
+
+from dataclasses import dataclass
+
+from mansion_planner.program.model import Box
+
+__all__ = ["Frame"]
+
+_SIDES = ("north", "east", "south", "west")
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Mirror in x, mirror in y, then exchange the axes; the result lies at non-negative coordinates.
+
+    Attributes
+    ----------
+    box : tuple
+        Bounds of the building in the massing frame.
+    """
+
+    box: Box
+    mirror_x: bool = False
+    mirror_y: bool = False
+    swap: bool = False
+
+    def point(self, point: tuple[float, float]) -> tuple[float, float]:
+        """Return a point of the massing frame in plan coordinates."""
+        x = self.box[2] - point[0] if self.mirror_x else point[0] - self.box[0]
+        y = self.box[3] - point[1] if self.mirror_y else point[1] - self.box[1]
+        x, y = round(x, 6) + 0.0, round(y, 6) + 0.0
+        return (y, x) if self.swap else (x, y)
+
+    def area_box(self, box: Box) -> Box:
+        """Return a box of the massing frame in plan coordinates."""
+        ax, ay = self.point((box[0], box[1]))
+        bx, by = self.point((box[2], box[3]))
+        return (min(ax, bx), min(ay, by), max(ax, bx), max(ay, by))
+
+    def side(self, side: str) -> str:
+        """Return a side of the massing frame in plan coordinates."""
+        if self.mirror_x and side in ("east", "west"):
+            side = "west" if side == "east" else "east"
+        if self.mirror_y and side in ("north", "south"):
+            side = "south" if side == "north" else "north"
+        if self.swap:
+            side = {"north": "east", "east": "north", "south": "west", "west": "south"}[side]
+        return side

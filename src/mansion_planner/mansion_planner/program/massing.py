@@ -1,0 +1,141 @@
+"""Choose the massing: the bar's dimensions for an area, and the cores in its corners (Fig. 23, core preferences)."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from mansion_planner.knowledge import BuildingType
+from mansion_planner.program.model import CoreBox, Massing, Wing
+
+__all__ = ["MassingWish", "choose_massing"]
+
+STAIR = (3, 6)
+LIFT = 2
+STAIR_DEPTH = 6.0
+
+
+@dataclass(frozen=True)
+class MassingWish:
+    """What the massing has to meet.
+
+    Attributes
+    ----------
+    area : float
+        Gross area of a storey, square metres.
+    stairs, lifts : int
+    shape : str
+        ``rectangle``, ``square``, ``L``, ``U``, ``T``, ``H`` or ``courtyard``.
+    exact : bool
+        The area is asked for, so it is met as closely as whole metres allow.
+    """
+
+    area: float
+    use: BuildingType
+    stairs: int
+    lifts: int
+    shape: str = "rectangle"
+    exact: bool = False
+
+
+def _corridor_width(use: BuildingType, area: float) -> float:
+    if use.family == "home" or use.parti == "house":
+        return 1.6 if area < 140 else 2.0
+    if use.family in ("health", "education", "retail", "culture", "transport"):
+        return 2.0 if area < 300 else 2.4
+    return 1.8 if area < 300 else 2.0
+
+
+def _bands(use: BuildingType, area: float, stairs: int) -> list[tuple[float, float, float]]:
+    """List candidate (north, corridor, south) depths with a whole-metre sum, the most fitting first."""
+    corridor = _corridor_width(use, area)
+    if use.parti == "hall":
+        side = math.sqrt(area / 1.35)
+        return [(0.0, float(d), 0.0) for d in _around(side, 4 if not stairs else 6)]
+    if stairs and area >= 150:
+        wish = 12.0 + min(max((area - 150) / 82.0, 0.0), 4.0)
+        return [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in _around(wish, 11, 17)]
+    if stairs:
+        wish = min(max(math.sqrt(area / 1.25), 8.0), 10.5)
+        return [
+            (max(3.0, 0.42 * (d - corridor)), corridor, d - corridor - max(3.0, 0.42 * (d - corridor)))
+            for d in _around(wish, 7, 11)
+        ]
+    wish = min(max(math.sqrt(area / 1.5), 5.0), 16.0)
+    return [((d - corridor) / 2, corridor, (d - corridor) / 2) for d in _around(wish, 5, 17)]
+
+
+def _around(wish: float, least: int, most: int = 60) -> list[int]:
+    values = range(max(least, round(wish) - 3), min(most, round(wish) + 3) + 1)
+    ordered = sorted(values, key=lambda value: (abs(value - wish), value))
+    return ordered or [least]
+
+
+def choose_massing(wish: MassingWish, generator: np.random.Generator) -> Massing:
+    """Choose dimensions in whole metres for the wished area and shape, and place the cores.
+
+    Parameters
+    ----------
+    wish : MassingWish
+    generator : numpy.random.Generator
+        Varies proportions within what suits the building.
+    """
+    candidates = _bands(wish.use, wish.area, wish.stairs)
+    jitter = generator.random(len(candidates))
+    best: tuple[float, Massing] | None = None
+    for number, (north, corridor, south) in enumerate(candidates):
+        massing = _dimensions(wish, north, corridor, south)
+        error = abs(gross_area(massing) - wish.area) / wish.area
+        cost = (14.0 if wish.exact else 4.0) * error + 0.25 * number + 0.3 * float(jitter[number])
+        if wish.exact and error > 0.03:
+            cost += 5.0
+        if best is None or cost < best[0]:
+            best = (cost, massing)
+    assert best is not None
+    return best[1]
+
+
+def gross_area(massing: Massing) -> float:
+    """Return the area inside the outline of a storey without setback."""
+    area = massing.length * massing.depth
+    return area + sum((wing.x1 - wing.x0) * wing.reach for wing in massing.wings)
+
+
+def _dimensions(wish: MassingWish, north: float, corridor: float, south: float) -> Massing:
+    depth = north + corridor + south
+    least = 6 + (3 if wish.stairs else 0) + (3 if wish.stairs > 1 else 0)
+    wings, length = _wings(wish, depth, corridor, least)
+    hall = wish.use.parti == "hall"
+    lobby = 0.0
+    if wish.lifts and not hall:
+        lobby = max(4.0, 2.0 * wish.lifts) if wish.use.family != "home" else 3.5
+    cores = _cores(wish, float(length), depth, north)
+    entrance = 3.0 if wish.area >= 220 and lobby else 0.0
+    return Massing(
+        length=float(length), north=north, corridor=corridor, south=south, cores=cores,
+        lobby=lobby, wings=wings, hall=hall, entrance=entrance,
+    )  # fmt: skip
+
+
+def _wings(
+    wish: MassingWish, depth: float, corridor: float, least: int
+) -> tuple[tuple[Wing, ...], int]:
+    length = max(least, round(wish.area / depth))
+    return (), length
+
+
+def _cores(
+    wish: MassingWish, length: float, depth: float, north: float
+) -> tuple[CoreBox, ...]:
+    """Place stairs in the upper corners and lifts in the lower one, each against two outer walls."""
+    cores: list[CoreBox] = []
+    upright = north >= STAIR_DEPTH - 0.01 or (wish.use.parti == "hall" and depth >= 16)
+    wide, high = (STAIR[0], STAIR[1]) if upright else (STAIR[1], STAIR[0])
+    for number in range(wish.stairs):
+        x0 = 0.0 if number == 0 else length - wide
+        box = (x0, depth - high, x0 + wide, depth)
+        cores.append(CoreBox(f"stair_{number + 1}", "stair", box, "south"))
+    for number in range(wish.lifts):
+        box = (float(LIFT * number), 0.0, float(LIFT * (number + 1)), float(LIFT))
+        cores.append(CoreBox(f"elevator_{number + 1}", "elevator", box, "north"))
+    return tuple(cores)

@@ -1,0 +1,93 @@
+"""The gross area of a storey: stated, or what the rooms need."""
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+
+from mansion_planner.knowledge import KnowledgeBase
+from mansion_planner.program.allocation import Allocation, planned_room
+from mansion_planner.program.allocation import entries_of
+from mansion_planner.program.decisions import AREA_CAP, Decisions, note
+from mansion_planner.program.filling import base_rooms
+from mansion_planner.program.model import Storey
+
+__all__ = ["storey_area"]
+
+
+def _circulation(decisions: Decisions, stairs: int, lifts: int) -> tuple[float, float]:
+    """Return what cores and lobby take, and the share of the rest that corridors take."""
+    cores = 18.0 * stairs + 4.0 * lifts
+    if decisions.building.parti == "hall":
+        return cores, 0.0
+    return cores + (24.0 if lifts else 0.0), 0.17
+
+
+def storey_area(
+    decisions: Decisions,
+    storeys: list[Storey],
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    stairs: int,
+    lifts: int,
+) -> float:
+    """Return the gross area of a storey in square metres.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` when the rooms asked for do not fit into the area asked for.
+    """
+    fixed, share = _circulation(decisions, stairs, lifts)
+    need, fullest, least = 0.0, storeys[0], 0.0
+    for storey in storeys:
+        rooms = base_rooms(storey, allocation, knowledge)
+        hub = storey.hub.least if decisions.building.parti == "hall" else 0.0
+        wished = sum(room.gross for room in rooms)
+        tight = sum(max(r.least, 0.0) for room in rooms for r in room.each()) + hub
+        least = max(least, (tight + fixed) / (1.0 - 0.6 * share))
+        if wished > need:
+            need, fullest = wished, storey
+    if decisions.area_stated:
+        if least > decisions.area * 1.02:
+            facts = allocation.wanted[fullest.index]
+            words = ", ".join(dict.fromkeys(fact.span.words for fact in facts))
+            raise MansionError(
+                ErrorCode.INFEASIBLE,
+                f"{words} on storey {fullest.index} need at least {least:.0f} m2 with stairs and corridors; "
+                f"{decisions.area_span} leaves {decisions.area:.0f} m2",
+                path="$.description",
+                details={"first": words, "second": decisions.area_span, "stage": "program"},
+            )
+        return decisions.area
+    hub = fullest.hub.usual if decisions.building.parti == "hall" else 0.0
+    asked = (need + hub + fixed) / (1.0 - share) * 1.02
+    usual = decisions.area
+    if decisions.building.parti != "spine":
+        usual = min(usual, _typical(decisions, storeys, allocation, knowledge, fixed, share))
+    result = max(usual, asked, decisions.building.floor_area[0])
+    if result > usual + 1.0 and asked > usual:
+        note(decisions.trace, None, f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}")
+    if result > AREA_CAP:
+        note(decisions.trace, None, f"above {AREA_CAP:.0f} m2 a storey, for the rooms asked for")
+    return result
+
+
+def _typical(
+    decisions: Decisions,
+    storeys: list[Storey],
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    fixed: float,
+    share: float,
+) -> float:
+    """What a storey's own list and the rooms asked for take at their usual sizes."""
+    most = 0.0
+    for storey in storeys:
+        total = sum(room.gross for room in base_rooms(storey, allocation, knowledge))
+        if decisions.building.parti == "hall":
+            total += 1.3 * storey.hub.usual
+        for entry in entries_of(storey):
+            if entry.room_type in allocation.settled or entry.repeat:
+                continue
+            kind = knowledge.room(entry.room_type)
+            total += entry.count * planned_room(kind, knowledge, area=entry.area).gross
+        most = max(most, total)
+    return (most + fixed) / (1.0 - share)

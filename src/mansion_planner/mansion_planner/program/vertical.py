@@ -1,0 +1,44 @@
+"""Decide how storeys connect: stairs and lifts by height, use and brief."""
+
+from typing import Literal
+
+from mansion_planner.knowledge import KnowledgeBase
+from mansion_planner.program.allocation import Allocation, entries_of
+from mansion_planner.program.decisions import Decisions
+from mansion_planner.program.model import Storey
+
+__all__ = ["vertical_method"]
+
+Method = Literal["none", "stair", "elevator", "stair_and_elevator"]
+
+
+def vertical_method(
+    decisions: Decisions, storeys: list[Storey], allocation: Allocation, knowledge: KnowledgeBase
+) -> tuple[Method, int, int, str]:
+    """Return the method, the numbers of stairs and lifts, and the reason."""
+    levels = len(storeys)
+    wishes = {name: span for name, span in decisions.facts.vertical}
+    if levels == 1:
+        return "none", 0, 0, "one storey needs no stair"
+    home = decisions.building.family == "home"
+    lifts = 0
+    if levels >= (5 if home else 4 if decisions.building.parti == "house" else 3) or (decisions.building.stretcher and levels > 1):
+        lifts = 1
+    if not home and levels >= 8 and decisions.area > 300:
+        lifts = 2
+    reason = f"{levels} storeys"
+    if "no_elevator" in wishes:
+        lifts, reason = 0, f'{levels} storeys, "{wishes["no_elevator"].words}"'
+    elif "elevator" in wishes and lifts == 0:
+        lifts, reason = 1, f'{levels} storeys, "{wishes["elevator"].words}"'
+    stairs = 1
+    largest = max(
+        [fact.area or knowledge.room(fact.room_type).usual for facts in allocation.wanted.values() for fact in facts]
+        + [entry.area or knowledge.room(entry.room_type).usual for storey in storeys for entry in entries_of(storey)],
+        default=0.0,
+    )
+    if not home and decisions.building.parti == "spine" and levels >= 3 and decisions.area >= 340 and largest <= 150:
+        stairs = 2
+        reason += ", more than 340 m2 a storey: a second stair at the far end"
+    method: Method = "stair_and_elevator" if lifts else "stair"
+    return method, stairs, lifts, f"{method.replace('_', ' ')} for {reason}"

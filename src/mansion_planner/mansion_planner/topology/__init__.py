@@ -1,0 +1,1 @@
+"""From the program of a floor to its room graph and its solver problem."""
