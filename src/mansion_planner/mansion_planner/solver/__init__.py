@@ -2,5 +2,6 @@
 
 from mansion_planner.solver.options import EnergyWeights, SearchWeights, SolverOptions
 from mansion_planner.solver.solve import solve_floor
+from mansion_planner.solver.warming import warm
 
-__all__ = ["EnergyWeights", "SearchWeights", "SolverOptions", "solve_floor"]
+__all__ = ["EnergyWeights", "SearchWeights", "SolverOptions", "solve_floor", "warm"]

@@ -234,5 +234,6 @@ def make_grid(model: FloorModel, xs: Floats, ys: Floats) -> Grid:
     hb, vb = _borders(model, xs, ys, base, crossed)
     hs, vs = _structure(model, xs, ys)
     near, near_length = _slanted_contacts(model, xs, ys, base, crossed)
-    cells = Cells(xs, ys, area, cx, cy, hb, vb, hs, vs, near, near_length, base < 0)
+    geometry = np.stack([area, cx, cy, hb, vb, hs, vs, near_length], axis=-1)
+    cells = Cells(xs, ys, geometry, near, base < 0)
     return Grid(cells, base.astype(np.int64), not bool(crossed.any()))

@@ -1,95 +1,132 @@
 """The energy that the wall search lowers: areas, seeds, shapes and, above all, topology."""
 
 from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.state import Cells, Floats, Goal, State
+from mansion_planner.solver.state import (
+    AREA,
+    CORNER_WEIGHT,
+    CORNERS,
+    HB,
+    MIN_WIDTH,
+    MX,
+    MY,
+    PERIMETER,
+    SEED_WEIGHT,
+    SEED_X,
+    SEED_Y,
+    SHAPE_WEIGHT,
+    SIZE,
+    TARGET,
+    VB,
+    WALL_WEIGHT,
+    Cells,
+    Floats,
+    Goal,
+    Ints,
+    State,
+)
 
-__all__ = [
-    "WEIGHTS",
-    "edge_energy",
-    "room_energy",
-    "scan_runs",
-    "total_energy",
-]
+__all__ = ["WEIGHTS", "edge_energy", "room_energy", "scan_runs", "thin_energy", "total_energy"]
 
-WEIGHTS = ("area", "seed", "corner", "compact", "access", "adjacent", "thin", "apart", "straddle")
+WEIGHTS = (
+    "area", "seed", "corner", "compact", "access", "adjacent", "thin", "apart", "straddle", "wall",
+)
 """Order of `Goal.weights`."""
 
+W_AREA, W_SEED, W_CORNER, W_COMPACT, W_ACCESS, W_ADJACENT, W_THIN, W_APART, W_STRADDLE, W_WALL = (
+    range(10)
+)
 ACCESS = 0
 DETOUR = 1.12
 """Compactness (perimeter / 4 sqrt(area)) up to which a room's proportions cost nothing: a rectangle of 1 : 2.6."""
 
 
 @kernel
-def room_energy(goal: Goal, state: State) -> float:
+def room_energy(
+    rooms: Floats, w: Floats, stats: Floats, contact: Floats, straddle: Floats
+) -> float:
     """Return the part of the energy that areas, seeds and shapes cause."""
-    w = goal.weights
-    energy = w[8] * state.straddle[0]
-    for r in range(goal.target.size):
-        a = state.area[r]
-        t = goal.target[r]
-        if a <= 0.0 or state.count[r] == 0:
+    energy = w[W_STRADDLE] * straddle[0]
+    outside = stats.shape[0] - 1
+    for r in range(rooms.shape[0]):
+        a = stats[r, SIZE]
+        t = rooms[r, TARGET]
+        if a <= 1e-9:
             energy += 100.0
             continue
-        energy += w[0] * abs(a - t) / t
-        if goal.seed_weight[r] > 0.0:
-            dx = state.mx[r] / a - goal.seed[r, 0]
-            dy = state.my[r] / a - goal.seed[r, 1]
-            energy += w[1] * goal.seed_weight[r] * (dx * dx + dy * dy) ** 0.5 / t**0.5
-        energy += w[2] * goal.corner_weight[r] * max(0, state.corners[r] - 4)
-        shape = state.perimeter[r] / (4.0 * a**0.5)
-        energy += w[3] * goal.shape_weight[r] * max(0.0, shape - DETOUR)
+        energy += w[W_AREA] * abs(a - t) / t
+        weight = rooms[r, SEED_WEIGHT]
+        if weight > 0.0:
+            dx = stats[r, MX] / a - rooms[r, SEED_X]
+            dy = stats[r, MY] / a - rooms[r, SEED_Y]
+            energy += w[W_SEED] * weight * (dx * dx + dy * dy) ** 0.5 / t**0.5
+        energy += w[W_CORNER] * rooms[r, CORNER_WEIGHT] * max(0.0, stats[r, CORNERS] - 4.0)
+        shape = stats[r, PERIMETER] / (4.0 * a**0.5)
+        energy += w[W_COMPACT] * rooms[r, SHAPE_WEIGHT] * max(0.0, shape - DETOUR)
+        weight = rooms[r, WALL_WEIGHT]
+        if weight > 0.0:
+            energy += w[W_WALL] * weight * max(0.0, 1.0 - contact[r, outside] / (0.6 * t**0.5))
     return energy
 
 
 @kernel
-def edge_energy(goal: Goal, state: State, exact: bool) -> float:
+def edge_energy(
+    links: Ints, need: Floats, apart: Ints, w: Floats, stats: Floats, contact: Floats, run: Floats,
+    exact: bool,
+) -> float:
     """Return the part of the energy that the room graph causes.
 
     With `exact` false the straight runs are not known and whole contacts stand in for them, which gives a lower bound.
     """
-    w = goal.weights
     energy = 0.0
-    for e in range(goal.first.size):
-        a, b = goal.first[e], goal.second[e]
-        length = state.contact[a, b]
-        if exact and goal.kind[e] == ACCESS:
-            length = state.run[a, b]
-        need = goal.need[e]
-        if length >= need - 1e-9:
+    for e in range(links.shape[0]):
+        a, b = links[e, 0], links[e, 1]
+        length = contact[a, b]
+        access = links[e, 2] == ACCESS
+        if exact and access:
+            length = run[a, b]
+        if length >= need[e] - 1e-9:
             continue
-        miss = 0.35 + 0.45 * (need - length) / need
-        if length <= 0.0 and state.area[a] > 0.0 and state.area[b] > 0.0:
-            dx = state.mx[a] / state.area[a] - state.mx[b] / state.area[b]
-            dy = state.my[a] / state.area[a] - state.my[b] / state.area[b]
-            size = state.area[a] ** 0.5 + state.area[b] ** 0.5
+        miss = 0.35 + 0.45 * (need[e] - length) / need[e]
+        if length <= 1e-9 and stats[a, SIZE] > 0.0 and stats[b, SIZE] > 0.0:
+            dx = stats[a, MX] / stats[a, SIZE] - stats[b, MX] / stats[b, SIZE]
+            dy = stats[a, MY] / stats[a, SIZE] - stats[b, MY] / stats[b, SIZE]
+            size = stats[a, SIZE] ** 0.5 + stats[b, SIZE] ** 0.5
             miss += 0.2 * min(4.0, (dx * dx + dy * dy) ** 0.5 / size)
-        energy += miss * (w[4] if goal.kind[e] == ACCESS else w[5])
-    for k in range(goal.apart.shape[0]):
-        s = state.contact[goal.apart[k, 0], goal.apart[k, 1]]
-        if s > 0.0:
-            energy += w[7] * min(1.0, s)
-    if exact:
-        for r in range(goal.target.size):
-            energy += w[6] * state.thin[r] / goal.target[r]
+        energy += miss * (w[W_ACCESS] if access else w[W_ADJACENT])
+    for k in range(apart.shape[0]):
+        s = contact[apart[k, 0], apart[k, 1]]
+        if s > 1e-9:
+            energy += w[W_APART] * min(1.0, s)
     return energy
 
 
 @kernel
-def _flush(goal: Goal, state: State, a: int, b: int, side: int, length: float) -> None:
-    """Record a straight wall whose lower (or left) label is `a`; `side` is `a`'s side that it is on (1 or 2)."""
-    if a == b:
-        return
-    if goal.side[a] != 0 and goal.side[a] != side:
-        return
-    if goal.side[b] != 0 and goal.side[b] != side + 2:
-        return
-    if length > state.run[a, b]:
-        state.run[a, b] = length
-        state.run[b, a] = length
+def thin_energy(rooms: Floats, w: Floats, thin: Floats) -> float:
+    """Return the part of the energy that places narrower than the minimum width cause."""
+    energy = 0.0
+    for r in range(rooms.shape[0]):
+        energy += w[W_THIN] * thin[r] / rooms[r, TARGET]
+    return energy
 
 
 @kernel
-def scan_runs(cells: Cells, goal: Goal, state: State, width: Floats) -> None:
+def _flush(run: Floats, side: Ints, a: int, b: int, where: int, length: float) -> None:
+    """Record a straight wall whose lower (or left) label is `a`; `where` is `a`'s side that it is on (1 or 2)."""
+    if a == b or length <= run[a, b]:
+        return
+    if side[a] != 0 and side[a] != where:
+        return
+    if side[b] != 0 and side[b] != where + 2:
+        return
+    run[a, b] = length
+    run[b, a] = length
+
+
+@kernel
+def scan_runs(
+    xs: Floats, ys: Floats, geometry: Floats, rooms: Floats, side: Ints, labels: Ints, run: Floats,
+    thin: Floats, width: Floats,
+) -> None:
     """Find the longest straight wall of each pair of labels, and each room's area narrower than its minimum width.
 
     Parameters
@@ -97,55 +134,60 @@ def scan_runs(cells: Cells, goal: Goal, state: State, width: Floats) -> None:
     width : (rows, columns) array
         Scratch.
     """
-    lab = state.lab
-    rows, columns = lab.shape
-    n = goal.target.size
-    state.run[:, :] = 0.0
-    state.thin[:] = 0.0
-    for j in range(rows - 1):
-        a, b, length = -1, -1, 0.0
+    rows, columns = labels.shape
+    n = rooms.shape[0]
+    run[:, :] = 0.0
+    thin[:] = 0.0
+    for j in range(1, rows - 1):
         begin = 0
-        for i in range(columns):
-            x, y = lab[j, i], lab[j + 1, i]
-            if x == a and y == b:
-                length += cells.hb[j, i]
-            else:
-                if a >= 0:
-                    _flush(goal, state, a, b, 1, length)
-                a, b, length = x, y, cells.hb[j, i]
-            if i > 0 and x != lab[j, i - 1]:
-                span = cells.xs[i] - cells.xs[begin]
-                for k in range(begin, i):
-                    width[j, k] = span
+        previous = labels[j, 0]
+        for i in range(1, columns):
+            x = labels[j, i]
+            if x != previous:
+                if previous < n:
+                    span = xs[i] - xs[begin]
+                    narrow = span < rooms[previous, MIN_WIDTH] - 1e-6
+                    for k in range(begin, i):
+                        width[j, k] = 1.0 if narrow else 0.0
                 begin = i
-        _flush(goal, state, a, b, 1, length)
-        for k in range(begin, columns):
-            width[j, k] = 1e9
+                previous = x
+    for j in range(rows - 1):
+        a, b, length = labels[j, 0], labels[j + 1, 0], 0.0
+        for i in range(1, columns):
+            x, y = labels[j, i], labels[j + 1, i]
+            if x != a or y != b:
+                if a != b:
+                    _flush(run, side, a, b, 1, length)
+                a, b, length = x, y, 0.0
+            length += geometry[j, i, HB]
     for i in range(columns - 1):
-        a, b, length = -1, -1, 0.0
+        a, b, length = labels[0, i], labels[0, i + 1], 0.0
         begin = 0
-        for j in range(rows):
-            x, y = lab[j, i], lab[j, i + 1]
-            if x == a and y == b:
-                length += cells.vb[j, i]
-            else:
-                if a >= 0:
-                    _flush(goal, state, a, b, 2, length)
-                a, b, length = x, y, cells.vb[j, i]
-            if j > 0 and x != lab[j - 1, i]:
-                z = lab[j - 1, i]
-                if z < n:
-                    span = cells.ys[j] - cells.ys[begin]
-                    least = goal.min_width[z] - 1e-6
-                    for k in range(begin, j):
-                        if min(span, width[k, i]) < least:
-                            state.thin[z] += cells.area[k, i]
-                begin = j
-        _flush(goal, state, a, b, 2, length)
+        for j in range(1, rows):
+            x, y = labels[j, i], labels[j, i + 1]
+            if x != a or y != b:
+                if a != b:
+                    _flush(run, side, a, b, 2, length)
+                if x != a:
+                    if a < n:
+                        narrow = ys[j] - ys[begin] < rooms[a, MIN_WIDTH] - 1e-6
+                        for k in range(begin, j):
+                            if narrow or width[k, i] > 0.5:
+                                thin[a] += geometry[k, i, AREA]
+                    begin = j
+                a, b, length = x, y, 0.0
+            length += geometry[j, i, VB]
 
 
 @kernel
 def total_energy(cells: Cells, goal: Goal, state: State, width: Floats) -> float:
     """Return the whole energy of `state`."""
-    scan_runs(cells, goal, state, width)
-    return room_energy(goal, state) + edge_energy(goal, state, True)
+    scan_runs(
+        cells.xs, cells.ys, cells.geometry, goal.rooms, goal.side, state.labels, state.run,
+        state.thin, width,
+    )
+    energy = room_energy(goal.rooms, goal.weights, state.stats, state.contact, state.straddle)
+    energy += edge_energy(
+        goal.links, goal.need, goal.apart, goal.weights, state.stats, state.contact, state.run, True
+    )
+    return energy + thin_energy(goal.rooms, goal.weights, state.thin)

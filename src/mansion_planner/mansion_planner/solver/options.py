@@ -28,6 +28,7 @@ class SearchWeights:
     thin: float = 2.0
     apart: float = 0.3
     straddle: float = 3.0
+    wall: float = 0.15
 
 
 @dataclass(frozen=True)

@@ -43,16 +43,22 @@ def make_goal(model: FloorModel, options: SolverOptions) -> Goal:
         np.int64,
     ).reshape(-1, 2)
     hub = np.arange(n) == 0
+    rooms = np.stack(
+        [
+            model.targets,
+            np.nan_to_num(model.seeds[:, 0]),
+            np.nan_to_num(model.seeds[:, 1]),
+            np.where(known, np.where(hub, 0.5, 1.0), 0.0),
+            model.min_widths,
+            np.where(hub, 0.2, 1.0),
+            np.where(hub, 0.5, 1.0),
+            np.where(known | hub, 0.0, 1.0),
+        ],
+        axis=1,
+    )
     return Goal(
-        target=model.targets,
-        seed=np.nan_to_num(model.seeds),
-        seed_weight=np.where(known, np.where(hub, 0.5, 1.0), 0.0),
-        min_width=model.min_widths,
-        shape_weight=np.where(hub, 0.2, 1.0),
-        corner_weight=np.where(hub, 0.5, 1.0),
-        first=np.ascontiguousarray(pairs[:, 0]),
-        second=np.ascontiguousarray(pairs[:, 1]),
-        kind=kind,
+        rooms=np.ascontiguousarray(rooms),
+        links=np.column_stack([pairs, kind]),
         need=need + 1e-3,
         side=side,
         apart=apart,

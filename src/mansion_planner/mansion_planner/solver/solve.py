@@ -15,7 +15,7 @@ from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.refine import Partition, make_goal, refined_grid
 from mansion_planner.solver.search import anneal
 from mansion_planner.solver.starts import fit_rectangles, flood, paint_rectangles
-from mansion_planner.solver.state import Goal, make_state
+from mansion_planner.solver.state import CX, CY, SEED_WEIGHT, SEED_X, SEED_Y, Goal, make_state
 
 __all__ = ["solve_floor"]
 
@@ -26,13 +26,13 @@ def _start(
     grid: Grid, goal: Goal, total: int, rng: np.random.Generator
 ) -> Partition | None:
     """Return one annealed coarse partition."""
-    n = goal.target.size
-    seeds = goal.seed.copy()
-    missing = goal.seed_weight <= 0
+    n = len(goal.rooms)
+    seeds = goal.rooms[:, SEED_X : SEED_Y + 1].copy()
+    missing = goal.rooms[:, SEED_WEIGHT] <= 0
     free = np.argwhere(grid.cells.free)
     pick = free[rng.integers(len(free), size=n)]
     points = np.stack(
-        [grid.cells.cx[pick[:, 0], pick[:, 1]], grid.cells.cy[pick[:, 0], pick[:, 1]]], 1
+        [grid.cells.geometry[pick[:, 0], pick[:, 1], k] for k in (CX, CY)], 1
     )
     seeds[missing] = points[missing]
     labels = grid.base.copy()
@@ -57,7 +57,7 @@ def _start(
         0.05 if seeded else 0.0,
         int(rng.integers(2**62)),
     )
-    return Partition(grid, state.lab.copy(), energy)
+    return Partition(grid, state.labels.copy(), energy)
 
 
 def solve_floor(
@@ -87,7 +87,7 @@ def solve_floor(
         found = _start(grid, goal, total, rng)
         if found is not None and (best is None or found.energy < best.energy):
             best = found
-        if found is not None and (goal.seed_weight > 0).all():
+        if found is not None and (goal.rooms[:, SEED_WEIGHT] > 0).all():
             break
     if best is None:
         raise MansionError(
@@ -99,5 +99,5 @@ def solve_floor(
         none = np.zeros((0, 5), np.int64)
         seed = int(rng.integers(2**62))
         energy = anneal(finer.cells, goal, state, none, 3000, 0.0, 0.0, 4, 0.0, 0.0, seed)
-        best = Partition(finer, state.lab.copy(), energy)
+        best = Partition(finer, state.labels.copy(), energy)
     return finish(model, best, options)

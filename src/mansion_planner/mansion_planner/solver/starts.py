@@ -3,7 +3,9 @@
 import numpy as np
 
 from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.state import Cells, Floats, Goal, Ints
+from mansion_planner.solver.state import (
+    AREA, CX, CY, HB, MIN_WIDTH, SEED_WEIGHT, SEED_X, SEED_Y, TARGET, VB, Cells, Floats, Goal, Ints,
+)
 
 __all__ = ["fit_rectangles", "flood", "paint_rectangles"]
 
@@ -11,17 +13,17 @@ __all__ = ["fit_rectangles", "flood", "paint_rectangles"]
 @kernel
 def _prefix(cells: Cells) -> Floats:
     """Return prefix sums of area and first moments, shape (3, rows + 1, columns + 1)."""
-    rows, columns = cells.area.shape
+    rows, columns = cells.free.shape
     total = np.zeros((3, rows + 1, columns + 1))
     for j in range(rows):
         for i in range(columns):
-            a = cells.area[j, i] if cells.free[j, i] else 0.0
+            a = cells.geometry[j, i, AREA] if cells.free[j, i] else 0.0
             for q in range(3):
                 v = a
                 if q == 1:
-                    v = a * cells.cx[j, i]
+                    v = a * cells.geometry[j, i, CX]
                 elif q == 2:
-                    v = a * cells.cy[j, i]
+                    v = a * cells.geometry[j, i, CY]
                 total[q, j + 1, i + 1] = v + total[q, j, i + 1] + total[q, j + 1, i] - total[q, j, i]
     return total
 
@@ -44,16 +46,16 @@ def fit_rectangles(cells: Cells, goal: Goal, keep: int) -> tuple[Ints, Floats]:
     costs : (k,) array
     """
     total = _prefix(cells)
-    rows, columns = cells.area.shape
-    n = goal.target.size
+    rows, columns = cells.free.shape
+    n = goal.rooms.shape[0]
     boxes = np.empty((n * keep, 5), np.int64)
     costs = np.empty(n * keep)
     made = 0
     for r in range(n):
-        if goal.seed_weight[r] <= 0.0:
+        if goal.rooms[r, SEED_WEIGHT] <= 0.0:
             continue
-        t = goal.target[r]
-        sx, sy = goal.seed[r, 0], goal.seed[r, 1]
+        t = goal.rooms[r, TARGET]
+        sx, sy = goal.rooms[r, SEED_X], goal.rooms[r, SEED_Y]
         reach = 1.6 * t**0.5
         begin = made
         for j0 in range(1, rows - 1):
@@ -82,7 +84,7 @@ def fit_rectangles(cells: Cells, goal: Goal, keep: int) -> tuple[Ints, Floats]:
                         cost = abs(a - t) / t + 2.0 * (dx * dx + dy * dy) ** 0.5 / t**0.5
                         cost += 0.3 * (1.0 - a / (height * span))
                         cost += 0.15 * max(0.0, (span + height) / (2.0 * (span * height) ** 0.5) - 1.1)
-                        if min(span, height) < goal.min_width[r]:
+                        if min(span, height) < goal.rooms[r, MIN_WIDTH]:
                             cost += 1.0
                         if made - begin == keep:
                             if cost >= costs[made - 1]:
@@ -146,10 +148,10 @@ def _keep_main_piece(labels: Ints, cells: Cells, r: int, sx: float, sy: float) -
                     p = stack[top]
                     top -= 1
                     y, x = p // columns, p % columns
-                    size += cells.area[y, x]
+                    size += cells.geometry[y, x, AREA]
                     for q in range(4):
                         yy, xx = y + (q == 0) - (q == 1), x + (q == 2) - (q == 3)
-                        s = cells.hb[min(y, yy), x] if q < 2 else cells.vb[y, min(x, xx)]
+                        s = cells.geometry[min(y, yy), x, HB] if q < 2 else cells.geometry[y, min(x, xx), VB]
                         if labels[yy, xx] == r and not seen[yy, xx] and s > 1e-6:
                             seen[yy, xx] = True
                             top += 1
@@ -166,7 +168,7 @@ def _keep_main_piece(labels: Ints, cells: Cells, r: int, sx: float, sy: float) -
     for j in range(1, rows - 1):
         for i in range(1, columns - 1):
             if labels[j, i] == -1:
-                d = (cells.cx[j, i] - sx) ** 2 + (cells.cy[j, i] - sy) ** 2
+                d = (cells.geometry[j, i, CX] - sx) ** 2 + (cells.geometry[j, i, CY] - sy) ** 2
                 if d < nearest:
                     best, nearest = j * columns + i, d
     if best >= 0:
@@ -186,7 +188,7 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
         Every room has a cell and every free cell a room.
     """
     rows, columns = labels.shape
-    n = goal.target.size
+    n = goal.rooms.shape[0]
     area = np.zeros(n)
     for r in range(n):
         if _keep_main_piece(labels, cells, r, seeds[r, 0], seeds[r, 1]) < 0:
@@ -197,12 +199,12 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
             if labels[j, i] == -1:
                 empty += 1
             elif labels[j, i] < n:
-                area[labels[j, i]] += cells.area[j, i]
+                area[labels[j, i]] += cells.geometry[j, i, AREA]
     closed = np.zeros(n, np.bool_)
     while empty > 0:
         r = -1
         for k in range(n):
-            if not closed[k] and (r < 0 or area[k] / goal.target[k] < area[r] / goal.target[r]):
+            if not closed[k] and (r < 0 or area[k] / goal.rooms[k, TARGET] < area[r] / goal.rooms[r, TARGET]):
                 r = k
         if r < 0:
             return False
@@ -212,13 +214,13 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
                 if labels[j, i] != -1:
                     continue
                 touch = 0
-                touch += labels[j, i + 1] == r and cells.vb[j, i] > 1e-6
-                touch += labels[j, i - 1] == r and cells.vb[j, i - 1] > 1e-6
-                touch += labels[j + 1, i] == r and cells.hb[j, i] > 1e-6
-                touch += labels[j - 1, i] == r and cells.hb[j - 1, i] > 1e-6
+                touch += labels[j, i + 1] == r and cells.geometry[j, i, VB] > 1e-6
+                touch += labels[j, i - 1] == r and cells.geometry[j, i - 1, VB] > 1e-6
+                touch += labels[j + 1, i] == r and cells.geometry[j, i, HB] > 1e-6
+                touch += labels[j - 1, i] == r and cells.geometry[j - 1, i, HB] > 1e-6
                 if touch == 0:
                     continue
-                dx, dy = abs(cells.cx[j, i] - seeds[r, 0]), abs(cells.cy[j, i] - seeds[r, 1])
+                dx, dy = abs(cells.geometry[j, i, CX] - seeds[r, 0]), abs(cells.geometry[j, i, CY] - seeds[r, 1])
                 d = max(dx, dy) + 0.3 * min(dx, dy) - 0.5 * touch
                 if d < nearest:
                     best, nearest = j * columns + i, d
@@ -226,6 +228,6 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
             closed[r] = True
             continue
         labels[best // columns, best % columns] = r
-        area[r] += cells.area[best // columns, best % columns]
+        area[r] += cells.geometry[best // columns, best % columns, AREA]
         empty -= 1
     return True

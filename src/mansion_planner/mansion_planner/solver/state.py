@@ -1,7 +1,8 @@
 """Arrays of the wall search: the cells of a grid, the goal, and the state of one partition.
 
 The partition is a label for each cell: rooms 0 to n-1, obstacles (cores, fixed rooms) n to m-2, and m-1 for the
-outside. All statistics that the energy needs are kept up to date cell by cell.
+outside. All statistics that the energy needs are kept up to date cell by cell. The kernels take plain arrays: a named
+tuple of many arrays costs more to pass than the work it is passed for.
 """
 
 from typing import NamedTuple
@@ -17,46 +18,41 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
+AREA, CX, CY, HB, VB, HS, VS, NEAR = range(8)
+"""Last index of `Cells.geometry`."""
+
+SIZE, MX, MY, PERIMETER, COUNT, CORNERS = range(6)
+"""Last index of `State.stats`."""
+
+TARGET, SEED_X, SEED_Y, SEED_WEIGHT, MIN_WIDTH, SHAPE_WEIGHT, CORNER_WEIGHT, WALL_WEIGHT = range(8)
+"""Last index of `Goal.rooms`."""
+
 
 class Cells(NamedTuple):
     """A grid of cells between lines, with a frame of outside cells around it.
 
-    ``area``, ``cx``, ``cy`` describe the part of each cell inside the free region. ``hb[j, i]`` is the length of the
-    border between cells (j, i) and (j+1, i), ``vb[j, i]`` between (j, i) and (j, i+1); ``hs`` and ``vs`` are the
-    lengths of structural wall on those borders. ``near`` and ``near_length`` name an obstacle whose slanted side
-    runs through the cell.
+    ``geometry[j, i]`` holds the area and centroid of the part of cell (j, i) inside the free region (AREA, CX, CY), the
+    length of its border with cell (j+1, i) (HB) and with (j, i+1) (VB), the structural wall on these (HS, VS), and the
+    length of an obstacle's slanted side through the cell (NEAR), whose label is ``near[j, i]``.
     """
 
     xs: Floats
     ys: Floats
-    area: Floats
-    cx: Floats
-    cy: Floats
-    hb: Floats
-    vb: Floats
-    hs: Floats
-    vs: Floats
+    geometry: Floats
     near: Ints
-    near_length: Floats
     free: Bools
 
 
 class Goal(NamedTuple):
-    """What the search wants; arrays over rooms, edges (label pairs) and weights.
+    """What the search wants.
 
-    ``kind`` is 0 for access and 1 for adjacent; ``side`` gives, for each label, the only side on which a core may be
-    entered (0 any, 1 north, 2 east, 3 south, 4 west).
+    ``rooms[r]`` holds target area, seed, weights and minimum width; ``links`` are rows of two labels and a kind (0 access,
+    1 adjacent) with the wall length they ``need``; ``side`` gives, for each label, the only side on which a core may be
+    entered (0 any, 1 north, 2 east, 3 south, 4 west); ``apart`` lists pairs that should not touch.
     """
 
-    target: Floats
-    seed: Floats
-    seed_weight: Floats
-    min_width: Floats
-    shape_weight: Floats
-    corner_weight: Floats
-    first: Ints
-    second: Ints
-    kind: Ints
+    rooms: Floats
+    links: Ints
     need: Floats
     side: Ints
     apart: Ints
@@ -64,15 +60,15 @@ class Goal(NamedTuple):
 
 
 class State(NamedTuple):
-    """One partition and its running statistics (see `paint`)."""
+    """One partition and its running statistics (see `paint`).
 
-    lab: Ints
-    count: Ints
-    area: Floats
-    mx: Floats
-    my: Floats
-    perimeter: Floats
-    corners: Ints
+    ``stats[label]`` holds area, first moments, perimeter, number of cells and of corners;
+    ``contact`` the wall length of each pair of labels, ``run`` the longest straight wall of each pair, ``thin`` each room's
+    area narrower than its minimum width, ``straddle`` the length of structural wall inside rooms.
+    """
+
+    labels: Ints
+    stats: Floats
     contact: Floats
     run: Floats
     thin: Floats
@@ -83,12 +79,7 @@ def make_state(labels: Ints, rooms: int, total: int) -> State:
     """Return an empty state for `labels`; `recount` fills in the statistics."""
     return State(
         labels.copy(),
-        np.zeros(total, np.int64),
-        np.zeros(total),
-        np.zeros(total),
-        np.zeros(total),
-        np.zeros(total),
-        np.zeros(total, np.int64),
+        np.zeros((total, 6)),
         np.zeros((total, total)),
         np.zeros((total, total)),
         np.zeros(rooms),
@@ -97,11 +88,12 @@ def make_state(labels: Ints, rooms: int, total: int) -> State:
 
 
 @kernel
-def corners_at(state: State, j: int, i: int, sign: int) -> None:
+def corners_at(labels: Ints, stats: Floats, j: int, i: int, sign: float) -> None:
     """Add (or take away) what the vertex above right of cell (j, i) gives to the corner counts."""
-    lab = state.lab
-    a, b, c, d = lab[j, i], lab[j, i + 1], lab[j + 1, i], lab[j + 1, i + 1]
-    if a == b and c == d and a == c:
+    a, b, c, d = labels[j, i], labels[j, i + 1], labels[j + 1, i], labels[j + 1, i + 1]
+    if a == b and c == d:
+        return
+    if a == c and b == d:
         return
     for q in range(4):
         if q == 0:
@@ -112,110 +104,127 @@ def corners_at(state: State, j: int, i: int, sign: int) -> None:
                 continue
         elif q == 2:
             x = c
-            if x in (a, b):
+            if x == a or x == b:  # noqa: PLR1714
                 continue
         else:
             x = d
-            if x in (a, b, c):
+            if x == a or x == b or x == c:  # noqa: PLR1714
                 continue
         k = (a == x) + (b == x) + (c == x) + (d == x)
         if k == 1 or k == 3:
-            state.corners[x] += sign
+            stats[x, CORNERS] += sign
         elif k == 2 and ((a == x and d == x) or (b == x and c == x)):
-            state.corners[x] += 2 * sign
+            stats[x, CORNERS] += 2.0 * sign
 
 
 @kernel
-def _border(state: State, old: int, new: int, other: int, length: float, wall: float) -> None:
+def _border(
+    stats: Floats, contact: Floats, straddle: Floats, old: int, new: int, other: int, length: float,
+    wall: float,
+) -> None:
     """Move one border of a cell from label `old` to label `new`."""
     if other != old:
-        state.contact[old, other] -= length
-        state.contact[other, old] -= length
-        state.perimeter[old] -= length
-        state.perimeter[other] -= length
+        contact[old, other] -= length
+        contact[other, old] -= length
+        stats[old, PERIMETER] -= length
+        stats[other, PERIMETER] -= length
     else:
-        state.straddle[0] -= wall
+        straddle[0] -= wall
     if other != new:
-        state.contact[new, other] += length
-        state.contact[other, new] += length
-        state.perimeter[new] += length
-        state.perimeter[other] += length
+        contact[new, other] += length
+        contact[other, new] += length
+        stats[new, PERIMETER] += length
+        stats[other, PERIMETER] += length
     else:
-        state.straddle[0] += wall
+        straddle[0] += wall
 
 
 @kernel
-def paint(cells: Cells, state: State, j: int, i: int, new: int) -> None:
+def paint(
+    geometry: Floats, near: Ints, labels: Ints, stats: Floats, contact: Floats, straddle: Floats,
+    j: int, i: int, new: int,
+) -> None:
     """Give cell (j, i) the label `new` and update every statistic."""
-    lab = state.lab
-    old = lab[j, i]
-    for q in range(4):
-        corners_at(state, j - (q >> 1), i - (q & 1), -1)
-    lab[j, i] = new
-    for q in range(4):
-        corners_at(state, j - (q >> 1), i - (q & 1), 1)
-    a = cells.area[j, i]
-    state.count[old] -= 1
-    state.count[new] += 1
-    state.area[old] -= a
-    state.area[new] += a
-    state.mx[old] -= a * cells.cx[j, i]
-    state.mx[new] += a * cells.cx[j, i]
-    state.my[old] -= a * cells.cy[j, i]
-    state.my[new] += a * cells.cy[j, i]
-    _border(state, old, new, lab[j, i + 1], cells.vb[j, i], cells.vs[j, i])
-    _border(state, old, new, lab[j, i - 1], cells.vb[j, i - 1], cells.vs[j, i - 1])
-    _border(state, old, new, lab[j + 1, i], cells.hb[j, i], cells.hs[j, i])
-    _border(state, old, new, lab[j - 1, i], cells.hb[j - 1, i], cells.hs[j - 1, i])
-    if cells.near_length[j, i] > 0.0:
-        k = cells.near[j, i]
-        s = cells.near_length[j, i]
-        state.contact[old, k] -= s
-        state.contact[k, old] -= s
-        state.contact[new, k] += s
-        state.contact[k, new] += s
+    old = labels[j, i]
+    corners_at(labels, stats, j, i, -1.0)
+    corners_at(labels, stats, j - 1, i, -1.0)
+    corners_at(labels, stats, j, i - 1, -1.0)
+    corners_at(labels, stats, j - 1, i - 1, -1.0)
+    labels[j, i] = new
+    corners_at(labels, stats, j, i, 1.0)
+    corners_at(labels, stats, j - 1, i, 1.0)
+    corners_at(labels, stats, j, i - 1, 1.0)
+    corners_at(labels, stats, j - 1, i - 1, 1.0)
+    a = geometry[j, i, AREA]
+    x, y = a * geometry[j, i, CX], a * geometry[j, i, CY]
+    stats[old, COUNT] -= 1.0
+    stats[new, COUNT] += 1.0
+    stats[old, SIZE] -= a
+    stats[new, SIZE] += a
+    stats[old, MX] -= x
+    stats[new, MX] += x
+    stats[old, MY] -= y
+    stats[new, MY] += y
+    _border(
+        stats, contact, straddle, old, new, labels[j, i + 1], geometry[j, i, VB], geometry[j, i, VS]
+    )
+    _border(
+        stats, contact, straddle, old, new, labels[j, i - 1], geometry[j, i - 1, VB],
+        geometry[j, i - 1, VS],
+    )
+    _border(
+        stats, contact, straddle, old, new, labels[j + 1, i], geometry[j, i, HB], geometry[j, i, HS]
+    )
+    _border(
+        stats, contact, straddle, old, new, labels[j - 1, i], geometry[j - 1, i, HB],
+        geometry[j - 1, i, HS],
+    )
+    s = geometry[j, i, NEAR]
+    if s > 0.0:
+        k = near[j, i]
+        contact[old, k] -= s
+        contact[k, old] -= s
+        contact[new, k] += s
+        contact[k, new] += s
 
 
 @kernel
 def recount(cells: Cells, state: State) -> None:
     """Compute every statistic of `state` from its labels."""
-    lab = state.lab
-    rows, columns = lab.shape
-    state.count[:] = 0
-    state.area[:] = 0.0
-    state.mx[:] = 0.0
-    state.my[:] = 0.0
-    state.perimeter[:] = 0.0
-    state.corners[:] = 0
-    state.contact[:, :] = 0.0
-    state.straddle[0] = 0.0
+    labels, stats, contact, straddle = state.labels, state.stats, state.contact, state.straddle
+    geometry, near = cells.geometry, cells.near
+    rows, columns = labels.shape
+    stats[:, :] = 0.0
+    contact[:, :] = 0.0
+    straddle[0] = 0.0
     for j in range(rows):
         for i in range(columns):
-            x = lab[j, i]
-            a = cells.area[j, i]
-            state.count[x] += 1
-            state.area[x] += a
-            state.mx[x] += a * cells.cx[j, i]
-            state.my[x] += a * cells.cy[j, i]
+            x = labels[j, i]
+            a = geometry[j, i, AREA]
+            stats[x, COUNT] += 1.0
+            stats[x, SIZE] += a
+            stats[x, MX] += a * geometry[j, i, CX]
+            stats[x, MY] += a * geometry[j, i, CY]
             if j + 1 < rows and i + 1 < columns:
-                corners_at(state, j, i, 1)
+                corners_at(labels, stats, j, i, 1.0)
             for q in range(2):
                 if q == 0:
                     if i + 1 >= columns:
                         continue
-                    y, s, w = lab[j, i + 1], cells.vb[j, i], cells.vs[j, i]
+                    y, s, w = labels[j, i + 1], geometry[j, i, VB], geometry[j, i, VS]
                 else:
                     if j + 1 >= rows:
                         continue
-                    y, s, w = lab[j + 1, i], cells.hb[j, i], cells.hs[j, i]
+                    y, s, w = labels[j + 1, i], geometry[j, i, HB], geometry[j, i, HS]
                 if x != y:
-                    state.contact[x, y] += s
-                    state.contact[y, x] += s
-                    state.perimeter[x] += s
-                    state.perimeter[y] += s
+                    contact[x, y] += s
+                    contact[y, x] += s
+                    stats[x, PERIMETER] += s
+                    stats[y, PERIMETER] += s
                 else:
-                    state.straddle[0] += w
-            if cells.near_length[j, i] > 0.0:
-                k = cells.near[j, i]
-                state.contact[x, k] += cells.near_length[j, i]
-                state.contact[k, x] += cells.near_length[j, i]
+                    straddle[0] += w
+            s = geometry[j, i, NEAR]
+            if s > 0.0:
+                k = near[j, i]
+                contact[x, k] += s
+                contact[k, x] += s

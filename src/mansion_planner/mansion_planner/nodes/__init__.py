@@ -1,0 +1,1 @@
+"""The planner package's ROS nodes: thin shells around pure functions."""

@@ -1,0 +1,192 @@
+"""Moves of the wall search. Each paints cells, records what it changed, and can be taken back."""
+
+from mansion_planner.solver.jit import kernel
+from mansion_planner.solver.state import HB, VB, Bools, Floats, Ints, paint
+
+__all__ = ["draw", "place_rectangle", "shift_wall", "swap_rooms", "undo", "uniform"]
+
+
+@kernel
+def draw(rng: Ints) -> int:
+    """Return 31 random bits and advance `rng` (a 64-bit linear congruential generator with output mixing)."""
+    x = rng[0] * 6364136223846793005 + 1442695040888963407
+    rng[0] = x
+    y = (x >> 33) & 0x7FFFFFFF
+    return (y ^ (y >> 15)) & 0x7FFFFFFF
+
+
+@kernel
+def uniform(rng: Ints) -> float:
+    """Return a random number in [0, 1)."""
+    return draw(rng) / 2147483648.0
+
+
+@kernel
+def undo(
+    geometry: Floats, near: Ints, labels: Ints, stats: Floats, contact: Floats, straddle: Floats,
+    changes: Ints, made: int,
+) -> None:
+    """Take the recorded changes back, last first."""
+    for k in range(made - 1, -1, -1):
+        paint(
+            geometry, near, labels, stats, contact, straddle, changes[k, 0], changes[k, 1],
+            changes[k, 2],
+        )
+
+
+@kernel
+def _repaint(
+    geometry: Floats, near: Ints, labels: Ints, stats: Floats, contact: Floats, straddle: Floats,
+    changes: Ints, made: int, j: int, i: int, new: int,
+) -> int:
+    """Paint a cell, record its row, column and old label, and return the new number of records."""
+    changes[made, 0] = j
+    changes[made, 1] = i
+    changes[made, 2] = labels[j, i]
+    paint(geometry, near, labels, stats, contact, straddle, j, i, new)
+    return made + 1
+
+
+@kernel
+def _run_end(
+    labels: Ints, free: Bools, j: int, i: int, tj: int, ti: int, sj: int, si: int, whole: bool
+) -> int:
+    """Return how many cells the wall beside cell (j, i) goes on in direction (tj, ti).
+
+    The wall is on side (sj, si) of the cell; with `whole` it may border several rooms.
+    """
+    a, b = labels[j, i], labels[j + sj, i + si]
+    k = 0
+    while True:
+        y, x = j + (k + 1) * tj, i + (k + 1) * ti
+        z = labels[y + sj, x + si]
+        if labels[y, x] != a or z == a or not free[y + sj, x + si] or (z != b and not whole):
+            return k
+        k += 1
+
+
+@kernel
+def shift_wall(
+    geometry: Floats, near: Ints, free: Bools, labels: Ints, stats: Floats, contact: Floats,
+    straddle: Floats, changes: Ints, rng: Ints, reach: int,
+) -> int:
+    """Shift a random straight run of wall by up to `reach` lines; return the number of records (0: nothing to do)."""
+    rows, columns = labels.shape
+    j = 1 + draw(rng) % (rows - 2)
+    i = 1 + draw(rng) % (columns - 2)
+    if not free[j, i]:
+        return 0
+    d = draw(rng)
+    sj, si = (d & 3 == 0) - (d & 3 == 1), (d & 3 == 2) - (d & 3 == 3)
+    a = labels[j, i]
+    while labels[j + sj, i + si] == a:
+        j += sj
+        i += si
+    if not free[j + sj, i + si]:
+        return 0
+    tj, ti = abs(si), abs(sj)
+    whole = (d >> 4) % 3 == 0
+    hi = _run_end(labels, free, j, i, tj, ti, sj, si, whole)
+    lo = -_run_end(labels, free, j, i, -tj, -ti, sj, si, whole)
+    cut = (d >> 12) % 6
+    if cut == 0 and hi > 0:
+        hi = draw(rng) % (hi + 1)
+    elif cut == 1 and lo < 0:
+        lo = -(draw(rng) % (1 - lo))
+    depth = 1
+    while depth < reach and draw(rng) % 3 == 0:
+        depth += 1
+    made = 0
+    outward = (d >> 20) & 1 == 0
+    for k in range(lo, hi + 1):
+        y, x = j + k * tj, i + k * ti
+        new = a if outward else labels[y + sj, x + si]
+        step = 1 if outward else 0
+        for _ in range(depth):
+            yy, xx = y + step * sj, x + step * si
+            if not free[yy, xx]:
+                break
+            if outward:
+                step += 1
+            else:
+                if labels[yy, xx] != a:
+                    break
+                step -= 1
+            if labels[yy, xx] != new:
+                made = _repaint(
+                    geometry, near, labels, stats, contact, straddle, changes, made, yy, xx, new
+                )
+    return made
+
+
+@kernel
+def swap_rooms(
+    geometry: Floats, near: Ints, labels: Ints, stats: Floats, contact: Floats, straddle: Floats,
+    changes: Ints, rng: Ints, rooms: int,
+) -> int:
+    """Let two random rooms change places; return the number of records."""
+    a = draw(rng) % rooms
+    b = draw(rng) % rooms
+    made = 0
+    if a == b:
+        return 0
+    rows, columns = labels.shape
+    for j in range(1, rows - 1):
+        for i in range(1, columns - 1):
+            x = labels[j, i]
+            if x == a or x == b:  # noqa: PLR1714
+                made = _repaint(
+                    geometry, near, labels, stats, contact, straddle, changes, made, j, i,
+                    b if x == a else a,
+                )
+    return made
+
+
+@kernel
+def _heir(geometry: Floats, free: Bools, labels: Ints, j: int, i: int) -> int:
+    """Return the other room with the longest border to cell (j, i), or -1."""
+    best, longest = -1, 1e-9
+    r = labels[j, i]
+    for q in range(4):
+        y, x = j + (q == 0) - (q == 1), i + (q == 2) - (q == 3)
+        if not free[y, x] or labels[y, x] == r:
+            continue
+        s = geometry[min(j, y), i, HB] if q < 2 else geometry[j, min(i, x), VB]
+        if s > longest:
+            best, longest = labels[y, x], s
+    return best
+
+
+@kernel
+def place_rectangle(
+    geometry: Floats, near: Ints, free: Bools, labels: Ints, stats: Floats, contact: Floats,
+    straddle: Floats, changes: Ints, rng: Ints, boxes: Ints,
+) -> int:
+    """Set a random room to a random rectangle of the list; its old ground goes to whoever it touches."""
+    row = draw(rng) % boxes.shape[0]
+    r, j0, j1, i0, i1 = boxes[row, 0], boxes[row, 1], boxes[row, 2], boxes[row, 3], boxes[row, 4]
+    made = 0
+    rows, columns = labels.shape
+    for j in range(j0, j1):
+        for i in range(i0, i1):
+            if free[j, i] and labels[j, i] != r:
+                made = _repaint(
+                    geometry, near, labels, stats, contact, straddle, changes, made, j, i, r
+                )
+    if made == 0:
+        return 0
+    left, before = 1, -1
+    while left > 0 and made != before:
+        left, before = 0, made
+        for j in range(1, rows - 1):
+            for i in range(1, columns - 1):
+                if labels[j, i] != r or (j0 <= j < j1 and i0 <= i < i1):
+                    continue
+                best = _heir(geometry, free, labels, j, i)
+                if best < 0:
+                    left += 1
+                else:
+                    made = _repaint(
+                        geometry, near, labels, stats, contact, straddle, changes, made, j, i, best
+                    )
+    return made
