@@ -15,7 +15,7 @@ Floats = npt.NDArray[np.float64]
 SUN = np.array([-0.45, -0.62, 0.95]) / np.linalg.norm([-0.45, -0.62, 0.95])
 """Direction towards the light."""
 
-AMBIENT, DIRECT, FILL = 0.56, 0.42, 0.14
+AMBIENT, DIRECT, FILL = 0.60, 0.44, 0.16
 SHADOW_CELL = 0.04
 """Metres of a shadow map's cell."""
 
