@@ -107,6 +107,7 @@ class Context(AbstractContextManager["Context"], Generic[_T]):
         self._callbacks: list[Callable[[], None]] = []
         self._logging_initialized = False
         self.__context: _State | None = None
+        self._ended_by_signal = False
 
     @property
     def handle(self) -> Optional[Any]:  # noqa: UP045
@@ -147,12 +148,13 @@ class Context(AbstractContextManager["Context"], Generic[_T]):
                 _logging._apply_arguments(arguments)
                 self._logging_initialized = True
             self.__context = _State(arguments, number)
+            self._ended_by_signal = False
             _contexts.add(self)
 
     def ok(self) -> bool:
         """Whether the context is initialized and not shut down."""
         state = self.__context
-        return state is not None and state.valid
+        return state is not None and state.valid and not self._ended_by_signal
 
     def _call_on_shutdown_callbacks(self) -> None:
         with self._lock:
@@ -189,6 +191,10 @@ class Context(AbstractContextManager["Context"], Generic[_T]):
             self.__context.valid = False
         self._call_on_shutdown_callbacks()
         self.__context.shutdown()
+
+    def _shut_down_by_signal(self) -> None:
+        """End ``ok()`` at once; a thread then does the rest, with :meth:`try_shutdown`."""
+        self._ended_by_signal = True
 
     def on_shutdown(self, callback: Callable[[], None]) -> None:
         """Have the callback called once at shutdown."""
