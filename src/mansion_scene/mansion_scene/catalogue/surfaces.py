@@ -269,6 +269,10 @@ def _open_top(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     return [_volume("tray", _inset(size, 0.05), h - depth, h)]
 
 
+def _wall_shelf(size: Size3, p: dict[str, Any]) -> list[Carrier]:
+    return [_rect("shelf", _inset(size, 0.015), size[2], 0.45)]
+
+
 def _plate(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     w, d, h = size
     return [_rect("top", (-w * 0.3, w * 0.3, -d * 0.3, d * 0.3), h * 0.4, 0.3, True)]
@@ -296,6 +300,7 @@ _RULES: dict[str, Rule] = {
     "toilet": _toilet,
     "trolley": _trolley,
     "vitrine": _vitrine,
+    "wall_shelf": _wall_shelf,
 }
 
 

@@ -1,0 +1,137 @@
+"""Ceiling objects: lamps on a grid or above furniture, detectors, sprinklers, vents."""
+
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+from shapely import Point as ShapelyPoint
+from shapely import Polygon
+
+from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.shapes import Point
+from mansion_scene.catalogue import Asset, Catalogue, HangWish
+from mansion_scene.decor.frames import Ids, WallEdge, footprint, scene_object
+from mansion_scene.decor.rugs import matches
+
+__all__ = ["HEADROOM", "ceiling_objects"]
+
+HEADROOM = 2.05
+"""Least height of a lamp's lower edge where nothing stands below it, metres."""
+
+
+def ceiling_objects(
+    catalogue: Catalogue,
+    wishes: Sequence[HangWish],
+    room: Polygon,
+    edges: Sequence[WallEdge],
+    height: float,
+    placed: Sequence[SceneObject],
+    ids: Ids,
+    room_id: str,
+    rng: np.random.Generator,
+) -> list[SceneObject]:
+    """Return the ceiling objects of a room: inside it, clear of each other and of what stands below."""
+    ceiling = _Ceiling(room, edges, height, placed, rng)
+    out: list[SceneObject] = []
+    for wish in wishes:
+        asset = _hangable(catalogue, wish, height)
+        if asset is None:
+            continue
+        left = 10_000 if wish.place == "grid" else wish.count
+        for center, rotation in ceiling.places(wish, asset):
+            if left <= 0:
+                break
+            if not ceiling.take(asset, center, rotation):
+                continue
+            left -= 1
+            position = (center[0], center[1], height - asset.size[2] / 2)
+            out.append(scene_object(asset, ids.new(asset.category), room_id, position, rotation))
+    return out
+
+
+def _hangable(catalogue: Catalogue, wish: HangWish, height: float) -> Asset | None:
+    """Return the wish's asset; a flat lamp for one that would hang too low; None where none will do."""
+    limit = height - (HEADROOM if wish.place != "above" else 1.25)
+    if wish.asset.size[2] <= limit:
+        return wish.asset
+    flat = [a for a in catalogue.by_category("ceiling_light") if a.size[2] <= limit]
+    return flat[0] if flat and wish.asset.toggleable else None
+
+
+class _Ceiling:
+    def __init__(
+        self,
+        room: Polygon,
+        edges: Sequence[WallEdge],
+        height: float,
+        placed: Sequence[SceneObject],
+        rng: np.random.Generator,
+    ) -> None:
+        self.room, self.height, self.placed, self.rng = room, height, placed, rng
+        longest = max(edges, key=lambda e: e.length)
+        self.angle = math.degrees(math.atan2(longest.along[1], longest.along[0])) % 180.0
+        self.taken: list[tuple[float, float, float, float]] = []
+        self.tall = [
+            (footprint(o.position, o.size, o.rotation), o.position[2] + o.size[2] / 2)
+            for o in placed
+            if o.position[2] + o.size[2] / 2 > 1.4
+        ]
+
+    def take(self, asset: Asset, center: Point, rotation: float) -> bool:
+        """Take a place if it is free."""
+        shape = footprint(center, asset.size, rotation)
+        x0, y0, x1, y1 = shape.bounds
+        clear = all(
+            x1 + 0.05 < a or c + 0.05 < x0 or y1 + 0.05 < b or d + 0.05 < y0
+            for a, b, c, d in self.taken
+        )
+        low = self.height - asset.size[2] - 0.03
+        if not clear or not self.room.contains(shape):
+            return False
+        if any(top > low and shape.intersects(other) for other, top in self.tall):
+            return False
+        self.taken.append((x0, y0, x1, y1))
+        return True
+
+    def places(self, wish: HangWish, asset: Asset) -> Iterator[tuple[Point, float]]:
+        """Yield centres and rotations to try, the best first."""
+        if wish.place == "above":
+            for obj in self.placed:
+                if matches(obj, wish.above):
+                    yield (obj.position[0], obj.position[1]), obj.rotation
+        elif wish.place in ("center", "door", "free", "facing_door"):
+            middle = self.room.centroid
+            if not self.room.contains(middle):
+                middle = self.room.representative_point()
+            yield (middle.x, middle.y), self.angle
+            yield from ((p, self.angle) for p in self._lattice(1.2))
+        else:
+            spacing = wish.spacing
+            if wish.place == "spread":
+                spacing = max(1.0, math.sqrt(self.room.area / max(wish.count, 1)))
+            shift = 0.31 if wish.place == "spread" else 0.0
+            points = self._lattice(spacing, shift)
+            if wish.place == "spread":
+                points = [points[int(i)] for i in self.rng.permutation(len(points))]
+            yield from ((p, self.angle) for p in points)
+            if wish.place == "spread" or len(points) < 1:
+                inner = self.room.representative_point()
+                yield (inner.x, inner.y), self.angle
+
+    def _lattice(self, spacing: float, shift: float = 0.0) -> list[Point]:
+        """Return points of a regular grid along the longest wall, centred in the room's rectangle."""
+        c, s = math.cos(math.radians(self.angle)), math.sin(math.radians(self.angle))
+        ring = list(self.room.exterior.coords)
+        us = [c * x + s * y for x, y in ring]
+        vs = [-s * x + c * y for x, y in ring]
+        nu = max(1, round((max(us) - min(us)) / spacing))
+        nv = max(1, round((max(vs) - min(vs)) / spacing))
+        out = []
+        for i in range(nu):
+            for j in range(nv):
+                u = min(us) + (i + 0.5 + shift) * (max(us) - min(us)) / nu
+                v = min(vs) + (j + 0.5 + shift) * (max(vs) - min(vs)) / nv
+                point = (c * u - s * v, s * u + c * v)
+                if self.room.contains(ShapelyPoint(point)):
+                    out.append(point)
+        return out

@@ -1,0 +1,74 @@
+"""What a furnished room still lacks: rugs, wall and ceiling objects, and small things."""
+
+from collections.abc import Sequence
+
+from mansion_geometry.randomness import item_generator
+from mansion_msgs_py.scene import Door, SceneObject, Window
+from mansion_msgs_py.shapes import Ring
+from mansion_scene.catalogue import Catalogue, RoomFurnishing
+from mansion_scene.decor.ceiling import ceiling_objects
+from mansion_scene.decor.frames import Ids, room_polygon, wall_edges
+from mansion_scene.decor.rugs import rugs
+from mansion_scene.decor.small import small_objects
+from mansion_scene.decor.walls import wall_objects
+
+__all__ = ["decorate_room"]
+
+
+def decorate_room(
+    catalogue: Catalogue,
+    furnishing: RoomFurnishing,
+    *,
+    room_id: str,
+    net_polygon: Ring,
+    net_holes: Sequence[Ring] = (),
+    ceiling_height: float,
+    doors: Sequence[Door] = (),
+    windows: Sequence[Window] = (),
+    placed: Sequence[SceneObject] = (),
+    seed: int,
+) -> list[SceneObject]:
+    """Return the objects that a room gets beyond its placed furniture.
+
+    Parameters
+    ----------
+    furnishing : RoomFurnishing
+        The wish lists of `furnish_request`.
+    net_polygon, net_holes : rings
+        Between the faces of the walls.
+    ceiling_height : float
+        Clear height of the room, metres.
+    doors, windows : sequences
+        Of this room at least; others are ignored.
+    placed : sequence of SceneObject
+        The room's furniture as it stands; it is not changed.
+    seed : int
+        Of the building; with `room_id` it decides everything.
+
+    Returns
+    -------
+    list of SceneObject
+        Rugs, wall objects, ceiling objects, small objects, in this order. Wishes that find no place are left out.
+    """
+    room = room_polygon(net_polygon, net_holes)
+    edges = wall_edges(net_polygon, net_holes)
+    ids = Ids(room_id, (o.id for o in placed))
+    rng = item_generator(seed, "decor", room_id)
+    carpets = rugs(furnishing.rugs, room, edges, doors, placed, ids, room_id, rng)
+    hung = wall_objects(
+        furnishing.wall, edges, doors, windows, ceiling_height, placed, ids, room_id, rng
+    )
+    lamps = ceiling_objects(
+        catalogue,
+        furnishing.ceiling,
+        room,
+        edges,
+        ceiling_height,
+        [*placed, *hung],
+        ids,
+        room_id,
+        rng,
+    )
+    carriers = [*placed, *(o for o in hung if o.receptacle)]
+    small = small_objects(catalogue, furnishing.small, carriers, ids, room_id, seed)
+    return [*carpets, *hung, *lamps, *small]

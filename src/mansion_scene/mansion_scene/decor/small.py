@@ -1,0 +1,203 @@
+"""Small objects on and in the receptacles of a room."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from mansion_geometry.randomness import item_generator
+from mansion_msgs_py.scene import SceneObject
+from mansion_scene.catalogue import Asset, Catalogue
+from mansion_scene.catalogue.records import Arrangement, Scatter, Slot
+from mansion_scene.decor.frames import Ids, scene_object, to_floor, to_local
+from mansion_scene.decor.packing import Shelf, Spot, shelves_of
+
+__all__ = ["small_objects"]
+
+_SEAT_REACH = 0.6
+"""Greatest distance from a chair to the edge of its table, metres."""
+
+_MATCHED = (
+    "plate",
+    "fork",
+    "butter_knife",
+    "glass",
+    "wine_glass",
+    "cup",
+    "monitor",
+    "keyboard",
+    "mouse",
+    "tray",
+)
+"""Categories of which a receptacle shows one variant only."""
+
+
+def small_objects(
+    catalogue: Catalogue,
+    arrangements: Sequence[Arrangement],
+    placed: Sequence[SceneObject],
+    ids: Ids,
+    room_id: str,
+    seed: int,
+) -> list[SceneObject]:
+    """Return the small objects of a room.
+
+    Parameters
+    ----------
+    arrangements : sequence of Arrangement
+        In order of preference; the first that names a receptacle's category is used.
+    placed : sequence of SceneObject
+        Receptacles and chairs, from the floor and from the walls.
+
+    Notes
+    -----
+    Each object lies wholly on its surface or in its box, 8 mm from its neighbours at least, and below the next board.
+    """
+    seats = [o for o in placed if "seat" in catalogue.asset(o.asset).tags]
+    out: list[SceneObject] = []
+    for obj in placed:
+        asset = catalogue.asset(obj.asset)
+        arrangement = next((a for a in arrangements if obj.category in a.on), None)
+        if arrangement is None or not asset.receptacle:
+            continue
+        rng = item_generator(seed, "small", obj.id)
+        if rng.random() < arrangement.p:
+            table = _Table(catalogue, obj, asset, rng, ids, room_id)
+            table.lay(arrangement, seats)
+            out += table.objects
+    return out
+
+
+class _Table:
+    """One receptacle while it is laid."""
+
+    def __init__(
+        self,
+        catalogue: Catalogue,
+        obj: SceneObject,
+        asset: Asset,
+        rng: np.random.Generator,
+        ids: Ids,
+        room_id: str,
+    ) -> None:
+        self.catalogue, self.obj, self.rng = catalogue, obj, rng
+        self.ids, self.room_id = ids, room_id
+        self.shelves = shelves_of(asset.surfaces, asset.volumes)
+        self.objects: list[SceneObject] = []
+        self.chosen: dict[str, Asset] = {}
+
+    def lay(self, arrangement: Arrangement, seats: Sequence[SceneObject]) -> None:
+        """Lay slots, then places before chairs, then the rest."""
+        top = next((s for s in self.shelves if not s.inside), None)
+        if top is not None:
+            for slot in arrangement.slots:
+                self._slot(top, slot)
+            if arrangement.seats:
+                for chair in seats:
+                    self._seat(top, chair, arrangement.seats)
+        for scatter in arrangement.scatter:
+            self._scatter(scatter)
+
+    def _asset(self, category: str | list[str]) -> Asset | None:
+        names = [category] if isinstance(category, str) else category
+        name = names[int(self.rng.integers(len(names)))]
+        assets = [a for a in self.catalogue.by_category(name) if a.mount in ("surface", "floor")]
+        if not assets:
+            return None
+        drawn = assets[int(self.rng.integers(len(assets)))]
+        return self.chosen.setdefault(name, drawn) if name in _MATCHED else drawn
+
+    def _slot(self, shelf: Shelf, slot: Slot) -> None:
+        present = self.rng.random() < slot.p
+        jitter = self.rng.uniform(-slot.jitter, slot.jitter, 2)
+        asset = self._asset(slot.category)
+        if asset is None or not present:
+            return
+        x, y = shelf.point(slot.u, slot.v)
+        probe = Shelf.at
+        for shift in (0.0, 0.04, -0.04, 0.09, -0.09):
+            px = _clamp(x + jitter[0] + shift, shelf.x, shelf.half_w - asset.size[0] / 2 - 0.005)
+            py = _clamp(y + jitter[1], shelf.y, shelf.half_d - asset.size[1] / 2 - 0.005)
+            spot = probe(shelf, asset.size, px, py, slot.turn)
+            if spot is not None:
+                self._put(shelf, asset, spot)
+                return
+
+    def _seat(self, shelf: Shelf, chair: SceneObject, slots: Sequence[Slot]) -> None:
+        """Lay a place before a chair that faces this table."""
+        x, y = to_local(self.obj, chair.position)
+        heading = math.radians(chair.rotation - self.obj.rotation + 90.0)
+        ahead = (math.cos(heading), math.sin(heading))
+        entry = _entry(shelf, (x, y), ahead, chair.size[1] / 2 + _SEAT_REACH)
+        if entry is None:
+            return
+        right = (ahead[1], -ahead[0])
+        turn = math.degrees(heading) + 90.0
+        for slot in slots:
+            present = self.rng.random() < slot.p
+            jitter = self.rng.uniform(-0.012, 0.012, 2)
+            asset = self._asset(slot.category)
+            if asset is None or not present:
+                continue
+            px = entry[0] + ahead[0] * (slot.v + jitter[0]) + right[0] * (slot.u + jitter[1])
+            py = entry[1] + ahead[1] * (slot.v + jitter[0]) + right[1] * (slot.u + jitter[1])
+            spot = shelf.at(asset.size, px, py, (turn + slot.turn) % 360.0)
+            if spot is not None:
+                self._put(shelf, asset, spot)
+
+    def _scatter(self, scatter: Scatter) -> None:
+        wanted = int(self.rng.integers(scatter.min, scatter.max + 1))
+        shelves = [s for s in self.shelves if s.inside == scatter.inside]
+        if not shelves or self.rng.random() >= scatter.p:
+            return
+        order = self.rng.permutation(len(shelves))
+        row: Asset | None = None
+        for number in range(wanted):
+            if row is None or not scatter.line or number % 4 == 0:
+                row = self._asset(scatter.category)
+            if row is None:
+                continue
+            for step in range(len(shelves)):
+                turn_of = (number // 4 if scatter.line else number) + step
+                shelf = shelves[int(order[turn_of % len(shelves)])]
+                spot = (
+                    shelf.in_line(row.size) if scatter.line else shelf.somewhere(row.size, self.rng)
+                )
+                if spot is not None:
+                    self._put(shelf, row, spot)
+                    break
+
+    def _put(self, shelf: Shelf, asset: Asset, spot: Spot) -> None:
+        x, y = to_floor(self.obj, (spot.x, spot.y))
+        z = self.obj.position[2] + shelf.z + asset.size[2] / 2
+        self.objects.append(
+            scene_object(
+                asset,
+                self.ids.new(asset.category),
+                self.room_id,
+                (x, y, z),
+                self.obj.rotation + spot.turn,
+                mount="inside" if shelf.inside else "surface",
+                parent=self.obj.id,
+            )
+        )
+
+
+def _clamp(value: float, center: float, reach: float) -> float:
+    return center if reach <= 0 else min(max(value, center - reach), center + reach)
+
+
+def _entry(
+    shelf: Shelf, start: tuple[float, float], ahead: tuple[float, float], reach: float
+) -> tuple[float, float] | None:
+    """Return where a ray from a chair enters the surface, at most `reach` ahead."""
+    for step in range(1, 61):
+        distance = reach * step / 60
+        x, y = start[0] + ahead[0] * distance - shelf.x, start[1] + ahead[1] * distance - shelf.y
+        if shelf.round:
+            within = math.hypot(x / shelf.half_w, y / shelf.half_d) <= 1.0
+        else:
+            within = abs(x) <= shelf.half_w and abs(y) <= shelf.half_d
+        if within:
+            return (x + shelf.x, y + shelf.y)
+    return None

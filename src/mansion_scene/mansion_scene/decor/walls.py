@@ -1,0 +1,249 @@
+"""Wall objects on stretches free of doors, windows, tall furniture and each other."""
+
+from collections.abc import Iterator, Sequence
+
+import msgspec
+import numpy as np
+
+from mansion_msgs_py.scene import Door, SceneObject, Window
+from mansion_msgs_py.shapes import Point3
+from mansion_scene.catalogue import Asset, HangWish
+from mansion_scene.decor.frames import Ids, WallEdge, footprint, scene_object
+from mansion_scene.decor.rugs import matches
+
+__all__ = ["wall_objects"]
+
+_SIDE = 0.06
+"""Least distance to neighbours on the wall and to door and window frames, metres."""
+
+_ABOVE = 0.04
+"""Least distance to the furniture below, metres."""
+
+
+class _Block(msgspec.Struct, frozen=True):
+    """A stretch of wall that is not free between two heights; `depth` is how far it reaches from the wall."""
+
+    start: float
+    end: float
+    low: float
+    high: float
+    distance: float = 0.0
+
+
+class _Wall:
+    """A side of the room and what is on it."""
+
+    def __init__(self, edge: WallEdge) -> None:
+        self.edge = edge
+        self.blocks: list[_Block] = []
+        self.hung: list[tuple[float, str]] = []
+
+    def gaps(
+        self, width: float, low: float, high: float, depth: float
+    ) -> list[tuple[float, float]]:
+        """Return the intervals in which the centre of an object of this width may lie."""
+        margin = width / 2 + _SIDE
+        free = [(margin - _SIDE + 0.02, self.edge.length - margin + _SIDE - 0.02)]
+        for block in self.blocks:
+            if block.low >= high or block.high <= low or block.distance >= depth + 0.02:
+                continue
+            cut = (block.start - margin, block.end + margin)
+            free = [
+                p
+                for a, b in free
+                for p in ((a, min(b, cut[0])), (max(a, cut[1]), b))
+                if p[1] >= p[0]
+            ]
+        return free
+
+
+def wall_objects(
+    wishes: Sequence[HangWish],
+    edges: Sequence[WallEdge],
+    doors: Sequence[Door],
+    windows: Sequence[Window],
+    height: float,
+    placed: Sequence[SceneObject],
+    ids: Ids,
+    room_id: str,
+    rng: np.random.Generator,
+) -> list[SceneObject]:
+    """Return the wall objects of a room; those above furniture and beside doors are hung first."""
+    walls = [_Wall(edge) for edge in edges]
+    _block(walls, doors, windows, placed)
+    order = {"above": 0, "door": 1, "facing_door": 2}
+    out: list[SceneObject] = []
+    for wish in sorted(wishes, key=lambda w: order.get(w.place, 3)):
+        left = wish.count
+        for wall, along, center in _places(wish, walls, doors, height, placed, rng):
+            if left <= 0:
+                break
+            if not _fits(wall, wish.asset, along, center):
+                continue
+            left -= 1
+            half = wish.asset.size[2] / 2
+            block = _Block(
+                along - wish.asset.size[0] / 2,
+                along + wish.asset.size[0] / 2,
+                center - half - _SIDE,
+                center + half + _SIDE,
+            )
+            wall.blocks.append(block)
+            wall.hung.append((along, wish.asset.category))
+            out.append(_hang(wish.asset, wall.edge, along, center, ids, room_id))
+    return out
+
+
+def _hang(
+    asset: Asset, edge: WallEdge, along: float, center: float, ids: Ids, room_id: str
+) -> SceneObject:
+    x, y = edge.point(along, asset.size[1] / 2 + 0.002)
+    position: Point3 = (x, y, center)
+    return scene_object(
+        asset, ids.new(asset.category), room_id, position, edge.rotation, mount="wall"
+    )
+
+
+def _block(
+    walls: Sequence[_Wall],
+    doors: Sequence[Door],
+    windows: Sequence[Window],
+    placed: Sequence[SceneObject],
+) -> None:
+    """Note doors, windows and furniture on the walls that they touch."""
+    for wall in walls:
+        for door in doors:
+            if wall.edge.carries(door.segment):
+                a, b, _ = wall.edge.interval(door.segment)
+                wall.blocks.append(_Block(a - 0.06, b + 0.06, -1.0, 99.0))
+        for window in windows:
+            if wall.edge.carries(window.segment):
+                a, b, _ = wall.edge.interval(window.segment)
+                low, high = window.sill - 0.05, window.sill + window.height + 0.05
+                wall.blocks.append(_Block(a, b, low, high))
+    for obj in placed:
+        if obj.size[2] <= 0.03:
+            continue
+        corners = list(footprint(obj.position, obj.size, obj.rotation).exterior.coords)
+        high = obj.position[2] + obj.size[2] / 2 + _ABOVE
+        low = obj.position[2] - obj.size[2] / 2
+        for wall in walls:
+            a, b, distance = wall.edge.interval(corners)
+            if distance < 1.0 and b > 0.0 and a < wall.edge.length:
+                wall.blocks.append(_Block(a, b, low, high, max(distance, 0.0)))
+
+
+def _fits(wall: _Wall, asset: Asset, along: float, center: float) -> bool:
+    w, d, h = asset.size
+    return any(
+        a - 1e-9 <= along <= b + 1e-9 for a, b in wall.gaps(w, center - h / 2, center + h / 2, d)
+    )
+
+
+Place = tuple[_Wall, float, float]
+
+
+def _places(
+    wish: HangWish,
+    walls: Sequence[_Wall],
+    doors: Sequence[Door],
+    height: float,
+    placed: Sequence[SceneObject],
+    rng: np.random.Generator,
+) -> Iterator[Place]:
+    """Yield walls, distances along them and heights of the centre to try, the best first."""
+    asset = wish.asset
+    level = wish.height or float(asset.parameters.get("hang", 1.55))
+    center = min(level, height - asset.size[2] / 2 - 0.05)
+    if center - asset.size[2] / 2 < 0.02:
+        center = asset.size[2] / 2 + 0.02
+    if center + asset.size[2] / 2 > height:
+        return
+    if wish.place == "above":
+        yield from _above(wish, walls, height, placed)
+    elif wish.place == "door":
+        yield from _beside_doors(asset, walls, doors, center)
+    else:
+        yield from _free(wish, walls, doors, center, rng)
+
+
+def _above(
+    wish: HangWish, walls: Sequence[_Wall], height: float, placed: Sequence[SceneObject]
+) -> Iterator[Place]:
+    """Over the objects that stand with their back at a wall."""
+    h = wish.asset.size[2]
+    clearance = float(wish.asset.parameters.get("above", _ABOVE + 0.01))
+    for obj in placed:
+        if not matches(obj, wish.above):
+            continue
+        top = obj.position[2] + obj.size[2] / 2
+        low = max(
+            top + clearance, (wish.height or float(wish.asset.parameters.get("hang", 1.55))) - h / 2
+        )
+        center = low + h / 2
+        if center + h / 2 > height - 0.02:
+            continue
+        for wall in walls:
+            same = abs((wall.edge.rotation - obj.rotation + 180.0) % 360.0 - 180.0) < 5.0
+            along, away = wall.edge.coordinates((obj.position[0], obj.position[1]))
+            if same and 0.0 < along < wall.edge.length and away < obj.size[1] / 2 + 0.3:
+                yield wall, along, center
+
+
+def _beside_doors(
+    asset: Asset, walls: Sequence[_Wall], doors: Sequence[Door], center: float
+) -> Iterator[Place]:
+    """Beside a door, on the side of its latch first, up to 2 m away."""
+    for door in doors:
+        for wall in walls:
+            if not wall.edge.carries(door.segment):
+                continue
+            (s0, _), (s1, _) = (wall.edge.coordinates(p) for p in door.segment)
+            hinge_first = (door.hinge == "start") == (s0 < s1)
+            a, b = min(s0, s1), max(s0, s1)
+            for distance in (0.16, 0.3, 0.5, 0.8, 1.2, 1.6):
+                reach = distance + asset.size[0] / 2
+                sides = (b + reach, a - reach) if hinge_first else (a - reach, b + reach)
+                for along in sides:
+                    yield wall, along, center
+
+
+def _free(
+    wish: HangWish,
+    walls: Sequence[_Wall],
+    doors: Sequence[Door],
+    center: float,
+    rng: np.random.Generator,
+) -> Iterator[Place]:
+    """The middles of free stretches, the wide ones and those without a like neighbour first."""
+    w, d, h = wish.asset.size
+    for _ in range(wish.count):
+        options: list[tuple[float, int, _Wall, float]] = []
+        for number, wall in enumerate(walls):
+            for a, b in wall.gaps(w, center - h / 2, center + h / 2, d):
+                stretch = min(b - a, 4.0)
+                near = sum(0.8 for s, kind in wall.hung if abs(s - (a + b) / 2) < 1.5 + w / 2)
+                score = stretch * 0.35 - near + float(rng.uniform(0.0, 1.2))
+                if wish.place == "facing_door":
+                    score += 2.0 * _faces_door(wall, doors)
+                along = (a + b) / 2
+                if b - a > 2.4 and wish.place == "free":
+                    along = float(rng.uniform(a + 0.6, b - 0.6))
+                options.append((score, -number, wall, along))
+        if not options:
+            return
+        best = max(options, key=lambda o: (o[0], o[1]))
+        yield best[2], best[3], center
+
+
+def _faces_door(wall: _Wall, doors: Sequence[Door]) -> float:
+    """Return 1 for a wall that the room's first door looks at, else 0."""
+    if not doors:
+        return 0.0
+    (x0, y0), (x1, y1) = doors[0].segment
+    along, away = wall.edge.coordinates(((x0 + x1) / 2, (y0 + y1) / 2))
+    parallel = abs(
+        wall.edge.coordinates(doors[0].segment[0])[1]
+        - wall.edge.coordinates(doors[0].segment[1])[1]
+    )
+    return float(away > 1.0 and parallel < 0.05 and -0.5 < along < wall.edge.length + 0.5)
