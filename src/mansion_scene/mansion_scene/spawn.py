@@ -43,7 +43,11 @@ def free_region(
     free = net.buffer(-radius, join_style="mitre")
     if boxes:
         free = free.difference(shapely.union_all(shapely.buffer(boxes, radius)))
-    parts = [part for part in shapely.get_parts(free) if part.geom_type == "Polygon"]
+    parts = [
+        part
+        for part in shapely.get_parts(free)
+        if part.geom_type == "Polygon" and not part.is_empty
+    ]
     return sorted(parts, key=lambda part: (-round(part.area, 6), part.bounds))
 
 

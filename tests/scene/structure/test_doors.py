@@ -7,10 +7,11 @@ import networkx as nx
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from shapely.geometry import LineString, Point, Polygon
+
 from mansion_msgs_py.errors import MansionError
 from mansion_scene.structure import FloorStructure, build_structure
 from mansion_scene.structure.dimensions import MIN_CLEAR_WIDTH
-from shapely.geometry import LineString, Point, Polygon
 
 
 def check_doors(structure: FloorStructure) -> None:

@@ -5,9 +5,10 @@ from types import ModuleType
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from shapely.geometry import LineString, Polygon
+
 from mansion_scene.structure import build_structure
 from mansion_scene.structure.dimensions import INTERIOR_THICKNESS
-from shapely.geometry import LineString, Polygon
 
 
 def net(room) -> Polygon:

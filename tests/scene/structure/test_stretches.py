@@ -5,6 +5,7 @@ from types import ModuleType
 
 import pytest
 import shapely
+
 from mansion_scene.structure.regions import floor_regions
 from mansion_scene.structure.stretches import boundary_stretches
 
@@ -49,7 +50,9 @@ def test_every_region_is_bounded_by_its_stretches(sample_floors: ModuleType) -> 
         assert length == pytest.approx(region.polygon.length, abs=0.01)
 
 
-def test_a_slanted_wall_is_shared_although_its_points_are_rounded(sample_floors: ModuleType) -> None:
+def test_a_slanted_wall_is_shared_although_its_points_are_rounded(
+    sample_floors: ModuleType,
+) -> None:
     third = round(10 / 3, 4)
     rooms = {
         "a": ("office", [(0, 0), (5, 0), (0, 10)]),
@@ -60,7 +63,9 @@ def test_a_slanted_wall_is_shared_although_its_points_are_rounded(sample_floors:
     shared = {
         frozenset((s.left, s.right)): s.length for s in stretches_of(request) if s.right is not None
     }
-    assert shared[frozenset(("F1/a", "F1/b"))] == pytest.approx(math.hypot(third / 2, third), abs=1e-3)
+    assert shared[frozenset(("F1/a", "F1/b"))] == pytest.approx(
+        math.hypot(third / 2, third), abs=1e-3
+    )
     assert set(shared) == {
         frozenset(("F1/a", "F1/b")),
         frozenset(("F1/a", "F1/c")),

@@ -7,6 +7,7 @@ from shapely.geometry import Polygon
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_scene.structure.dimensions import CLEAR_WIDTH, WALL_END
+from mansion_scene.structure.facades import reentrant_corners, usable_part
 from mansion_scene.structure.frontage import Frontage, approach_zone, choose_position
 from mansion_scene.structure.opening_kinds import OpeningKind, entrance_kind, is_circulation
 from mansion_scene.structure.openings import Opening
@@ -54,11 +55,13 @@ def is_residential(building_type: str) -> bool:
 def _facades(floor: FloorRegions, stretches: Sequence[Stretch], region: str) -> list[Stretch]:
     """Return the region's stretches on the outline itself, courtyards left out, longest first."""
     ring = floor.outline.exterior
+    corners = reentrant_corners(floor.outline)
     facades = [
         stretch
-        for stretch in stretches
-        if stretch.exterior
-        and stretch.left == region
+        for wall in stretches
+        if wall.exterior
+        and wall.left == region
+        and (stretch := usable_part(wall, corners)) is not None
         and stretch.length >= _ENTRANCE_WALL - 1e-6
         and shapely.distance(ring, shapely.Point(stretch.at(stretch.length / 2))) < 0.01
     ]

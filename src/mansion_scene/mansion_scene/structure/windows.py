@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mansion_msgs_py.shapes import Segment
+from mansion_scene.structure.facades import reentrant_corners, usable_part
 from mansion_scene.structure.openings import Opening
 from mansion_scene.structure.regions import FloorRegions, Region
 from mansion_scene.structure.room_classes import is_class
@@ -55,9 +56,7 @@ _NARROWEST = 0.6
 
 def window_kind(region: Region) -> WindowKind | None:
     """Return the windows of a region's type; ``None`` for stores, shafts and outdoor rooms."""
-    if region.kind == "elevator":
-        return None
-    if region.kind == "stair":
+    if not region.is_room:
         return None
     for name, kind in _KINDS:
         if is_class(region.room_type, name):
@@ -83,9 +82,11 @@ def place_windows(
     for opening in openings:
         doors.setdefault(opening.stretch, []).append(opening.segment)
     windows: list[WindowOpening] = []
-    for stretch in stretches:
-        kind = window_kind(floor.by_id[stretch.left]) if stretch.exterior else None
-        if kind is None:
+    corners = reentrant_corners(floor.outline)
+    for wall in stretches:
+        kind = window_kind(floor.by_id[wall.left]) if wall.exterior else None
+        stretch = usable_part(wall, corners)
+        if kind is None or stretch is None:
             continue
         kind = _below(kind, ceiling)
         for low, high in _free(stretch, doors.get(stretch, [])):
@@ -121,10 +122,10 @@ def _row(stretch: Stretch, kind: WindowKind, low: float, high: float) -> list[Wi
         # A high toilet window is for air: one is enough.
         count = 1
     width = min(kind.width, room)
-    gap = (room - count * width) / (count + 1)
+    spare = (room - count * width - (count - 1) * kind.gap) / (count + 1)
     row = []
     for index in range(count):
-        start = low + gap + index * (width + gap)
+        start = low + spare + index * (width + kind.gap + spare)
         segment = stretch.at(start), stretch.at(start + width)
         row.append(WindowOpening(stretch.left, kind, stretch, segment))
     return row

@@ -1,0 +1,48 @@
+"""Windows in outer walls."""
+
+import math
+from types import ModuleType
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from shapely.geometry import LineString
+
+from mansion_scene.structure import FloorStructure, build_structure
+
+
+def windows_of(structure: FloorStructure, room: str):
+    return [window for window in structure.windows if window.room == room]
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(0, 10_000))
+def test_windows_stand_in_outer_walls_of_their_room_clear_of_doors_and_junctions(
+    sample_floors: ModuleType, seed: int
+) -> None:
+    structure = build_structure(sample_floors.random_floor(seed))
+    walls = {wall.id: wall for wall in structure.walls}
+    openings = [LineString(door.segment) for door in structure.doors]
+    for window in structure.windows:
+        wall, line = walls[window.wall], LineString(window.segment)
+        assert wall.exterior and wall.left == window.room and wall.right is None
+        assert LineString(wall.segment).buffer(1e-3).covers(line)
+        assert window.sill + window.height < wall.height
+        assert all(line.distance(opening) > 0.25 for opening in openings)
+        assert all(math.dist(p, q) > 0.25 for p in window.segment for q in wall.segment)
+        openings.append(line)
+
+
+def test_stores_and_shafts_have_none_and_toilets_small_high_ones(sample_floors: ModuleType) -> None:
+    structure = build_structure(sample_floors.office())
+    assert windows_of(structure, "F1/storage") == []
+    assert windows_of(structure, "F1/server_room") == []
+    assert windows_of(structure, "elevator_1") == windows_of(structure, "stair_1") == []
+    (toilet,) = windows_of(structure, "F1/toilet_1")
+    assert toilet.sill >= 1.5 and toilet.height <= 0.6
+    (office, *_) = windows_of(structure, "F1/office_2")
+    assert 0.7 <= office.sill <= 1.0 and math.dist(*office.segment) > 1.2
+
+
+def test_basements_have_no_windows(sample_floors: ModuleType) -> None:
+    assert build_structure(sample_floors.office(0, floors=(0, 1))).windows == []
+    assert build_structure(sample_floors.office(1, floors=(0, 1))).windows != []
