@@ -10,7 +10,7 @@ from shapely.geometry import Polygon, box
 
 from mansion_scene.export.frames import thor_heading, thor_point, thor_ring
 from mansion_scene.export.thor.layers import COLOURS, four_colours, layer_name
-from mansion_scene.export.thor.materials import SKYBOXES, floor_material, room_type, wall_material
+from mansion_scene.export.thor.materials import SKYBOXES, ceiling_material, floor_material, room_type
 from mansion_scene.export.thor.objects import build_objects
 from mansion_scene.export.thor.reachability import GRID, reachable
 from mansion_scene.export.thor.walls import build_structure
@@ -86,7 +86,7 @@ def _room(room: SceneRoom, layer: int) -> Json:
         "name": room.name or room.room_type,
         "floorPolygon": thor_ring(ring),
         "floorMaterial": floor_material(room.floor_material),
-        "ceilings": [{"material": wall_material(room.ceiling_material or "white")}],
+        "ceilings": [{"material": ceiling_material(room.ceiling_material)}],
         "children": [],
         "layer": layer_name(layer),
     }
@@ -129,7 +129,7 @@ def _parameters(
     names = {room.id for room in rooms}
     lamps = [light for light in scene.lights if light.room in names and light.kind != "directional"]
     return {
-        "ceilingMaterial": {"name": "PureWhite", "color": {"r": 0.96, "g": 0.96, "b": 0.95}},
+        "ceilingMaterial": ceiling_material(""),
         "floorColliderThickness": 1.0,
         "receptacleHeight": 0.7,
         "lights": [sun, *(_lamp(lamp, layers, height) for lamp in lamps)],

@@ -170,7 +170,7 @@ def _add_piece(
             a,
             b,
             height,
-            other.wall_material if other else "concrete",
+            other.wall_material if other else "facade_render",
             gone,
         ),
     ]
