@@ -93,7 +93,7 @@ def _stops(
 def floor_poses(floor: Floor, rng: np.random.Generator, *, limit: int = 1200) -> Floats:
     """Return poses on a grid over the room in the direction of its walls, four rotations each, shape (n, 4)."""
     room = floor.room
-    angles = room.angles[:2] or [0.0]
+    angles = room.angles or [0.0]
     rows = []
     x0, y0, x1, y1 = room.bounds
     middle = np.array([(x0 + x1) / 2, (y0 + y1) / 2])

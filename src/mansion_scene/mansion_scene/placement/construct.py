@@ -10,9 +10,12 @@ from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Group, Spec
 from mansion_scene.placement.matrix import place_matrix
 from mansion_scene.placement.search import find_placement
-from mansion_scene.placement.units import Unit, UnitStyle, build_unit
+from mansion_scene.placement.units import Size3, Unit, UnitStyle, build_unit
 
 __all__ = ["Construction", "construct"]
+
+_LARGE = 0.6
+"""Unconstrained things of at least this footprint stand in line when there are several, square metres."""
 
 _TIGHT = frozenset({"paired", "around", "in_front_of", "side_of"})
 
@@ -59,23 +62,19 @@ class Construction:
                 return
 
     def _place_pattern(self, spec: Spec, count: int) -> bool:
-        if spec.role.symmetric or (spec.where == "unconstrained" and count < 4):
+        footprint = spec.size[0] * spec.size[1]
+        if spec.role.symmetric or (spec.where == "unconstrained" and footprint < _LARGE):
             return False
         place = place_rows if spec.where == "edge" else place_lattice
         shares = self._shares(spec, count, equal=True)
-        for style in self._styles(spec)[:3]:
-            unit = build_unit(spec, spec.size, shares, self.children, style)
+        for unit in self._units(spec, spec.size, shares)[:3]:
             if place(self.floor, spec, unit, count, self.rng, self.aisle):
                 return True
         return False
 
     def _place_matrix(self, spec: Spec) -> None:
         shares = self._shares(spec, spec.quantity, equal=True)
-        units: list[Unit] = []
-        for style in self._styles(spec):
-            unit = build_unit(spec, spec.size, shares, self.children, style)
-            if all(unit.parts != other.parts for other in units):
-                units.append(unit)
+        units = self._units(spec, spec.size, shares)
         for unit, whole in [(unit, True) for unit in units] + [(unit, False) for unit in units]:
             if place_matrix(self.floor, spec, unit, self.rng, self.aisle, whole=whole) is not None:
                 return
@@ -83,21 +82,27 @@ class Construction:
     def _place_one(self, spec: Spec, left: int, *, strict: bool) -> bool:
         shares = self._shares(spec, left)
         for size in (spec.size, *spec.smaller):
-            tried: list[Unit] = []
-            for style in self._styles(spec):
-                unit = build_unit(spec, size, shares, self.children, style)
-                if any(unit.parts == other.parts for other in tried):
-                    continue
-                tried.append(unit)
+            for unit in self._units(spec, size, shares):
                 if find_placement(self.floor, spec, unit, self.rng, strict=strict):
                     return True
         return False
+
+    def _units(self, spec: Spec, size: Size3, shares: dict[int, int]) -> list[Unit]:
+        """Return the distinct ways to compose a copy with its share of members, the most complete first."""
+        units: list[Unit] = []
+        styles = self._styles(spec) if any(shares.values()) else [UnitStyle(frozenset())]
+        for style in styles:
+            unit = build_unit(spec, size, shares, self.children, style)
+            if all(unit.parts != other.parts for other in units):
+                units.append(unit)
+        return units
 
     def _styles(self, spec: Spec) -> list[UnitStyle]:
         """Return ways to compose a unit, the most complete first."""
         mirrored = bool(self.rng.integers(2))
         every = _TIGHT | {"near"} if spec.quantity > 1 else _TIGHT
-        long_sides = bool(self.rng.integers(3) == 0)
+        width, depth = sorted(spec.size[:2], reverse=True)
+        long_sides = bool(self.rng.integers(2)) and width > 1.25 * depth
         return [
             UnitStyle(every, mirrored, long_sides),
             UnitStyle(every, not mirrored, not long_sides),
@@ -128,7 +133,7 @@ def construct(
     rng: np.random.Generator,
     *,
     aisle: float,
-) -> None:
+) -> Construction:
     """Fill `floor` group by group (Algorithm 4), then try what is left over wherever it fits.
 
     Parameters
@@ -137,6 +142,10 @@ def construct(
         In the order in which they are placed.
     aisle : float
         Widest aisle that patterns try, metres.
+
+    Returns
+    -------
+    The construction, to go on with.
     """
     children: dict[int, list[Spec]] = {}
     for group in groups:
@@ -149,3 +158,4 @@ def construct(
         for spec in sorted(specs, key=lambda s: (-s.size[0] * s.size[1], s.index)):
             if build.missing(spec) > 0 and not spec.rows:
                 build.place_copies(spec, strict=strict)
+    return build

@@ -29,6 +29,8 @@ class PlacementOptions:
         Space left between a back and its wall, and between neighbours, metres.
     attempts : int
         Most constructions of a room from scratch; the search ends at the first without a fault.
+    moves : int
+        Most moves of the improvement pass (twice as many again without margins, where something is missing).
     candidates : int
         Most poses of an object whose reachability is examined in one search.
     """
@@ -44,5 +46,6 @@ class PlacementOptions:
     public_aisle: float = 1.20
     wall_gap: float = 0.01
     gap: float = 0.02
-    attempts: int = 8
+    attempts: int = 3
+    moves: int = 24
     candidates: int = 16

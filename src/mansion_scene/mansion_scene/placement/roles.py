@@ -26,6 +26,9 @@ _SYMMETRIC = _set(
     "plant lamp bin basket vase can pot tree stand rack umbrella pouf ottoman pillar column"
 )
 _TABLES = _set("table desk island workbench counter")
+_ENTRANCE = _set(
+    "host hostess reception umbrella coat shoe doormat checkout cashier ticket turnstile"
+)
 _PRIVATE = _set(
     "bedroom bathroom living kitchen home apartment toilet closet pantry study nursery dressing"
     " laundry guest balcony attic garage lounge den dorm dormitory"
@@ -39,17 +42,19 @@ class Role:
     ----------
     seat : bool
         One person sits on it, facing what it belongs to.
-    sofa, bed, focal, centred, symmetric, table : bool
-        A wider seat; a bed (head at a wall); what a class looks at; stands amid a wall; has no front; one works at it.
+    sofa, bed, focal, centred, symmetric, table, entrance : bool
+        A wider seat; a bed (head at a wall); what a class looks at; stands amid a wall; has no front; one works at
+        it; one meets it when coming in.
     """
 
-    __slots__ = ("bed", "centred", "focal", "seat", "sofa", "symmetric", "table")
+    __slots__ = ("bed", "centred", "entrance", "focal", "seat", "sofa", "symmetric", "table")
 
     def __init__(self, words: frozenset[str]) -> None:
         self.seat = bool(words & _SEATS)
         self.sofa = bool(words & _SOFAS)
         self.bed = bool(words & _BEDS)
         self.table = bool(words & _TABLES) and not self.seat
+        self.entrance = bool(words & _ENTRANCE) and not self.seat
         self.focal = bool(words & _FOCAL) and not self.seat
         self.centred = bool(words & _CENTRED) and not self.seat
         self.symmetric = bool(words & _SYMMETRIC) and not self.table

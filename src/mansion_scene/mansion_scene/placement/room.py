@@ -57,7 +57,7 @@ class RoomModel:
     door_points : (d, 2) array
         Middle of each door.
     angles : list of float
-        Directions of the walls modulo 90 degrees, the longest in all first (at most three).
+        Directions of the walls modulo 90 degrees: the one most walls have, and a second if nearly as many have it.
     area : float
     bounds : (4,) array
     aisle : float
@@ -213,10 +213,10 @@ def _inside(point: Floats, edges: Floats) -> bool:
 
 
 def _angles(walls: list[Wall]) -> list[float]:
-    """Return wall directions modulo 90 degrees by total length, at most three."""
+    """Return wall directions modulo 90 degrees: the prevailing one, and another at least half as frequent."""
     lengths: dict[float, float] = {}
     for wall in walls:
         angle = round(float(np.degrees(np.arctan2(wall.along[1], wall.along[0]))) % 90.0, 3) % 90.0
         lengths[angle] = lengths.get(angle, 0.0) + wall.length
     ranked = sorted(lengths, key=lambda a: (-round(lengths[a], 6), a))
-    return ranked[:3]
+    return [a for a in ranked[:2] if lengths[a] >= 0.5 * lengths[ranked[0]]]

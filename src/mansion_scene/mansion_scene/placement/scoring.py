@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from mansion_geometry.boxes import compose, front_clearance, gap_matrix
+from mansion_geometry.boxes import front_clearance, gap_matrix
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.units import Unit
@@ -34,8 +34,10 @@ def pose_scores(
         Whether the anchor's back is at a wall at these poses.
     """
     x0, x1, y0, y1 = unit.extent()
-    middle = np.array([[(x0 + x1) / 2, (y0 + y1) / 2, 1.0, 0.0, 0.0, 0.0]])
-    centres = np.array([compose(pose, middle)[0, :4] for pose in poses]).reshape(-1, 4)
+    mx, my = (x0 + x1) / 2, (y0 + y1) / 2
+    centres = poses.copy()
+    centres[:, 0] += mx * poses[:, 2] - my * poses[:, 3]
+    centres[:, 1] += mx * poses[:, 3] + my * poses[:, 2]
     room = floor.room
     aisle = room.aisle
     clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, room.edges, floor.boxes, _FAR)
@@ -49,6 +51,7 @@ def pose_scores(
             score -= 0.15 * np.abs(clear[:, 2] - clear[:, 3])
             if spec.role.focal:
                 score -= _window_behind(floor, poses)
+                score += _same_wall(floor, spec, poses)
         else:
             score += 0.5 * (1.0 - beside / _FAR)
             # Either touching its neighbour or leaving room to pass: no gap that collects dust.
@@ -58,7 +61,7 @@ def pose_scores(
         uneven = np.abs(clear[:, 0] - clear[:, 1]) + np.abs(clear[:, 2] - clear[:, 3])
         narrow = ((clear > 0.12) & (clear < 0.5)).sum(axis=1)
         if spec.where == "middle" or len(unit.parts) > 1:
-            score += 1.5 * around - 0.15 * narrow - 0.1 * uneven
+            score += 2.0 * around - 0.25 * narrow - 0.1 * uneven
         else:
             score += 0.5 * front + 0.5 * (1.0 - clear.min(axis=1) / _FAR) - 0.1 * narrow
     score += _away_from_doors(floor, poses, spec)
@@ -78,12 +81,24 @@ def _window_behind(floor: Floor, poses: Floats) -> Floats:
     return penalty
 
 
+def _same_wall(floor: Floor, spec: Spec, poses: Floats) -> Floats:
+    """What a class looks at belongs at one wall."""
+    score = np.zeros(len(poses))
+    for copy in floor.placed:
+        if floor.specs[copy.spec].role.focal and copy.spec != spec.index:
+            score += 2.0 * (poses[:, 2:] @ np.array(copy.box[2:4]) > 0.99)
+            score -= 0.1 * np.abs((poses[:, :2] - np.array(copy.box[:2])) @ np.array(copy.box[2:4]))
+    return score
+
+
 def _away_from_doors(floor: Floor, poses: Floats, spec: Spec) -> Floats:
     """Large things keep away from doors more than small ones."""
     doors = floor.room.door_points
     if not len(doors):
         return np.zeros(len(poses))
     distance = np.hypot(*(poses[:, None, :2] - doors[None]).transpose(2, 0, 1)).min(axis=1)
+    if spec.role.entrance:
+        return np.asarray(-0.8 * np.abs(np.minimum(distance, 6.0) - 1.6) / 4.4)
     weight = 0.6 if spec.size[0] * spec.size[1] > 0.5 else 0.2
     return np.asarray(weight * np.minimum(distance, 3.0) / 3.0)
 

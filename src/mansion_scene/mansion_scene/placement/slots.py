@@ -64,6 +64,8 @@ def around_slots(
         Use only the two sides along the width (or, where backed, the front).
     """
     pitch = member[0] + 0.04
+    if long_sides and count > int((anchor[0] + 0.06) / pitch) * (1 if backed else 2):
+        long_sides = False
     along, across = (max(1, int((length + 0.06) / pitch)) for length in anchor)
     if long_sides:
         caps = (along, 0 if backed else along, 0, 0)
@@ -80,9 +82,19 @@ def around_slots(
     return slots
 
 
-def front_slots(anchor: Size, member: Size, count: int, *, seat: bool) -> list[Slot]:
-    """Return places before the anchor's front, in rows no wider than the anchor; seats face it."""
-    gap = SEAT_GAP if seat else 0.30
+def front_slots(
+    anchor: Size, member: Size, count: int, *, seat: bool, touching: bool
+) -> list[Slot]:
+    """Return places before the anchor's front, in rows no wider than the anchor; seats face it.
+
+    Parameters
+    ----------
+    seat : bool
+        People sit there, facing the anchor.
+    touching : bool
+        It belongs right at the anchor (a bench at the foot of a bed); else legs fit between.
+    """
+    gap = SEAT_GAP if seat or touching else 0.35
     row = max(1, int((anchor[0] + 0.06) / (member[0] + 0.04)))
     slots: list[Slot] = []
     y = anchor[1] / 2

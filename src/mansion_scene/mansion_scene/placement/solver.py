@@ -1,32 +1,19 @@
 """Place the objects of one room: constructions under changing priorities, the best of them, improved."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from mansion_geometry.boxes import rotation_of
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.placement import Discarded, PlacedObject, PlacementResult, PlacementRoom
-from mansion_scene.placement.construct import construct
+from mansion_scene.placement.construct import Construction, construct
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Group, Spec, make_groups
+from mansion_scene.placement.improve import improve
 from mansion_scene.placement.options import PlacementOptions
-from mansion_scene.placement.relations import relation_holds
+from mansion_scene.placement.rating import rate, relation_count
 from mansion_scene.placement.room import RoomModel, build_room
 
 __all__ = ["solve_room"]
-
-
-@dataclass(frozen=True)
-class _Rating:
-    """How complete a floor is; compared in this order."""
-
-    placed: int
-    relations: int
-
-    @property
-    def value(self) -> float:
-        return 3.0 * self.placed + self.relations
 
 
 def solve_room(room: PlacementRoom, seed: int, options: PlacementOptions) -> PlacementResult:
@@ -45,50 +32,35 @@ def _search(
     rng: np.random.Generator,
     options: PlacementOptions,
 ) -> Floor:
-    """Construct repeatedly: what failed comes earlier the next time (squeaky wheel), clearances shrink."""
+    """Construct a few times, what failed earlier each time (squeaky wheel); then improve the best.
+
+    The margins of comfort are given up only where something is missing with them.
+    """
     asked = sum(spec.quantity for spec in specs)
-    wanted = asked + sum(spec.quantity * _relation_count(spec) for spec in specs)
-    boost = dict.fromkeys((g.anchor.index for g in groups), 0.0)
-    best: tuple[float, Floor] | None = None
+    goal = 3.0 * asked + sum(spec.quantity * relation_count(spec) for spec in specs)
+    boost = dict.fromkeys((g.anchor.index for g in groups), 0)
+    best: tuple[float, Construction] | None = None
     for attempt in range(max(1, options.attempts)):
-        roomy = attempt < 3 or not options.tight
-        floor = Floor(model, specs, options, roomy=roomy)
-        aisle = model.aisle * (1.0, 0.75, 0.6, 0.5)[min(attempt, 3)]
+        floor = Floor(model, specs, options)
         order = sorted(groups, key=lambda g: g.priority - boost[g.anchor.index])
-        construct(floor, specs, order, rng, aisle=aisle)
-        rating = _rate(floor)
-        value = rating.value + (0.5 if roomy else 0.0)
+        aisle = model.aisle * (1.0, 0.75, 0.6)[min(attempt, 2)]
+        build = construct(floor, specs, order, rng, aisle=aisle)
+        value = rate(floor).value
         if best is None or value > best[0]:
-            best = value, floor
-        if rating.placed == asked and rating.placed + rating.relations >= wanted:
-            break
+            best = value, build
+        if value >= goal:
+            return floor
         for group in groups:
             if any(floor.count(s.index) < s.quantity for s in (group.anchor, *group.members)):
-                boost[group.anchor.index] += 1.0
+                boost[group.anchor.index] += 1
     assert best is not None
-    return best[1]
-
-
-def _relation_count(spec: Spec) -> int:
-    return len(spec.relations) + (spec.link == "paired")
-
-
-def _rate(floor: Floor) -> _Rating:
-    """Count the placed copies and the relations that they hold."""
-    held = 0
-    for spec in floor.specs:
-        boxes = floor.boxes_of(spec.index)
-        for box in boxes:
-            pose = box[None, :4].copy()
-            for kind, target in spec.relations:
-                held += int(relation_holds(kind, pose, box[4], box[5], floor.boxes_of(target))[0])
-        if spec.link == "paired":
-            hosts = floor.boxes_of(spec.host)
-            near = relation_holds(
-                "around", boxes[:, :4].copy(), spec.size[0] / 2, spec.size[1] / 2, hosts
-            )
-            held += min(int(near.sum()), len(hosts))
-    return _Rating(len(floor.placed), held)
+    build = best[1]
+    floor, rating = improve(build, specs, moves=options.moves, goal=goal)
+    if options.tight and rating.placed < asked:
+        build.floor = floor.copy()
+        build.floor.relax()
+        floor, _ = improve(build, specs, moves=2 * options.moves, goal=goal)
+    return floor
 
 
 def _result(room: PlacementRoom, specs: list[Spec], floor: Floor) -> PlacementResult:

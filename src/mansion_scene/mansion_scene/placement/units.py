@@ -164,5 +164,6 @@ def _slots(
     if child.link == "around":
         return around_slots(anchor, member, count, backed=backed, long_sides=style.long_sides)
     if child.link == "in_front_of":
-        return front_slots(anchor, member, count, seat=seat)
+        touching = child.role.sofa or child.role.symmetric
+        return front_slots(anchor, member, count, seat=seat, touching=touching)
     return list(near_slots(anchor, member, seat=seat, backed=backed, mirrored=style.mirrored))
