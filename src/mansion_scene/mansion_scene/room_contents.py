@@ -1,23 +1,25 @@
 """Objects of a room: what the catalogue asks for, the placer places and the decorator adds (lines 12 and 13)."""
 
+import msgspec
 from shapely.geometry import LineString, Polygon
 
 from mansion_geometry.randomness import item_seed
 from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementRoom
-from mansion_msgs_py.scene import Discard, SceneObject, SceneRoom
+from mansion_msgs_py.scene import Discard, Door, SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.catalogue import (
-    Asset,
     Catalogue,
     RoomFurnishing,
     furnish_request,
     load_catalogue,
 )
-from mansion_scene.decor import decorate_room
+from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.placement import place_room
 from mansion_scene.structure import FloorStructure
 
 __all__ = ["RoomFurnisher", "room_openings"]
+
+_PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
 
 def room_openings(
@@ -90,7 +92,6 @@ class RoomFurnisher:
             extent=(x1 - x0, y1 - y0),
         )
         doors, windows = room_openings(self._structure, room)
-        seed = item_seed(self._seed, room.id)
         result = place_room(
             PlacementRoom(
                 room_id=room.id,
@@ -101,7 +102,7 @@ class RoomFurnisher:
                 doors=doors,
                 windows=windows,
             ),
-            seed=seed,
+            seed=item_seed(self._seed, room.id),
         )
         placed = _scene_objects(room, wishes, result.placements)
         small = decorate_room(
@@ -111,8 +112,8 @@ class RoomFurnisher:
             net_polygon=room.net_polygon,
             net_holes=room.net_holes,
             ceiling_height=room.ceiling_height,
-            doors=doors,
-            windows=windows,
+            doors=[door for door in self._structure.doors if room.id in door.rooms],
+            windows=[window for window in self._structure.windows if window.room == room.id],
             placed=placed,
             seed=seed,
         )
@@ -123,6 +124,17 @@ class RoomFurnisher:
         return [*placed, *small], left
 
 
+def _with_panels(door: Door) -> Door:
+    """Widen a lift's landing door by the wall that its call panel takes, so that nothing is hung there."""
+    if door.kind != "sliding":
+        return door
+    (ax, ay), (bx, by) = door.segment
+    dx, dy = (bx - ax) / door.width * _PANEL_WALL, (by - ay) / door.width * _PANEL_WALL
+    return msgspec.structs.replace(
+        door, segment=((ax - dx, ay - dy), (bx + dx, by + dy)), width=door.width + 2 * _PANEL_WALL
+    )
+
+
 def _scene_objects(
     room: SceneRoom, wishes: RoomFurnishing, placements: list[PlacedObject]
 ) -> list[SceneObject]:
@@ -131,33 +143,16 @@ def _scene_objects(
     for placement in placements:
         asset = wishes.asset_for(placement.name, placement.size)
         counts[asset.category] = counts.get(asset.category, 0) + 1
+        x, y = placement.center
         objects.append(
-            SceneObject(
-                id=f"{room.id}/{asset.category}_{counts[asset.category]}",
-                room=room.id,
-                category=asset.category,
-                name=asset.name,
-                asset=asset.key,
-                asset_id=asset.asset_id,
-                position=(*placement.center, round(placement.size[2] / 2, 4)),
-                rotation=placement.rotation,
-                size=placement.size,
+            scene_object(
+                asset,
+                f"{room.id}/{asset.category}_{counts[asset.category]}",
+                room.id,
+                (x, y, round(placement.size[2] / 2, 4)),
+                placement.rotation,
                 mount="floor",
-                pickupable=asset.pickupable,
-                receptacle=asset.receptacle,
-                openable=asset.openable,
-                toggleable=asset.toggleable,
-                material=asset.material,
-                states=_states(asset),
+                size=placement.size,
             )
         )
     return objects
-
-
-def _states(asset: Asset) -> dict[str, bool | float | str]:
-    states: dict[str, bool | float | str] = {}
-    if asset.openable:
-        states["open"] = False
-    if asset.toggleable:
-        states["on"] = False
-    return states

@@ -24,7 +24,10 @@ def read_building(reading: Reading, places: list[Place]) -> None:
             best = (score, order)
     if best is not None:
         mention = reading.mentions[best[1]]
-        reading.facts.building.append((mention.building, reading.span(mention.first, mention.last)))
+        name = mention.building
+        if name == "flat" and mention.plural:
+            name = "apartment_building"
+        reading.facts.building.append((name, reading.span(mention.first, mention.last)))
         reading.take(mention.first, mention.last)
 
 
@@ -35,6 +38,8 @@ def _headness(reading: Reading, places: list[Place], first: int, last: int, is_r
         begin -= 1
     opened = any(reading.word(i) in _OPENERS for i in range(first))
     score = 6 if not opened else 3
+    if _in_section(reading, places, first):
+        return 0
     lead = first - 1
     while lead >= 0 and reading.kind(lead) in ("word", "number", "unit") and first - lead < 8:
         if reading.word(lead) in {"a", "an", "the", "our", "my", "this"} | _INNER:
@@ -57,3 +62,15 @@ def _headness(reading: Reading, places: list[Place], first: int, last: int, is_r
     if not is_room:
         score += 1
     return max(score, 0)
+
+
+def _in_section(reading: Reading, places: list[Place], first: int) -> bool:
+    """Whether the mention stands in a list that a storey opens ("ground floor: lobby, cafe")."""
+    earlier = [place for place in places if place.last <= first]
+    if not earlier:
+        return False
+    place = earlier[-1]
+    between = [reading.word(i) for i in range(place.last, first)]
+    if any(word in (".", ";", "\n") for word in between):
+        return False
+    return bool(between) and between[0] in (":", "has", "have", "contain", "hold", "house", "include", ",", "host", "–", "with")

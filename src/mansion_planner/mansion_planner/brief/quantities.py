@@ -1,6 +1,6 @@
 """Read the numbers of a brief: storeys, basements, areas and occupants."""
 
-from mansion_planner.brief.facts import OccupantFact, Quantity, Span
+from mansion_planner.brief.facts import FloorRef, OccupantFact, Quantity, Span, UseFact
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
 __all__ = ["AREA_UNITS", "area_at", "read_areas", "read_floor_counts", "read_occupants"]
@@ -34,7 +34,8 @@ def read_floor_counts(reading: Reading) -> None:
         _named_count_at(reading, index)
     facts = reading.facts
     basement = [i for i in range(len(reading.tokens)) if reading.word(i) in ("basement", "cellar")]
-    if not facts.basements and basement and not any(_negated(reading, i) for i in basement):
+    basement = [i for i in basement if i not in reading.taken and not _negated(reading, i)]
+    if not facts.basements and basement:
         facts.basements.append(Quantity(1.0, reading.span(basement[0], basement[0] + 1)))
 
 
@@ -70,7 +71,7 @@ def _floor_count_at(reading: Reading, index: int) -> None:
     span = reading.span(index, last)
     if below:
         reading.facts.basements.append(Quantity(value, span))
-    elif reading.word(last) == "of" and _building_follows(reading, last + 1):
+    elif reading.word(last) == "of" and _use_of_storeys(reading, index, last, int(value)):
         return
     elif "upper" in adjectives or "additional" in adjectives or "more" in adjectives:
         reading.facts.floors.append(Quantity(value + 1, span))
@@ -83,9 +84,18 @@ def _range(low: float, high: float) -> float:
     return float(int((low + high) / 2)) if low < high else high
 
 
-def _building_follows(reading: Reading, index: int) -> bool:
-    mention = reading.mention_at.get(index) or reading.mention_at.get(index + 1)
-    return mention is not None and bool(mention.building or mention.room)
+def _use_of_storeys(reading: Reading, index: int, last: int, count: int) -> bool:
+    """Read "three floors of apartments" as a use of storeys, whatever the building's total is."""
+    mention = next((reading.mention_at[i] for i in (last + 1, last + 2) if i in reading.mention_at), None)
+    if mention is None or not mention.building:
+        return mention is not None
+    name = "apartment_building" if mention.building == "flat" else mention.building
+    floors = ()
+    if any(reading.word(i) in ("above", "over", "on", "atop") for i in range(mention.last, mention.last + 2)):
+        floors = (FloorRef("range", 2, count + 1, reading.span(index, mention.last)),)
+    reading.facts.uses.append(UseFact(name, floors, reading.span(index, mention.last), count))
+    reading.take(index, mention.last)
+    return True
 
 
 def _named_count_at(reading: Reading, index: int) -> None:

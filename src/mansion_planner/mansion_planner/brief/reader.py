@@ -6,6 +6,17 @@ from mansion_planner.brief.places import find_places
 from mansion_planner.brief.quantities import read_areas, read_floor_counts, read_occupants
 from mansion_planner.brief.reading import start_reading
 from mansion_planner.brief.rooms import read_rooms
+from mansion_planner.brief.wishes import (
+    read_adjacency,
+    read_copies,
+    read_exclusions,
+    read_massing,
+    read_materials,
+    read_shape,
+    read_style,
+    read_vertical,
+    repeated_mentions,
+)
 from mansion_planner.knowledge import KnowledgeBase
 
 __all__ = ["read_brief"]
@@ -31,10 +42,18 @@ def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
     [('bedroom', 3)]
     """
     reading = start_reading(text, knowledge)
+    read_materials(reading)
+    read_shape(reading)
+    read_vertical(reading)
+    read_massing(reading)
+    read_exclusions(reading)
     read_floor_counts(reading)
     places = find_places(reading)
+    read_copies(reading, places)
     read_building(reading, places)
+    read_style(reading)
     read_areas(reading)
     read_occupants(reading)
-    read_rooms(reading, places)
+    read_adjacency(reading)
+    read_rooms(reading, places, repeated_mentions(reading))
     return reading.facts

@@ -2,6 +2,7 @@
 
 import difflib
 import re
+from dataclasses import replace
 from functools import cache
 
 from mansion_planner.brief.facts import FloorRef, RoomFact, UseFact
@@ -62,19 +63,41 @@ _STOP = frozenset(
 _SOFT_PLURAL = frozenset({"several", "multiple", "various", "many", "few", "some", "numerous", "more"})
 
 
-def read_rooms(reading: Reading, places: list[Place]) -> None:
-    """Read every room mention that is not part of another fact."""
+def read_rooms(reading: Reading, places: list[Place], repeated: set[int]) -> None:
+    """Read every room mention that is not part of another fact.
+
+    Parameters
+    ----------
+    repeated : set of int
+        First tokens of mentions that speak of a room again; their area goes to the room.
+    """
     found: list[tuple[int, int, RoomFact]] = []
+    again: list[RoomFact] = []
     for mention in reading.mentions:
         if set(range(mention.first, mention.last)) & reading.taken:
             continue
         name = mention.room or AS_ROOM.get(mention.building, "")
         if name:
             reading.take(mention.first, mention.last)
-            found.append(_fact(reading, mention.first, mention.last, name, name))
+            entry = _fact(reading, mention.first, mention.last, name, name)
+            if mention.first in repeated:
+                again.append(entry[2])
+            else:
+                found.append(entry)
+    found += _plain_rooms(reading)
     found += _unknown_rooms(reading)
     found.sort(key=lambda entry: entry[0])
+    for fact in again:
+        _restate(found, fact)
     _attach_places(reading, places, found)
+
+
+def _restate(found: list[tuple[int, int, RoomFact]], fact: RoomFact) -> None:
+    """Give the area of a repeated mention to the room that it repeats."""
+    for number, (first, last, earlier) in enumerate(found):
+        if earlier.room_type == fact.room_type and earlier.area is None and fact.area is not None:
+            found[number] = (first, last, replace(earlier, area=fact.area))
+            return
 
 
 def _fact(
@@ -148,6 +171,26 @@ def _area_after(reading: Reading, index: int) -> tuple[float, int] | None:
         return None
     value, end = found
     return value, end + (reading.word(end) == ")")
+
+
+_PLAIN = {"hotel": "hotel_room", "hospital": "patient_room", "hostel": "hostel_dorm",
+          "student_dormitory": "dorm_room", "nursing_home": "resident_room"}  # fmt: skip
+
+
+def _plain_rooms(reading: Reading) -> list[tuple[int, int, RoomFact]]:
+    """Read "40 rooms" in a hotel, hospital or dormitory as the rooms that it is for."""
+    name = _PLAIN.get(reading.facts.building[0][0]) if reading.facts.building else None
+    if name is None or any(occupant.noun == "bed" for occupant in reading.facts.occupants):
+        return []
+    found = []
+    for index, token in enumerate(reading.tokens):
+        first = index - 1
+        while reading.word(first) in ("guest", "patient", "comfortable", "private", "single", "double", "standard"):
+            first -= 1
+        if token.text == "room" and token.plural and index not in reading.taken and reading.kind(first) == "number":
+            reading.take(first + 1, index + 1)
+            found.append(_fact(reading, first + 1, index + 1, name, name))
+    return found
 
 
 def _unknown_rooms(reading: Reading) -> list[tuple[int, int, RoomFact]]:

@@ -16,6 +16,7 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief.facts import BriefFacts
 from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.allocation import Allocation, allocate, make_storeys
+from mansion_planner.program.bearing import bearing_walls
 from mansion_planner.program.decisions import Decisions, decide, note
 from mansion_planner.program.envelope import Envelope, envelope_of
 from mansion_planner.program.filling import fill_storey, fit_areas, name_rooms
@@ -23,7 +24,7 @@ from mansion_planner.program.frame import Frame
 from mansion_planner.program.massing import MassingWish, choose_massing
 from mansion_planner.program.materials import materials_of
 from mansion_planner.program.model import Massing, Storey
-from mansion_planner.program.sizes import storey_area
+from mansion_planner.program.sizes import storey_area, typical_room
 from mansion_planner.program.sketch import Sketch, capacity, sketch_storey
 from mansion_planner.program.vertical import vertical_method
 
@@ -67,7 +68,10 @@ def plan_program(
     allocation = allocate(decisions, knowledge, storeys)
     method, stairs, lifts, why = vertical_method(decisions, storeys, allocation, knowledge)
     area = storey_area(decisions, storeys, allocation, knowledge, stairs, lifts)
-    wish = MassingWish(area, decisions.building, stairs, lifts, exact=decisions.area_stated)
+    wish = MassingWish(
+        area, decisions.building, stairs, lifts, exact=decisions.area_stated,
+        room=typical_room(storeys, allocation, knowledge),
+    )  # fmt: skip
     massing = choose_massing(wish, generator)
     frame_choice = generator.random(3) < 0.5
     frame = Frame(
@@ -80,6 +84,7 @@ def plan_program(
         _furnish(storey, massing, allocation, knowledge)
         sketches[storey.index] = sketch_storey(massing, storey, hub_name(storey))
         envelopes[storey.index] = envelope_of(massing, storey, frame)
+    walls = bearing_walls([sketches[storey.index] for storey in storeys], frame)
     program = BuildingProgram(
         building_id=building_id,
         reasoning=_reasoning(decisions, area),
@@ -97,6 +102,8 @@ def plan_program(
         trace=decisions.trace,
         downgrades=decisions.downgrades,
     )
+    for floor in program.floors:
+        floor.structural_walls = list(walls)
     _set_elevations(program)
     note(decisions.trace, None, f"{why}")
     return PlannedBuilding(program, decisions, massing, frame, storeys, sketches, envelopes)

@@ -26,6 +26,8 @@ class MassingWish:
     stairs, lifts : int
     shape : str
         ``rectangle``, ``square``, ``L``, ``U``, ``T``, ``H`` or ``courtyard``.
+    room : float
+        Area of a typical room, which sets the depth of the band opposite the stair.
     exact : bool
         The area is asked for, so it is met as closely as whole metres allow.
     """
@@ -36,6 +38,7 @@ class MassingWish:
     lifts: int
     shape: str = "rectangle"
     exact: bool = False
+    room: float = 40.0
 
 
 def _corridor_width(use: BuildingType, area: float) -> float:
@@ -46,14 +49,15 @@ def _corridor_width(use: BuildingType, area: float) -> float:
     return 1.8 if area < 300 else 2.0
 
 
-def _bands(use: BuildingType, area: float, stairs: int) -> list[tuple[float, float, float]]:
+def _bands(use: BuildingType, area: float, stairs: int, room: float) -> list[tuple[float, float, float]]:
     """List candidate (north, corridor, south) depths with a whole-metre sum, the most fitting first."""
     corridor = _corridor_width(use, area)
     if use.parti == "hall":
         side = math.sqrt(area / 1.35)
         return [(0.0, float(d), 0.0) for d in _around(side, 4 if not stairs else 6)]
     if stairs and area >= 150:
-        wish = 12.0 + min(max((area - 150) / 82.0, 0.0), 4.0)
+        south = min(max(math.sqrt(1.35 * room), 4.0), 8.0)
+        wish = min(max(STAIR_DEPTH + corridor + south, math.sqrt(area / 2.6)), math.sqrt(area / 1.2))
         return [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in _around(wish, 11, 17)]
     if stairs:
         wish = min(max(math.sqrt(area / 1.25), 8.0), 10.5)
@@ -80,7 +84,7 @@ def choose_massing(wish: MassingWish, generator: np.random.Generator) -> Massing
     generator : numpy.random.Generator
         Varies proportions within what suits the building.
     """
-    candidates = _bands(wish.use, wish.area, wish.stairs)
+    candidates = _bands(wish.use, wish.area, wish.stairs, wish.room)
     jitter = generator.random(len(candidates))
     best: tuple[float, Massing] | None = None
     for number, (north, corridor, south) in enumerate(candidates):

@@ -91,62 +91,141 @@ def front_order(rooms: list[PlannedRoom]) -> list[PlannedRoom]:
     return sorted(rooms, key=rank)
 
 
-def fill_segments(segments: list[Segment], blocks: list[Block]) -> None:
-    """Put each block into a segment, so that the segments are filled in equal measure."""
+def fill_segments(
+    segments: list[Segment], blocks: list[Block], pairs: list[tuple[str, str]] | None = None
+) -> None:
+    """Put each block into a segment, so that the segments are filled in equal measure and rooms are well shaped.
+
+    Parameters
+    ----------
+    segments : list of Segment
+    blocks : list of Block
+        In the order from the cores outwards, which each segment keeps.
+    pairs : list of (str, str), optional
+        Room types that are to be side by side, the most wanted first.
+    """
     total = sum(block.gross for block in blocks)
     room = sum(segment.length * segment.depth for segment in segments)
     scale = room / total if total > 0 else 1.0
-    for block in blocks:
-        segment = min(
-            segments,
+    share = [_Share(segment, scale) for segment in segments]
+    for number, block in enumerate(blocks):
+        best = min(
+            share,
             key=lambda s: (
-                (s.used * scale + block.gross * scale / s.depth) > s.length * 1.06,
-                s.bar != "main",
-                s.used / s.length if s.bar == "main" else s.used / s.length,
+                s.overflow(block) > 0.06 * s.segment.length,
+                s.filling + 1.5 * shape_cost(block.gross * scale, s.segment.depth),
             ),
         )
-        segment.blocks.append(block)
-    _balance(segments, scale)
+        best.add(number, block)
+    _balance(share, blocks)
+    for entry in share:
+        entry.segment.blocks = [blocks[number] for number in sorted(entry.members)]
+    for first, second in pairs or []:
+        _bring_together(segments, first, second)
 
 
-def _imbalance(segments: list[Segment], scale: float) -> float:
-    """Sum of squared misfit of the segments, with a heavy price for an empty one."""
-    total = 0.0
-    for segment in segments:
-        ratio = segment.used * scale / segment.length
-        total += (ratio - 1.0) ** 2 * segment.length + (50.0 if not segment.blocks else 0.0)
-    return total
+def shape_cost(area: float, depth: float) -> float:
+    """Price of a room of `area` in a band of `depth`: 0 for well-proportioned ones, more for slivers and galleries."""
+    width = area / depth
+    slender = max(0.0, 0.55 - width / depth)
+    stretched = max(0.0, width / depth - 3.0)
+    return 2.0 * slender + 0.3 * min(stretched, 2.0)
 
 
-def _balance(segments: list[Segment], scale: float) -> None:
-    """Move or swap blocks between segments while that evens them out."""
-    best = _imbalance(segments, scale)
-    for _ in range(24):
-        improved = False
-        for a in segments:
-            for b in segments:
-                if a is not b:
-                    best, moved = _improve_pair(segments, a, b, scale, best)
-                    improved = improved or moved
-        if not improved:
+class _Share:
+    """A segment while it is filled: member blocks by number, and the metres that they take."""
+
+    def __init__(self, segment: Segment, scale: float) -> None:
+        self.segment = segment
+        self.scale = scale
+        self.members: list[int] = []
+        self.used = 0.0
+        self.shape = 0.0
+
+    @property
+    def filling(self) -> float:
+        return self.used / self.segment.length
+
+    def overflow(self, block: Block) -> float:
+        return self.used + block.gross * self.scale / self.segment.depth - self.segment.length
+
+    def parts(self, block: Block) -> tuple[float, float]:
+        """Return metres and shape price of a block here."""
+        area = block.gross * self.scale
+        return area / self.segment.depth, shape_cost(area, self.segment.depth)
+
+    def add(self, number: int, block: Block) -> None:
+        metres, shape = self.parts(block)
+        self.members.append(number)
+        self.used += metres
+        self.shape += shape
+
+    def cost(self, metres: float = 0.0, shape: float = 0.0, members: int = 0) -> float:
+        """Return the segment's price after a change."""
+        length = self.segment.length
+        misfit = ((self.used + metres) / length - 1.0) ** 2 * length
+        empty = 50.0 if len(self.members) + members <= 0 else 0.0
+        return 3.0 * misfit + self.shape + shape + empty
+
+
+def _balance(share: list[_Share], blocks: list[Block]) -> None:
+    """Move or swap blocks between segments while that lowers the price."""
+    for _ in range(40):
+        if not any(_improve(a, b, blocks) for a in share for b in share if a is not b):
             return
 
 
-def _improve_pair(
-    segments: list[Segment], a: Segment, b: Segment, scale: float, best: float
-) -> tuple[float, bool]:
-    for i, block in enumerate(a.blocks):
-        a.blocks.pop(i)
-        b.blocks.append(block)
-        cost = _imbalance(segments, scale)
-        if cost < best - 1e-6:
-            return cost, True
-        b.blocks.pop()
-        a.blocks.insert(i, block)
-        for j in range(len(b.blocks)):
-            a.blocks[i], b.blocks[j] = b.blocks[j], a.blocks[i]
-            cost = _imbalance(segments, scale)
-            if cost < best - 1e-6:
-                return cost, True
-            a.blocks[i], b.blocks[j] = b.blocks[j], a.blocks[i]
-    return best, False
+def _improve(a: _Share, b: _Share, blocks: list[Block]) -> bool:
+    base = a.cost() + b.cost() - 1e-6
+    in_a = [(number, a.parts(blocks[number]), b.parts(blocks[number])) for number in a.members]
+    in_b = [(number, b.parts(blocks[number]), a.parts(blocks[number])) for number in b.members]
+    for i, (number, here, there) in enumerate(in_a):
+        if a.cost(-here[0], -here[1], -1) + b.cost(*there, 1) < base:
+            _transfer(a, b, number, here, there)
+            return True
+        for j, (other, other_here, other_there) in enumerate(in_b):
+            cost_a = a.cost(other_there[0] - here[0], other_there[1] - here[1])
+            if cost_a + b.cost(there[0] - other_here[0], there[1] - other_here[1]) < base:
+                _transfer(a, b, number, here, there)
+                _transfer(b, a, other, other_here, other_there)
+                return True
+            del j
+        del i
+    return False
+
+
+def _transfer(
+    a: _Share, b: _Share, number: int, here: tuple[float, float], there: tuple[float, float]
+) -> None:
+    a.members.remove(number)
+    a.used -= here[0]
+    a.shape -= here[1]
+    b.members.append(number)
+    b.used += there[0]
+    b.shape += there[1]
+
+
+def _holds(block: Block, name: str) -> bool:
+    return block.host.kind.name == name
+
+
+def _bring_together(segments: list[Segment], first: str, second: str) -> None:
+    """Put a block of one type beside one of the other: within its segment, else by a swap with a like block."""
+    places = [(s, i) for s in segments for i, block in enumerate(s.blocks) if _holds(block, first)]
+    goals = [(s, i) for s in segments for i, block in enumerate(s.blocks) if _holds(block, second)]
+    if not places or not goals:
+        return
+    if any(s is t and abs(i - j) == 1 for s, i in places for t, j in goals):
+        return
+    for s, i in places:
+        for t, j in goals:
+            if s is t:
+                s.blocks.insert(j if i > j else j, s.blocks.pop(i))
+                return
+    (s, i), (t, j) = places[0], goals[0]
+    moving = s.blocks[i]
+    options = [k for k in range(len(t.blocks)) if k != j]
+    if options:
+        k = min(options, key=lambda n: (abs(t.blocks[n].gross - moving.gross), n))
+        s.blocks[i], t.blocks[k] = t.blocks[k], moving
+        t.blocks.insert(j, t.blocks.pop(k))

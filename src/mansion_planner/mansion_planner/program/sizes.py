@@ -9,7 +9,7 @@ from mansion_planner.program.decisions import AREA_CAP, Decisions, note
 from mansion_planner.program.filling import base_rooms
 from mansion_planner.program.model import Storey
 
-__all__ = ["storey_area"]
+__all__ = ["storey_area", "typical_room"]
 
 
 def _circulation(decisions: Decisions, stairs: int, lifts: int) -> tuple[float, float]:
@@ -61,7 +61,9 @@ def storey_area(
     asked = (need + hub + fixed) / (1.0 - share) * 1.02
     usual = decisions.area
     if decisions.building.parti != "spine":
-        usual = min(usual, _typical(decisions, storeys, allocation, knowledge, fixed, share))
+        typical = _typical(decisions, storeys, allocation, knowledge, fixed, share)
+        small = any(word == "small" for word, _ in decisions.facts.size)
+        usual = typical * 0.85 if small else max(min(usual, typical), 0.9 * typical)
     result = max(usual, asked, decisions.building.floor_area[0])
     if result > usual + 1.0 and asked > usual:
         note(decisions.trace, None, f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}")
@@ -91,3 +93,20 @@ def _typical(
             total += entry.count * planned_room(kind, knowledge, area=entry.area).gross
         most = max(most, total)
     return (most + fixed) / (1.0 - share)
+
+
+def typical_room(
+    storeys: list[Storey], allocation: Allocation, knowledge: KnowledgeBase
+) -> float:
+    """Return the median area of the rooms above 8 m2 on a typical storey, square metres."""
+    areas: list[float] = []
+    for storey in storeys:
+        if storey.index < 1:
+            continue
+        areas += [room.gross for room in base_rooms(storey, allocation, knowledge)]
+        for entry in entries_of(storey):
+            kind = knowledge.room(entry.room_type)
+            gross = planned_room(kind, knowledge, area=entry.area).gross
+            areas += [gross] * (entry.count + 2 * entry.repeat)
+    areas = sorted(area for area in areas if 8.0 <= area <= 90.0)
+    return areas[len(areas) // 2] if areas else 40.0

@@ -46,11 +46,18 @@ class Placement:
 
 @dataclass
 class Sketch:
-    """Corridors (the hub first), placed rooms, and which corridor each core opens to."""
+    """Corridors (the hub first), placed rooms, and which corridor each core opens to.
+
+    Attributes
+    ----------
+    bearing : dict of float to list of (float, float)
+        Stretches along x, by their y, where both sides of the main corridor are walls.
+    """
 
     corridors: list[Corridor]
     rooms: list[Placement]
     core_parent: dict[str, str] = field(default_factory=dict)
+    bearing: dict[float, list[tuple[float, float]]] = field(default_factory=dict)
 
 
 def lobby_length(massing: Massing, storey: Storey) -> float:
@@ -196,6 +203,7 @@ def _assemble(
     _assign_parents(sketch, fronts)
     _close_corridor(massing, sketch, segments, stop, bool(ends))
     _connect_cores(massing, sketch)
+    sketch.bearing = _bearing(massing, sketch, lobby, stop)
     return sketch
 
 
@@ -306,6 +314,29 @@ def _close_corridor(
     x0, _, x1, y1 = closing.boxes[0]
     closing.boxes[0] = (x0, low, x1, y1)
     last.boxes[0] = (x0c, low, x, high)
+
+
+def _bearing(
+    massing: Massing, sketch: Sketch, lobby: float, stop: float
+) -> dict[float, list[tuple[float, float]]]:
+    mains = [c for c in sketch.corridors if not c.id.startswith("wing_")]
+    end = max(corridor.boxes[0][2] for corridor in mains)
+    far = min((core.box[0] for core in massing.cores if core.box[0] > 0.5 * massing.length), default=end)
+    lines = {
+        massing.south + massing.corridor: [(_pocket(massing), min(end, far))],
+        massing.south: [(lobby, stop)],
+    }
+    for wing in massing.wings:
+        y = massing.south + massing.corridor if wing.north else massing.south
+        side = (wing.x1 - wing.x0 - massing.corridor) / 2
+        lines[y] = _without(lines[y], wing.x0 + side, wing.x1 - side)
+    return lines
+
+
+def _without(spans: list[tuple[float, float]], x0: float, x1: float) -> list[tuple[float, float]]:
+    left = [(a, min(b, x0)) for a, b in spans]
+    right = [(max(a, x1), b) for a, b in spans]
+    return [(a, b) for a, b in left + right if b - a > 0.5]
 
 
 def _connect_cores(massing: Massing, sketch: Sketch) -> None:

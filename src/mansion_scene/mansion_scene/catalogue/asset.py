@@ -6,6 +6,7 @@ import msgspec
 
 from mansion_msgs_py.scene import Mount
 from mansion_msgs_py.shapes import Size3
+from mansion_scene.catalogue.palette import material
 
 __all__ = ["Asset", "Surface", "Volume"]
 
@@ -108,3 +109,8 @@ class Asset(msgspec.Struct, frozen=True, kw_only=True):
     def material(self) -> str:
         """Name of the main material, empty when the mesh brings its own."""
         return self.materials.get("main", "")
+
+    @property
+    def color(self) -> str:
+        """Colour of the main material, ``#rrggbb``."""
+        return material(self.material).color

@@ -121,6 +121,10 @@ class _Draft:
     def numbers(self) -> dict[str, int]:
         return {name: entry.count for name, entry in self.entries.items()}
 
+    def category_of(self, name: str) -> str:
+        """Return the category that an item of the room got; `name` itself where no item is called so."""
+        return self.entries[name].asset.category if name in self.entries else name
+
     def add(self, item: Item) -> None:
         """Take an item of the program as far as the share of floor allows."""
         wanted = copies(item.count, self.area, self.numbers, self.rng)
@@ -254,7 +258,7 @@ def _hang(draft: _Draft, item: HangItem) -> HangWish | None:
         count=wanted,
         place=item.place,
         height=item.height,
-        above=item.above,
+        above=draft.category_of(item.above),
         spacing=item.spacing,
     )
 
@@ -268,7 +272,7 @@ def _rugs(draft: _Draft) -> list[RugWish]:
         if present and assets and (not item.under or _has(draft, item.under)):
             chosen = tuple(assets[int(i)] for i in order)
             out.append(
-                RugWish(assets=chosen, under=item.under, margin=item.margin, count=item.count)
+                RugWish(assets=chosen, under=draft.category_of(item.under), margin=item.margin, count=item.count)
             )
     return out
 

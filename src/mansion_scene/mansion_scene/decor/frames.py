@@ -153,8 +153,8 @@ def scene_object(
         room=room,
         category=asset.category,
         asset=asset.key,
-        position=(round(position[0], 4), round(position[1], 4), round(position[2], 4)),
-        rotation=round(rotation % 360.0, 4),
+        position=_rounded(position),
+        rotation=round(float(rotation) % 360.0, 4),
         size=asset.size,
         name=name or asset.name,
         asset_id=asset.asset_id,
@@ -165,6 +165,12 @@ def scene_object(
         openable=asset.openable,
         toggleable=asset.toggleable,
         material=asset.material,
-        color="",
+        color=asset.color,
         states=states,
     )
+
+
+def _rounded(position: Sequence[float]) -> Point3:
+    """Return plain floats, whatever number type the geometry came in."""
+    x, y, z = (round(float(value), 4) for value in position)
+    return x, y, z

@@ -183,8 +183,14 @@ def _placed(node: Node, mesh: int) -> Json:
     if node.scale != (1.0, 1.0, 1.0):
         w, d, h = node.scale
         content["scale"] = [round(w, 6), round(h, 6), round(d, 6)]
+    extras: Json = {}
     if node.room and node.room != node.id:
-        content["extras"] = {"room": node.room}
+        extras["room"] = node.room
+    if node.label:
+        x, y, z = node.label_at
+        extras |= {"label": list(node.label), "label_at": [x, z, -y]}
+    if extras:
+        content["extras"] = extras
     return content
 
 

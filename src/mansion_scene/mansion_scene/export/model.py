@@ -65,6 +65,10 @@ class Node:
     scale : (x, y, z)
     room : str
         Id of the room it belongs to; empty where it belongs to several.
+    label : tuple of str
+        What a viewer writes over it, line by line.
+    label_at : (x, y, z)
+        Where it writes that.
     """
 
     id: str
@@ -74,6 +78,8 @@ class Node:
     rotation: float = 0.0
     scale: tuple[float, float, float] = (1.0, 1.0, 1.0)
     room: str = ""
+    label: tuple[str, ...] = ()
+    label_at: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 @dataclass(slots=True)

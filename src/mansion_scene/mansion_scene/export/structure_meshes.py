@@ -9,6 +9,7 @@ from shapely.geometry import Polygon
 
 from mansion_scene.export.appearance import named, surface_material
 from mansion_scene.export.model import Material, Model, Node, Surface
+from mansion_scene.export.plan.labels import room_title
 from mansion_scene.export.solids import Box, WallBodies
 from mansion_scene.export.solids3d import boxes_surface, polygon_surface
 
@@ -54,10 +55,16 @@ def add_floors(model: Model, scene: FloorScene) -> None:
     for room in scene.rooms:
         polygon = Polygon(room.polygon, room.holes)
         finish = surface_material(room.floor_material, "floor")
-        model.add(
-            Node(room.id, room.id, "structure", room=room.id),
-            [polygon_surface(polygon, -FINISH, 0.0, finish)],
+        at = polygon.centroid if polygon.contains(polygon.centroid) else polygon.representative_point()
+        node = Node(
+            room.id,
+            room.id,
+            "structure",
+            room=room.id,
+            label=(room_title(room), f"{room.area:.1f} m²"),
+            label_at=(round(at.x, 3), round(at.y, 3), 1.0),
         )
+        model.add(node, [polygon_surface(polygon, -FINISH, 0.0, finish)])
     slab = slab_polygon(scene, above=False)
     thickness = max(scene.height - max((wall.height for wall in scene.walls), default=2.8), 0.1)
     name = f"F{scene.floor}/slab"

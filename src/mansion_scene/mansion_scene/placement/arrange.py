@@ -35,8 +35,8 @@ def repeated(unit: Unit, offsets: Floats) -> Unit:
 def row_gaps(floor: Floor, spec: Spec, unit: Unit, aisle: float) -> list[float]:
     """Return gaps between the units of a row in order of preference; plain storage stands shoulder to shoulder."""
     if spec.role.centred or spec.role.bed or len(unit.parts) > 1:
-        return [aisle, 0.75 * aisle, 0.45, 0.25, 0.05]
-    return [floor.options.gap, 0.45]
+        return [aisle, 0.75 * aisle, floor.passage, 0.25, 0.05]
+    return [floor.options.gap, floor.passage]
 
 
 def place_rows(

@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_geometry.boxes import feasible_poses
+from mansion_scene.placement.effort import Effort
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.options import PlacementOptions
 from mansion_scene.placement.room import RoomModel
@@ -52,20 +53,28 @@ class Floor:
     room : RoomModel
     specs : list of Spec
     options : PlacementOptions
+    effort : Effort
+        Where work is counted.
     roomy : bool
         Whether clearances include the margins of comfort.
     """
 
     def __init__(
-        self, room: RoomModel, specs: list[Spec], options: PlacementOptions, *, roomy: bool = True
+        self,
+        room: RoomModel,
+        specs: list[Spec],
+        options: PlacementOptions,
+        effort: Effort,
+        *,
+        roomy: bool = True,
     ) -> None:
+        self.effort = effort
         self.room, self.specs, self.options = room, specs, options
         self.placed: list[Placed] = []
         self.boxes: Floats = np.zeros((0, 6))
         self._counts: dict[int, int] = {}
         self._front: Bools = np.zeros(0, dtype=np.bool_)
         self._partner: npt.NDArray[np.int32] = np.zeros(0, dtype=np.int32)
-        self.examined = 0
         self._next = 0
         self._set_comfort(roomy)
 
@@ -97,6 +106,11 @@ class Floor:
         """Return how many copies of an object stand."""
         return self._counts.get(spec, 0)
 
+    @property
+    def passage(self) -> float:
+        """Width of a gap that the robot passes wherever it lies on the grid, metres."""
+        return 2.0 * self.grid.radius + self.grid.cell
+
     def copies(self, spec: int) -> list[Placed]:
         """Return the copies of an object in the order they were placed."""
         return [copy for copy in self.placed if copy.spec == spec]
@@ -107,6 +121,11 @@ class Floor:
 
     def fits(self, poses: Floats, parts: Floats) -> Bools:
         """Tell at which poses rigid `parts`, shape (k, 7), are in bounds, free and clear of openings."""
+        self.effort.search(len(poses), len(self.boxes))
+        if len(parts) > 3:
+            # The outermost parts of a pattern are the likeliest not to fit.
+            out = np.hypot(*(parts[:, :2] - parts[:, :2].mean(axis=0)).T)
+            parts = parts[np.argsort(-out, kind="stable")]
         return feasible_poses(poses, parts, self.room.edges, self.boxes, self.zones, self.gap)
 
     def put(
@@ -130,7 +149,7 @@ class Floor:
         -------
         The new copies, or None.
         """
-        self.examined += 1
+        self.effort.flood(self.grid.counts.size)
         lost_before = self.grid.free_cells - self.grid.reached_cells
         front = np.array([self.roomy and self.specs[spec].front_needed for spec in specs])
         partner = self._partners(specs, hosts)

@@ -36,7 +36,7 @@ def improve(
     """
     rating = rate(build.floor)
     for _ in range(moves):
-        if rating.value >= goal:
+        if rating.value >= goal or build.floor.effort.over:
             break
         before = build.floor
         build.floor = before.copy()

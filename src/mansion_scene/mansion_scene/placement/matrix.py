@@ -59,55 +59,96 @@ def place_matrix(
             if place_along_walls(floor, spec, unit, min(rows, cols), max(rows, cols), rng, aisle):
                 return rows, cols
             continue
-        for gap_x, gap_y, lines, per_line in _spacings(spec, unit, rows, cols, aisle):
-            if _place_macro(floor, spec, unit, (lines, per_line), (gap_x, gap_y), rng):
-                return rows, cols
+        if _place_whole(floor, spec, unit, rows, cols, rng, aisle):
+            return rows, cols
     return None
 
 
+def _place_whole(
+    floor: Floor,
+    spec: Spec,
+    unit: Unit,
+    rows: int,
+    cols: int,
+    rng: np.random.Generator,
+    aisle: float,
+) -> bool:
+    """Place a matrix of one size at the most comfortable spacing that fits."""
+    shapes = [(rows, cols)] if rows == cols else [(rows, cols), (cols, rows)]
+    spacings = _spacings(floor, spec, unit, rows * cols, aisle)
+    # What does not fit at a spacing fits at no wider one: look at the narrowest first.
+    possible = {
+        shape: [
+            gaps for gaps in spacings if len(_macro_poses(floor, spec, unit, shape, gaps, rng)[1])
+        ]
+        for shape in shapes
+        if any(
+            len(_macro_poses(floor, spec, unit, shape, gaps, rng)[1])
+            for gaps in _narrowest(spacings)
+        )
+    }
+    for gaps in spacings:
+        for shape in shapes:
+            if gaps in possible.get(shape, ()) and _place_macro(
+                floor, spec, unit, shape, gaps, rng
+            ):
+                return True
+    return False
+
+
+def _narrowest(spacings: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return the spacings that no other undercuts in both directions."""
+    return [
+        (x, y)
+        for x, y in spacings
+        if not any((a <= x and b <= y) and (a, b) != (x, y) for a, b in spacings)
+    ]
+
+
 def _spacings(
-    spec: Spec, unit: Unit, rows: int, cols: int, aisle: float
-) -> list[tuple[float, float, int, int]]:
-    """Return gaps between columns and rows with the macro's lines and copies a line, the most comfortable first.
+    floor: Floor, spec: Spec, unit: Unit, copies: int, aisle: float
+) -> list[tuple[float, float]]:
+    """Return gaps between columns and between rows, the most comfortable first.
 
     Shelves stand shoulder to shoulder with aisles between the rows; desks and seats may have either way through.
     """
-    shelf = len(unit.parts) == 1 and not (spec.role.seat or spec.role.table)
-    beside = [0.02, 0.45, aisle] if shelf else [aisle, 0.75, 0.6, 0.45, 0.3, 0.05]
-    behind = [1.25 * aisle, aisle, 0.75, 0.6, 0.45]
-    if not shelf:
-        behind += [0.3, 0.15]
-    ranked = []
-    for gx in beside:
-        for gy in behind:
-            if max(gx if cols > 1 else 0.0, gy if rows > 1 else 0.0) < 0.45 and rows * cols > 2:
-                continue
-            comfort = min(gy, aisle) / aisle
-            comfort += 0.5 * (gx < 0.1) if shelf else min(gx, aisle) / aisle
-            comfort -= 0.2 * (gy > aisle)
-            ranked.append((-comfort, gx, gy))
-    spaced = []
-    for _, gx, gy in sorted(ranked):
-        spaced.append((gx, gy, rows, cols))
-        if rows != cols:
-            spaced.append((gx, gy, cols, rows))
-    return spaced
+    lane = floor.passage
+    if len(unit.parts) == 1 and not (spec.role.seat or spec.role.table):
+        beside = floor.gap
+        return [
+            *(
+                (beside, 1.25 * aisle),
+                (beside, aisle),
+                (beside, 0.75),
+                (beside, 0.6),
+                (beside, lane),
+            ),
+            *((aisle, aisle), (0.6, 0.6), (lane, lane), (lane, beside)),
+        ]
+    spacings = [
+        *((aisle, aisle), (0.8, aisle), (aisle, 0.6), (0.75, 0.75), (0.75, 0.45), (0.6, 0.6)),
+        *((0.6, 0.3), (0.3, 0.6), (lane, 0.3), (lane, 0.12), (0.05, 0.6), (0.05, lane)),
+    ]
+    if copies <= 4:
+        spacings.append((0.1, 0.1))
+    return [(x, y) for x, y in spacings if max(x, y) <= aisle + 1e-9]
 
 
-def _place_macro(
+def _macro_poses(
     floor: Floor,
     spec: Spec,
     unit: Unit,
     shape: tuple[int, int],
     gaps: tuple[float, float],
     rng: np.random.Generator,
-) -> bool:
+) -> tuple[Unit, Floats]:
+    """Return the macro object of a matrix (BUILDMACROOBJECT) and poses at which it is in bounds and free."""
     x0, x1, y0, y1 = unit.extent()
     px, py = x1 - x0 + gaps[0], y1 - y0 + gaps[1]
     width, depth = shape[1] * px - gaps[0], shape[0] * py - gaps[1]
     span = floor.room.bounds[2:] - floor.room.bounds[:2]
     if width * depth > floor.room.area or max(width, depth) > float(np.hypot(*span)):
-        return False
+        return unit, np.zeros((0, 4))
     offsets = np.array([(c * px, r * py) for r in range(shape[0]) for c in range(shape[1])])
     centre = offsets.mean(axis=0)
     if spec.where == "edge":
@@ -118,14 +159,26 @@ def _place_macro(
         poses = floor_poses(floor, rng, limit=500)
     poses = _facing(floor, spec, unit, poses)
     if not len(poses):
-        return False
-    poses = poses[floor.fits(poses, macro.array())]
+        return macro, poses
+    return macro, poses[floor.fits(poses, macro.array())]
+
+
+def _place_macro(
+    floor: Floor,
+    spec: Spec,
+    unit: Unit,
+    shape: tuple[int, int],
+    gaps: tuple[float, float],
+    rng: np.random.Generator,
+) -> bool:
+    macro, poses = _macro_poses(floor, spec, unit, shape, gaps, rng)
     if not len(poses):
         return False
     if len(poses) > 80:
         poses = poses[np.sort(rng.choice(len(poses), 80, replace=False))]
     scores = pose_scores(floor, spec, macro, poses, rng, at_wall=spec.where == "edge")
-    return examine(floor, macro, poses, scores) is not None
+    scores += _before_the_board(floor, spec, unit, poses)
+    return examine(floor, macro, poses, scores, most=5) is not None
 
 
 def _facing(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
@@ -137,3 +190,12 @@ def _facing(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
     wanted = -focus if seated[0] else focus
     ahead = -poses[:, 3] * wanted[0] + poses[:, 2] * wanted[1]
     return np.asarray(poses[ahead > 0.9])
+
+
+def _before_the_board(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
+    """Rows that look at a board stand centred before it."""
+    for copy in floor.placed:
+        if floor.specs[copy.spec].role.focal and any(floor.specs[s].role.seat for s in unit.specs):
+            aside = (poses[:, :2] - np.array(copy.box[:2])) @ np.array(copy.box[2:4])
+            return np.asarray(-0.3 * np.minimum(np.abs(aside), 4.0))
+    return np.zeros(len(poses))

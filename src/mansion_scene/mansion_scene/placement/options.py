@@ -31,6 +31,8 @@ class PlacementOptions:
         Most constructions of a room from scratch; the search ends at the first without a fault.
     moves : int
         Most moves of the improvement pass (twice as many again without margins, where something is missing).
+    effort : float
+        Work after which the improvement ends, in units of about a microsecond.
     candidates : int
         Most poses of an object whose reachability is examined in one search.
     """
@@ -48,4 +50,5 @@ class PlacementOptions:
     gap: float = 0.02
     attempts: int = 3
     moves: int = 24
+    effort: float = 400_000.0
     candidates: int = 16

@@ -6,6 +6,7 @@ from mansion_geometry.boxes import rotation_of
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.placement import Discarded, PlacedObject, PlacementResult, PlacementRoom
 from mansion_scene.placement.construct import Construction, construct
+from mansion_scene.placement.effort import Effort
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Group, Spec, make_groups
 from mansion_scene.placement.improve import improve
@@ -40,8 +41,9 @@ def _search(
     goal = 3.0 * asked + sum(spec.quantity * relation_count(spec) for spec in specs)
     boost = dict.fromkeys((g.anchor.index for g in groups), 0)
     best: tuple[float, Construction] | None = None
+    effort = Effort(options.effort)
     for attempt in range(max(1, options.attempts)):
-        floor = Floor(model, specs, options)
+        floor = Floor(model, specs, options, effort)
         order = sorted(groups, key=lambda g: g.priority - boost[g.anchor.index])
         aisle = model.aisle * (1.0, 0.75, 0.6)[min(attempt, 2)]
         build = construct(floor, specs, order, rng, aisle=aisle)
@@ -50,6 +52,8 @@ def _search(
             best = value, build
         if value >= goal:
             return floor
+        if effort.spent > 0.5 * effort.limit:
+            break
         for group in groups:
             if any(floor.count(s.index) < s.quantity for s in (group.anchor, *group.members)):
                 boost[group.anchor.index] += 1
@@ -59,6 +63,7 @@ def _search(
     if options.tight and rating.placed < asked:
         build.floor = floor.copy()
         build.floor.relax()
+        effort.limit *= 1.5
         floor, _ = improve(build, specs, moves=2 * options.moves, goal=goal)
     return floor
 

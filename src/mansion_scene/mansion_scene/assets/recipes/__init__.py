@@ -1,0 +1,3 @@
+"""Parametric meshes, one module for each kind of thing."""
+
+__all__: list[str] = []

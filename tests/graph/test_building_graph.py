@@ -1,0 +1,171 @@
+"""Algorithm 1 through real node processes: same bytes, errors that name the stage, nodes that outlive faults."""
+
+import hashlib
+import os
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from mansion_bringup.client import MansionClient
+from mansion_bringup.graph.processes import GraphProcesses
+from mansion_bringup.pipeline.build import build_building
+from mansion_msgs_py.codec import decode, encode
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.interfaces import topic
+from mansion_msgs_py.nodes.shell import JsonPublisher
+from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.world import Progress
+
+pytestmark = pytest.mark.graph
+
+FLAT = "a small flat for two"
+HOUSE = "a two-storey house with three bedrooms"
+
+
+@pytest.fixture(scope="module")
+def client(graph: GraphProcesses) -> Iterator[MansionClient]:
+    with MansionClient(domain_id=graph.options.domain_id, timeout=120.0) as client:
+        yield client
+
+
+def digest(folder: Path) -> dict[str, str]:
+    """Hash of every file of a building but the report, which holds times."""
+    return {
+        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file() and path.name != "report.json"
+    }
+
+
+def test_the_graph_and_one_process_write_the_same_bytes(
+    client: MansionClient, tmp_path: Path
+) -> None:
+    reply = client.build(HOUSE, seed=5, output=str(tmp_path / "graph"))
+    local = build_building(BuildRequest(description=HOUSE, seed=5), tmp_path / "local", jobs=2)
+    assert digest(Path(reply.path)) == digest(local.path)
+
+
+def test_two_builds_at_the_same_time_do_not_mix(client: MansionClient, tmp_path: Path) -> None:
+    briefs = {"flat": FLAT, "house": HOUSE}
+    threads = [
+        threading.Thread(
+            target=client.build, args=(brief,), kwargs={"output": str(tmp_path / name), "seed": 1}
+        )
+        for name, brief in briefs.items()
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(timeout=120.0)
+    for name, brief in briefs.items():
+        alone = build_building(BuildRequest(description=brief, seed=1), tmp_path / f"{name}_alone")
+        assert digest(tmp_path / name) == digest(alone.path)
+
+
+def test_a_request_by_topic_ends_as_latched_scenes(graph: GraphProcesses) -> None:
+    request = BuildRequest(description=HOUSE, seed=9, building_id="by_topic")
+    scenes: dict[int, FloorScene] = {}
+    complete = threading.Event()
+
+    def keep(text: str) -> None:
+        scene = decode(FloorScene, text)
+        if scene.building_id == "by_topic":
+            scenes[scene.floor] = scene
+            if len(scenes) == scene.floors:
+                complete.set()
+
+    with MansionClient(domain_id=graph.options.domain_id) as sender:
+        publisher = JsonPublisher(sender.node, topic("build_requests"))
+        assert wait_until(lambda: publisher.publisher.get_subscription_count() > 0)
+        done = threading.Event()
+        sender.listen("progress", lambda text: done.set() if finished(text, "by_topic") else None)
+        publisher.publish(request)
+        assert done.wait(60.0)
+    with MansionClient(domain_id=graph.options.domain_id) as late_joiner:
+        late_joiner.listen("floor_scene", keep)
+        assert complete.wait(20.0)
+    assert sorted(scenes) == [1, 2]
+
+
+def finished(text: str, building_id: str) -> bool:
+    progress = decode(Progress, text)
+    return progress.building_id == building_id and progress.stage == "done"
+
+
+def wait_until(condition: object, seconds: float = 10.0) -> bool:
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if condition():  # type: ignore[operator]
+            return True
+        time.sleep(0.02)
+    return False
+
+
+@pytest.mark.parametrize(
+    ("service", "arguments", "code", "path"),
+    [
+        ("solve_floor", {"boundary": [[0, 0]], "nodes": []}, ErrorCode.INVALID_PAYLOAD, "$.boundary"),
+        ("build_building", {"descripton": "x"}, ErrorCode.INVALID_PAYLOAD, "$"),
+        ("load_building", {"path": "/nowhere"}, ErrorCode.NOT_FOUND, "$.path"),
+    ],
+)
+def test_bad_calls_are_answered_with_the_error_object(
+    client: MansionClient, service: str, arguments: object, code: str, path: str
+) -> None:
+    with pytest.raises(MansionError) as caught:
+        client.call(service, arguments)
+    assert (caught.value.code, caught.value.info.path) == (code, path)
+
+
+def test_a_stage_that_refuses_is_named_and_every_node_lives_on(
+    client: MansionClient, graph: GraphProcesses, tmp_path: Path
+) -> None:
+    with pytest.raises(MansionError) as caught:
+        client.build("a hospital", area=12.0, floors=9, output=str(tmp_path / "none"))
+    assert caught.value.stage == "plan_program"
+    assert not (tmp_path / "none").exists()
+    assert graph.ended() == {}
+    assert client.build(FLAT, output=str(tmp_path / "flat")).building.floors
+
+
+def test_a_node_killed_in_the_middle_is_reported_and_the_next_build_works(
+    client: MansionClient, graph: GraphProcesses, tmp_path: Path
+) -> None:
+    victim = graph.running["object_placer"].pid
+    started = threading.Event()
+    client.listen("progress", lambda text: started.set() if "solve_floor" in text else None)
+    killer = threading.Thread(target=lambda: started.wait(60) and os.kill(victim, signal.SIGKILL))
+    killer.start()
+    with pytest.raises(MansionError) as caught:
+        client.build("a six-storey office", seed=2, output=str(tmp_path / "office"))
+    killer.join()
+    assert caught.value.code == ErrorCode.UNAVAILABLE
+    assert caught.value.stage.startswith("furnish_floor")
+    assert not (tmp_path / "office").exists()
+    graph.running["object_placer"].wait(timeout=10)
+    graph.start("object_placer")
+    graph.wait_ready(30.0)
+    assert client.build("a six-storey office", seed=2, output=str(tmp_path / "office")).building
+
+
+def test_the_robot_rides_the_lift_through_services(client: MansionClient, tmp_path: Path) -> None:
+    built = client.build("a three-storey office with an elevator", output=str(tmp_path / "office"))
+    client.call("load_building", {"path": built.path})
+    with pytest.raises(MansionError) as refused:
+        client.call("skills/use_elevator", {"target_floor": 3})
+    assert refused.value.code == "PRECONDITION_FAILURE"
+    client.call("skills/go_to_landmark", {"landmark": "elevator"})
+    client.call("skills/call_elevator")
+    client.call("skills/use_elevator", {"target_floor": 3})
+    assert client.call("skills/where_am_i")["floor"] == 3
+
+
+def test_a_large_payload_crosses_whole(client: MansionClient) -> None:
+    description = "a small flat " + "with white walls " * 6000
+    reply = client.call("plan_program", BuildRequest(description=description))
+    assert len(encode(reply)) > 1000
