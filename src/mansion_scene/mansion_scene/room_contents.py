@@ -115,7 +115,7 @@ class RoomFurnisher:
             doors=[door for door in self._structure.doors if room.id in door.rooms],
             windows=[window for window in self._structure.windows if window.room == room.id],
             placed=placed,
-            seed=seed,
+            seed=self._seed,
         )
         left = [
             Discard(room=room.id, name=lost.name, count=lost.count, reason=lost.reason)
@@ -149,10 +149,9 @@ def _scene_objects(
                 asset,
                 f"{room.id}/{asset.category}_{counts[asset.category]}",
                 room.id,
-                (x, y, round(placement.size[2] / 2, 4)),
+                (x, y, asset.size[2] / 2),
                 placement.rotation,
                 mount="floor",
-                size=placement.size,
             )
         )
     return objects
