@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
-from typing import Any, Generic, Optional, TypeVar
+from typing import Any, Optional
 
 from rclpy import _rclpy_pybind11
 from rclpy._dds.library import dds
@@ -18,16 +18,16 @@ from rclpy.task import Future
 
 __all__ = ["Client"]
 
-SrvType = TypeVar("SrvType")
-SrvTypeRequest = TypeVar("SrvTypeRequest")
-SrvTypeResponse = TypeVar("SrvTypeResponse")
+SrvType = Any
+SrvTypeRequest = Any
+SrvTypeResponse = Any
 
 _SLICE = 100_000_000
 """Nanoseconds between two looks at signals and the context while a thread waits in C."""
 _MATCHED = 1 << 11 | 1 << 12
 
 
-class Client(Generic[SrvType, SrvTypeRequest, SrvTypeResponse]):
+class Client:
     """Made by ``Node.create_client``."""
 
     def __init__(

@@ -14,6 +14,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from rclpy._dispatch import Dispatcher
+from rclpy._missing import missing_attribute
 from rclpy.client import Client
 from rclpy.context import Context
 from rclpy.logging import get_logger
@@ -477,3 +478,6 @@ class MultiThreadedExecutor(Executor[Any]):
             finished = self._idle.wait_for(lambda: len(self._running) <= inside, limit)
         self._executor.shutdown(wait=False)
         return finished
+
+
+__getattr__ = missing_attribute(__name__)

@@ -99,10 +99,10 @@ class Node(NodeParameters, NodeGraph):
         if use_global_arguments:
             self._arguments.append(state.arguments)
         self._name, self._namespace = self._own_name(node_name, namespace or "")
-        self._publishers: list[Publisher[Any]] = []
-        self._subscriptions: list[Subscription[Any]] = []
-        self._clients: list[Client[Any, Any, Any]] = []
-        self._services: list[Service[Any, Any, Any]] = []
+        self._publishers: list[Publisher] = []
+        self._subscriptions: list[Subscription] = []
+        self._clients: list[Client] = []
+        self._services: list[Service] = []
         self._timers: list[Timer] = []
         self._guards: list[GuardCondition] = []
         self._waitables: list[Waitable] = []
@@ -115,8 +115,8 @@ class Node(NodeParameters, NodeGraph):
         overrides.update({p.name: p for p in parameter_overrides or ()})
         self._init_parameters(allow_undeclared_parameters, overrides)
         self._clock = ROSClock()
-        self._parameter_event_publisher: Publisher[Any] | None = None
-        self._rosout: Publisher[Any] | None = None
+        self._parameter_event_publisher: Publisher | None = None
+        self._rosout: Publisher | None = None
         self._participant = state.acquire_participant()
         self._destroyed = False
         self._endpoints = NodeEndpoints(self._namespace, self._name)
@@ -202,22 +202,22 @@ class Node(NodeParameters, NodeGraph):
     # Properties
 
     @property
-    def publishers(self) -> Iterator[Publisher[Any]]:
+    def publishers(self) -> Iterator[Publisher]:
         """The publishers of this node."""
         yield from self._publishers
 
     @property
-    def subscriptions(self) -> Iterator[Subscription[Any]]:
+    def subscriptions(self) -> Iterator[Subscription]:
         """The subscriptions of this node."""
         yield from self._subscriptions
 
     @property
-    def clients(self) -> Iterator[Client[Any, Any, Any]]:
+    def clients(self) -> Iterator[Client]:
         """The clients of this node."""
         yield from self._clients
 
     @property
-    def services(self) -> Iterator[Service[Any, Any, Any]]:
+    def services(self) -> Iterator[Service]:
         """The services of this node."""
         yield from self._services
 
@@ -400,7 +400,7 @@ class Node(NodeParameters, NodeGraph):
         handle = self._new(_entities.Subscription, msg_type, full, profile)
         events = event_callbacks or SubscriptionEventCallbacks()
         try:
-            subscription: Subscription[Any] = Subscription(
+            subscription: Subscription = Subscription(
                 handle, msg_type, topic, callback, group, profile, raw, events
             )
         except BaseException:
@@ -442,7 +442,7 @@ class Node(NodeParameters, NodeGraph):
         full = self.resolve_service_name(srv_name)
         group = callback_group or self.default_callback_group
         handle = self._new(_entities.Client, srv_type, full, qos_profile)
-        client: Client[Any, Any, Any] = Client(
+        client: Client = Client(
             self.context, handle, srv_type, srv_name, qos_profile, group
         )
         self._clients.append(client)
@@ -463,7 +463,7 @@ class Node(NodeParameters, NodeGraph):
         full = self.resolve_service_name(srv_name)
         group = callback_group or self.default_callback_group
         handle = self._new(_entities.Service, srv_type, full, qos_profile)
-        service: Service[Any, Any, Any] = Service(
+        service: Service = Service(
             handle, srv_type, srv_name, callback, group, qos_profile
         )
         self._services.append(service)

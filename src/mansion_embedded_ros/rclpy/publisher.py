@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Generic, TypeVar, Union
+from typing import Any, Union
 
 from rclpy import _rclpy_pybind11
 from rclpy._dds.library import TIMEOUT, dds
@@ -14,10 +14,10 @@ from rclpy.qos import QoSProfile
 
 __all__ = ["Publisher"]
 
-MsgType = TypeVar("MsgType")
+MsgType = Any
 
 
-class Publisher(Generic[MsgType]):
+class Publisher:
     """Made by ``Node.create_publisher``."""
 
     def __init__(
@@ -100,7 +100,7 @@ class Publisher(Generic[MsgType]):
             raise RCLError("failed to wait for acknowledgements")
         return True
 
-    def __enter__(self) -> Publisher[MsgType]:
+    def __enter__(self) -> Publisher:
         return self
 
     def __exit__(self, *_: object) -> None:

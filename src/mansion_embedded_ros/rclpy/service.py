@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Generic, TypeVar  # noqa: UP035
+from typing import Any, Callable  # noqa: UP035
 
 from rclpy import _rclpy_pybind11
 from rclpy.callback_groups import CallbackGroup
@@ -11,12 +11,12 @@ from rclpy.qos import QoSProfile
 
 __all__ = ["Service"]
 
-SrvType = TypeVar("SrvType")
-SrvTypeRequest = TypeVar("SrvTypeRequest")
-SrvTypeResponse = TypeVar("SrvTypeResponse")
+SrvType = Any
+SrvTypeRequest = Any
+SrvTypeResponse = Any
 
 
-class Service(Generic[SrvType, SrvTypeRequest, SrvTypeResponse]):
+class Service:
     """Made by ``Node.create_service``."""
 
     def __init__(

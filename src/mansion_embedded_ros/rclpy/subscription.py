@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from enum import Enum
-from typing import Any, Callable, Generic, TypeVar  # noqa: UP035
+from typing import Any, Callable  # noqa: UP035
 
 from rclpy import _rclpy_pybind11
 from rclpy.callback_groups import CallbackGroup
@@ -13,10 +13,10 @@ from rclpy.qos import QoSProfile
 
 __all__ = ["Subscription"]
 
-MsgType = TypeVar("MsgType")
+MsgType = Any
 
 
-class Subscription(Generic[MsgType]):
+class Subscription:
     """Made by ``Node.create_subscription``."""
 
     class CallbackType(Enum):
@@ -107,7 +107,7 @@ class Subscription(Generic[MsgType]):
             return self._callback(taken[0])
         return self._callback(*taken)
 
-    def __enter__(self) -> Subscription[MsgType]:
+    def __enter__(self) -> Subscription:
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -133,5 +133,5 @@ def deserialize(data: bytes | bytearray | memoryview, cls: type, offset: int = 4
         raise ValueError("the data is not little-endian plain CDR (encapsulation 00 01)")
     try:
         return codec_of(cls).decode(view, offset)[0]
-    except error as problem:
+    except (error, ValueError) as problem:
         raise ValueError(f"cannot read a {cls.__name__}: {problem}") from problem

@@ -15,12 +15,18 @@ __all__ = ["acquire_domain", "configuration", "domain_id_from_environment", "rel
 _MAX_PARTICIPANT_INDEX = 99
 """Jazzy writes 32, which is then the number of processes in a domain on one machine."""
 
-_BUFFERS = (
-    "<Internal><Watermarks><WhcLow>64MB</WhcLow><WhcHigh>256MB</WhcHigh>"
-    "<WhcHighInit>256MB</WhcHighInit></Watermarks></Internal>"
+_TRANSPORT = (
+    '<Internal><SocketReceiveBufferSize max="16MB"/><NackDelay>10ms</NackDelay>'
+    "<MaxQueuedRexmitBytes>16MB</MaxQueuedRexmitBytes>"
+    "<Watermarks><WhcLow>64MB</WhcLow><WhcHigh>256MB</WhcHigh><WhcHighInit>256MB</WhcHighInit>"
+    "</Watermarks></Internal>"
 )
-"""Unacknowledged data of a keep-last writer is bounded by its depth; waiting for a reader that
+"""Messages of megabytes go through in one burst, and what is lost is asked for again soon.
+Unacknowledged data of a keep-last writer is bounded by its depth; waiting for a reader that
 stands still would only stop the publisher."""
+
+_LOOPBACK = "<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>16000B</FragmentSize>"
+"""Fragments that loopback carries whole; a fifth of the time for 5 MB."""
 
 _lock = threading.Lock()
 _domains: dict[int, tuple[int, int]] = {}
@@ -65,7 +71,8 @@ def configuration(environment: Mapping[str, str] = os.environ) -> str:
         reach = "SUBNET"
     general = discovery = ""
     if reach in ("LOCALHOST", "OFF"):
-        general = "<General><AllowMulticast>false</AllowMulticast></General>"
+        large = _LOOPBACK if reach == "LOCALHOST" and not peers else ""
+        general = f"<General><AllowMulticast>false</AllowMulticast>{large}</General>"
     if reach == "LOCALHOST":
         peers = ["localhost", *peers]
     if reach == "OFF":
@@ -80,7 +87,7 @@ def configuration(environment: Mapping[str, str] = os.environ) -> str:
             f"<MaxAutoParticipantIndex>{_MAX_PARTICIPANT_INDEX}</MaxAutoParticipantIndex>"
             f"<Peers>{listed}</Peers></Discovery>"
         )
-    own = f"<CycloneDDS><Domain>{general}{discovery}{_BUFFERS}</Domain></CycloneDDS>"
+    own = f"<CycloneDDS><Domain>{general}{discovery}{_TRANSPORT}</Domain></CycloneDDS>"
     given = environment.get("CYCLONEDDS_URI", "")
     return f"{own},{given}" if given else own
 
