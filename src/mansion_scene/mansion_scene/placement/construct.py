@@ -42,6 +42,10 @@ class Construction:
         """Return how many copies do not stand yet."""
         return spec.quantity - self.floor.count(spec.index)
 
+    def complete(self, specs: Sequence[Spec]) -> bool:
+        """Tell whether every copy stands."""
+        return all(self.missing(spec) <= 0 for spec in specs)
+
     def place_group(self, group: Group) -> None:
         """Place a group: its anchor (all copies), then what members did not come with it."""
         anchor = group.anchor
@@ -103,15 +107,18 @@ class Construction:
         every = _TIGHT | {"near"} if spec.quantity > 1 else _TIGHT
         width, depth = sorted(spec.size[:2], reverse=True)
         long_sides = bool(self.rng.integers(2)) and width > 1.25 * depth
-        return [
-            UnitStyle(every, mirrored, long_sides),
-            UnitStyle(every, not mirrored, not long_sides),
-            UnitStyle(_TIGHT, mirrored, True),
-            UnitStyle(_TIGHT, not mirrored, False),
-            UnitStyle(frozenset({"paired"}), mirrored),
-            UnitStyle(frozenset({"paired"}), not mirrored),
-            UnitStyle(frozenset(), mirrored),
+        gap = 0.08 if self.floor.roomy else 0.03
+        pairs = frozenset({"paired"})
+        ways = [
+            (every, mirrored, long_sides),
+            (every, not mirrored, not long_sides),
+            (_TIGHT, mirrored, True),
+            (_TIGHT, not mirrored, False),
+            (pairs, mirrored, False),
+            (pairs, not mirrored, False),
+            (frozenset[str](), mirrored, False),
         ]
+        return [UnitStyle(links, left, along, gap) for links, left, along in ways]
 
     def _shares(self, spec: Spec, copies: int, *, equal: bool = False) -> dict[int, int]:
         """Return how many members of each kind one of `copies` copies gets; `equal`: all the same, the rest later."""

@@ -7,7 +7,7 @@ __all__ = ["Effort"]
 
 @dataclass
 class Effort:
-    """Work spent on a room: about one unit for a microsecond of a desktop core.
+    """Work spent on a room: about one unit for two microseconds of a desktop core.
 
     Attributes
     ----------

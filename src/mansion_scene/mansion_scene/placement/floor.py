@@ -121,7 +121,7 @@ class Floor:
 
     def fits(self, poses: Floats, parts: Floats) -> Bools:
         """Tell at which poses rigid `parts`, shape (k, 7), are in bounds, free and clear of openings."""
-        self.effort.search(len(poses), len(self.boxes))
+        self.effort.search(len(poses), len(self.boxes) + len(parts))
         if len(parts) > 3:
             # The outermost parts of a pattern are the likeliest not to fit.
             out = np.hypot(*(parts[:, :2] - parts[:, :2].mean(axis=0)).T)

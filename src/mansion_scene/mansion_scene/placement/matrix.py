@@ -76,22 +76,19 @@ def _place_whole(
     """Place a matrix of one size at the most comfortable spacing that fits."""
     shapes = [(rows, cols)] if rows == cols else [(rows, cols), (cols, rows)]
     spacings = _spacings(floor, spec, unit, rows * cols, aisle)
-    # What does not fit at a spacing fits at no wider one: look at the narrowest first.
-    possible = {
-        shape: [
-            gaps for gaps in spacings if len(_macro_poses(floor, spec, unit, shape, gaps, rng)[1])
-        ]
-        for shape in shapes
-        if any(
-            len(_macro_poses(floor, spec, unit, shape, gaps, rng)[1])
-            for gaps in _narrowest(spacings)
-        )
-    }
-    for gaps in spacings:
+    for tried, gaps in enumerate(spacings):
+        if tried == 2:
+            # What does not fit at the narrowest spacings fits at no wider one.
+            shapes = [
+                shape
+                for shape in shapes
+                if any(
+                    len(_macro_poses(floor, spec, unit, shape, narrow, rng)[1])
+                    for narrow in _narrowest(spacings)
+                )
+            ]
         for shape in shapes:
-            if gaps in possible.get(shape, ()) and _place_macro(
-                floor, spec, unit, shape, gaps, rng
-            ):
+            if _place_macro(floor, spec, unit, shape, gaps, rng):
                 return True
     return False
 
@@ -127,7 +124,16 @@ def _spacings(
         ]
     spacings = [
         *((aisle, aisle), (0.8, aisle), (aisle, 0.6), (0.75, 0.75), (0.75, 0.45), (0.6, 0.6)),
-        *((0.6, 0.3), (0.3, 0.6), (lane, 0.3), (lane, 0.12), (0.05, 0.6), (0.05, lane)),
+        *(
+            (0.6, 0.3),
+            (0.3, 0.6),
+            (lane, 0.3),
+            (0.3, lane),
+            (lane, 0.12),
+            (0.05, 0.6),
+            (0.12, lane),
+        ),
+        *((0.05, lane), (lane, 0.03), (0.02, lane)),
     ]
     if copies <= 4:
         spacings.append((0.1, 0.1))

@@ -32,7 +32,7 @@ class PlacementOptions:
     moves : int
         Most moves of the improvement pass (twice as many again without margins, where something is missing).
     effort : float
-        Work after which the improvement ends, in units of about a microsecond.
+        Work after which the improvement ends, in units of about two microseconds of a desktop core.
     candidates : int
         Most poses of an object whose reachability is examined in one search.
     """
@@ -50,5 +50,5 @@ class PlacementOptions:
     gap: float = 0.02
     attempts: int = 3
     moves: int = 24
-    effort: float = 400_000.0
+    effort: float = 200_000.0
     candidates: int = 16

@@ -14,18 +14,16 @@ __all__ = ["Slot", "around_slots", "front_slots", "near_slots", "paired_slot", "
 Slot: TypeAlias = tuple[float, float, float]
 Size: TypeAlias = tuple[float, float]
 
-SEAT_GAP = 0.08
-"""Between a seat and the table or desk it belongs to, metres."""
 SIDE_GAP = 0.05
 """Between things that stand side by side as one, metres."""
 
 
-def paired_slot(anchor: Size, member: Size, *, beside: bool, mirrored: bool) -> Slot:
+def paired_slot(anchor: Size, member: Size, *, beside: bool, mirrored: bool, gap: float) -> Slot:
     """Return the accessory's place: before the front, facing it, or beside it with the backs in one line."""
     if beside:
         x = (anchor[0] + member[0]) / 2 + SIDE_GAP
         return (-x if mirrored else x), (member[1] - anchor[1]) / 2, 0.0
-    return 0.0, (anchor[1] + member[1]) / 2 + SEAT_GAP, 180.0
+    return 0.0, (anchor[1] + member[1]) / 2 + gap, 180.0
 
 
 def _spread(count: int, length: float) -> list[float]:
@@ -52,7 +50,13 @@ def _around_counts(n: int, caps: tuple[int, int, int, int], size: Size) -> tuple
 
 
 def around_slots(
-    anchor: Size, member: Size, count: int, *, backed: bool, long_sides: bool = False
+    anchor: Size,
+    member: Size,
+    count: int,
+    *,
+    backed: bool,
+    gap: float,
+    long_sides: bool = False,
 ) -> list[Slot]:
     """Return places of up to `count` seats around a table, each facing it.
 
@@ -60,6 +64,8 @@ def around_slots(
     ----------
     backed : bool
         The anchor's back is at a wall: nobody sits there.
+    gap : float
+        Between a seat and the table, metres.
     long_sides : bool
         Use only the two sides along the width (or, where backed, the front).
     """
@@ -72,7 +78,7 @@ def around_slots(
     else:
         caps = (along, 0 if backed else along, across, across)
     counts = _around_counts(min(count, sum(caps)), caps, anchor)
-    x, y = (anchor[0] + member[1]) / 2 + SEAT_GAP, (anchor[1] + member[1]) / 2 + SEAT_GAP
+    x, y = (anchor[0] + member[1]) / 2 + gap, (anchor[1] + member[1]) / 2 + gap
     slots: list[Slot] = []
     if counts:
         slots += [(t, y, 180.0) for t in _spread(counts[0], anchor[0])]
@@ -83,7 +89,7 @@ def around_slots(
 
 
 def front_slots(
-    anchor: Size, member: Size, count: int, *, seat: bool, touching: bool
+    anchor: Size, member: Size, count: int, *, seat: bool, touching: bool, gap: float
 ) -> list[Slot]:
     """Return places before the anchor's front, in rows no wider than the anchor; seats face it.
 
@@ -94,7 +100,7 @@ def front_slots(
     touching : bool
         It belongs right at the anchor (a bench at the foot of a bed); else legs fit between.
     """
-    gap = SEAT_GAP if seat or touching else 0.35
+    gap = gap if seat or touching else 0.35
     row = max(1, int((anchor[0] + 0.06) / (member[0] + 0.04)))
     slots: list[Slot] = []
     y = anchor[1] / 2

@@ -42,28 +42,35 @@ def _search(
     boost = dict.fromkeys((g.anchor.index for g in groups), 0)
     best: tuple[float, Construction] | None = None
     effort = Effort(options.effort)
+    roomy = True
     for attempt in range(max(1, options.attempts)):
-        floor = Floor(model, specs, options, effort)
+        floor = Floor(model, specs, options, effort, roomy=roomy)
         order = sorted(groups, key=lambda g: g.priority - boost[g.anchor.index])
         aisle = model.aisle * (1.0, 0.75, 0.6)[min(attempt, 2)]
         build = construct(floor, specs, order, rng, aisle=aisle)
-        value = rate(floor).value
-        if best is None or value > best[0]:
-            best = value, build
-        if value >= goal:
-            return floor
-        if effort.spent > 0.5 * effort.limit:
+        rating = rate(floor)
+        if best is None or rating.value > best[0]:
+            best = rating.value, build
+        missing = asked - rating.placed
+        if rating.value >= goal or effort.spent > (1.0 if missing else 0.5) * effort.limit:
             break
+        # One or two left over may find room with another order; many will not with these margins.
+        roomy = not options.tight or (missing <= 0.1 * asked and (attempt < 1 or not missing))
         for group in groups:
             if any(floor.count(s.index) < s.quantity for s in (group.anchor, *group.members)):
                 boost[group.anchor.index] += 1
     assert best is not None
-    build = best[1]
+    return _improved(best[1], specs, asked, goal, options)
+
+
+def _improved(
+    build: Construction, specs: list[Spec], asked: int, goal: float, options: PlacementOptions
+) -> Floor:
     floor, rating = improve(build, specs, moves=options.moves, goal=goal)
     if options.tight and rating.placed < asked:
         build.floor = floor.copy()
         build.floor.relax()
-        effort.limit *= 1.5
+        floor.effort.limit *= 1.75
         floor, _ = improve(build, specs, moves=2 * options.moves, goal=goal)
     return floor
 

@@ -35,11 +35,14 @@ class UnitStyle:
         Left and right exchanged.
     long_sides : bool
         Seats on two opposite sides only.
+    gap : float
+        Between a seat and the table or desk it belongs to, metres.
     """
 
     links: frozenset[str] = frozenset({"paired", "around", "in_front_of", "side_of", "near"})
     mirrored: bool = False
     long_sides: bool = False
+    gap: float = 0.08
 
 
 @dataclass
@@ -150,7 +153,7 @@ def _slots(
     at_wall = child.where == "edge"
     if child.link == "paired":
         beside = at_wall or spec.role.bed
-        return [paired_slot(anchor, member, beside=beside, mirrored=style.mirrored)]
+        return [paired_slot(anchor, member, beside=beside, mirrored=style.mirrored, gap=style.gap)]
     if child.link == "side_of":
         return (
             side_slots(anchor, member, count, backed=backed, mirrored=style.mirrored)
@@ -162,8 +165,10 @@ def _slots(
     if at_wall:
         return []
     if child.link == "around":
-        return around_slots(anchor, member, count, backed=backed, long_sides=style.long_sides)
+        return around_slots(
+            anchor, member, count, backed=backed, gap=style.gap, long_sides=style.long_sides
+        )
     if child.link == "in_front_of":
         touching = child.role.sofa or child.role.symmetric
-        return front_slots(anchor, member, count, seat=seat, touching=touching)
+        return front_slots(anchor, member, count, seat=seat, touching=touching, gap=style.gap)
     return list(near_slots(anchor, member, seat=seat, backed=backed, mirrored=style.mirrored))
