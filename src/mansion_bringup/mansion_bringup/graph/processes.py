@@ -18,7 +18,7 @@ from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
 __all__ = ["GraphOptions", "GraphProcesses"]
 
 GRACE = 3.0
-"""Seconds that a node has to end after SIGINT before it is killed."""
+"""Seconds that a node has to end after SIGTERM before it is killed."""
 
 
 @dataclass(frozen=True)
@@ -145,9 +145,9 @@ class GraphProcesses:
                 time.sleep(0.02)
 
     def stop(self) -> None:
-        """End every node: SIGINT, and SIGKILL for what is still there after a grace."""
+        """End every node: SIGTERM, and SIGKILL for what is still there after a grace."""
         for process in self.running.values():
-            _signal(process, signal.SIGINT)
+            _signal(process, signal.SIGTERM)
         deadline = time.monotonic() + GRACE
         for process in self.running.values():
             try:

@@ -105,3 +105,7 @@ class BuildingDirector(Node):
 def main(args: Sequence[str] | None = None) -> None:
     """Run the node."""
     run_node(BuildingDirector, args, threads=2 * MAX_BUILDS + 2)
+
+
+if __name__ == "__main__":
+    main()

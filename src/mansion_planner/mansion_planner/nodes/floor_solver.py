@@ -67,3 +67,7 @@ class FloorSolver(Node):
 def main(args: Sequence[str] | None = None) -> None:
     """Run the node."""
     run_node(FloorSolver, args)
+
+
+if __name__ == "__main__":
+    main()

@@ -43,3 +43,7 @@ class ProgramPlannerNode(rclpy.node.Node):  # type: ignore[misc]
 def main() -> None:
     """Run the node until it is told to end."""
     run_node(ProgramPlannerNode)
+
+
+if __name__ == "__main__":
+    main()
