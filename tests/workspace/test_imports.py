@@ -3,7 +3,7 @@
 import ast
 import re
 import sys
-from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -38,14 +38,16 @@ ROS_MODULES = {
 }
 
 
-def imports(source: Path) -> Iterator[str]:
+@cache
+def imports(source: Path) -> frozenset[str]:
     """Top-level names of the modules that a file imports, anywhere in it."""
+    names: list[str] = []
     for node in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            for alias in node.names:
-                yield alias.name.partition(".")[0]
+            names += [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
-            yield node.module.partition(".")[0]
+            names.append(node.module)
+    return frozenset(name.partition(".")[0] for name in names)
 
 
 def sources(package: Path) -> list[Path]:
@@ -95,7 +97,7 @@ def test_only_nodes_and_bringup_import_ros(packages: list[Path]) -> None:
             continue
         for source in sources(package):
             if "nodes" not in source.relative_to(package).parts:
-                assert not ROS_MODULES & set(imports(source)), source
+                assert not ROS_MODULES & imports(source), source
 
 
 def test_what_is_imported_is_declared(packages: list[Path]) -> None:
@@ -103,7 +105,7 @@ def test_what_is_imported_is_declared(packages: list[Path]) -> None:
     for package in packages:
         known = declared(package) | ROS_MODULES | {package.name} | set(sys.stdlib_module_names)
         for source in sources(package):
-            if missing := set(imports(source)) - known:
+            if missing := imports(source) - known:
                 undeclared[str(source.relative_to(package))] = missing
     assert undeclared == {}
 

@@ -1,102 +1,73 @@
 """`./mansion` makes its environment once, safely, and then gets out of the way."""
 
-import importlib.util
 import os
 import shutil
 import signal
 import sys
+from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
-
-import pytest
+from typing import Any
 
 
-def _load_miniature() -> ModuleType:
-    path = Path(__file__).with_name("miniature.py")
-    spec = importlib.util.spec_from_file_location("workspace_miniature", path)
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-miniature = _load_miniature()
-
-
-@pytest.fixture(scope="module")
-def ready(tmp_path_factory: pytest.TempPathFactory):  # type: ignore[no-untyped-def]
-    """A checkout whose launcher has run once."""
-    checkout = miniature.make_miniature(tmp_path_factory.mktemp("ready") / "a checkout")
-    first = checkout.run("first")
-    assert first.returncode == 0, first.stderr
-    return checkout, first
-
-
-@pytest.fixture
-def fresh(tmp_path: Path):  # type: ignore[no-untyped-def]
-    """A checkout whose launcher has never run."""
-    return miniature.make_miniature(tmp_path / "checkout")
-
-
-def test_first_use_shows_progress_on_stderr_and_leaves_stdout_to_the_command(ready) -> None:  # type: ignore[no-untyped-def]
-    _, first = ready
+def test_first_use_shows_progress_on_stderr_and_leaves_stdout_to_the_command(
+    first_use: Any,
+) -> None:
+    _, first = first_use
     assert first.stdout.startswith('{"arguments": ["first"]') and first.stdout.count("\n") == 1
     steps = [line for line in first.stderr.splitlines() if line.startswith("mansion: [")]
     assert len(steps) == 3
     assert first.stderr.splitlines()[-1].startswith("mansion: ready after")
 
 
-def test_later_uses_say_nothing_and_start_no_python_but_their_own(ready, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
-    checkout, _ = ready
+def test_later_uses_say_nothing_and_start_no_python_but_their_own(
+    ready: Any, tmp_path: Path
+) -> None:
     calls = tmp_path / "calls"
     for name in ("python3", "python3.11", "python3.12", "python3.13", "pip"):
         stub = tmp_path / name
         stub.write_text(f"#!/bin/sh\necho {name} >>{calls}\nexit 1\n", encoding="utf-8")
         stub.chmod(0o755)
-    done = checkout.run("again", PATH=f"{tmp_path}:{os.environ['PATH']}")
+    done = ready.run("again", PATH=f"{tmp_path}:{os.environ['PATH']}")
     assert (done.returncode, done.stderr) == (0, "")
     assert not calls.exists()
 
 
-def test_the_command_sees_the_locked_packages_and_the_sources(ready) -> None:  # type: ignore[no-untyped-def]
-    checkout, _ = ready
-    seen = checkout.report()
-    assert seen["prefix"] == str(checkout.venv)
-    assert seen["brick"].startswith(str(checkout.venv))
-    assert str(checkout.folder / "src" / "mansion_bringup") in seen["path"]
+def test_the_command_sees_the_locked_packages_and_the_sources(ready: Any) -> None:
+    seen = ready.report()
+    assert seen["prefix"] == str(ready.venv)
+    assert seen["brick"].startswith(str(ready.venv))
+    assert str(ready.folder / "src" / "mansion_bringup") in seen["path"]
     assert seen["rclpy"] == str(
-        checkout.folder / "src" / "mansion_embedded_ros" / "rclpy" / "__init__.py"
+        ready.folder / "src" / "mansion_embedded_ros" / "rclpy" / "__init__.py"
     )
 
 
 def test_arguments_folder_and_exit_status_pass_through_a_symbolic_link(
-    ready, tmp_path: Path
-) -> None:  # type: ignore[no-untyped-def]
-    checkout, _ = ready
+    ready: Any, tmp_path: Path
+) -> None:
     (tmp_path / "bin").mkdir()
-    (tmp_path / "link").symlink_to(checkout.folder / "mansion")
+    (tmp_path / "link").symlink_to(ready.folder / "mansion")
     (tmp_path / "bin" / "mansion").symlink_to("../link")
     (tmp_path / "json.py").write_text("raise SystemExit('shadowed')", encoding="utf-8")
-    through_link = miniature.Miniature(tmp_path / "bin", checkout.environment)
+    through_link = replace(ready, folder=tmp_path / "bin")
     seen = through_link.report("two words", "", "*", cwd=tmp_path)
     assert seen["arguments"] == ["two words", "", "*"]
     assert seen["folder"] == str(tmp_path)
-    assert seen["prefix"] == str(checkout.venv)
-    assert checkout.run("fail").returncode == 3
+    assert seen["prefix"] == str(ready.venv)
+    assert ready.run("fail").returncode == 3
 
 
-def test_an_interrupted_set_up_starts_over_and_two_at_once_make_one(fresh) -> None:  # type: ignore[no-untyped-def]
-    first = fresh.start()
+def test_an_interrupted_set_up_starts_over_and_two_at_once_make_one(quick: Any) -> None:
+    first = quick.start()
     assert first.stderr is not None
     for line in first.stderr:
         if "[1/4]" in line:
             break
     os.killpg(first.pid, signal.SIGKILL)
     first.communicate(timeout=30)
-    assert not (fresh.venv / ".mansion-stamp").exists()
+    assert not (quick.venv / ".mansion-stamp").exists()
 
-    pair = [fresh.start(), fresh.start()]
+    pair = [quick.start(), quick.start()]
     outputs = [process.communicate(timeout=120) for process in pair]
     assert [process.returncode for process in pair] == [0, 0], outputs
     stderr = "".join(error for _, error in outputs)
@@ -104,35 +75,34 @@ def test_an_interrupted_set_up_starts_over_and_two_at_once_make_one(fresh) -> No
     assert stderr.count("is setting up") == stderr.count("waiting for it") == 1
 
 
-def test_a_package_that_differs_from_the_lock_is_refused(fresh) -> None:  # type: ignore[no-untyped-def]
-    fresh.write_lock(digest="0" * 64)
-    refused = fresh.run()
+def test_a_package_that_differs_from_the_lock_is_refused(quick: Any) -> None:
+    quick.write_lock(digest="0" * 64)
+    refused = quick.run()
     assert refused.returncode == 1 and refused.stdout == ""
     assert "differs from the lock file" in refused.stderr
-    assert not (fresh.venv / ".mansion-stamp").exists()
-    assert not list(fresh.venv.glob("lib/*/site-packages/brick*"))
+    assert not (quick.venv / ".mansion-stamp").exists()
+    assert not list(quick.venv.glob("lib/*/site-packages/brick*"))
 
 
-def test_the_environment_is_made_anew_when_what_made_it_changes(ready) -> None:  # type: ignore[no-untyped-def]
-    checkout, _ = ready
+def test_the_environment_is_made_anew_when_what_made_it_changes(ready: Any) -> None:
 
     def is_made_anew() -> bool:
-        done = checkout.run(MANSION_PYTHON="/nowhere/python3")
+        done = ready.run(MANSION_PYTHON="/nowhere/python3")
         assert done.returncode == (1 if "no Python" in done.stderr else 0)
         return done.returncode == 1
 
     assert not is_made_anew()
-    checkout.write_lock(note="changed")
+    ready.write_lock(note="changed")
     assert is_made_anew()
-    checkout.write_lock()
+    ready.write_lock()
     assert not is_made_anew()
-    added = checkout.folder / "src" / "mansion_added"
+    added = ready.folder / "src" / "mansion_added"
     added.mkdir()
     (added / "setup.py").touch()
     assert is_made_anew()
     shutil.rmtree(added)
     assert not is_made_anew()
-    python = checkout.venv / "bin" / "python"
+    python = ready.venv / "bin" / "python"
     target = python.readlink()
     python.unlink()
     python.symlink_to("/nowhere/python3")
@@ -142,18 +112,18 @@ def test_the_environment_is_made_anew_when_what_made_it_changes(ready) -> None: 
     assert not is_made_anew()
 
 
-def test_without_a_network_it_says_so(fresh) -> None:  # type: ignore[no-untyped-def]
-    lock = next((fresh.folder / "requirements").glob("base-*.txt"))
+def test_without_a_network_it_says_so(quick: Any) -> None:
+    lock = next((quick.folder / "requirements").glob("base-*.txt"))
     lock.write_text(
         f"--index-url http://127.0.0.1:9/simple\nbrick==1.0 --hash=sha256:{'0' * 64}\n", "utf-8"
     )
-    done = fresh.run()
+    done = quick.run()
     assert done.returncode == 1
     assert "the package index cannot be reached" in done.stderr
-    assert str(fresh.venv / "setup.log") in done.stderr
+    assert str(quick.venv / "setup.log") in done.stderr
 
 
-def test_beside_a_sourced_ros_its_rclpy_is_used_and_the_embedded_one_left_out(fresh) -> None:  # type: ignore[no-untyped-def]
+def test_beside_a_sourced_ros_its_rclpy_is_used_and_the_embedded_one_left_out(fresh: Any) -> None:
     ros = fresh.folder.parent / "opt" / "ros"
     (ros / "rclpy").mkdir(parents=True)
     rclpy = ros / "rclpy" / "__init__.py"
@@ -170,7 +140,7 @@ def test_beside_a_sourced_ros_its_rclpy_is_used_and_the_embedded_one_left_out(fr
     assert fresh.run(**sourced).stderr == ""
 
 
-def test_a_sourced_ros_that_does_not_import_is_reported_before_anything_is_made(fresh) -> None:  # type: ignore[no-untyped-def]
+def test_a_sourced_ros_that_does_not_import_is_reported_before_anything_is_made(fresh: Any) -> None:
     ros = fresh.folder.parent / "ros"
     (ros / "rclpy").mkdir(parents=True)
     (ros / "rclpy" / "__init__.py").write_text("raise ImportError('librcl.so is missing')", "utf-8")
@@ -180,13 +150,13 @@ def test_a_sourced_ros_that_does_not_import_is_reported_before_anything_is_made(
     assert not (fresh.folder / ".venv-ros").exists()
 
 
-def test_a_place_that_cannot_be_written_is_named_with_the_way_out(fresh) -> None:  # type: ignore[no-untyped-def]
+def test_a_place_that_cannot_be_written_is_named_with_the_way_out(fresh: Any) -> None:
     done = fresh.run(MANSION_VENV="/proc/nowhere/venv")
     assert done.returncode == 1
     assert "/proc/nowhere/venv" in done.stderr and "MANSION_VENV=" in done.stderr
 
 
-def test_a_folder_that_is_not_its_own_is_left_alone(fresh, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
+def test_a_folder_that_is_not_its_own_is_left_alone(fresh: Any, tmp_path: Path) -> None:
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "thesis.tex").touch()
     done = fresh.run(MANSION_VENV=str(tmp_path / "mine"))
@@ -207,14 +177,17 @@ def fake_python(folder: Path, lie: str) -> str:
 
 def test_a_missing_venv_module_comes_with_the_command_that_installs_it(
     fresh, tmp_path: Path
-) -> None:  # type: ignore[no-untyped-def]
+) -> None:
     python = fake_python(tmp_path, "sys.modules['venv'] = None")
     done = fresh.run(MANSION_PYTHON=python)
     assert done.returncode == 1
-    assert f"sudo apt install python{miniature.VERSION}-venv" in done.stderr
+    assert (
+        f"sudo apt install python{sys.version_info.major}.{sys.version_info.minor}-venv"
+        in done.stderr
+    )
 
 
-def test_a_python_that_is_too_old_or_too_new_is_refused(fresh, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
+def test_a_python_that_is_too_old_or_too_new_is_refused(fresh: Any, tmp_path: Path) -> None:
     for version in ("(3, 10, 12)", "(3, 14, 0)"):
         done = fresh.run(MANSION_PYTHON=fake_python(tmp_path, f"sys.version_info = {version}"))
         assert done.returncode == 1
