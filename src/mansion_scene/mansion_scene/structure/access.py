@@ -96,7 +96,7 @@ def plan_access(
             wish=f"access between {source} and {target}",
             got=_detour(floor, (source, target), repairs),
             reason=reasons.get(pair_key(source, target))
-            or f"they share no straight wall of {SHORTEST_ACCESS:.2f} m",
+            or f"they share no straight wall of {SHORTEST_ACCESS:.2f} m between walkable floor",
             stage="furnish_floor",
             floor=floor.floor,
         )
@@ -181,7 +181,7 @@ def _repair(
             raise MansionError(
                 ErrorCode.INFEASIBLE,
                 f"{lost[0].id} cannot be reached: no reachable room shares a straight wall of at least "
-                f"{SHORTEST_ACCESS:.2f} m with it",
+                f"{SHORTEST_ACCESS:.2f} m between walkable floor with it",
                 path="$.layout.rooms",
                 details={"unreachable": [region.id for region in lost]},
             )

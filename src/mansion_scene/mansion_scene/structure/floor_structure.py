@@ -1,7 +1,10 @@
 """The structure of a floor: from a furnish request to rooms, walls, doors, windows and cores."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+
+from shapely.geometry import Polygon
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
@@ -20,14 +23,16 @@ from mansion_scene.structure.openings import (
 )
 from mansion_scene.structure.regions import FloorRegions, floor_regions
 from mansion_scene.structure.scene_rooms import scene_rooms
-from mansion_scene.structure.stretches import boundary_stretches
+from mansion_scene.structure.stretches import Stretch, boundary_stretches
 from mansion_scene.structure.swings import hang_doors
+from mansion_scene.structure.walkable import PASSAGE, usable_stretches, walkable_parts
 from mansion_scene.structure.wall_bodies import number_doors, number_walls, number_windows
 from mansion_scene.structure.windows import place_windows
 
 __all__ = ["FloorStructure", "build_structure", "ceiling_height"]
 
 _GROUND = 1
+_NOTABLE = 1.0  # square metres of unusable floor that the scene reports
 
 
 @dataclass(frozen=True)
@@ -74,9 +79,10 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
     ceiling = ceiling_height(request.floor.height)
     floor = floor_regions(request)
     stretches = boundary_stretches(floor, request.floor.structural_walls)
-    shared = shared_stretches(stretches)
+    usable = usable_stretches(stretches, _walkable_rooms(floor, stretches))
+    shared = shared_stretches(usable)
     ground = floor.floor == _GROUND
-    root = entrance_room(floor, stretches) if ground else floor.hub
+    root = entrance_room(floor, usable) if ground else floor.hub
     plan = plan_access(floor, request.topology, request.layout, shared, root)
     open_pairs = frozenset(passage.pair for passage in plan.passages if passage.is_open)
     partition = partition_floor(floor, stretches, open_pairs)
@@ -85,9 +91,7 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
     if ground:
         residential = is_residential(request.building_type)
         openings.append(
-            place_entrance(
-                floor, stretches, root, frontages, partition.nets, residential=residential
-            )
+            place_entrance(floor, usable, root, frontages, partition.nets, residential=residential)
         )
     for opening in openings:
         take(opening, frontages)
@@ -109,15 +113,29 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
     )
 
 
+def _walkable_rooms(floor: FloorRegions, stretches: Sequence[Stretch]) -> dict[str, Polygon]:
+    """Return each room's walkable part with all walls standing; rooms narrower than a passage are left out."""
+    closed = partition_floor(floor, stretches, frozenset())
+    nets = {r.id: closed.nets[r.id] for r in floor.regions if r.is_room}
+    return {name: part for name, part in walkable_parts(nets).items() if not part.is_empty}
+
+
 def _cut_off(floor: FloorRegions, partition: Partition) -> list[Downgrade]:
-    """Record the floor that rooms lose where they are narrower than their walls."""
+    """Record the floor that rooms lose where they are pinched to less than a passage."""
+    nets = {r.id: partition.nets[r.id] for r in floor.regions if r.is_room}
+    parts = walkable_parts(nets)
+    lost = {
+        name: net.area - parts[name].area + partition.cut_off.get(name, 0.0)
+        for name, net in nets.items()
+    }
     return [
         Downgrade(
-            wish=f"all of {region}",
-            got=f"{lost:.2f} m2 less",
-            reason="a part of the room is cut off by its walls",
+            wish=f"all of {region} in one piece",
+            got=f"{area:.2f} m2 less",
+            reason=f"a part of the room is reached only by a way narrower than {PASSAGE} m",
             stage="furnish_floor",
             floor=floor.floor,
         )
-        for region, lost in partition.cut_off.items()
+        for region, area in lost.items()
+        if area > _NOTABLE
     ]

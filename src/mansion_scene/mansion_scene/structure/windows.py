@@ -13,6 +13,7 @@ from mansion_scene.structure.stretches import Stretch
 __all__ = ["WindowKind", "WindowOpening", "place_windows", "window_kind"]
 
 _END = 0.3  # metres of wall between a window and a wall end or a door
+_SAME_LINE = 0.01
 _HEAD = 0.2  # metres of wall above a window
 
 
@@ -78,9 +79,10 @@ def place_windows(
     """
     if floor.floor < 1:
         return []
-    doors: dict[Stretch, list[Segment]] = {}
+    doors: dict[str, list[Segment]] = {}
     for opening in openings:
-        doors.setdefault(opening.stretch, []).append(opening.segment)
+        if opening.regions[1] is None:
+            doors.setdefault(opening.regions[0], []).append(opening.segment)
     windows: list[WindowOpening] = []
     corners = reentrant_corners(floor.outline)
     for wall in stretches:
@@ -89,7 +91,7 @@ def place_windows(
         if kind is None or stretch is None:
             continue
         kind = _below(kind, ceiling)
-        for low, high in _free(stretch, doors.get(stretch, [])):
+        for low, high in _free(stretch, doors.get(stretch.left, [])):
             windows.extend(_row(stretch, kind, low, high))
     return windows
 
@@ -103,6 +105,8 @@ def _free(stretch: Stretch, doors: Sequence[Segment]) -> list[tuple[float, float
     (x0, y0), (dx, dy) = stretch.start, stretch.direction
     intervals = [(_END, stretch.length - _END)]
     for door in doors:
+        if any(abs((x - x0) * dy - (y - y0) * dx) > _SAME_LINE for x, y in door):
+            continue
         low, high = sorted((p[0] - x0) * dx + (p[1] - y0) * dy for p in door)
         intervals = [
             piece
