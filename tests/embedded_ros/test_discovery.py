@@ -42,24 +42,22 @@ CONFIG = (
 )
 
 
-def _qos(qos: Any, writer: bool) -> dict[str, Any]:
+def _qos(qos: Any) -> dict[str, Any]:
     found: dict[str, Any] = {"autodispose": None}
     for policy in qos:
-        text = re.sub(r"^Policy\.\w+\.", "", repr(policy))
-        if isinstance(policy, Policy.Userdata):
+        match = re.match(r"Policy\.(\w+)(?:\.(\w+))?", repr(policy))
+        scope, kind = match.groups() if match else ("", "")
+        if scope in ("Durability", "Liveliness", "Reliability"):
+            found[scope.lower()] = kind
+        elif isinstance(policy, Policy.Userdata):
             found["user_data"] = policy.data.decode()
         elif isinstance(policy, Policy.Lifespan):
-            found["lifespan_ns"] = policy.lifespan
+            found["lifespan_ns"] = policy.lifespan if policy.lifespan < 2**63 - 1 else None
         elif isinstance(policy, Policy.WriterDataLifecycle):
             found["autodispose"] = policy.autodispose
         elif isinstance(policy, Policy.DataRepresentation):
-            found["representation"] = "XCDR1" if policy.use_cdrv0_representation else text
-        elif type(policy).__name__ in ("Volatile", "TransientLocal"):
-            found["durability"] = text
-        elif type(policy).__name__ in ("Reliable", "BestEffort"):
-            found["reliability"] = type(policy).__name__
-        elif type(policy).__name__ == "Automatic":
-            found["liveliness"] = type(policy).__name__
+            xcdr1_only = policy.use_cdrv0_representation and not policy.use_xcdrv2_representation
+            found["representation"] = "XCDR1" if xcdr1_only else repr(policy)
     return found
 
 
@@ -70,6 +68,7 @@ def _normal_user_data(text: str, prefix: str) -> str:
         octets = match[2].strip().split(".")
         assert len(octets) == 16
         assert ".".join(octets[:12]) == prefix
+        assert len(match[2].split(".")[0]) == 2, "the first byte is padded with a space"
         return f"{match[1]}={int(''.join(o.zfill(2) for o in octets[12:]), 16)};"
 
     return re.sub(r"(clientid|serviceid)=([^;]*);", number, text)
@@ -80,7 +79,7 @@ def _prefix(guid: str) -> str:
 
 
 def _observe() -> tuple[dict[str, str], list[dict[str, Any]]]:
-    """Participants other than the observer, and their endpoints, once there are 25."""
+    """Participants other than the observer, and their endpoints, once there are 24."""
     participant = DomainParticipant(DOMAIN)
     readers = {
         "writer": BuiltinDataReader(participant, BuiltinTopicDcpsPublication),
@@ -91,7 +90,7 @@ def _observe() -> tuple[dict[str, str], list[dict[str, Any]]]:
     participants: dict[str, str] = {}
     endpoints: dict[str, dict[str, Any]] = {}
     end = time.monotonic() + 10
-    while time.monotonic() < end and len(endpoints) < 25:
+    while time.monotonic() < end and len(endpoints) < 24:
         for sample in people.take(N=50):
             if sample.key != own:
                 user_data = sample.qos[Policy.Userdata]
@@ -106,7 +105,7 @@ def _observe() -> tuple[dict[str, str], list[dict[str, Any]]]:
                     "type": sample.type_name,
                     "guid": sample.key.hex,
                     "type_id": sample.type_id,
-                    **_qos(sample.qos, kind == "writer"),
+                    **_qos(sample.qos),
                 }
         time.sleep(0.02)
     return participants, list(endpoints.values())
@@ -137,14 +136,17 @@ def test_a_node_announces_what_was_recorded(
         user_data = _normal_user_data(entry["user_data"], prefix)
         return (*(entry.get(key) for key in same), user_data)
 
-    found = sorted(view(e, _prefix(guid)) for e in endpoints)
-    assert found == sorted(view(e, _prefix(old)) for e in expected["endpoints"])
+    found = sorted((view(e, _prefix(guid)) for e in endpoints), key=repr)
+    wanted = (view(e, _prefix(old)) for e in expected["endpoints"])
+    assert found == sorted(wanted, key=repr)
     assert {e["representation"] for e in endpoints} == {"XCDR1"}
     assert {e["autodispose"] for e in endpoints if e["kind"] == "writer"} == {False}
     assert {e["type_id"] for e in endpoints} == {None}
-    # The entity numbers of GUIDs are given in order of creation: same order, same numbers.
-    numbers = {(e["kind"], e["topic"]): e["guid"][24:] for e in endpoints}
-    assert numbers == {(e["kind"], e["topic"]): e["guid"][24:] for e in expected["endpoints"]}
+    # Entity numbers in GUIDs are given in order of creation; the recorded ones start at 4.
+    numbers = {(e["kind"], e["topic"]): int(e["guid"][24:30], 16) + 3 for e in endpoints}
+    assert numbers == {
+        (e["kind"], e["topic"]): int(e["guid"][24:30], 16) for e in expected["endpoints"]
+    }
 
 
 def test_the_discovery_sample_lists_the_endpoints_in_the_recorded_order(
@@ -169,7 +171,8 @@ def test_the_discovery_sample_lists_the_endpoints_in_the_recorded_order(
         assert node is not None
         wanted = expected["nodes"][0]
         assert node.namespace == wanted["namespace"]
-        assert sorted(g.hex()[24:] for g in node.readers) == [g[24:] for g in wanted["readers"]]
-        assert sorted(g.hex()[24:] for g in node.writers) == [g[24:] for g in wanted["writers"]]
+        for found, listed in ((node.readers, "readers"), (node.writers, "writers")):
+            numbers = sorted(int(g.hex()[24:30], 16) + 3 for g in found)
+            assert numbers == [int(g[24:30], 16) for g in wanted[listed]]
     finally:
         watcher.destroy_node()

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ctypes as ct
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 __all__ = [
@@ -251,16 +253,26 @@ _PROTOTYPES: dict[str, tuple[Any, list[Any]]] = {
 }
 
 
-def _load() -> ct.CDLL:
-    try:
-        from cyclonedds.internal import DDS
-    except ImportError as problem:
+def _library_path() -> str:
+    """The C library in the wheel; importing the package itself would take most of the start-up."""
+    spec = find_spec("cyclonedds")
+    if spec is None or spec.origin is None:
         raise ImportError(
             "the embedded rclpy needs the Python package cyclonedds 11 "
-            f"(pip install 'cyclonedds==11.0.1'): {problem}"
-        ) from problem
+            "(pip install 'cyclonedds==11.0.1')"
+        )
+    home = Path(spec.origin).parent
+    for pattern in ("../cyclonedds.libs/libddsc-*.so.11.*", ".libs/libddsc.so"):
+        for path in sorted(home.glob(pattern)):
+            return str(path.resolve())
+    from cyclonedds.internal import DDS
+
+    return str(DDS._dll_handle._name)
+
+
+def _load() -> ct.CDLL:
     # An instance of its own: prototypes set here must not change those of the cyclonedds package.
-    library = ct.CDLL(DDS._dll_handle._name)
+    library = ct.CDLL(_library_path())
     for name, (restype, argtypes) in _PROTOTYPES.items():
         function = getattr(library, name)
         function.restype, function.argtypes = restype, argtypes
