@@ -21,7 +21,7 @@ from mansion_planner.program.decisions import Decisions, decide, note
 from mansion_planner.program.envelope import Envelope, envelope_of
 from mansion_planner.program.filling import fill_storey, fit_areas, name_rooms
 from mansion_planner.program.frame import Frame
-from mansion_planner.program.massing import MassingWish, choose_massing
+from mansion_planner.program.massing import MassingWish, choose_massing, choose_shape
 from mansion_planner.program.materials import materials_of
 from mansion_planner.program.model import Massing, Storey
 from mansion_planner.program.sizes import storey_area, typical_room
@@ -70,12 +70,12 @@ def plan_program(
     area = storey_area(decisions, storeys, allocation, knowledge, stairs, lifts)
     wish = MassingWish(
         area, decisions.building, stairs, lifts, exact=decisions.area_stated,
-        room=typical_room(storeys, allocation, knowledge),
+        room=typical_room(storeys, allocation, knowledge), shape=choose_shape(decisions, area, generator),
     )  # fmt: skip
     massing = choose_massing(wish, generator)
     frame_choice = generator.random(3) < 0.5
     frame = Frame(
-        (0.0, 0.0, massing.length, massing.depth),
+        (0.0, -massing.drop, massing.length, massing.depth),
         mirror_x=bool(frame_choice[0]), mirror_y=bool(frame_choice[1]), swap=bool(frame_choice[2]),
     )  # fmt: skip
     sketches: dict[int, Sketch] = {}

@@ -42,6 +42,9 @@ def envelope_of(massing: Massing, storey: Storey, frame: Frame) -> Envelope:
             boxes.append((wing.x0, massing.depth, wing.x1, massing.depth + wing.reach))
         else:
             boxes.append((wing.x0, -wing.reach, wing.x1, 0.0))
+    if massing.court:
+        low = -massing.wings[0].reach
+        boxes.append((massing.far[0], low - massing.court, massing.far[1], low))
     shape = unary_union([shapely.box(*frame.area_box(box)) for box in boxes]).simplify(1e-6)
     shape = shapely.geometry.polygon.orient(shape)
     return Envelope(ring_of(shape.exterior.coords), [ring_of(hole.coords) for hole in shape.interiors])

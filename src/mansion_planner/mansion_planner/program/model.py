@@ -131,6 +131,30 @@ class Massing:
     hall: bool = False
 
     @property
+    def drop(self) -> float:
+        """How far the building reaches below the main bar."""
+        return max((w.reach for w in self.wings if not w.north), default=0.0) + self.court
+
+    @property
+    def far(self) -> tuple[float, float]:
+        """Ends of the far bar along x; equal without one."""
+        if not self.court:
+            return 0.0, 0.0
+        if len(self.wings) == 1:
+            return 0.0, self.length
+        return self.wings[0].x0, self.wings[-1].x1
+
+    @property
+    def far_length(self) -> float:
+        """Length of the far bar."""
+        return self.far[1] - self.far[0]
+
+    @property
+    def far_band(self) -> float:
+        """Depth of each band of the far bar."""
+        return (self.court - self.corridor) / 2
+
+    @property
     def depth(self) -> float:
         """Depth of the main bar."""
         return self.north + self.corridor + self.south

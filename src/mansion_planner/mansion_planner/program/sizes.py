@@ -7,6 +7,7 @@ from mansion_planner.program.allocation import Allocation, planned_room
 from mansion_planner.program.allocation import entries_of
 from mansion_planner.program.decisions import AREA_CAP, Decisions, note
 from mansion_planner.program.filling import base_rooms
+from mansion_planner.program.massing import least_area
 from mansion_planner.program.model import Storey
 
 __all__ = ["storey_area", "typical_room"]
@@ -65,6 +66,8 @@ def storey_area(
         small = any(word == "small" for word, _ in decisions.facts.size)
         usual = typical * 0.85 if small else max(min(usual, typical), 0.9 * typical)
     result = max(usual, asked, decisions.building.floor_area[0])
+    if decisions.facts.shapes:
+        result = max(result, least_area(decisions.facts.shapes[0][0]))
     if result > usual + 1.0 and asked > usual:
         note(decisions.trace, None, f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}")
     if result > AREA_CAP:

@@ -67,6 +67,10 @@ def lobby_length(massing: Massing, storey: Storey) -> float:
     return massing.lobby + (massing.entrance if storey.role in ("ground", "single") else 0.0)
 
 
+def _is_main(corridor: Corridor) -> bool:
+    return not corridor.id.startswith("wing_") and corridor.id != "far"
+
+
 def _extent(massing: Massing, storey: Storey) -> float:
     return massing.length - storey.setback + storey.extension
 
@@ -96,8 +100,8 @@ def capacity(massing: Massing, storey: Storey) -> float:
         band = massing.north if wing.north else massing.south
         total -= massing.corridor * band
     if massing.court:
-        first, last = massing.wings[0], massing.wings[-1]
-        total += (massing.court - massing.corridor) * (last.x0 - first.x1)
+        total += (massing.court - massing.corridor) * massing.far_length
+        total -= massing.corridor * massing.far_band * len(massing.wings)
     total -= lobby_length(massing, storey) * massing.south
     total -= _pocket(massing) * massing.north + _far_stair(massing) * massing.north
     if massing.hall:
@@ -163,11 +167,29 @@ def _segments(massing: Massing, stop: float, lobby: float) -> list[Segment]:
     for number, wing in enumerate(massing.wings, 1):
         side = (wing.x1 - wing.x0 - massing.corridor) / 2
         band = north if wing.north else south
-        run = wing.reach + band
+        run = wing.reach + band + (massing.far_band if massing.court else 0.0)
         name = f"wing_{number}"
         segments.append(Segment(name, False, 0.0, run, wing.x0 + side, side, wing=wing))
         segments.append(Segment(name, True, 0.0, run, wing.x1 - side, side, wing=wing))
+    if massing.court:
+        segments += _far_segments(massing)
     return [segment for segment in segments if segment.depth > 0.5]
+
+
+def _far_segments(massing: Massing) -> list[Segment]:
+    """List the stretches of band of the bar that closes a courtyard or an H."""
+    top = -massing.wings[0].reach
+    band, (begin, end) = massing.far_band, massing.far
+    low, high = top - band - massing.corridor, top - band
+    segments = [Segment("far", False, begin, end, low, band)]
+    x = begin
+    for wing in massing.wings:
+        if wing.x0 - x > 0.5:
+            segments.append(Segment("far", True, x, wing.x0, high, band))
+        x = wing.x1
+    if end - x > 0.5:
+        segments.append(Segment("far", True, x, end, high, band))
+    return segments
 
 
 def _assemble(
@@ -198,13 +220,47 @@ def _assemble(
         rooms.append(Placement(room, [(x, 0.0, x + wide, massing.depth)], "@end"))
         x += wide
     lobby = lobby_length(massing, storey)
+    _fill_pocket(massing, rooms)
     corridors = _corridors(massing, hub_id, fronts, stop, bool(ends), lobby)
     sketch = Sketch(corridors, rooms)
     _assign_parents(sketch, fronts)
     _close_corridor(massing, sketch, segments, stop, bool(ends))
+    _give_empty(massing, sketch, segments)
     _connect_cores(massing, sketch)
     sketch.bearing = _bearing(massing, sketch, lobby, stop)
     return sketch
+
+
+def _fill_pocket(massing: Massing, rooms: list[Placement]) -> None:
+    """Give the ground above a lift that stands beside the stair to the room next to it."""
+    upper = massing.south + massing.corridor
+    lifts = [core.box for core in massing.cores if core.type == "elevator" and core.box[1] >= upper - 0.01]
+    if not lifts or _pocket(massing) <= 0:
+        return
+    edge = max(box[2] for box in lifts)
+    top = max(box[3] for box in lifts)
+    spare: Box = (min(box[0] for box in lifts), top, edge, massing.depth)
+    neighbours = [
+        placement for placement in rooms
+        for box in placement.boxes
+        if abs(box[0] - edge) < 0.01 and min(box[3], massing.depth) - max(box[1], top) > 1.2
+    ]  # fmt: skip
+    if neighbours:
+        neighbours[0].boxes.append(spare)
+
+
+def _give_empty(massing: Massing, sketch: Sketch, segments: list[Segment]) -> None:
+    """Give stretches of band without a room to the corridor that they lie on."""
+    for segment in segments:
+        if segment.blocks:
+            continue
+        box = segment.world((0.0, 0.0, segment.length, segment.depth), segment.begin, massing)
+        owners = [c for c in sketch.corridors if c.id == segment.bar]
+        if not owners:
+            middle = (box[0] + box[2]) / 2
+            mains = [c for c in sketch.corridors if _is_main(c)]
+            owners = [c for c in mains if c.boxes[0][0] <= middle <= c.boxes[0][2]] or mains[-1:]
+        owners[0].boxes.append(box)
 
 
 def _corridors(
@@ -243,13 +299,17 @@ def _corridors(
         box = (
             (wing.x0 + side, high, wing.x1 - side, massing.depth + wing.reach)
             if wing.north
-            else (wing.x0 + side, -wing.reach, wing.x1 - side, low)
+            else (wing.x0 + side, -wing.reach - (massing.far_band if massing.court else 0.0), wing.x1 - side, low)
         )
         centre = (wing.x0 + wing.x1) / 2
         owner = next(
             (c.id for c in corridors if c.boxes[0][0] <= centre <= c.boxes[0][2]), hub_id
         )
         corridors.append(Corridor(f"wing_{number}", [box], owner))
+    if massing.court:
+        top = -massing.wings[0].reach - massing.far_band
+        far: Box = (massing.far[0], top - massing.corridor, massing.far[1], top)
+        corridors.append(Corridor("far", [far], "wing_1"))
     return corridors
 
 
@@ -270,7 +330,7 @@ def _cut_positions(main: list[tuple[float, float]], stop: float, pieces: int) ->
 def _assign_parents(sketch: Sketch, fronts: list[tuple[str, PlannedRoom, float, float]]) -> None:
     """Give each front room to the corridor that it touches most."""
     place = {id(placement.room): placement for placement in sketch.rooms}
-    mains = [c for c in sketch.corridors if not c.id.startswith("wing_")]
+    mains = [c for c in sketch.corridors if _is_main(c)]
     for bar, room, x0, x1 in fronts:
         owner = bar
         if bar == "main":
@@ -287,7 +347,7 @@ def _close_corridor(
     """Let the last room on the north side take the dead end of the corridor."""
     if ended or _far_stair(massing):
         return
-    mains = [c for c in sketch.corridors if not c.id.startswith("wing_")]
+    mains = [c for c in sketch.corridors if _is_main(c)]
     last = mains[-1]
     low, high = massing.south, massing.south + massing.corridor
     if any(abs(w.x1 - stop) < 8.0 for w in massing.wings):
@@ -319,7 +379,7 @@ def _close_corridor(
 def _bearing(
     massing: Massing, sketch: Sketch, lobby: float, stop: float
 ) -> dict[float, list[tuple[float, float]]]:
-    mains = [c for c in sketch.corridors if not c.id.startswith("wing_")]
+    mains = [c for c in sketch.corridors if _is_main(c)]
     end = max(corridor.boxes[0][2] for corridor in mains)
     far = min((core.box[0] for core in massing.cores if core.box[0] > 0.5 * massing.length), default=end)
     lines = {
@@ -340,7 +400,7 @@ def _without(spans: list[tuple[float, float]], x0: float, x1: float) -> list[tup
 
 
 def _connect_cores(massing: Massing, sketch: Sketch) -> None:
-    mains = [c for c in sketch.corridors if not c.id.startswith("wing_")]
+    mains = [c for c in sketch.corridors if _is_main(c)]
     for core in massing.cores:
         far = core.box[0] >= 0.5 * massing.length
         sketch.core_parent[core.id] = mains[-1].id if far else mains[0].id
