@@ -121,8 +121,11 @@ explain_pip() {
 
 link_packages() {
     local site=("$venv"/lib/python*/site-packages)
-    say "[3/4] putting src/* on the path"
+    say "[3/4] putting src/* on the path and compiling modules"
     printf '%s\n' "${packages[@]}" >"${site[0]}/mansion.pth"
+    # Here rather than by pip: on all cores, without the packages' own tests, and whatever PYTHONDONTWRITEBYTECODE says.
+    "$venv/bin/python" -m compileall -q -j 0 -x '/(tests?|testing/data|pip|setuptools)/' \
+        "${site[0]}" "${packages[@]}" >>"$venv/setup.log" 2>&1 || true
 }
 
 warm() {

@@ -34,7 +34,6 @@ _CHECKOUT: Final = Path(__file__).resolve().parents[3]
 _PIP_OPTIONS: Final = (
     "--require-hashes",
     "--only-binary=:all:",
-    "--no-compile",
     "--no-input",
     "--disable-pip-version-check",
     "--quiet",
