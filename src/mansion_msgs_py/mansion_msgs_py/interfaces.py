@@ -11,8 +11,15 @@ from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.skills import (
+    GoToLandmarkArgs,
+    Loaded,
+    TakeStairsArgs,
+    UseElevatorArgs,
+    WhereAmI,
+)
 from mansion_msgs_py.stages import BuildJob, BuildReply, FurnishRequest, PlanReply
-from mansion_msgs_py.world import Progress
+from mansion_msgs_py.world import LiftState, Progress, RobotState, SkillResult
 
 __all__ = [
     "DEFAULT_NAMESPACE",
@@ -106,6 +113,10 @@ TOPICS: tuple[TopicInterface, ...] = (
         qos=LATCHED,
     ),
     TopicInterface("progress", "building_director", "How far a job is.", Progress),
+    TopicInterface(
+        "robot_state", "skill_server", "Where a robot is, after each skill.", RobotState
+    ),
+    TopicInterface("lift_state", "skill_server", "Each lift, once a second.", LiftState),
 )
 
 SERVICES: tuple[ServiceInterface, ...] = (
@@ -145,8 +156,46 @@ SERVICES: tuple[ServiceInterface, ...] = (
         "skill_server",
         "Put the robot into a building on disk.",
         LoadBuilding,
-        dict,
+        Loaded,
         '{"path": "/tmp/flat"}',
+    ),
+    ServiceInterface(
+        "skills/call_elevator",
+        "skill_server",
+        "Bring the lift to the robot's floor and open its doors.",
+        None,
+        SkillResult,
+    ),
+    ServiceInterface(
+        "skills/use_elevator",
+        "skill_server",
+        "Ride the called lift to another floor.",
+        UseElevatorArgs,
+        SkillResult,
+        '{"target_floor": 3}',
+    ),
+    ServiceInterface(
+        "skills/take_stairs",
+        "skill_server",
+        "Walk one floor up or down.",
+        TakeStairsArgs,
+        SkillResult,
+        '{"direction": "Up"}',
+    ),
+    ServiceInterface(
+        "skills/go_to_landmark",
+        "skill_server",
+        "Go to a room or a core of this floor.",
+        GoToLandmarkArgs,
+        SkillResult,
+        '{"landmark": "elevator"}',
+    ),
+    ServiceInterface(
+        "skills/where_am_i",
+        "skill_server",
+        "Floor, room, pose and held object.",
+        None,
+        WhereAmI,
     ),
 )
 

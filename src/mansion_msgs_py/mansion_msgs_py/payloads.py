@@ -9,6 +9,13 @@ from mansion_msgs_py.placement import PlacementResult, PlacementRoom
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.skills import (
+    GoToLandmarkArgs,
+    Loaded,
+    TakeStairsArgs,
+    UseElevatorArgs,
+    WhereAmI,
+)
 from mansion_msgs_py.stages import BuildJob, BuildReply, FurnishRequest, PlanReply
 from mansion_msgs_py.topology import FloorTopology, SeedPlan
 from mansion_msgs_py.world import LiftState, Progress, RobotState, SkillResult, WorldState
@@ -34,6 +41,11 @@ PAYLOADS: dict[str, type[Any]] = {
         Building,
         BuildingReport,
         LoadBuilding,
+        Loaded,
+        UseElevatorArgs,
+        TakeStairsArgs,
+        GoToLandmarkArgs,
+        WhereAmI,
         RobotState,
         LiftState,
         WorldState,

@@ -1,0 +1,76 @@
+"""Read a building that ``mansion build`` wrote: floors by number or label, scenes when they are needed."""
+
+from functools import lru_cache
+from pathlib import Path
+
+from mansion_msgs_py.building import Building, FloorEntry
+from mansion_msgs_py.codec import decode
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import FloorScene
+
+__all__ = ["LoadedBuilding"]
+
+
+class LoadedBuilding:
+    """The floors of one building on disk.
+
+    Parameters
+    ----------
+    path : Path
+        The building's folder.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` at ``$.path`` when there is no building, ``INVALID_PAYLOAD`` when a file does not fit its type.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        file = path / "building.json"
+        if not file.is_file():
+            raise MansionError(
+                ErrorCode.NOT_FOUND,
+                f"{path} holds no building.json; name a folder that `mansion build` wrote",
+                path="$.path",
+            )
+        self.index = decode(Building, file.read_bytes())
+        self._entries = {entry.floor: entry for entry in self.index.floors}
+        self.scene = lru_cache(maxsize=None)(self._read_scene)
+
+    @property
+    def building_id(self) -> str:
+        """The building's id."""
+        return self.index.building_id
+
+    @property
+    def floors(self) -> list[int]:
+        """Floor numbers, ascending."""
+        return sorted(self._entries)
+
+    def entry(self, floor: int) -> FloorEntry:
+        """Return the index entry of a floor."""
+        return self._entries[floor]
+
+    def label(self, floor: int) -> str:
+        """Return what a lift button says for the floor."""
+        return self._entries[floor].label
+
+    def floor_number(self, value: int | str) -> int | None:
+        """Return the floor that a number or an unambiguous label names, or ``None``."""
+        if isinstance(value, int):
+            return value if value in self._entries else None
+        labelled = [f for f, e in self._entries.items() if e.label.casefold() == value.casefold()]
+        if len(labelled) == 1:
+            return labelled[0]
+        number = value.strip().lstrip("-")
+        if not labelled and number.isdecimal() and len(number) < 9:
+            return self.floor_number(int(value))
+        return None
+
+    def _read_scene(self, floor: int) -> FloorScene:
+        file = self.path / self._entries[floor].files["scene"]
+        try:
+            return decode(FloorScene, file.read_bytes())
+        except OSError as error:
+            raise MansionError(ErrorCode.NOT_FOUND, f"{file}: {error.strerror}") from None
