@@ -94,7 +94,7 @@ def remove_rosout(
 ) -> None:
     """Stop publishing the messages of a node's logger."""
     with _lock:
-        if _rosout.get(name) is publish:
+        if _rosout.get(name) == publish:
             del _rosout[name]
 
 
