@@ -46,7 +46,7 @@ class FloorRef:
     kind : str
         ``number``, ``range``, ``top``, ``every``, ``upper``, ``basement``, ``roof``, ``lower`` or ``middle``.
     first, last : int
-        Floor numbers, 1 at the ground, for ``number`` and ``range``.
+        Floor numbers, 1 at the ground, for ``number`` and ``range``; `first` is the number of storeys for ``top``.
     """
 
     kind: Literal[

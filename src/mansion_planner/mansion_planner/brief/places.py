@@ -94,6 +94,15 @@ def _refs_at(reading: Reading, index: int, british: bool) -> tuple[tuple[FloorRe
         return (FloorRef("number", 1, 1, span),), index + 1
     if word in ("ground", "street", "entrance", "entry") and following in FLOOR_WORDS:
         return _with_others(reading, index, 1, index + 2, british)
+    many = _number(reading, index + 1, "number")
+    if many and reading.word(index + 2) in FLOOR_WORDS:
+        span = reading.span(index, index + 3)
+        if word in ("top", "last", "upper", "uppermost"):
+            return (FloorRef("top", many, many, span),), index + 3
+        if word in ("first", "bottom", "lower", "lowest"):
+            return (FloorRef("range", 1, many, span),), index + 3
+        if word in ("other", "remaining"):
+            return (FloorRef("upper", span=span),), index + 3
     if word in _KINDS and following in FLOOR_WORDS:
         return (FloorRef(_KINDS[word], span=reading.span(index, index + 2)),), index + 2  # type: ignore[arg-type]
     if word == "other" and following in FLOOR_WORDS:

@@ -46,6 +46,8 @@ def _negated(reading: Reading, index: int) -> bool:
 def _floor_count_at(reading: Reading, index: int) -> None:
     if reading.kind(index) != "number" or index in reading.taken:
         return
+    if reading.word(index - 1) in ("top", "first", "last", "bottom", "lower", "upper", "remaining", "other"):
+        return
     value = reading.tokens[index].value
     last = index + 1
     if reading.word(last) in ("and", "to", "or", "–") and reading.kind(last + 1) == "number":

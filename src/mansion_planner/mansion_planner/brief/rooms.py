@@ -302,9 +302,10 @@ def _rooms_of(
     if _opens_clause(reading, place):
         stop = _clause_end(reading, place.last)
         others = [other.first for other in places if other.first >= place.last]
-        others = [o for o in others if not _belongs_back(reading, o, place.last, found)]
         limit = min([stop, *others])
         return [n for n in after if found[n][0] < limit]
+    if after and reading.word(place.last) == "with" and place.refs[0].kind == "basement":
+        return after[:1]
     if after and not place.led and _touches(reading, place.last, found[after[0]][0]):
         return after[:1]
     if before and _no_break(reading, found[before[-1]][1], place.first):
@@ -312,11 +313,6 @@ def _rooms_of(
     if after and _touches(reading, place.last, found[after[0]][0]):
         return after[:1]
     return []
-
-
-def _belongs_back(reading: Reading, first: int, begin: int, found: list[tuple[int, int, RoomFact]]) -> bool:
-    del reading, begin, found, first
-    return False
 
 
 def _opens_clause(reading: Reading, place: Place) -> bool:

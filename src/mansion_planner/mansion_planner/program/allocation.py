@@ -9,7 +9,7 @@ from mansion_planner.knowledge import BuildingType, KnowledgeBase, RoomEntry, Ro
 from mansion_planner.program.decisions import Decisions, note, quoted
 from mansion_planner.program.model import PlannedRoom, Storey
 
-__all__ = ["Allocation", "allocate", "floors_of", "make_storeys"]
+__all__ = ["Allocation", "allocate", "entries_of", "floors_of", "is_hall", "make_storeys", "planned_room"]
 
 _KIN = (
     frozenset({"bedroom", "master_bedroom", "guest_room", "childrens_room"}),
@@ -39,6 +39,7 @@ class Allocation:
 def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> list[Storey]:
     """Return the storeys from the lowest to the highest, each with its role, its use and its hub."""
     storeys = []
+    hall = is_hall(decisions)
     for index in range(1 - decisions.basements, decisions.floors + 1):
         use, role = _use(decisions, knowledge, index), _role(decisions, index)
         entrance = role in ("ground", "single")
@@ -47,8 +48,74 @@ def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> list[Storey]
             hub = knowledge.room("corridor" if use.family != "home" else "hallway")
         elif use.parti == "hall" and not entrance:
             hub = knowledge.room(_upper_hub(use))
-        storeys.append(Storey(index=index, role=role, use=use, hub=hub))
+        lead = None
+        if use.parti == "hall" and not hall and role != "basement":
+            lead = knowledge.room(use.hub)
+            hub = knowledge.room(_passage_hub(decisions, entrance))
+        storeys.append(Storey(index=index, role=role, use=use, hub=hub, lead=lead))
+    _mark_copies(decisions, storeys)
+    _shape_storeys(decisions, storeys)
     return storeys
+
+
+def _passage_hub(decisions: Decisions, entrance: bool) -> str:
+    if decisions.building.family == "home":
+        return "hallway"
+    return "lobby" if entrance else "corridor"
+
+
+def _mark_copies(decisions: Decisions, storeys: list[Storey]) -> None:
+    """Let storeys repeat the lowest of their group.
+
+    Raises
+    ------
+    MansionError
+        ``CONTRADICTION`` when the brief gives rooms to one storey of an identical group only.
+    """
+    by_index = {storey.index: storey for storey in storeys}
+    for fact in decisions.facts.copies:
+        group = [f for f in floors_of((fact.first,), decisions) if f in by_index]
+        if fact.first.kind == "every":
+            group = [f for f in group if f >= 1]
+        for room in decisions.facts.rooms:
+            pinned = set(floors_of(room.floors, decisions)) & set(group)
+            if pinned and pinned != set(group) and any(ref.kind in ("number", "top") for ref in room.floors):
+                raise MansionError(
+                    ErrorCode.CONTRADICTION,
+                    f"{quoted(fact.span)} makes storeys identical, {quoted(room.span)} is for storey "
+                    f"{min(pinned)} alone; keep one of the two",
+                    path="$.description",
+                    details={"first": fact.span.words, "second": room.span.words, "stage": "program"},
+                )
+        for floor in group[1:]:
+            by_index[floor].copy = group[0]
+            by_index[floor].role = by_index[group[0]].role
+            by_index[floor].use = by_index[group[0]].use
+            by_index[floor].hub = by_index[group[0]].hub
+        if len(group) > 1:
+            note(decisions.trace, fact.span, f"storeys {group[1]} to {group[-1]} repeat storey {group[0]}")
+
+
+def _shape_storeys(decisions: Decisions, storeys: list[Storey]) -> None:
+    """Set upper storeys back, or let the ground floor protrude, where the brief says so."""
+    facts = decisions.facts
+    if facts.setback and decisions.floors > 1:
+        depth = 3.0 if decisions.area < 260 else 4.0
+        for storey in storeys:
+            if storey.index >= 2:
+                storey.setback = depth
+        note(decisions.trace, facts.setback[0], f"storeys above the ground floor are {depth:g} m shorter")
+    elif facts.protruding and decisions.floors > 1:
+        for storey in storeys:
+            if storey.index <= 1:
+                storey.extension = 4.0
+        note(decisions.trace, facts.protruding[0], "the ground floor protrudes by 4 m")
+
+
+def is_hall(decisions: Decisions) -> bool:
+    """Whether the main room is the hub: the type is planned so, and the outline is a plain rectangle."""
+    plain = not decisions.facts.shapes or decisions.facts.shapes[0][0] in ("rectangle", "square")
+    return decisions.building.parti == "hall" and plain and not decisions.free_form
 
 
 def _upper_hub(use: BuildingType) -> str:
@@ -85,9 +152,10 @@ def entries_of(storey: Storey) -> tuple[RoomEntry, ...]:
         "basement": ("basement",),
         "single": ("single",),
     }[storey.role]
+    lead = (RoomEntry(storey.lead.name),) if storey.lead is not None else ()
     for role in fallback:
         if role in lists:
-            return lists[role]
+            return lead + lists[role]
     return (RoomEntry("storage", 40.0), RoomEntry("mechanical_room"), RoomEntry("electrical_room"))
 
 
@@ -98,7 +166,7 @@ def floors_of(refs: tuple[FloorRef, ...], decisions: Decisions) -> list[int]:
         if ref.kind in ("number", "range"):
             found.update(range(ref.first, ref.last + 1))
         elif ref.kind in ("top", "roof"):
-            found.add(top)
+            found.update(range(max(top - max(ref.first, 1) + 1, 1), top + 1))
         elif ref.kind == "every":
             found.update(range(1, top + 1))
         elif ref.kind == "upper":
@@ -112,6 +180,29 @@ def floors_of(refs: tuple[FloorRef, ...], decisions: Decisions) -> list[int]:
     return sorted(found)
 
 
+def people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFact]:
+    """Return the rooms that stated occupants need: classrooms for pupils, bedrooms for a family."""
+    facts, seats = decisions.facts, decisions.building.seats
+    if not facts.occupants:
+        return []
+    people = facts.occupants[0]
+    stated = {fact.room_type for fact in facts.rooms if fact.count is not None}
+    if decisions.building.family == "home" and people.noun in ("family", "people", "person", "resident", "adult", "inhabitant"):
+        if stated & _KIN[0]:
+            return []
+        count = max(1, min(people.count - 1, 8))
+        note(decisions.trace, people.span, f"{count} bedrooms for {people.count} people")
+        return [RoomFact("bedroom", "bedroom", people.span, count)]
+    if seats is None or people.noun in ("employee", "worker", "staff", "visitor", "teacher", "family"):
+        return []
+    kind = knowledge.room(seats.room_type)
+    if kind.name in stated:
+        return []
+    count = max(1, -(-people.count // int(seats.area or 1)))
+    note(decisions.trace, people.span, f"{count} x {kind.name} for {people.count} people")
+    return [RoomFact(kind.name, kind.name, people.span, count)]
+
+
 def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Storey]) -> Allocation:
     """Distribute the rooms that the brief asks for over the storeys.
 
@@ -123,7 +214,7 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
     allocation = Allocation({storey.index: [] for storey in storeys})
     excluded = {name: span for name, span in decisions.facts.excluded}
     settled: set[str] = set()
-    for fact in decisions.facts.rooms:
+    for fact in [*decisions.facts.rooms, *people_rooms(decisions, knowledge)]:
         if fact.room_type in excluded:
             raise MansionError(
                 ErrorCode.CONTRADICTION,
@@ -160,10 +251,23 @@ def _distribute(
         note(decisions.trace, fact.span, f"{fact.name} x{count} on every storey")
         return
     floors = _preferred(kind, decisions, storeys)
+    beside = _beside(fact, decisions, allocation)
+    if beside and count == 1:
+        floors = beside
     for _ in range(count):
         floor = min(floors, key=lambda f: (_load(allocation, f, decisions), f))
         allocation.wanted[floor].append(fact)
     note(decisions.trace, fact.span, f"{fact.name} x{count}")
+
+
+def _beside(fact: RoomFact, decisions: Decisions, allocation: Allocation) -> list[int]:
+    """Return the storeys of the rooms that this one is to stand beside, once they have theirs."""
+    wanted = {a.second if a.first == fact.room_type else a.first for a in decisions.facts.adjacent
+              if fact.room_type in (a.first, a.second)}  # fmt: skip
+    return [
+        floor for floor, facts in sorted(allocation.wanted.items())
+        if any(other.room_type in wanted for other in facts)
+    ]  # fmt: skip
 
 
 def _load(allocation: Allocation, floor: int, decisions: Decisions) -> float:

@@ -35,7 +35,7 @@ class Block:
     @property
     def fixed(self) -> bool:
         """Whether its width must not be scaled."""
-        return self.host.fixed or (self.host.kind.unit and False)
+        return self.host.fixed
 
     def fronts(self) -> list[PlannedRoom]:
         """Return the rooms that touch the corridor."""
@@ -47,7 +47,9 @@ def front_depth(area: float, depth: float) -> float:
     return float(min(max((area * 1.25) ** 0.5, 1.8), max(depth - 1.8, 0.55 * depth)))
 
 
-def group_blocks(rooms: list[PlannedRoom], depth: float) -> list[Block]:
+def group_blocks(
+    rooms: list[PlannedRoom], depth: float, pairs: list[tuple[str, str]]
+) -> list[Block]:
     """Give each room that is too small for a band of `depth` to a larger neighbour as its front corner."""
     narrow = [room for room in rooms if not room.suite and room.area / depth < 1.9]
     narrow.sort(key=lambda room: -room.area)
@@ -59,7 +61,7 @@ def group_blocks(rooms: list[PlannedRoom], depth: float) -> list[Block]:
             spare = _spare_front(block, depth)
             if block.host.suite or spare < width + 1.9 or len(block.smalls) >= 3:
                 continue
-            if best is None or _fit(block, room, depth) > _fit(best, room, depth):
+            if best is None or _fit(block, room, depth, pairs) > _fit(best, room, depth, pairs):
                 best = block
         if best is None:
             blocks.append(Block(room))
@@ -73,13 +75,18 @@ def _spare_front(block: Block, depth: float) -> float:
     return width - sum(room.area / front_depth(room.area, depth) for room in block.smalls)
 
 
-def _fit(block: Block, room: PlannedRoom, depth: float) -> float:
+def _fit(
+    block: Block, room: PlannedRoom, depth: float, pairs: list[tuple[str, str]]
+) -> float:
     """Prefer hosts of kindred use with room to spare."""
     same_zone = block.host.kind.zone == room.kind.zone
     wanted = room.kind.name in block.host.kind.near or block.host.kind.name in room.kind.near
+    names = (block.host.kind.name, room.kind.name)
+    asked = names in pairs or (names[1], names[0]) in pairs
     clean = not (room.kind.wet and "kitchen" in block.host.kind.name)
     return (
         3.0 * wanted
+        + 8.0 * asked
         + 2.0 * clean
         + 0.5 * same_zone
         - 2.0 * len(block.smalls)

@@ -7,6 +7,7 @@ from mansion_msgs_py.program import (
     AreaSummary,
     BuildingProgram,
     CorePlan,
+    Downgrade,
     FloorProgram,
     RoomProgram,
     VerticalConnectivity,
@@ -19,13 +20,20 @@ from mansion_planner.program.allocation import Allocation, allocate, make_storey
 from mansion_planner.program.bearing import bearing_walls
 from mansion_planner.program.decisions import Decisions, decide, note
 from mansion_planner.program.envelope import Envelope, envelope_of
-from mansion_planner.program.filling import fill_storey, fit_areas, name_rooms
+from mansion_planner.program.filling import fill_storey, fit_areas, hub_area, name_rooms
+from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
 from mansion_planner.program.frame import Frame
-from mansion_planner.program.massing import MassingWish, choose_massing, choose_shape
+from mansion_planner.program.hall import sketch_hall
+from mansion_planner.program.massing import (
+    MassingWish,
+    choose_massing,
+    choose_shape,
+    rectangle_massing,
+)
 from mansion_planner.program.materials import materials_of
-from mansion_planner.program.model import Massing, Storey
+from mansion_planner.program.model import Massing, Storey, box_area
 from mansion_planner.program.sizes import storey_area, typical_room
-from mansion_planner.program.sketch import Sketch, capacity, sketch_storey
+from mansion_planner.program.sketch import Sketch, capacity, sketch_storey, touching
 from mansion_planner.program.vertical import vertical_method
 
 __all__ = ["PlannedBuilding", "plan_program"]
@@ -72,18 +80,22 @@ def plan_program(
         area, decisions.building, stairs, lifts, exact=decisions.area_stated,
         room=typical_room(storeys, allocation, knowledge), shape=choose_shape(decisions, area, generator),
     )  # fmt: skip
-    massing = choose_massing(wish, generator)
-    frame_choice = generator.random(3) < 0.5
-    frame = Frame(
-        (0.0, -massing.drop, massing.length, massing.depth),
-        mirror_x=bool(frame_choice[0]), mirror_y=bool(frame_choice[1]), swap=bool(frame_choice[2]),
-    )  # fmt: skip
+    massing = _massing(decisions, wish, generator)
+    frame = _frame(decisions, massing, storeys, generator)
     sketches: dict[int, Sketch] = {}
     envelopes: dict[int, Envelope] = {}
+    pairs = wanted_pairs(decisions)
     for storey in storeys:
-        _furnish(storey, massing, allocation, knowledge)
-        sketches[storey.index] = sketch_storey(massing, storey, hub_name(storey))
-        envelopes[storey.index] = envelope_of(massing, storey, frame)
+        source = next((s for s in storeys if s.index == storey.copy), None)
+        if source is None:
+            _furnish(storey, massing, allocation, knowledge, decisions)
+            sketches[storey.index] = _sketch(decisions, massing, storey, pairs)
+        else:
+            storey.rooms = source.rooms
+            sketches[storey.index] = sketches[source.index]
+        envelopes[storey.index] = (
+            Envelope.of(decisions.outline) if decisions.free_form else envelope_of(massing, storey, frame)
+        )
     walls = bearing_walls([sketches[storey.index] for storey in storeys], frame)
     program = BuildingProgram(
         building_id=building_id,
@@ -109,21 +121,67 @@ def plan_program(
     return PlannedBuilding(program, decisions, massing, frame, storeys, sketches, envelopes)
 
 
+def _massing(decisions: Decisions, wish: MassingWish, generator: np.random.Generator) -> Massing:
+    shape = decisions.outline
+    if shape is None:
+        return choose_massing(wish, generator)
+    if decisions.free_form:
+        return free_massing(shape, free_cores(shape, wish.stairs, wish.lifts))
+    x0, y0, x1, y1 = shape.bounds
+    return rectangle_massing(wish, max(x1 - x0, y1 - y0), min(x1 - x0, y1 - y0))
+
+
+def _frame(
+    decisions: Decisions, massing: Massing, storeys: list[Storey], generator: np.random.Generator
+) -> Frame:
+    """Turn and mirror by chance; a given outline stays where it is."""
+    mirror_x, mirror_y, swap = (bool(value) for value in generator.random(3) < 0.5)
+    length = massing.length + max(storey.extension for storey in storeys)
+    bounds = (0.0, -massing.drop, length, massing.depth)
+    shape = decisions.outline
+    if shape is None:
+        return Frame(bounds, mirror_x, mirror_y, swap)
+    if decisions.free_form:
+        return Frame((0.0, 0.0, 0.0, 0.0))
+    x0, y0, x1, y1 = shape.bounds
+    return Frame(bounds, mirror_x, mirror_y, y1 - y0 > x1 - x0, origin=(x0, y0))
+
+
+def _sketch(
+    decisions: Decisions, massing: Massing, storey: Storey, pairs: list[tuple[str, str]]
+) -> Sketch:
+    if decisions.free_form and decisions.outline is not None:
+        cores = sum(box_area(core.box) for core in massing.cores)
+        return sketch_free(storey, hub_name(storey), decisions.outline.area - cores)
+    lay_out = sketch_hall if massing.hall else sketch_storey
+    return lay_out(massing, storey, hub_name(storey), pairs)
+
+
 def _furnish(
-    storey: Storey, massing: Massing, allocation: Allocation, knowledge: KnowledgeBase
+    storey: Storey, massing: Massing, allocation: Allocation, knowledge: KnowledgeBase, decisions: Decisions
 ) -> None:
     """Choose a storey's rooms, settle their areas and name them."""
-    room = capacity(massing, storey)
-    share = 0.0
+    stated = hub_area(storey, allocation)
+    if decisions.free_form and decisions.outline is not None:
+        cores = sum(box_area(core.box) for core in massing.cores)
+        room, share = 0.84 * (decisions.outline.area - cores), 0.0
+    else:
+        room, share = capacity(massing, storey), 0.0
     if massing.hall:
-        share = max(storey.hub.usual, 0.38 * room)
+        share = stated or max(storey.hub.usual, 0.38 * room)
     storey.rooms = fill_storey(storey, allocation, knowledge, room, hub_share=share)
     if massing.hall:
         asked = sum(r.gross for r in storey.rooms)
-        fit_areas(storey.rooms, min(room - share, max(asked, 0.45 * room)))
+        fit_areas(storey.rooms, room - share if stated else min(room - share, max(asked, 0.45 * room)))
     else:
         fit_areas(storey.rooms, room)
     name_rooms(storey, hub_name(storey))
+
+
+def wanted_pairs(decisions: Decisions) -> list[tuple[str, str]]:
+    """Return room types to be side by side: the brief's wishes last, so that they win."""
+    usual = [("kitchen", "dining_room"), ("commercial_kitchen", "restaurant"), ("commercial_kitchen", "cafeteria")]
+    return usual + [(fact.first, fact.second) for fact in decisions.facts.adjacent]
 
 
 def _reasoning(decisions: Decisions, area: float) -> str:
@@ -141,7 +199,7 @@ def _cores(massing: Massing, frame: Frame) -> list[CorePlan]:
     for core in massing.cores:
         x0, y0, x1, y1 = frame.area_box(core.box)
         cores.append(
-            CorePlan(id=core.id, type=core.type, x=(x0, x1), y=(y0, y1), door_side=frame.side(core.side))  # type: ignore[arg-type]
+            CorePlan(id=core.id, type=core.type, x=(x0, x1), y=(y0, y1), door_side=frame.side(core.side) if core.side else None)  # type: ignore[arg-type]
         )
     return cores
 
@@ -155,21 +213,22 @@ def _floor(
     hub_least = min(storey.hub.least, 0.5 * circulation)
     reserve = min(max(0.12 * gross, min(0.25 * gross, circulation - hub_least)), circulation - 1.0)
     hub_area = max(circulation - reserve, 1.0)
-    floor, wall = materials_of(storey.hub, decisions.style, knowledge)
+    floor, wall = materials_of(storey.hub, decisions.style, knowledge, decisions.facts.materials)
     rooms = [
         RoomProgram(
             id=hub_name(storey), area_estimate=round(hub_area, 2), room_type=storey.hub.name,
             floor_material=floor, wall_material=wall, open_relation="open", notes="circulation hub",
         )
     ]  # fmt: skip
+    beside = _neighbours(decisions, storey, sketch)
     for placement in sketch.rooms:
         room = placement.room
-        floor, wall = materials_of(room.kind, decisions.style, knowledge)
+        floor, wall = materials_of(room.kind, decisions.style, knowledge, decisions.facts.materials)
         rooms.append(
             RoomProgram(
                 id=room.id, area_estimate=round(placement.area, 2), room_type=room.kind.name,
                 floor_material=floor, wall_material=wall,
-                open_relation="open" if room.kind.open else "door", notes=room.notes,
+                open_relation="open" if room.kind.open else "door", notes=room.notes, adjacent_to=beside.get(room.id, []),
             )
         )  # fmt: skip
     total = sum(room.area_estimate for room in rooms)
@@ -189,7 +248,29 @@ def _floor(
         height=min(max(storey.use.height, 3.0), 4.2),
         outline=envelope.outline,
         holes=envelope.holes,
+        copy=storey.copy,
     )
+
+
+def _neighbours(decisions: Decisions, storey: Storey, sketch: Sketch) -> dict[str, list[str]]:
+    """Return the neighbours that the brief wishes, by room id; what the storey cannot give is recorded."""
+    beside: dict[str, list[str]] = {}
+    for fact in decisions.facts.adjacent:
+        firsts = [p for p in sketch.rooms if p.room.kind.name == fact.first]
+        seconds = [p for p in sketch.rooms if p.room.kind.name == fact.second]
+        if storey.hub.name in (fact.first, fact.second) or not firsts or not seconds:
+            continue
+        pair = next(((a, b) for a in firsts for b in seconds if a is not b and touching(a, b)), None)
+        if pair is None:
+            decisions.downgrades.append(
+                Downgrade(
+                    wish=fact.span.words, got="both on one storey, reached from one corridor", stage="program",
+                    reason="their sizes leave no place side by side", floor=storey.index,
+                )
+            )  # fmt: skip
+            continue
+        beside.setdefault(pair[0].room.id, []).append(pair[1].room.id)
+    return beside
 
 
 def _label(index: int) -> str:

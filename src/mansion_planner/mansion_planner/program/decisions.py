@@ -6,9 +6,11 @@ import numpy as np
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.request import BuildRequest
+from shapely.geometry import Polygon
 
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.knowledge import BuildingType, KnowledgeBase
+from mansion_planner.program.footprint import check_footprint, is_rectangle
 
 __all__ = ["AREA_CAP", "Decisions", "decide", "note"]
 
@@ -31,6 +33,10 @@ class Decisions:
         Gross area wished for a storey at and above the ground, square metres.
     area_stated : bool
         `area` follows from what the brief or the request states.
+    outline : Polygon, optional
+        The given footprint.
+    free_form : bool
+        The outline is given and is no rectangle.
     """
 
     building: BuildingType
@@ -42,6 +48,8 @@ class Decisions:
     style: str
     facts: BriefFacts
     seed: int
+    free_form: bool = False
+    outline: Polygon | None = None
     trace: list[TraceEntry] = field(default_factory=list)
     downgrades: list[Downgrade] = field(default_factory=list)
 
@@ -99,11 +107,41 @@ def decide(
     if facts.styles:
         style = facts.styles[0][0]
         note(trace, facts.styles[0][1], f"style {style}")
+    _check_wishes(facts)
     decisions = Decisions(
-        building, floors, basements, 0.0, False, "", style, facts, request.seed, trace
+        building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace
     )
-    _area(request, decisions, generator)
+    if request.footprint is not None:
+        _area_of_footprint(request, decisions)
+    else:
+        _area(request, decisions, generator)
     return decisions
+
+
+def _check_wishes(facts: BriefFacts) -> None:
+    """Refuse wishes that exclude each other."""
+    wishes: dict[str, Span] = {}
+    for name, span in facts.vertical:
+        opposite = wishes.get(name[3:] if name.startswith("no_") else f"no_{name}")
+        if opposite is not None:
+            raise contradiction(f"{name.replace('_', ' ')}", quoted(opposite), quoted(span))
+        wishes.setdefault(name, span)
+    shapes = {shape: span for shape, span in reversed(facts.shapes)}
+    if len(shapes) > 1:
+        first, second = list(shapes.values())[-1], list(shapes.values())[-2]
+        raise contradiction("two outlines", quoted(first), quoted(second))
+    no_basement = next((span for name, span in facts.excluded if name == "basement"), None)
+    below = next((ref for room in facts.rooms for ref in room.floors if ref.kind == "basement"), None)
+    if no_basement is not None and (below is not None or facts.basements):
+        other = below.span if below is not None else facts.basements[0].span
+        raise contradiction("a basement", quoted(no_basement), quoted(other))
+    counted: dict[str, tuple[int, Span]] = {}
+    for room in facts.rooms:
+        if room.floors or room.each or room.count is None or room.count < 2 or room.area is not None:
+            continue
+        earlier = counted.setdefault(room.name, (room.count, room.span))
+        if earlier[0] != room.count:
+            raise contradiction(f"two numbers of {room.name}", quoted(earlier[1]), quoted(room.span))
 
 
 def _building(facts: BriefFacts, knowledge: KnowledgeBase, trace: list[TraceEntry]) -> BuildingType:
@@ -227,6 +265,10 @@ def _infer_floors(
         count = max(1, usual - 1) if usual > 2 else usual
     elif usual > 2 and generator.random() < 0.3:
         count = usual + 1 if usual < most else usual
+    if facts.uses and needed:
+        tops = [ref.first for use in facts.uses for ref in use.floors if ref.kind == "top"]
+        count, needed = needed + max(tops, default=0), needed + max(tops, default=0)
+        reason = "the storeys that are given a use"
     kinds = {ref.kind for room in facts.rooms for ref in room.floors}
     floor_least = 1
     if kinds & {"upper", "top"}:
@@ -234,7 +276,9 @@ def _infer_floors(
     if kinds & {"middle"}:
         floor_least = 3
     if sum(use.count or 0 for use in facts.uses):
-        floor_least = max(floor_least, sum(use.count or 0 for use in facts.uses) + 1)
+        above = any(use.floors for use in facts.uses if use.count)
+        floor_least = max(floor_least, sum(use.count or 0 for use in facts.uses) + above)
+        count = floor_least
     result = max(count, needed, floor_least)
     if result > count:
         reason = "the highest storey that is named"
@@ -287,6 +331,31 @@ def _area(request: BuildRequest, decisions: Decisions, generator: np.random.Gene
         decisions.area_stated = True
     else:
         _infer_area(decisions, generator)
+
+
+def _area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:
+    """Take the area of the given outline; a stated area must agree with it within 5%."""
+    assert request.footprint is not None
+    shape = check_footprint(request.footprint)
+    facts, levels = decisions.facts, decisions.floors + decisions.basements
+    area = float(shape.area)
+    stated = [(q.value, quoted(q.span)) for q in facts.floor_area] + [(q.value / levels, quoted(q.span)) for q in facts.area]
+    if request.floor_area is not None:
+        stated.append((request.floor_area, f"$.floor_area = {request.floor_area:g}"))
+    if request.area is not None:
+        stated.append((request.area / levels, f"$.area = {request.area:g}"))
+    for value, words in stated:
+        if abs(value - area) > 0.05 * area:
+            raise contradiction(
+                f"the area of a storey ({value:.0f} m2 asked for)", words, f"$.footprint of {area:.0f} m2", "$.footprint"
+            )
+    if facts.shapes and facts.shapes[0][0] not in ("rectangle", "square") and is_rectangle(shape):
+        raise contradiction("the outline", quoted(facts.shapes[0][1]), "the rectangle of $.footprint", "$.footprint")
+    decisions.area, decisions.area_stated = area, True
+    decisions.area_span = f"$.footprint of {area:.0f} m2"
+    decisions.outline = shape
+    decisions.free_form = not is_rectangle(shape)
+    note(decisions.trace, None, f"{area:.0f} m2 a storey, as the footprint gives")
 
 
 def _infer_area(decisions: Decisions, generator: np.random.Generator) -> None:

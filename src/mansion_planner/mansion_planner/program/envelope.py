@@ -21,6 +21,11 @@ class Envelope:
     outline: Ring
     holes: list[Ring] = field(default_factory=list)
 
+    @classmethod
+    def of(cls, shape: Polygon) -> "Envelope":
+        """Return the envelope of a polygon."""
+        return cls(ring_of(shape.exterior.coords), [ring_of(hole.coords) for hole in shape.interiors])
+
     @property
     def area(self) -> float:
         """Area inside the outline without the courtyards, square metres."""
@@ -47,4 +52,4 @@ def envelope_of(massing: Massing, storey: Storey, frame: Frame) -> Envelope:
         boxes.append((massing.far[0], low - massing.court, massing.far[1], low))
     shape = unary_union([shapely.box(*frame.area_box(box)) for box in boxes]).simplify(1e-6)
     shape = shapely.geometry.polygon.orient(shape)
-    return Envelope(ring_of(shape.exterior.coords), [ring_of(hole.coords) for hole in shape.interiors])
+    return Envelope.of(shape)

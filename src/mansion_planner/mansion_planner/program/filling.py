@@ -4,7 +4,7 @@ from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.allocation import Allocation, entries_of, planned_room
 from mansion_planner.program.model import PlannedRoom, Storey
 
-__all__ = ["base_rooms", "fill_storey", "fit_areas", "name_rooms"]
+__all__ = ["base_rooms", "fill_storey", "fit_areas", "hub_area", "name_rooms"]
 
 MOST_ROOMS = 34
 
@@ -19,6 +19,12 @@ def base_rooms(
             continue
         rooms.append(planned_room(knowledge.room(fact.room_type), knowledge, fact=fact))
     return rooms
+
+
+def hub_area(storey: Storey, allocation: Allocation) -> float:
+    """Return the area that the brief states for the room that is a storey's hub, or 0."""
+    areas = [f.area for f in allocation.wanted[storey.index] if f.room_type == storey.hub.name and f.area]
+    return max(areas, default=0.0)
 
 
 def fill_storey(

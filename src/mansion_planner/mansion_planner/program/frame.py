@@ -17,19 +17,23 @@ class Frame:
     ----------
     box : tuple
         Bounds of the building in the massing frame.
+    origin : (float, float)
+        Where their lower corner goes in plan coordinates.
     """
 
     box: Box
     mirror_x: bool = False
     mirror_y: bool = False
     swap: bool = False
+    origin: tuple[float, float] = (0.0, 0.0)
 
     def point(self, point: tuple[float, float]) -> tuple[float, float]:
         """Return a point of the massing frame in plan coordinates."""
         x = self.box[2] - point[0] if self.mirror_x else point[0] - self.box[0]
         y = self.box[3] - point[1] if self.mirror_y else point[1] - self.box[1]
         x, y = round(x, 6) + 0.0, round(y, 6) + 0.0
-        return (y, x) if self.swap else (x, y)
+        x, y = (y, x) if self.swap else (x, y)
+        return (round(x + self.origin[0], 6), round(y + self.origin[1], 6))
 
     def area_box(self, box: Box) -> Box:
         """Return a box of the massing frame in plan coordinates."""

@@ -2,13 +2,15 @@
 
 from mansion_planner.program.blocks import group_blocks, lay_block
 from mansion_planner.program.model import Box, Massing, Storey
-from mansion_planner.program.segments import Segment, front_order
+from mansion_planner.program.segments import Segment, bring_together, front_order
 from mansion_planner.program.sketch import Corridor, Placement, Sketch
 
 __all__ = ["sketch_hall"]
 
 
-def sketch_hall(massing: Massing, storey: Storey, hub_id: str) -> Sketch:
+def sketch_hall(
+    massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]
+) -> Sketch:
     """Line the north side of the hub with rooms, then its far side when the north is full.
 
     The band's depth follows from the rooms, so that the hub gets what they leave.
@@ -21,8 +23,10 @@ def sketch_hall(massing: Massing, storey: Storey, hub_id: str) -> Sketch:
     rooms = front_order(storey.rooms)
     total = sum(room.gross for room in rooms)
     band = _band_depth(total, length - begin, depth, [room.gross for room in rooms], stairs)
-    blocks = group_blocks(rooms, band)
+    blocks = group_blocks(rooms, band, pairs)
     north, east = _split(blocks, band, length - begin)
+    for first, second in pairs:
+        bring_together([Segment("main", True, 0.0, 1.0, 0.0, band, blocks=north)], first, second)
     column = sum(block.gross for block in east) / depth
     placements: list[Placement] = []
     segment = Segment("main", True, begin, length - column, depth - band, band, blocks=north)

@@ -1,7 +1,7 @@
 """Choose the massing: the bar's dimensions for an area, and the cores in its corners (Fig. 23, core preferences)."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from mansion_planner.knowledge import BuildingType
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.model import CoreBox, Massing, Wing
 
-__all__ = ["MassingWish", "choose_massing", "choose_shape", "least_area"]
+__all__ = ["MassingWish", "choose_massing", "choose_shape", "least_area", "rectangle_massing"]
 
 STAIR = (3, 6)
 LIFT = 2
@@ -136,17 +136,42 @@ def choose_massing(wish: MassingWish, generator: np.random.Generator) -> Massing
     return best[1]
 
 
+def rectangle_massing(wish: MassingWish, length: float, depth: float) -> Massing:
+    """Return the massing of a given rectangle; the corridor runs along its longer side."""
+    corridor = _corridor_width(wish.use, wish.area)
+    north = (depth - corridor) / 2
+    if wish.use.parti == "hall":
+        north, corridor, south = 0.0, depth, 0.0
+    else:
+        if wish.stairs and depth >= 10.8:
+            north = STAIR_DEPTH
+        elif wish.stairs:
+            north = max(3.0, 0.42 * (depth - corridor))
+        south = depth - corridor - north
+    if depth < 6.0 and wish.use.parti != "hall":
+        corridor = max(1.4, min(corridor, 0.3 * depth))
+        south = max(depth - corridor - north, 0.3)
+        north = depth - corridor - south
+    massing = _dimensions(replace(wish, shape="rectangle"), north, corridor, south, length)
+    return massing
+
+
 def gross_area(massing: Massing) -> float:
     """Return the area inside the outline of a storey without setback."""
     area = massing.length * massing.depth + massing.court * massing.far_length
     return area + sum((wing.x1 - wing.x0) * wing.reach for wing in massing.wings)
 
 
-def _dimensions(wish: MassingWish, north: float, corridor: float, south: float) -> Massing:
+def _dimensions(
+    wish: MassingWish, north: float, corridor: float, south: float, given: float | None = None
+) -> Massing:
     depth = north + corridor + south
     least = 6 + (3 if wish.stairs else 0) + (3 if wish.stairs > 1 else 0)
     hall = wish.use.parti == "hall" and wish.shape in ("rectangle", "square")
-    length, wings, court = _plan_shape(wish, depth, corridor, least)
+    wings: tuple[Wing, ...] = ()
+    length, court = given or 0.0, 0.0
+    if given is None:
+        length, wings, court = _plan_shape(wish, depth, corridor, least)
     lobby = 0.0
     corner = not any(wing.x0 < 1.0 for wing in wings)
     if wish.lifts and not hall and corner:

@@ -1,12 +1,17 @@
 """Materials of a room from the building's style."""
 
+from mansion_planner.brief.facts import MaterialFact
 from mansion_planner.knowledge import KnowledgeBase, RoomType
 
 __all__ = ["materials_of"]
 
 
-def materials_of(kind: RoomType, style: str, knowledge: KnowledgeBase) -> tuple[str, str]:
+def materials_of(
+    kind: RoomType, style: str, knowledge: KnowledgeBase, wishes: list[MaterialFact] | None = None
+) -> tuple[str, str]:
     """Return the floor and the wall material of a room type in a style.
+
+    `wishes` of the brief come before the style; one for all rooms leaves wet rooms alone.
 
     Examples
     --------
@@ -23,4 +28,12 @@ def materials_of(kind: RoomType, style: str, knowledge: KnowledgeBase) -> tuple[
         wall = "wet"
     elif kind.finish == "concrete":
         wall = "industrial"
-    return chosen.floors[kind.finish], chosen.walls[wall]
+    floor_text, wall_text = chosen.floors[kind.finish], chosen.walls[wall]
+    for wish in wishes or []:
+        if wish.room_type not in ("", kind.name) or (not wish.room_type and kind.wet):
+            continue
+        if wish.surface == "floor":
+            floor_text = wish.material
+        else:
+            wall_text = wish.material
+    return floor_text, wall_text

@@ -67,6 +67,10 @@ class Storey:
         Whose room lists it follows.
     copy : int, optional
         The storey that it repeats.
+    lead : RoomType, optional
+        The main room of its use, where the building's circulation needs another hub.
+    setback, extension : float
+        Metres by which it is shorter or longer than the main bar.
     """
 
     index: int
@@ -75,6 +79,7 @@ class Storey:
     hub: RoomType
     rooms: list[PlannedRoom] = field(default_factory=list)
     copy: int | None = None
+    lead: RoomType | None = None
     setback: float = 0.0
     extension: float = 0.0
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from mansion_planner.program.blocks import Block
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
 
-__all__ = ["Segment", "fill_segments", "front_order"]
+__all__ = ["Segment", "bring_together", "fill_segments", "front_order"]
 
 
 @dataclass
@@ -121,7 +121,7 @@ def fill_segments(
     for entry in share:
         entry.segment.blocks = [blocks[number] for number in sorted(entry.members)]
     for first, second in pairs or []:
-        _bring_together(segments, first, second)
+        bring_together(segments, first, second)
 
 
 def shape_cost(area: float, depth: float) -> float:
@@ -209,7 +209,7 @@ def _holds(block: Block, name: str) -> bool:
     return block.host.kind.name == name
 
 
-def _bring_together(segments: list[Segment], first: str, second: str) -> None:
+def bring_together(segments: list[Segment], first: str, second: str) -> None:
     """Put a block of one type beside one of the other: within its segment, else by a swap with a like block."""
     places = [(s, i) for s in segments for i, block in enumerate(s.blocks) if _holds(block, first)]
     goals = [(s, i) for s in segments for i, block in enumerate(s.blocks) if _holds(block, second)]
@@ -220,12 +220,31 @@ def _bring_together(segments: list[Segment], first: str, second: str) -> None:
     for s, i in places:
         for t, j in goals:
             if s is t:
-                s.blocks.insert(j if i > j else j, s.blocks.pop(i))
+                s.blocks.insert(j, s.blocks.pop(i))
                 return
-    (s, i), (t, j) = places[0], goals[0]
-    moving = s.blocks[i]
-    options = [k for k in range(len(t.blocks)) if k != j]
-    if options:
-        k = min(options, key=lambda n: (abs(t.blocks[n].gross - moving.gross), n))
-        s.blocks[i], t.blocks[k] = t.blocks[k], moving
-        t.blocks.insert(j, t.blocks.pop(k))
+    options = [
+        (max(_misfit(s, moving, t.blocks[k]), _misfit(t, t.blocks[k], moving)), n, m, k)
+        for n, (s, i) in enumerate(places) for m, (t, j) in enumerate(goals)
+        for moving in [s.blocks[i]] for k in range(len(t.blocks)) if k != j
+    ]  # fmt: skip
+    options += [
+        (max(_misfit(s, s.blocks[k], goal), _misfit(t, goal, s.blocks[k])), n, -1 - m, k)
+        for n, (s, i) in enumerate(places) for m, (t, j) in enumerate(goals)
+        for goal in [t.blocks[j]] for k in range(len(s.blocks)) if k != i
+    ]  # fmt: skip
+    best = min(options, default=None)
+    if best is None or best[0] > 0.3:
+        return
+    _, n, m, k = best
+    (s, i), (t, j) = places[n], goals[m if m >= 0 else -1 - m]
+    if m < 0:
+        (s, i), (t, j) = (t, j), (s, i)
+    s.blocks[i], t.blocks[k] = t.blocks[k], s.blocks[i]
+    moved = t.blocks.pop(k)
+    t.blocks.insert(j, moved)
+
+
+def _misfit(segment: Segment, leaving: Block, coming: Block) -> float:
+    """How far a segment is from full after an exchange, as a share of its length."""
+    used = segment.used + (coming.gross - leaving.gross) / segment.depth
+    return abs(used / segment.length - 1.0)

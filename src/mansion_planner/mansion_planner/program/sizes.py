@@ -3,10 +3,9 @@
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 from mansion_planner.knowledge import KnowledgeBase
-from mansion_planner.program.allocation import Allocation, planned_room
-from mansion_planner.program.allocation import entries_of
+from mansion_planner.program.allocation import Allocation, entries_of, is_hall, planned_room
 from mansion_planner.program.decisions import AREA_CAP, Decisions, note
-from mansion_planner.program.filling import base_rooms
+from mansion_planner.program.filling import base_rooms, hub_area
 from mansion_planner.program.massing import least_area
 from mansion_planner.program.model import Storey
 
@@ -16,7 +15,7 @@ __all__ = ["storey_area", "typical_room"]
 def _circulation(decisions: Decisions, stairs: int, lifts: int) -> tuple[float, float]:
     """Return what cores and lobby take, and the share of the rest that corridors take."""
     cores = 18.0 * stairs + 4.0 * lifts
-    if decisions.building.parti == "hall":
+    if is_hall(decisions):
         return cores, 0.0
     return cores + (24.0 if lifts else 0.0), 0.17
 
@@ -40,12 +39,12 @@ def storey_area(
     need, fullest, least = 0.0, storeys[0], 0.0
     for storey in storeys:
         rooms = base_rooms(storey, allocation, knowledge)
-        hub = storey.hub.least if decisions.building.parti == "hall" else 0.0
+        hub = hub_area(storey, allocation) or storey.hub.least if is_hall(decisions) else 0.0
         wished = sum(room.gross for room in rooms)
         tight = sum(max(r.least, 0.0) for room in rooms for r in room.each()) + hub
         least = max(least, (tight + fixed) / (1.0 - 0.6 * share))
-        if wished > need:
-            need, fullest = wished, storey
+        if wished + hub > need:
+            need, fullest = wished + hub, storey
     if decisions.area_stated:
         if least > decisions.area * 1.02:
             facts = allocation.wanted[fullest.index]
@@ -58,13 +57,12 @@ def storey_area(
                 details={"first": words, "second": decisions.area_span, "stage": "program"},
             )
         return decisions.area
-    hub = fullest.hub.usual if decisions.building.parti == "hall" else 0.0
-    asked = (need + hub + fixed) / (1.0 - share) * 1.02
+    asked = (need + fixed) / (1.0 - share) * 1.02
     usual = decisions.area
     if decisions.building.parti != "spine":
         typical = _typical(decisions, storeys, allocation, knowledge, fixed, share)
         small = any(word == "small" for word, _ in decisions.facts.size)
-        usual = typical * 0.85 if small else max(min(usual, typical), 0.9 * typical)
+        usual = typical * 0.85 if small else min(typical, 1.5 * usual)
     result = max(usual, asked, decisions.building.floor_area[0])
     if decisions.facts.shapes:
         result = max(result, least_area(decisions.facts.shapes[0][0]))
@@ -87,7 +85,7 @@ def _typical(
     most = 0.0
     for storey in storeys:
         total = sum(room.gross for room in base_rooms(storey, allocation, knowledge))
-        if decisions.building.parti == "hall":
+        if is_hall(decisions):
             total += 1.3 * storey.hub.usual
         for entry in entries_of(storey):
             if entry.room_type in allocation.settled or entry.repeat:

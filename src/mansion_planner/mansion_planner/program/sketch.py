@@ -10,7 +10,7 @@ from mansion_planner.program.blocks import Block, group_blocks, lay_block
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Storey, box_area
 from mansion_planner.program.segments import Segment, fill_segments, front_order
 
-__all__ = ["Corridor", "Placement", "Sketch", "capacity", "lobby_length", "sketch_storey"]
+__all__ = ["Corridor", "Placement", "Sketch", "capacity", "lobby_length", "sketch_storey", "touching"]
 
 HUB_CHILDREN = 8
 """Rooms that a corridor serves before it is divided."""
@@ -23,11 +23,12 @@ class Corridor:
     id: str
     boxes: list[Box]
     parent: str = ""
+    given: float = 0.0
 
     @property
     def area(self) -> float:
-        """Sum of its boxes."""
-        return sum(box_area(box) for box in self.boxes)
+        """Sum of its boxes, or the area given where it has no place yet."""
+        return self.given or sum(box_area(box) for box in self.boxes)
 
 
 @dataclass
@@ -37,11 +38,12 @@ class Placement:
     room: PlannedRoom
     boxes: list[Box]
     parent: str
+    given: float = 0.0
 
     @property
     def area(self) -> float:
-        """Sum of its boxes."""
-        return sum(box_area(box) for box in self.boxes)
+        """Sum of its boxes, or the area given where it has no place yet."""
+        return self.given or sum(box_area(box) for box in self.boxes)
 
 
 @dataclass
@@ -110,7 +112,20 @@ def capacity(massing: Massing, storey: Storey) -> float:
     return total
 
 
-def sketch_storey(massing: Massing, storey: Storey, hub_id: str) -> Sketch:
+def touching(first: Placement, second: Placement) -> bool:
+    """Whether two rooms of a sketch share at least half a metre of wall."""
+    for a in first.boxes:
+        for b in second.boxes:
+            wide = min(a[2], b[2]) - max(a[0], b[0])
+            high = min(a[3], b[3]) - max(a[1], b[1])
+            if (abs(wide) < 1e-6 and high >= 0.5) or (abs(high) < 1e-6 and wide >= 0.5):
+                return True
+    return False
+
+
+def sketch_storey(
+    massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]
+) -> Sketch:
     """Lay out the rooms of a storey along its corridors.
 
     Parameters
@@ -119,18 +134,16 @@ def sketch_storey(massing: Massing, storey: Storey, hub_id: str) -> Sketch:
     storey : Storey
         With rooms whose areas add up to about the storey's capacity.
     hub_id : str
+    pairs : list of (str, str)
+        Room types to be side by side.
     """
-    if massing.hall:
-        from mansion_planner.program.hall import sketch_hall
-
-        return sketch_hall(massing, storey, hub_id)
     length = _extent(massing, storey)
     ends, rest = _end_rooms(massing, storey.rooms, length)
     stop = length - sum(room.gross / massing.depth for room in ends)
     segments = _segments(massing, stop, lobby_length(massing, storey))
     depth = max(segment.depth for segment in segments)
-    blocks = group_blocks(front_order(rest), depth)
-    fill_segments(segments, blocks)
+    blocks = group_blocks(front_order(rest), depth, pairs)
+    fill_segments(segments, blocks, pairs)
     return _assemble(massing, storey, hub_id, segments, ends, stop, length)
 
 

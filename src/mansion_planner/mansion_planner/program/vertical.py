@@ -31,13 +31,15 @@ def vertical_method(
         lifts, reason = 0, f'{levels} storeys, "{wishes["no_elevator"].words}"'
     elif "elevator" in wishes and lifts == 0:
         lifts, reason = 1, f'{levels} storeys, "{wishes["elevator"].words}"'
+    if "no_stair" in wishes:
+        return "elevator", 0, max(lifts, 1), f'elevator alone, as "{wishes["no_stair"].words}" asks'
     stairs = 1
     largest = max(
         [fact.area or knowledge.room(fact.room_type).usual for facts in allocation.wanted.values() for fact in facts]
         + [entry.area or knowledge.room(entry.room_type).usual for storey in storeys for entry in entries_of(storey)],
         default=0.0,
     )
-    if not home and decisions.building.parti == "spine" and levels >= 3 and decisions.area >= 340 and largest <= 150:
+    if not home and decisions.building.parti == "spine" and levels >= 3 and decisions.area >= 340 and largest <= 150 and not decisions.facts.setback and not decisions.facts.protruding:
         stairs = 2
         reason += ", more than 340 m2 a storey: a second stair at the far end"
     method: Method = "stair_and_elevator" if lifts else "stair"

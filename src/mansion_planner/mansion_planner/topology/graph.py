@@ -9,8 +9,6 @@ from mansion_planner.program.model import Storey, box_area
 
 __all__ = ["floor_topology"]
 
-_MOST = 0.01
-
 
 def floor_topology(
     planned: PlannedBuilding, storey: Storey, knowledge: KnowledgeBase
@@ -25,7 +23,7 @@ def floor_topology(
     edges: list[Edge] = []
     for number, corridor in enumerate(sketch.corridors):
         kind = storey.hub if number == 0 else knowledge.room(_passage(storey))
-        floor, wall = materials_of(kind, style, knowledge)
+        floor, wall = materials_of(kind, style, knowledge, planned.decisions.facts.materials)
         nodes.append(
             TopologyNode(
                 id=corridor.id, type="main" if number == 0 else "Entities", area=round(corridor.area, 3),
@@ -56,6 +54,11 @@ def floor_topology(
             )
         )  # fmt: skip
         edges.append(Edge(source=sketch.core_parent.get(core.id, hub_name(storey)), target=core.id, kind="access"))
+    linked = {frozenset((edge.source, edge.target)) for edge in edges}
+    for room in floor_program.rooms:
+        for other in room.adjacent_to:
+            if frozenset((room.id, other)) not in linked:
+                edges.append(Edge(source=room.id, target=other, kind="adjacent"))
     return FloorTopology(
         nodes=nodes, edges=edges, building_id=planned.program.building_id, floor=storey.index
     )
