@@ -18,6 +18,7 @@ from mansion_scene.structure.interiors import Partition, partition_floor
 from mansion_scene.structure.openings import (
     make_frontages,
     open_passages,
+    other_places,
     place_doors,
     take,
 )
@@ -96,7 +97,12 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
     for opening in openings:
         take(opening, frontages)
     placed, narrowed = place_doors(floor, plan, shared, frontages)
-    openings, leafless = hang_doors(floor, partition.nets, [*openings, *placed])
+    openings, leafless = hang_doors(
+        floor,
+        partition.nets,
+        [*openings, *placed],
+        lambda opening: other_places(opening, shared, frontages),
+    )
     rooms = scene_rooms(request, floor, partition, ceiling)
     walls = number_walls(floor, partition.walls, {room.id: room for room in rooms}, ceiling)
     windows = place_windows(floor, partition.walls, openings, ceiling)
@@ -114,10 +120,17 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
 
 
 def _walkable_rooms(floor: FloorRegions, stretches: Sequence[Stretch]) -> dict[str, Polygon]:
-    """Return each room's walkable part with all walls standing; rooms narrower than a passage are left out."""
+    """Return the walkable part, with all walls standing, of each room that is not walkable as a whole.
+
+    Rooms narrower than a passage throughout are left out: their door is all there is of them.
+    """
     closed = partition_floor(floor, stretches, frozenset())
     nets = {r.id: closed.nets[r.id] for r in floor.regions if r.is_room}
-    return {name: part for name, part in walkable_parts(nets).items() if not part.is_empty}
+    return {
+        name: part
+        for name, part in walkable_parts(nets).items()
+        if not part.is_empty and (part.area < nets[name].area - 1e-3 or name in closed.cut_off)
+    }
 
 
 def _cut_off(floor: FloorRegions, partition: Partition) -> list[Downgrade]:

@@ -5,10 +5,11 @@ the adjacent wall where the approach to a door in a corner covers it.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+import numpy.typing as npt
 import shapely
 from shapely.geometry import Polygon
 
@@ -21,7 +22,7 @@ from mansion_scene.structure.dimensions import (
 )
 from mansion_scene.structure.stretches import Stretch
 
-__all__ = ["Frontage", "Position", "approach_zone", "choose_position"]
+__all__ = ["Frontage", "Position", "approach_zone", "choose_position", "ranked_positions"]
 
 _POCKET = 0.6  # metres beside a door in which a cupboard against the adjacent wall fits
 _SHORT_PIECE = 0.5  # a wall piece as short as this holds nothing
@@ -51,8 +52,12 @@ class Frontage:
     zones: list[Polygon] = field(default_factory=list)
     taken: list[Segment] = field(default_factory=list)
 
+    rings: list[npt.NDArray[np.float64]] = field(init=False)
+
     def __post_init__(self) -> None:
         shapely.prepare(self.net)
+        rings = (self.net.exterior, *self.net.interiors)
+        self.rings = [shapely.get_coordinates(ring) for ring in rings]
 
 
 @dataclass(frozen=True)
@@ -136,13 +141,12 @@ def _worth(length: float) -> float:
     return usable + 0.01 * usable * usable
 
 
-def _side_of(region: Polygon, position: Position) -> tuple[float, float] | None:
+def _side_of(frontage: Frontage, position: Position) -> tuple[float, float] | None:
     """Return the distances of an opening from the two ends of the straight side of the room that it lies in."""
     (ax, ay), (bx, by) = position.segment
     dx, dy = position.stretch.direction
     mx, my = (ax + bx) / 2, (ay + by) / 2
-    for ring in (region.exterior, *region.interiors):
-        coords = np.asarray(ring.coords)
+    for coords in frontage.rings:
         across = (coords[:, 0] - mx) * dy - (coords[:, 1] - my) * dx
         along = (coords[:, 0] - mx) * dx + (coords[:, 1] - my) * dy
         on_line = np.abs(across) < INTERIOR_THICKNESS
@@ -155,7 +159,7 @@ def _side_of(region: Polygon, position: Position) -> tuple[float, float] | None:
 
 
 def _loss(frontage: Frontage, position: Position) -> float:
-    ends = _side_of(frontage.net, position)
+    ends = _side_of(frontage, position) if frontage.weight > 0.0 else None
     if ends is None:
         return 0.0
     side = ends[0] + ends[1] + position.width
@@ -176,20 +180,36 @@ def _cost(position: Position, sides: Sequence[tuple[Frontage, Point]]) -> float:
 
 def choose_position(
     stretches: Sequence[Stretch],
-    frontages: dict[str, Frontage],
+    frontages: Mapping[str, Frontage],
     width: float,
     *,
     margin: float = WALL_END,
     within: Polygon | None = None,
     center: Point | None = None,
 ) -> Position | None:
-    """Choose where the stretches between two regions open.
+    """Return the best of `ranked_positions`; ``None`` when no stretch has that much free."""
+    ranked = ranked_positions(
+        stretches, frontages, width, margin=margin, within=within, center=center
+    )
+    return ranked[0] if ranked else None
+
+
+def ranked_positions(
+    stretches: Sequence[Stretch],
+    frontages: Mapping[str, Frontage],
+    width: float,
+    *,
+    margin: float = WALL_END,
+    within: Polygon | None = None,
+    center: Point | None = None,
+) -> list[Position]:
+    """Return where the stretches between two regions may open, best first.
 
     Parameters
     ----------
     stretches : sequence of Stretch
         Of one pair of regions.
-    frontages : dict
+    frontages : mapping
         By region id; the two sides' doors so far are respected.
     width : float
         Clear width.
@@ -199,13 +219,8 @@ def choose_position(
         The opening must lie in it, where it is given.
     center : Point, optional
         The opening should be abreast of it, where it is given.
-
-    Returns
-    -------
-    Position or None
-        ``None`` when no stretch has that much free.
     """
-    best: tuple[float, Position] | None = None
+    found: list[tuple[float, int, Position]] = []
     for stretch in stretches:
         dx, dy = stretch.direction
         sides = [(frontages[stretch.left], (-dy, dx))]
@@ -216,9 +231,8 @@ def choose_position(
         for piece in pieces:
             for position in _candidates(piece, taken, width, margin):
                 cost = _cost(position, sides) + _off_center(position, center)
-                if best is None or cost < best[0] - 1e-9:
-                    best = cost, position
-    return best[1] if best is not None else None
+                found.append((round(cost, 6), len(found), position))
+    return [position for _, _, position in sorted(found, key=lambda entry: entry[:2])]
 
 
 def _off_center(position: Position, center: Point | None) -> float:

@@ -1,6 +1,6 @@
 """The doors of a floor before they are numbered: positions, widths, leaves and the entrance."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -9,7 +9,7 @@ from shapely.geometry import Polygon
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.shapes import Point, Segment
-from mansion_scene.structure.access import AccessPlan, Pair
+from mansion_scene.structure.access import AccessPlan, Pair, pair_key
 from mansion_scene.structure.dimensions import (
     CLEAR_WIDTH,
     INTERIOR_THICKNESS,
@@ -21,6 +21,7 @@ from mansion_scene.structure.frontage import (
     Position,
     approach_zone,
     choose_position,
+    ranked_positions,
 )
 from mansion_scene.structure.interiors import Partition
 from mansion_scene.structure.opening_kinds import (
@@ -32,7 +33,7 @@ from mansion_scene.structure.regions import FloorRegions, Region
 from mansion_scene.structure.stairs import landing_zone
 from mansion_scene.structure.stretches import Stretch
 
-__all__ = ["Opening", "make_frontages", "open_passages", "place_doors", "take"]
+__all__ = ["Opening", "make_frontages", "open_passages", "other_places", "place_doors", "take"]
 
 
 @dataclass(frozen=True)
@@ -123,6 +124,30 @@ def place_doors(
         if downgrade is not None:
             downgrades.append(downgrade)
     return openings, downgrades
+
+
+def other_places(
+    opening: Opening,
+    shared: Mapping[Pair, Sequence[Stretch]],
+    frontages: Mapping[str, Frontage],
+) -> Iterator[Opening]:
+    """Yield the same door elsewhere between its two regions, best first, as wide as it is and then 0.9 m wide."""
+    a, b = opening.regions
+    if b is None:
+        return
+    sides = {region: _without(frontages[region], opening.segment) for region in (a, b)}
+    for width in sorted({opening.kind.width, min(opening.kind.width, CLEAR_WIDTH)}, reverse=True):
+        for position in ranked_positions(shared[pair_key(a, b)], sides, width):
+            yield _opening(position, opening.kind)
+
+
+def _without(frontage: Frontage, segment: Segment) -> Frontage:
+    kept = [i for i, taken in enumerate(frontage.taken) if taken != segment]
+    return replace(
+        frontage,
+        zones=[frontage.zones[i] for i in kept],
+        taken=[frontage.taken[i] for i in kept],
+    )
 
 
 def _place(

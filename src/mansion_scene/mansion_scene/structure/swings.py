@@ -1,8 +1,9 @@
 """Hinges: which way leaves open, so that they hit no wall and no other leaf."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import Literal
 
 import shapely
@@ -62,40 +63,49 @@ def _quarter(pivot: Point, other: Point, inward: Point, radius: float, face: flo
 
 
 def hang_doors(
-    floor: FloorRegions, nets: Mapping[str, Polygon], openings: Sequence[Opening]
+    floor: FloorRegions,
+    nets: Mapping[str, Polygon],
+    openings: Sequence[Opening],
+    elsewhere: Callable[[Opening], Iterable[Opening]] = lambda opening: (),
 ) -> tuple[list[Opening], list[Downgrade]]:
     """Give each door with leaves a swing and a hinge that keep clear of walls, other leaves and other openings.
 
     A leaf opens into the room that the door serves, not into circulation, and hangs at the end nearer to a side wall.
-    Where no way is free the door loses its leaf (kind ``doorway``), which is recorded.
+    Where no way is free the door moves along its wall, an outer door opens outwards, and what is left loses its leaf
+    (kind ``doorway``), which is recorded.
+
+    Parameters
+    ----------
+    elsewhere : callable
+        Other places for a door, best first.
     """
     swept: dict[str, list[Polygon]] = {region.id: [] for region in floor.regions}
-    hung: list[Opening] = []
+    hung = list(openings)
     downgrades: list[Downgrade] = []
-    order = sorted(range(len(openings)), key=lambda i: -openings[i].kind.leaves)
-    results: dict[int, Opening] = {}
-    for index in order:
-        opening = openings[index]
+    for index in sorted(range(len(hung)), key=lambda i: -hung[i].kind.leaves):
+        opening = hung[index]
         if opening.kind.leaves == 0:
-            results[index] = opening
             continue
-        others = [other for i, other in enumerate(openings) if i != index]
-        chosen = _choose(floor, nets, opening, others, swept)
-        if chosen is None and opening.regions[1] is None:
-            # An outer door that finds no room inside opens outwards.
-            results[index] = replace(opening, hinge="both" if opening.kind.leaves == 2 else "start")
-            continue
-        if chosen is None:
-            results[index] = replace(
-                opening, kind=OpeningKind("doorway", opening.kind.width, "painted_wood")
-            )
-            downgrades.append(_no_leaf(floor, opening))
-            continue
-        region, hinge = chosen
-        swept[region].extend(leaf_sectors(opening, region, hinge))
-        results[index] = replace(opening, hinge=hinge, swing=region)
-    hung.extend(results[index] for index in range(len(openings)))
+        others = [other for i, other in enumerate(hung) if i != index]
+        for place in chain((opening,), elsewhere(opening)):
+            chosen = _choose(floor, nets, place, others, swept)
+            if chosen is not None:
+                region, hinge = chosen
+                swept[region].extend(leaf_sectors(place, region, hinge))
+                hung[index] = replace(place, hinge=hinge, swing=region)
+                break
+        else:
+            hung[index] = _without_swing(opening)
+            if opening.regions[1] is not None:
+                downgrades.append(_no_leaf(floor, opening))
     return hung, downgrades
+
+
+def _without_swing(opening: Opening) -> Opening:
+    """Return a door that finds no room to swing: opening outwards if it is an outer door, else without leaf."""
+    if opening.regions[1] is None:
+        return replace(opening, hinge="both" if opening.kind.leaves == 2 else "start")
+    return replace(opening, kind=OpeningKind("doorway", opening.kind.width, "painted_wood"))
 
 
 def _no_leaf(floor: FloorRegions, opening: Opening) -> Downgrade:
