@@ -3,6 +3,8 @@
 from collections.abc import Callable
 
 import pytest
+from shapely.geometry import Polygon
+
 from mansion_msgs_py.scene import (
     Door,
     FloorScene,
@@ -15,7 +17,6 @@ from mansion_msgs_py.scene import (
     Window,
 )
 from mansion_scene.export.boundary import stretches
-from shapely.geometry import Polygon
 
 HEIGHT = 3.2
 CORNERS = ((0, 0), (14, 0), (14, 10), (0, 10))

@@ -20,9 +20,7 @@ def hex_color(text: str, default: str = "#b0a89c") -> tuple[float, float, float]
 
 def linear(color: tuple[float, float, float]) -> list[float]:
     """Return an sRGB colour in linear light, as glTF's factors are (IEC 61966-2-1)."""
-    return [
-        round(c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4, 6) for c in color
-    ]
+    return [round(c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4, 6) for c in color]
 
 
 @cache

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+
 from mansion_msgs_py.shapes import Point, Ring
 
 __all__ = ["Stretch", "stretches"]

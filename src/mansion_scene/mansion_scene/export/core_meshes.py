@@ -1,9 +1,9 @@
 """Stairs and lifts as nodes of a model, from the boxes in their details."""
 
 import numpy as np
+
 from mansion_msgs_py.scene import Box3, FloorScene, LiftDetails, SceneCore, StairDetails
 from mansion_msgs_py.shapes import Point3
-
 from mansion_scene.export.appearance import named
 from mansion_scene.export.model import Material, Model, Node, Surface
 from mansion_scene.export.solids import Box, box_between
@@ -64,9 +64,7 @@ def _rail(start: Point3, end: Point3) -> list[Surface]:
     if flat < 1e-6:
         across = np.array([RAIL / 2, 0.0, 0.0])
     up = np.array([0.0, 0.0, RAIL / 2])
-    corners = [
-        p + s * across + t * up for t in (-1, 1) for s in (-1, 1) for p in (a, b)
-    ]
+    corners = [p + s * across + t * up for t in (-1, 1) for s in (-1, 1) for p in (a, b)]
     bar = boxes_surface([Box((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))], named("painted_steel"))
     bar = Surface(bar.material, np.array(corners), _outward(np.array(corners), bar.faces))
     posts = []

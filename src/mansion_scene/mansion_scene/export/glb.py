@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 
 from mansion_msgs_py.scene import FloorScene
-
 from mansion_scene.export.gltf import write_glb
 from mansion_scene.export.meshes import building_models, floor_model
 

@@ -99,9 +99,7 @@ class _Writer:
                 "POSITION": self.accessor(positions, "VEC3", FLOAT, ARRAY, bounds=True),
                 "NORMAL": self.accessor(gltf_points(normals), "VEC3", FLOAT, ARRAY),
             },
-            "indices": self.accessor(
-                indices.astype(dtype).reshape(-1), "SCALAR", kind, ELEMENTS
-            ),
+            "indices": self.accessor(indices.astype(dtype).reshape(-1), "SCALAR", kind, ELEMENTS),
             "material": self.material(surface.material),
         }
 
@@ -170,7 +168,9 @@ class _Writer:
         chunks = len(text).to_bytes(4, "little") + b"JSON" + text
         if self.buffer:
             chunks += len(self.buffer).to_bytes(4, "little") + b"BIN\0" + bytes(self.buffer)
-        return b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little") + chunks
+        return (
+            b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little") + chunks
+        )
 
 
 def _placed(node: Node, mesh: int) -> Json:
@@ -244,5 +244,7 @@ def _smoothed(
     sums = np.zeros((len(corner_point), 3))
     np.add.at(sums, own[alike], areas[corner_face[other[alike]]])
     lengths = np.linalg.norm(sums, axis=1, keepdims=True)
-    result: Floats = np.where(lengths > 1e-12, sums / np.maximum(lengths, 1e-12), units[corner_face])
+    result: Floats = np.where(
+        lengths > 1e-12, sums / np.maximum(lengths, 1e-12), units[corner_face]
+    )
     return result

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from importlib import resources
 
 from mansion_msgs_py.scene import FloorScene
-
 from mansion_scene.export.glb import building_glb
 
 __all__ = ["view_page"]

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 
 from mansion_msgs_py.scene import FloorScene
-
 from mansion_scene.export.core_meshes import add_cores
 from mansion_scene.export.model import Model
 from mansion_scene.export.object_meshes import add_objects

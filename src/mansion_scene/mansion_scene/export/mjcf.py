@@ -1,13 +1,14 @@
 """A floor as a MuJoCo model (MJCF): bodies named after our ids, boxes to collide with, meshes to look at."""
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
-from mansion_msgs_py.scene import FloorScene, SceneObject, Wall
 from shapely.geometry import Polygon, box
 
+from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails, Wall
 from mansion_scene.export.appearance import surface_material
 from mansion_scene.export.meshes import floor_model
 from mansion_scene.export.model import Material, Mesh, Model, Node, Surface
@@ -201,7 +202,7 @@ def _floor_boxes(scene: FloorScene) -> list[tuple[str, Box]]:
         details = core.details
         if details is None:
             continue
-        if hasattr(details, "treads"):
+        if isinstance(details, StairDetails):
             solids = [*details.treads, *details.landings]
             for i, (low, high) in enumerate(solids):
                 boxes.append((f"{core.id}/step/{i}", _between(low, high)))
@@ -228,7 +229,7 @@ def _strips(polygon: Polygon, skip: bool = False) -> list[Box]:
     xs = sorted({round(float(x), 6) for ring in rings for x, _ in ring.coords})
     _, low_y, _, high_y = polygon.bounds
     boxes = []
-    for x0, x1 in zip(xs, xs[1:]):
+    for x0, x1 in itertools.pairwise(xs):
         cut = polygon.intersection(box(x0, low_y - 1.0, x1, high_y + 1.0))
         parts = [cut] if cut.geom_type == "Polygon" else list(getattr(cut, "geoms", []))
         for part in parts:

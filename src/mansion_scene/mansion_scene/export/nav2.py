@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
 from mansion_msgs_py.shapes import Point
-
 from mansion_scene.export.solids import Box, WallBodies, segment_box
 
 __all__ = ["FREE", "OCCUPIED", "UNKNOWN", "OccupancyMap", "map_pgm", "map_yaml", "occupancy"]

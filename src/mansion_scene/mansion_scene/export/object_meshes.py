@@ -1,7 +1,6 @@
 """Objects as nodes of a model; objects of one asset share its mesh."""
 
 from mansion_msgs_py.scene import FloorScene, SceneObject
-
 from mansion_scene.export.appearance import hex_color
 from mansion_scene.export.model import Material, Model, Node, Surface
 from mansion_scene.export.solids import Box

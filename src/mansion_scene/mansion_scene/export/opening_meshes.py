@@ -1,9 +1,9 @@
 """Door frames, leaves and windows as nodes of a model; leaves of one size share a mesh."""
 
 import numpy as np
+
 from mansion_msgs_py.scene import Door, FloorScene, Window
 from mansion_msgs_py.shapes import Segment
-
 from mansion_scene.export.appearance import named
 from mansion_scene.export.model import Material, Model, Node, Surface
 from mansion_scene.export.sides import swing_side
@@ -45,7 +45,9 @@ def _base(segment: Segment) -> tuple[float, float, float, float]:
 def _frame_material(door: Door) -> Material:
     if door.kind in ("sliding", "frame"):
         return named("brushed_steel")
-    return named("painted_steel" if door.kind in ("glazed", "entrance", "balcony") else "painted_wood")
+    return named(
+        "painted_steel" if door.kind in ("glazed", "entrance", "balcony") else "painted_wood"
+    )
 
 
 def _frame(length: float, height: float, deep: float, material: Material) -> list[Surface]:
@@ -156,10 +158,10 @@ def _window(window: Window, length: float, deep: float, inward: float) -> list[S
         Box((length / 2, 0.0, height - bar / 2), (length - 2 * bar, 0.07, bar)),
     ]
     fields = max(1, round(length / 1.2))
-    for i in range(1, fields):
-        bars.append(
-            Box((length * i / fields, 0.0, height / 2), (bar, 0.06, height - 2 * bar))
-        )
+    bars += [
+        Box((length * i / fields, 0.0, height / 2), (bar, 0.06, height - 2 * bar))
+        for i in range(1, fields)
+    ]
     board = Box((length / 2, inward * (deep / 2 + 0.02), -0.01), (length + 0.1, 0.12, 0.03))
     pane = Box((length / 2, 0.0, height / 2), (length - bar, 0.012, height - bar))
     return [

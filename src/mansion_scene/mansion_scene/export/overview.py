@@ -1,13 +1,14 @@
 """One picture of a whole building: its outside, and each floor cut open."""
 
 import io
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
-from mansion_msgs_py.scene import FloorScene
 
+from mansion_msgs_py.scene import FloorScene
 from mansion_scene.export.meshes import building_models, floor_model
 from mansion_scene.export.model import Node
 from mansion_scene.export.plan.palette import INK
@@ -83,7 +84,9 @@ def cutaway(scene: FloorScene, width: int) -> "Image":
     model = floor_model(scene, ceilings=False)
     solid = flatten(model, lambda node: node.group != "objects")
     movable = flatten(model, lambda node: node.group == "objects" and _low(node))
-    return _picture(Triangles.join([_cut(solid), movable]), width, View(azimuth=-68.0, elevation=54.0))
+    return _picture(
+        Triangles.join([_cut(solid), movable]), width, View(azimuth=-68.0, elevation=54.0)
+    )
 
 
 def exterior(scenes: Sequence[FloorScene], width: int) -> "Image":
@@ -91,14 +94,13 @@ def exterior(scenes: Sequence[FloorScene], width: int) -> "Image":
     parts = []
     for model in building_models(scenes):
         shell = flatten(model, lambda node: node.group != "objects")
-        parts.append(
-            Triangles(shell.corners + [0.0, 0.0, model.elevation], shell.colors, shell.alpha)
-        )
+        lift = np.array([0.0, 0.0, model.elevation])
+        parts.append(Triangles(shell.corners + lift, shell.colors, shell.alpha))
     return _picture(Triangles.join(parts), width, View(azimuth=-58.0, elevation=26.0))
 
 
 def _columns(count: int) -> int:
-    return next(n for n in range(1, 9) if n * max(1, n - 1) >= count or n == 8) if count > 2 else count
+    return count if count <= 3 else math.ceil(math.sqrt(count))
 
 
 def _caption(scene: FloorScene) -> str:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+
 from mansion_msgs_py.scene import FloorScene, SceneCore
 
 __all__ = ["Shaft", "shaft_of"]

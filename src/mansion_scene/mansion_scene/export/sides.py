@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+
 from mansion_msgs_py.scene import Door
 from mansion_msgs_py.shapes import Point
 

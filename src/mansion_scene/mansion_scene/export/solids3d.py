@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 import numpy as np
 import numpy.typing as npt
-from mansion_msgs_py.shapes import Point
 from shapely.geometry import Polygon
 from shapely.geometry.polygon import orient
 
+from mansion_msgs_py.shapes import Point
 from mansion_scene.export.model import Material, Surface
 from mansion_scene.export.solids import Box
 
@@ -105,9 +105,7 @@ def _cross(
     return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
 
 
-def _is_ear(
-    points: npt.NDArray[np.float64], remaining: list[int], a: int, b: int, c: int
-) -> bool:
+def _is_ear(points: npt.NDArray[np.float64], remaining: list[int], a: int, b: int, c: int) -> bool:
     """Tell whether no other vertex lies in the corner at `b`; a flat corner may always go."""
     area = _cross(points[a], points[b], points[c])
     if abs(area) <= 1e-12:

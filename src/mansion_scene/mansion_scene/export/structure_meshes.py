@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 
 import numpy as np
-from mansion_msgs_py.scene import FloorScene, Wall
-from mansion_msgs_py.shapes import Ring
 from shapely.geometry import Polygon
 
+from mansion_msgs_py.scene import FloorScene, StairDetails, Wall
+from mansion_msgs_py.shapes import Ring
 from mansion_scene.export.appearance import named, surface_material
 from mansion_scene.export.model import Material, Model, Node, Surface
 from mansion_scene.export.plan.labels import room_title
@@ -55,7 +55,11 @@ def add_floors(model: Model, scene: FloorScene) -> None:
     for room in scene.rooms:
         polygon = Polygon(room.polygon, room.holes)
         finish = surface_material(room.floor_material, "floor")
-        at = polygon.centroid if polygon.contains(polygon.centroid) else polygon.representative_point()
+        at = (
+            polygon.centroid
+            if polygon.contains(polygon.centroid)
+            else polygon.representative_point()
+        )
         node = Node(
             room.id,
             room.id,
@@ -73,7 +77,7 @@ def add_floors(model: Model, scene: FloorScene) -> None:
         _parts(slab, -max(thickness, FINISH + 0.05), -FINISH, named("polished_concrete")),
     )
     for core in scene.cores:
-        landing = core.details.floor_landing if hasattr(core.details, "floor_landing") else []
+        landing = core.details.floor_landing if isinstance(core.details, StairDetails) else []
         if len(landing) >= 3:
             name = f"{core.id}/landing"
             model.add(

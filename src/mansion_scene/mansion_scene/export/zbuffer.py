@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from mansion_geometry.compiled import kernel
 
+from mansion_geometry.compiled import kernel
 from mansion_scene.export.triangles import Triangles
 
 __all__ = ["View", "render"]

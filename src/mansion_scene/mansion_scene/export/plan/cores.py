@@ -1,8 +1,8 @@
 """Stairs with treads and an arrow, lifts with a cross."""
 
 import numpy as np
-from mansion_msgs_py.scene import FloorScene, SceneCore
 
+from mansion_msgs_py.scene import FloorScene
 from mansion_scene.export.plan.palette import INK
 from mansion_scene.export.plan.shapes import Area, Canvas, Frame, Label, Line, Shape, rectangle
 from mansion_scene.export.plan.stair_symbol import stair_shapes
@@ -16,17 +16,16 @@ def draw_cores(scene: FloorScene) -> list[Canvas]:
     canvases = []
     for core in scene.cores:
         shapes: list[Shape] = [Area(core.polygon, INK["core"], width=0.0)]
-        shaft = shaft_of(core, scene)
         served = ", ".join(str(floor) for floor in core.floors)
         if core.type == "stair":
-            shapes += stair_shapes(core, shaft, scene.floor)
+            shapes += stair_shapes(core)
         else:
-            shapes += _lift(core, shaft)
+            shapes += _lift(shaft_of(core, scene))
         canvases.append(Canvas("cores", tuple(shapes), core.id, f"{core.id}: floors {served}"))
     return canvases
 
 
-def _lift(core: SceneCore, shaft: Shaft) -> list[Shape]:
+def _lift(shaft: Shaft) -> list[Shape]:
     """The cabin with its cross; the opening towards the landing door."""
     a, b = shaft.width / 2 - 0.16, shaft.depth / 2 - 0.16
     frame = Frame(shaft.x, shaft.y, shaft.rotation)

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from mansion_msgs_py.scene import FloorScene
 
+from mansion_msgs_py.scene import FloorScene
 from mansion_scene.export.plan.cores import draw_cores
 from mansion_scene.export.plan.furniture import draw_furniture
 from mansion_scene.export.plan.labels import draw_rooms, label_rooms
@@ -117,9 +117,7 @@ def _heading(scene: FloorScene, x0: float, y1: float, unit: float) -> list[Shape
             bold=True,
             halo=False,
         ),
-        Label(
-            (x0, y1 + 0.8 * unit), facts, 0.4 * unit, INK["muted"], "start", halo=False
-        ),
+        Label((x0, y1 + 0.8 * unit), facts, 0.4 * unit, INK["muted"], "start", halo=False),
     ]
 
 

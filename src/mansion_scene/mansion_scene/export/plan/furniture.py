@@ -1,9 +1,9 @@
 """Furniture outlines with their fronts, as an architect draws them."""
 
 from collections.abc import Callable
+from functools import cache
 
 from mansion_msgs_py.scene import FloorScene, SceneObject
-
 from mansion_scene.export.plan.palette import INK
 from mansion_scene.export.plan.shapes import Area, Canvas, Frame, Line, Shape, circle, rectangle
 
@@ -35,7 +35,6 @@ def _is_flat(item: SceneObject) -> bool:
 def _object(item: SceneObject) -> Canvas:
     frame = Frame(item.position[0], item.position[1], item.rotation)
     a, b = item.size[0] / 2, item.size[1] / 2
-    name = f"{item.category} {item.name}".lower()
     title = item.id if item.name in ("", item.category) else f"{item.id}: {item.name}"
     if _is_flat(item):
         shapes: list[Shape] = [
@@ -43,11 +42,9 @@ def _object(item: SceneObject) -> Canvas:
         ]
         return Canvas("furniture", tuple(shapes), item.id, title)
     if item.mount == "surface":
-        body = Area(
-            frame.place(rectangle(-a, -b, a, b)), "#eef0f2", INK["furniture_detail"], 0.008
-        )
+        body = Area(frame.place(rectangle(-a, -b, a, b)), "#eef0f2", INK["furniture_detail"], 0.008)
         return Canvas("furniture", (body,), item.id, title)
-    symbol = _symbol(name)
+    symbol = _symbol(item.category)
     round_body = symbol in (_round, _plant)
     outline = circle((0.0, 0.0), a, b) if round_body else rectangle(-a, -b, a, b)
     fill = INK["green_fill"] if symbol is _plant else INK["furniture"]
@@ -155,23 +152,27 @@ def _plant(frame: Frame, a: float, b: float) -> list[Shape]:
 
 
 SYMBOLS: tuple[tuple[tuple[str, ...], Symbol], ...] = (
-    (("bedside", "nightstand", "bed_table"), _plain),
-    (("plant", "tree", "palm"), _plant),
-    (("toilet_paper", "paper_holder"), _plain),
+    (("bedside", "nightstand", "bed_table", "overbed"), _plain),
+    (("plant", "tree", "palm", "flower"), _plant),
+    (("toilet_paper", "toilet_brush", "paper_towel"), _plain),
     (("toilet", "urinal", "bidet"), _toilet),
     (("bathtub", "tub", "shower"), _tub),
-    (("sink", "basin", "washing"), _basin),
+    (("sink", "basin", "washbasin", "wash", "dryer"), _basin),
     (("stove", "cooker", "range", "hob"), _stove),
-    (("round", "stool", "pouf", "ottoman", "trash", "garbage", "bin", "lamp", "column"), _round),
-    (("chair", "sofa", "couch", "bench", "seat", "armchair", "recliner", "loveseat"), _seat),
-    (("bed", "crib", "cot", "gurney", "stretcher"), _bed),
-    (("desk", "table", "counter", "workbench"), _table),
-    (("shelf", "shelv", "bookcase", "rack", "wardrobe", "cabinet", "locker", "closet"), _shelf),
+    (("round", "stool", "pouf", "ottoman", "bin", "lamp", "column", "trash", "garbage"), _round),
+    (("chair", "armchair", "sofa", "couch", "bench", "seat", "recliner", "loveseat"), _seat),
+    (("bed", "crib", "cot", "gurney", "stretcher", "bunk"), _bed),
+    (("desk", "table", "counter", "workbench", "island"), _table),
+    (("shelf", "shelv", "bookcase", "bookshel", "rack", "wardrobe", "cabinet", "locker"), _shelf),
+    (("closet", "dresser", "cupboard", "gondola", "stack"), _shelf),
 )
+"""Beginnings of words of a category, and the symbol for it; the first that fits is taken."""
 
 
-def _symbol(name: str) -> Symbol:
-    for words, symbol in SYMBOLS:
-        if any(word in name for word in words):
+@cache
+def _symbol(category: str) -> Symbol:
+    words = f"_{category.lower()}"
+    for beginnings, symbol in SYMBOLS:
+        if any(f"_{word}" in words for word in beginnings):
             return symbol
     return _plain

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 import numpy.typing as npt
+
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.shapes import Point
-
 from mansion_scene.export.plan.palette import INK, room_tint
 from mansion_scene.export.plan.shapes import Area, Canvas, Label, Shape
 
@@ -74,9 +74,7 @@ def _label(scene: FloorScene, room: SceneRoom) -> list[Shape]:
     for i, (text, letter, bold, color) in enumerate(lines):
         offset = ((len(lines) - 1) / 2 - i) * 1.22 * size
         place = (at[0] - offset, at[1]) if turned else (at[0], at[1] + offset)
-        shapes.append(
-            Label(place, text, letter, color, bold=bold, angle=90.0 if turned else 0.0)
-        )
+        shapes.append(Label(place, text, letter, color, bold=bold, angle=90.0 if turned else 0.0))
     return shapes
 
 
@@ -87,7 +85,8 @@ def _wraps(words: Sequence[str]) -> list[list[str]]:
     for count in (2, 3):
         if len(words) < count:
             break
-        rows, row, target = [], "", len(joined) / count
+        rows: list[str] = []
+        row, target = "", len(joined) / count
         for word in words:
             if row and len(row) + len(word) / 2 > target and len(rows) < count - 1:
                 rows.append(row)
@@ -111,19 +110,21 @@ def _place(scene: FloorScene, room: SceneRoom) -> tuple[Point, float, float]:
             near_x = np.abs(xs - item.position[0]) < reach
             near_y = np.abs(ys - item.position[1]) < reach
             covered[np.ix_(near_y, near_x)] = True
-    right = _runs(inside, 1) * float(xs[1] - xs[0])
+    # A label has two lines: it is as wide as the narrowest row that it crosses.
+    right = _runs(_thinned(inside, int(0.45 / float(ys[1] - ys[0])) + 1), 1)
+    right = np.maximum(right, np.minimum(_runs(inside, 1), 1.0)) * float(xs[1] - xs[0])
     up = _runs(inside, 0) * float(ys[1] - ys[0])
     worth = np.minimum(right, 3.0) * np.minimum(up, 1.6)
     worth = np.maximum(worth, 0.8 * np.minimum(up, 3.0) * np.minimum(right, 0.9))
     worth = np.where(inside, worth * (1.0 - 0.7 * _share(covered, xs, ys)), -1.0)
-    middle = np.hypot(xs[None, :] - xs[inside.any(0)].mean(), ys[:, None] - ys[inside.any(1)].mean())
+    middle = np.hypot(
+        xs[None, :] - xs[inside.any(0)].mean(), ys[:, None] - ys[inside.any(1)].mean()
+    )
     j, i = np.unravel_index(int(np.argmax(worth - 0.05 * middle)), worth.shape)
     return (float(xs[i]), float(ys[j])), float(right[j, i]), float(up[j, i])
 
 
-def _share(
-    covered: npt.NDArray[np.bool_], xs: FloatArray, ys: FloatArray
-) -> FloatArray:
+def _share(covered: npt.NDArray[np.bool_], xs: FloatArray, ys: FloatArray) -> FloatArray:
     """Covered share of the window of a usual label around each cell."""
     ny, nx = covered.shape
     rx = max(1, round(0.9 / float(xs[1] - xs[0])))
@@ -132,14 +133,16 @@ def _share(
     sums[1:, 1:] = covered.cumsum(0).cumsum(1)
     i0, i1 = np.clip(np.arange(nx) - rx, 0, nx), np.clip(np.arange(nx) + rx + 1, 0, nx)
     j0, j1 = np.clip(np.arange(ny) - ry, 0, ny), np.clip(np.arange(ny) + ry + 1, 0, ny)
-    total = sums[np.ix_(j1, i1)] - sums[np.ix_(j0, i1)] - sums[np.ix_(j1, i0)] + sums[np.ix_(j0, i0)]
+    total = (
+        sums[np.ix_(j1, i1)] - sums[np.ix_(j0, i1)] - sums[np.ix_(j1, i0)] + sums[np.ix_(j0, i0)]
+    )
     share: FloatArray = total / ((j1 - j0)[:, None] * (i1 - i0)[None, :])
     return share
 
 
-def _grid(ring: Sequence[Point], holes: Sequence[Sequence[Point]]) -> tuple[
-    FloatArray, FloatArray, npt.NDArray[np.bool_]
-]:
+def _grid(
+    ring: Sequence[Point], holes: Sequence[Sequence[Point]]
+) -> tuple[FloatArray, FloatArray, npt.NDArray[np.bool_]]:
     """Cells of about a fifth of a metre, at most 60 a side, and which centres lie in the room."""
     points = np.asarray(ring, dtype=float)
     (x0, y0), (x1, y1) = points.min(0), points.max(0)
@@ -164,6 +167,17 @@ def _inside(ring: FloatArray, xs: FloatArray, ys: FloatArray) -> npt.NDArray[np.
         cross = (bx - ax) * (ys - ay) / (by - ay) + ax
         result ^= rows[:, None] & (xs[None, :] < cross[:, None])
     return result
+
+
+def _thinned(inside: npt.NDArray[np.bool_], rows: int) -> npt.NDArray[np.bool_]:
+    """Keep the cells whose neighbours up to some rows above and below are inside, too."""
+    thin = inside.copy()
+    for shift in range(1, rows + 1):
+        thin[shift:] &= inside[:-shift]
+        thin[:-shift] &= inside[shift:]
+        thin[:shift] = False
+        thin[-shift:] = False
+    return thin
 
 
 def _runs(inside: npt.NDArray[np.bool_], axis: int) -> FloatArray:

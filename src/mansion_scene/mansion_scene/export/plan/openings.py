@@ -3,9 +3,9 @@
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+
 from mansion_msgs_py.scene import Door, FloorScene, Wall, Window
 from mansion_msgs_py.shapes import Point, Segment
-
 from mansion_scene.export.plan.palette import INK
 from mansion_scene.export.plan.shapes import Area, Canvas, Frame, Line, Shape, arc, rectangle
 from mansion_scene.export.sides import swing_side
@@ -71,7 +71,9 @@ def _door(door: Door, wall: Wall | None, rooms: Mapping[str, Sequence[Point]]) -
     title = f"{door.id}: {door.kind}, {door.width:.2f} m"
     shapes: list[Shape]
     if door.kind == "open":
-        shapes = [Line(frame.place([(0.0, 0.0), (length, 0.0)]), INK["furniture_detail"], 0.02, 0.12)]
+        shapes = [
+            Line(frame.place([(0.0, 0.0), (length, 0.0)]), INK["furniture_detail"], 0.02, 0.12)
+        ]
         return Canvas("doors", tuple(shapes), door.id, title)
     shapes = [
         Area(frame.place(rectangle(0.0, -half, length, half)), INK["paper"], width=0.0),
@@ -97,7 +99,9 @@ def _sliding(frame: Frame, length: float) -> list[Shape]:
     middle = length / 2
     return [
         Area(frame.place(rectangle(0.0, -0.035, middle, -0.005)), INK["furniture_line"], width=0.0),
-        Area(frame.place(rectangle(middle, 0.005, length, 0.035)), INK["furniture_line"], width=0.0),
+        Area(
+            frame.place(rectangle(middle, 0.005, length, 0.035)), INK["furniture_line"], width=0.0
+        ),
     ]
 
 

@@ -2,13 +2,14 @@
 
 import importlib.util
 import io
+import itertools
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from mansion_msgs_py.scene import FloorScene
 
+from mansion_msgs_py.scene import FloorScene
 from mansion_scene.export.plan.drawing import Drawing, draw_plan
 from mansion_scene.export.plan.shapes import Area, Label, Line
 
@@ -96,7 +97,7 @@ class _Painter:
             self.brush.line(points, fill=line.stroke, width=width, joint="curve")
             return
         dash = line.dash * self.scale
-        for (ax, ay), (bx, by) in zip(points, points[1:]):
+        for (ax, ay), (bx, by) in itertools.pairwise(points):
             length = float(np.hypot(bx - ax, by - ay))
             for k in range(0, int(length / dash) + 1, 2):
                 low, high = k * dash / length, min((k + 1) * dash / length, 1.0)

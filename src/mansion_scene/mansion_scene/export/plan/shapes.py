@@ -6,6 +6,7 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
+
 from mansion_msgs_py.shapes import Point
 
 __all__ = ["Area", "Canvas", "Frame", "Label", "Line", "Shape", "arc", "circle", "rectangle"]

@@ -6,7 +6,6 @@ from xml.sax.saxutils import escape, quoteattr
 
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.shapes import Point
-
 from mansion_scene.export.plan.drawing import Drawing, draw_plan
 from mansion_scene.export.plan.shapes import Area, Canvas, Label, Shape
 
@@ -61,9 +60,7 @@ def _shape(shape: Shape, drawing: Drawing) -> str:
     if isinstance(shape, Label):
         return _text(shape, drawing)
     if isinstance(shape, Area):
-        path = "".join(
-            f"M{_path(points, drawing)}Z" for points in (shape.points, *shape.holes)
-        )
+        path = "".join(f"M{_path(points, drawing)}Z" for points in (shape.points, *shape.holes))
         rule = ' fill-rule="evenodd"' if shape.holes else ""
         return f'<path d="{path}"{rule}{_fill(shape.fill)}{_stroke(shape.stroke, shape.width)}/>'
     dash = f' stroke-dasharray="{_cm(shape.dash)}"' if shape.dash else ""

@@ -4,13 +4,18 @@ from collections.abc import Sequence
 from typing import Any, TypeAlias
 
 import shapely
-from mansion_msgs_py.scene import FloorScene, Light, SceneRoom
-from mansion_msgs_py.shapes import Point
 from shapely.geometry import Polygon, box
 
+from mansion_msgs_py.scene import FloorScene, Light, SceneRoom
+from mansion_msgs_py.shapes import Point
 from mansion_scene.export.frames import thor_heading, thor_point, thor_ring
 from mansion_scene.export.thor.layers import COLOURS, four_colours, layer_name
-from mansion_scene.export.thor.materials import SKYBOXES, ceiling_material, floor_material, room_type
+from mansion_scene.export.thor.materials import (
+    SKYBOXES,
+    ceiling_material,
+    floor_material,
+    room_type,
+)
 from mansion_scene.export.thor.objects import build_objects
 from mansion_scene.export.thor.reachability import GRID, reachable
 from mansion_scene.export.thor.walls import build_structure
@@ -65,7 +70,7 @@ def house(scene: FloorScene) -> Json:
         "proceduralParameters": _parameters(scene, rooms, layers, height),
     }
     agent = _agent(scene, made)
-    warnings = {name: "no wall was found for this opening" for name in structure.misplaced}
+    warnings = dict.fromkeys(structure.misplaced, "no wall was found for this opening")
     locobot = {key: value for key, value in agent.items() if key != "standing"}
     made["metadata"] = {
         "schema": SCHEMA,
@@ -114,7 +119,7 @@ def _without_holes(ring: Sequence[Point], holes: Sequence[Sequence[Point]]) -> S
 def _parameters(
     scene: FloorScene, rooms: list[SceneRoom], layers: dict[str, int], height: float
 ) -> Json:
-    word, time, skybox = next(entry for entry in SKYBOXES if entry[0] in scene.sky.name)
+    _, time, skybox = next(entry for entry in SKYBOXES if entry[0] in scene.sky.name)
     (pitch, yaw), intensity, (r, g, b) = SUNS[time]
     sun: Json = {
         "id": "DirectionalLight",

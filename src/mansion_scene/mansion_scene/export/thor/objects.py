@@ -3,7 +3,6 @@
 from typing import Any, TypeAlias
 
 from mansion_msgs_py.scene import FloorScene, SceneObject
-
 from mansion_scene.export.frames import thor_point, thor_rotation
 from mansion_scene.export.thor.layers import layer_name
 

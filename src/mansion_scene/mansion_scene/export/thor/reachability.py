@@ -185,9 +185,7 @@ def _components(free: Bools, near: Bools, right: Bools, up: Bools) -> npt.NDArra
     return labels
 
 
-def _near_box(
-    item: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]
-) -> Bools:
+def _near_box(item: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]) -> Bools:
     angle = np.radians(item["rotation"]["y"])
     c, s = float(np.cos(angle)), float(np.sin(angle))
     dx = xs[None, :] - item["position"]["x"]

@@ -9,9 +9,9 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 import numpy as np
+
 from mansion_msgs_py.scene import Door, FloorScene, SceneRoom, Window
 from mansion_msgs_py.shapes import Point, Segment
-
 from mansion_scene.export.boundary import Stretch, stretches
 from mansion_scene.export.frames import thor_point
 from mansion_scene.export.thor.hole_assets import DOORFRAMES, DOORWAYS, WINDOWS, nearest
@@ -121,9 +121,7 @@ def _interval(stretch: Stretch, segment: Segment) -> tuple[float, float] | None:
     return low, high
 
 
-def _pieces(
-    stretch: Stretch, holes: list[_Hole]
-) -> list[tuple[float, float, _Hole | None]]:
+def _pieces(stretch: Stretch, holes: list[_Hole]) -> list[tuple[float, float, _Hole | None]]:
     """Cut a stretch so that no piece has two holes; a missing wall is a piece of its own."""
     pieces: list[tuple[float, float, _Hole | None]] = []
     reached = 0.0
@@ -255,9 +253,7 @@ def _door(
     }
 
 
-def _window(
-    window: Window, near: str, far: str, room: str, interval: tuple[float, float]
-) -> Json:
+def _window(window: Window, near: str, far: str, room: str, interval: tuple[float, float]) -> Json:
     asset, wide, tall = nearest(WINDOWS, interval[1] - interval[0], window.height)
     return {
         "id": window.id,

@@ -27,7 +27,9 @@ def check_metadata(house: Json) -> list[HouseFault]:
             faults.append(HouseFault("form", f"metadata.{name}", "the pose is missing"))
             continue
         if vector(pose.get("position")) is None or vector(pose.get("rotation")) is None:
-            faults.append(HouseFault("form", f"metadata.{name}", "position and rotation are x, y, z"))
+            faults.append(
+                HouseFault("form", f"metadata.{name}", "position and rotation are x, y, z")
+            )
         if pose.get("horizon") not in HORIZONS:
             faults.append(HouseFault("form", f"metadata.{name}", f"horizon is one of {HORIZONS}"))
         if ("standing" in pose) == name.endswith("locobot"):
@@ -94,7 +96,9 @@ def check_parameters(house: Json) -> list[HouseFault]:
     for light in lights:
         name = str(light.get("id"))
         if light.get("type") not in LIGHTS or vector(light.get("position")) is None:
-            faults.append(HouseFault("light", name, f"a type of {sorted(LIGHTS)} and a position are needed"))
+            faults.append(
+                HouseFault("light", name, f"a type of {sorted(LIGHTS)} and a position are needed")
+            )
         rgb = light.get("rgb") or {}
         if not all(isinstance(rgb.get(c), (int, float)) and 0 <= rgb[c] <= 1 for c in "rgb"):
             faults.append(HouseFault("light", name, "rgb runs from 0 to 1"))

@@ -31,9 +31,7 @@ def vector(value: object) -> tuple[float, float, float] | None:
 
 def flatten(objects: Iterable[Json]) -> list[Json]:
     """Return all objects of a house, those on and in others after what carries them."""
-    return [
-        part for item in objects for part in (item, *flatten(item.get("children") or []))
-    ]
+    return [part for item in objects for part in (item, *flatten(item.get("children") or []))]
 
 
 def numbers(value: object, path: str = "$") -> Iterable[tuple[str, float]]:

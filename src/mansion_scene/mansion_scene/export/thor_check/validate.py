@@ -3,11 +3,11 @@
 import math
 from collections.abc import Container
 
+from mansion_scene.export.sides import contains
+from mansion_scene.export.thor.reachability import reachable
 from mansion_scene.export.thor_check.contents import check_metadata, check_objects, check_parameters
 from mansion_scene.export.thor_check.fault import HouseFault, Json, numbers, vector
 from mansion_scene.export.thor_check.structure import check_openings, check_rooms, check_walls
-from mansion_scene.export.thor.reachability import reachable
-from mansion_scene.export.sides import contains
 
 __all__ = ["LEAST_POSITIONS", "validate_house"]
 
@@ -30,12 +30,14 @@ def validate_house(house: Json, known_assets: Container[str] | None = None) -> l
     Returns
     -------
     list of HouseFault
-        Empty for a sound house. Beyond the schema it is checked that floors run clockwise and do not overlap, that walls
-        come in twins with at most one hole each, that holes lie inside their walls, that neighbouring rooms have
-        different layers, that objects stand in their rooms, and, as ``House.validate`` does in Unity, that the agent
-        reaches at least five grid points in every room and none outside.
+        Empty for a sound house. Beyond the schema it is checked that floors run clockwise and do not overlap, that
+        walls come in twins with at most one hole each, that holes lie inside their walls, that neighbouring rooms
+        have different layers, that objects stand in their rooms, and, as ``House.validate`` does in Unity, that the
+        agent reaches at least five grid points in every room and none outside.
     """
-    missing = [HouseFault("form", key, "the key is missing") for key in TOP_LEVEL if key not in house]
+    missing = [
+        HouseFault("form", key, "the key is missing") for key in TOP_LEVEL if key not in house
+    ]
     if missing:
         return missing
     faults = [
@@ -49,7 +51,7 @@ def validate_house(house: Json, known_assets: Container[str] | None = None) -> l
     faults += check_openings(house)
     faults += check_objects(house, known_assets)
     faults += check_parameters(house)
-    if not any(fault.kind in ("form", "number") for fault in faults):
+    if not any(fault.kind in ("form", "number", "wall", "opening") for fault in faults):
         faults += _check_reachability(house)
     return faults
 
@@ -64,7 +66,9 @@ def _check_reachability(house: Json) -> list[HouseFault]:
         return [HouseFault("agent", "metadata.agent", f"the agent does not fit at {start}")]
     found: list[HouseFault] = []
     counts = {room["id"]: 0 for room in house["rooms"]}
-    rings = {room["id"]: [(p["x"], p["z"]) for p in room["floorPolygon"]] for room in house["rooms"]}
+    rings = {
+        room["id"]: [(p["x"], p["z"]) for p in room["floorPolygon"]] for room in house["rooms"]
+    }
     for x, z in components[0]:
         home = next((name for name, ring in rings.items() if contains(ring, x, z)), None)
         if home is None:
