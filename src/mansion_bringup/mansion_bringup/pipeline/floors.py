@@ -20,7 +20,10 @@ def at_stage(stage: str, call: Callable[[], T]) -> T:
     try:
         return call()
     except MansionError as error:
-        raise error.at_stage(stage) from None
+        if error.stage not in ("", stage):
+            error.info.details["part"] = error.stage
+        error.info.details["stage"] = stage
+        raise
     except Exception as error:
         raise MansionError(
             ErrorCode.INTERNAL,
