@@ -218,7 +218,8 @@ class StairDetails(msgspec.Struct, kw_only=True, tag_field="kind", tag="stair"):
 
     Attributes
     ----------
-    form : {"dog_leg", "straight"}
+    form : {"dog_leg"}
+        Two flights side by side with a landing half way.
     risers, riser, going, width : int, float, float, float
         Steps to the next floor up, height and depth of one, clear width of a flight; 0 risers on the top floor.
     treads, landings : list of Box3
@@ -231,7 +232,7 @@ class StairDetails(msgspec.Struct, kw_only=True, tag_field="kind", tag="stair"):
         Holes in this floor's slab and in the slab above; empty where there is none.
     """
 
-    form: Literal["dog_leg", "straight"]
+    form: Literal["dog_leg"]
     risers: int
     riser: float
     going: float

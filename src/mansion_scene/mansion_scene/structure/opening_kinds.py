@@ -60,19 +60,21 @@ def opening_kind(a: Region, b: Region) -> OpeningKind:
         return OpeningKind("single", CLEAR_WIDTH, "painted_wood")
     if is_class(kind, "assembly"):
         return OpeningKind("double", 1.6 if area >= _LARGE_PUBLIC else 1.4, "painted_wood")
+    large = area >= _LARGE_PUBLIC
     if is_class(kind, "clinical"):
-        return OpeningKind("single", 1.2, "light_wood")
+        # Beds pass through.
+        return OpeningKind("double" if large else "single", 1.6 if large else 1.2, "light_wood")
     if is_class(kind, "teaching"):
-        return OpeningKind(
-            "double" if area >= _LARGE_PUBLIC else "single",
-            1.4 if area >= _LARGE_PUBLIC else 1.0,
-            "light_wood",
-        )
-    if is_class(kind, "office"):
-        return OpeningKind("glazed", 1.6 if area >= _LARGE_PUBLIC else CLEAR_WIDTH, "glass")
+        return OpeningKind("double" if large else "single", 1.4 if large else 1.0, "light_wood")
+    if is_class(kind, "office") and not _is_private_study(kind):
+        return OpeningKind("glazed", 1.6 if large else CLEAR_WIDTH, "glass")
     if is_class(kind, "living"):
         return OpeningKind("doorway", 1.2, "painted_wood")
     return OpeningKind("single", CLEAR_WIDTH, "painted_wood")
+
+
+def _is_private_study(room_type: str) -> bool:
+    return "home" in room_type.lower() or room_type.lower() in ("study", "den")
 
 
 def entrance_kind(public: bool) -> OpeningKind:

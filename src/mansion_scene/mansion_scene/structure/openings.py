@@ -185,14 +185,11 @@ def _place(
     return _opening(position, kind), None
 
 
-def _opening(position: Position, kind: OpeningKind) -> Opening:
-    stretch = position.stretch
-    return Opening(
-        (stretch.left, stretch.right),
-        replace(kind, width=round(position.width, 4)),
-        stretch,
-        position.segment,
-    )
+def _opening(position: Position, wished: OpeningKind) -> Opening:
+    stretch, kind = position.stretch, replace(wished, width=round(position.width, 4))
+    if kind.kind == "double" and kind.leaves < 2:
+        kind = replace(kind, kind="single")
+    return Opening((stretch.left, stretch.right), kind, stretch, position.segment)
 
 
 def _note(floor: FloorRegions, pair: Pair, got: str, reason: str) -> Downgrade:

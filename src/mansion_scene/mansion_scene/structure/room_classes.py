@@ -84,7 +84,6 @@ ROOM_CLASSES: Final[dict[str, frozenset[str]]] = {
             "interview",
             "huddle",
             "focus",
-            "consultation",
         ]
     ),
     "assembly": frozenset(
@@ -127,6 +126,7 @@ ROOM_CLASSES: Final[dict[str, frozenset[str]]] = {
     ),
     "clinical": frozenset(
         [
+            "consultation",
             "patient",
             "ward",
             "surgery",

@@ -1,4 +1,4 @@
-"""Dog-leg and straight flights that fit a stair core.
+"""Dog-leg stairs that fit their core.
 
 Steps follow the usual rule of comfort, two risers and a going of about 0.63 m, with risers of 0.15 to 0.19 m. The
 floor landing lies at the same end of the core on every floor, so that flights stack.
