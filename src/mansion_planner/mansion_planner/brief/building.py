@@ -49,7 +49,7 @@ def _headness(reading: Reading, places: list[Place], first: int, last: int, is_r
     if reading.word(lead) in _INNER or before in _INNER or before in ("on", "in", "has", "have"):
         score -= 2 if not opened else 3
     if any(place.last == first and not place.led for place in places):
-        score -= 4
+        return 0
     following = next((place for place in places if place.first in (last, last + 1) and place.led), None)
     if following is not None and not any(r.kind in ("every",) for r in following.refs):
         score -= 2 if first > 4 else 0

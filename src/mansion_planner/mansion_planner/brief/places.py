@@ -87,9 +87,9 @@ def _refs_at(reading: Reading, index: int, british: bool) -> tuple[tuple[FloorRe
         last = index + 2 if following in FLOOR_WORDS else index + 1
         if index not in reading.mention_at or reading.word(index - 1) in ("the", "on"):
             return (FloorRef("roof", span=reading.span(index, last)),), last
-    if word in ("upstairs", "downstairs"):
+    if word in ("upstair", "downstair"):
         span = reading.span(index, index + 1)
-        if word == "upstairs":
+        if word == "upstair":
             return (FloorRef("upper", span=span),), index + 1
         return (FloorRef("number", 1, 1, span),), index + 1
     if word in ("ground", "street", "entrance", "entry") and following in FLOOR_WORDS:

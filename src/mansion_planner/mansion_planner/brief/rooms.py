@@ -36,6 +36,9 @@ AS_ROOM = {
     "villa": "apartment", "bungalow": "apartment",
 }  # fmt: skip
 
+_AS_USE = {"flat": "apartment_building", "studio_flat": "apartment_building", "shop_building": "shopping_mall",
+           "house": "apartment_building", "penthouse": "apartment_building"}  # fmt: skip
+
 _HEADS = {
     "room": "study_room", "hall": "assembly_hall", "lab": "laboratory", "studio": "art_room",
     "area": "lounge", "space": "lounge", "zone": "lounge", "corner": "lounge", "suite": "private_office",
@@ -286,7 +289,7 @@ def _use_of(reading: Reading, entry: tuple[int, int, RoomFact]) -> str:
     for index in range(first, last):
         mention = reading.mention_at.get(index)
         if mention is not None and mention.building and mention.plural and fact.count is None:
-            return mention.building
+            return _AS_USE.get(mention.building, mention.building)
     return ""
 
 

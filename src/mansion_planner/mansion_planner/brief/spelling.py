@@ -1,6 +1,7 @@
 """Correct misspelt words to the planner's vocabulary, by one edit (two in long words)."""
 
 from functools import cache
+from pathlib import Path
 
 from mansion_planner.brief.tokens import ORDINALS, Token, singular
 
@@ -14,18 +15,13 @@ GRAMMAR = frozenset(
     house home high rise tower apartment penthouse roof rooftop underground contain include footprint typical""".split()
 )
 
-_COMMON = frozenset(
-    """there their where which while these those would could should large small space place light right night sight
-    three seven eight other after great being under along since those might still about after again below could every
-    first found house large learn never other place plant point right small sound spell still study their there these
-    thing think three water where which world would write please make build design create want need give like also
-    just very well must than then them they this that from into onto over some such only more most much many nice good
-    best long wide tall deep each both same main side back front open close near kind type sort size bath built heated
-    cooled quiet house party dinner ceiling window door wall garden street city town village modest spacious cozy wing
-    sunny shared client hosting served serving serves kiosk table chair shelf desk south north east west corner story
-    reading sleeping cooking eating working visitor visitors children parents couple bright private public service hover
-    cat dog cow car van bus fun sun run but put cut hot lot not dot got big bag beg pig fig wig dig rig top tip tap""".split()
-)
+
+
+@cache
+def _common() -> frozenset[str]:
+    """English words that are no misspelling of a word of the vocabulary."""
+    file = Path(__file__).parent.parent / "knowledge" / "data" / "common_words.txt"
+    return frozenset(file.read_text(encoding="utf-8").split())
 
 
 def corrected(tokens: list[Token], words: frozenset[str]) -> list[Token]:
@@ -72,7 +68,7 @@ def _deletions(word: str) -> list[str]:
 
 
 def _nearest(word: str, words: frozenset[str]) -> str:
-    if word in words or word in GRAMMAR or word in _COMMON or singular(word) in words:
+    if word in words or word in GRAMMAR or word in _common() or singular(word) in words:
         return word
     index = _index(words)
     limit = 2 if len(word) >= 8 else 1

@@ -163,7 +163,7 @@ _HINTS = {
     "gym": "gym_building", "cinema_hall": "cinema", "warehouse": "warehouse_building", "operating_room": "hospital",
     "production_hall": "factory", "restaurant": "restaurant_building", "dorm_room": "student_dormitory",
     "reading_room": "library_building", "book_stacks": "library_building", "master_bedroom": "house",
-    "parking": "parking_garage", "coworking_area": "coworking", "auditorium": "theater", "courtroom": "courthouse",
+    "parking": "parking_garage", "workshop": "factory", "coworking_area": "coworking", "auditorium": "theater", "courtroom": "courthouse",
     "cafe": "cafe_building", "sports_hall": "sports_center", "lecture_hall": "university", "kitchen": "house",
     "studio_apartment": "apartment_building", "bathroom": "house", "dining_room": "house",
     "kindergarten_classroom": "kindergarten", "dental_room": "dental_clinic", "apparatus_bay": "fire_station",
@@ -269,6 +269,9 @@ def _infer_floors(
         tops = [ref.first for use in facts.uses for ref in use.floors if ref.kind == "top"]
         count, needed = needed + max(tops, default=0), needed + max(tops, default=0)
         reason = "the storeys that are given a use"
+    pinned = {ref.first for room in facts.rooms for ref in room.floors if ref.kind == "number"}
+    if needed >= 2 and pinned >= set(range(1, needed + 1)) and not sized:
+        count, reason = needed, "each of them is described"
     kinds = {ref.kind for room in facts.rooms for ref in room.floors}
     floor_least = 1
     if kinds & {"upper", "top"}:

@@ -132,6 +132,10 @@ def shape_cost(area: float, depth: float) -> float:
     return 2.0 * slender + 0.3 * min(stretched, 2.0)
 
 
+_Parts = tuple[float, float, float]
+_NOTHING: _Parts = (0.0, 0.0, 0.0)
+
+
 class _Share:
     """A segment while it is filled: member blocks by number, and the metres that they take."""
 
@@ -141,6 +145,7 @@ class _Share:
         self.members: list[int] = []
         self.used = 0.0
         self.shape = 0.0
+        self.rigid = 0.0
 
     @property
     def filling(self) -> float:
@@ -149,23 +154,32 @@ class _Share:
     def overflow(self, block: Block) -> float:
         return self.used + block.gross * self.scale / self.segment.depth - self.segment.length
 
-    def parts(self, block: Block) -> tuple[float, float]:
-        """Return metres and shape price of a block here."""
+    def parts(self, block: Block) -> _Parts:
+        """Return metres, shape price and metres of fixed area of a block here."""
         area = block.gross * self.scale
-        return area / self.segment.depth, shape_cost(area, self.segment.depth)
+        metres = area / self.segment.depth
+        return metres, shape_cost(area, self.segment.depth), metres if block.fixed else 0.0
 
     def add(self, number: int, block: Block) -> None:
-        metres, shape = self.parts(block)
+        self.change(self.parts(block), 1.0)
         self.members.append(number)
-        self.used += metres
-        self.shape += shape
 
-    def cost(self, metres: float = 0.0, shape: float = 0.0, members: int = 0) -> float:
+    def change(self, parts: _Parts, sign: float) -> None:
+        """Account for a block that comes (+1) or leaves (-1)."""
+        self.used += sign * parts[0]
+        self.shape += sign * parts[1]
+        self.rigid += sign * parts[2]
+
+    def cost(self, coming: _Parts = _NOTHING, leaving: _Parts = _NOTHING, members: int = 0) -> float:
         """Return the segment's price after a change."""
         length = self.segment.length
-        misfit = ((self.used + metres) / length - 1.0) ** 2 * length
-        empty = 50.0 if len(self.members) + members <= 0 else 0.0
-        return 3.0 * misfit + self.shape + shape + empty
+        used = self.used + coming[0] - leaving[0]
+        rigid = self.rigid + coming[2] - leaving[2]
+        price = 3.0 * (used / length - 1.0) ** 2 * length + self.shape + coming[1] - leaving[1]
+        loose, spare = used - rigid, length - rigid
+        if rigid > 0.01 and not 0.62 * loose <= spare <= 2.4 * loose:
+            price += 8.0 * abs(used / length - 1.0) * rigid
+        return price + (50.0 if len(self.members) + members <= 0 else 0.0)
 
 
 def _balance(share: list[_Share], blocks: list[Block]) -> None:
@@ -177,32 +191,25 @@ def _balance(share: list[_Share], blocks: list[Block]) -> None:
 
 def _improve(a: _Share, b: _Share, blocks: list[Block]) -> bool:
     base = a.cost() + b.cost() - 1e-6
-    in_a = [(number, a.parts(blocks[number]), b.parts(blocks[number])) for number in a.members]
     in_b = [(number, b.parts(blocks[number]), a.parts(blocks[number])) for number in b.members]
-    for i, (number, here, there) in enumerate(in_a):
-        if a.cost(-here[0], -here[1], -1) + b.cost(*there, 1) < base:
+    for number in a.members:
+        here, there = a.parts(blocks[number]), b.parts(blocks[number])
+        if a.cost(leaving=here, members=-1) + b.cost(coming=there, members=1) < base:
             _transfer(a, b, number, here, there)
             return True
-        for j, (other, other_here, other_there) in enumerate(in_b):
-            cost_a = a.cost(other_there[0] - here[0], other_there[1] - here[1])
-            if cost_a + b.cost(there[0] - other_here[0], there[1] - other_here[1]) < base:
+        for other, other_here, other_there in in_b:
+            if a.cost(other_there, here) + b.cost(there, other_here) < base:
                 _transfer(a, b, number, here, there)
                 _transfer(b, a, other, other_here, other_there)
                 return True
-            del j
-        del i
     return False
 
 
-def _transfer(
-    a: _Share, b: _Share, number: int, here: tuple[float, float], there: tuple[float, float]
-) -> None:
+def _transfer(a: _Share, b: _Share, number: int, here: _Parts, there: _Parts) -> None:
     a.members.remove(number)
-    a.used -= here[0]
-    a.shape -= here[1]
+    a.change(here, -1.0)
     b.members.append(number)
-    b.used += there[0]
-    b.shape += there[1]
+    b.change(there, 1.0)
 
 
 def _holds(block: Block, name: str) -> bool:
