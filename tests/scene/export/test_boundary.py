@@ -1,7 +1,10 @@
 """Stretches pair the edges of polygons that tile a floor."""
 
+import itertools
+
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
 from mansion_scene.export.boundary import stretches
 
 
@@ -14,8 +17,8 @@ def test_a_grid_of_rooms_has_twins_inside_and_single_stretches_outside(xs, ys):
     xs, ys = sorted([0, *xs]), sorted([0, *ys])
     rooms = {
         f"{i}-{j}": [[(x0, y0), (x1, y0), (x1, y1), (x0, y1)]]
-        for i, (x0, x1) in enumerate(zip(xs, xs[1:]))
-        for j, (y0, y1) in enumerate(zip(ys, ys[1:]))
+        for i, (x0, x1) in enumerate(itertools.pairwise(xs))
+        for j, (y0, y1) in enumerate(itertools.pairwise(ys))
     }
     found = stretches(rooms)
     inner = {(s.start, s.end, s.owner, s.neighbour) for s in found if s.neighbour is not None}

@@ -8,6 +8,9 @@ import pytest
 import trimesh
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from shapely.geometry import Point, Polygon, box
+from shapely.ops import unary_union
+
 from mansion_scene.export.glb import building_glb, floor_glb
 from mansion_scene.export.html import view_page
 from mansion_scene.export.meshes import floor_model
@@ -15,8 +18,6 @@ from mansion_scene.export.mjcf import floor_mjcf
 from mansion_scene.export.overview import overview_png
 from mansion_scene.export.solids import WallBodies
 from mansion_scene.export.solids3d import triangulate
-from shapely.geometry import Point, Polygon, box
-from shapely.ops import unary_union
 
 
 @settings(deadline=None, max_examples=60)

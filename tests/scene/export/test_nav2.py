@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+
 from mansion_scene.export.nav2 import FREE, OCCUPIED, UNKNOWN, map_pgm, map_yaml, occupancy
 
 

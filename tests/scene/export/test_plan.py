@@ -4,10 +4,11 @@ import io
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
+from PIL import Image
+
 from mansion_scene.export.plan import draw_plan, plan_png, plan_svg
 from mansion_scene.export.plan.palette import room_tint
 from mansion_scene.export.plan.shapes import Label
-from PIL import Image
 
 SVG = "{http://www.w3.org/2000/svg}"
 

@@ -4,10 +4,11 @@ import copy
 import json
 
 import pytest
+from shapely.geometry import Polygon
+
 from mansion_scene.export.thor import house
 from mansion_scene.export.thor.layers import four_colours
 from mansion_scene.export.thor_check import validate_house
-from shapely.geometry import Polygon
 
 
 @pytest.fixture
@@ -194,7 +195,7 @@ def test_a_full_room_is_reported_as_unreachable(ground):
     block.room = "F1/storage_1"
     ground.objects.append(block)
     faults = validate_house(house(ground))
-    assert ["F1/storage_1"] == [fault.where for fault in faults if fault.kind == "reach"]
+    assert [fault.where for fault in faults if fault.kind == "reach"] == ["F1/storage_1"]
 
 
 def test_four_colours_need_backtracking_no_more_than_planar_graphs_do():

@@ -1,15 +1,14 @@
 """A floor as a MuJoCo model (MJCF): bodies named after our ids, boxes to collide with, meshes to look at."""
 
-import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
-from shapely.geometry import Polygon, box
 
-from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails, Wall
+from mansion_msgs_py.scene import FloorScene, SceneObject, Wall
 from mansion_scene.export.appearance import surface_material
+from mansion_scene.export.colliders import collision_box, ground_boxes
 from mansion_scene.export.meshes import floor_model
 from mansion_scene.export.model import Material, Mesh, Model, Node, Surface
 from mansion_scene.export.solids import Box, WallBodies
@@ -20,10 +19,6 @@ __all__ = ["CEILING_GROUP", "COLLISION_GROUP", "MjcfExport", "floor_mjcf"]
 STRUCTURE_GROUP, OBJECT_GROUP, CEILING_GROUP, COLLISION_GROUP = 0, 1, 2, 3
 """Geom groups; MuJoCo draws 0 to 2, so that boxes to collide with stay unseen. Switch 2 off to look from above."""
 
-FLAT = 0.05
-"""Lower objects, rugs say, stop nobody; metres."""
-
-FLOOR_DEPTH = 0.2
 EYE = 1.3
 
 
@@ -72,7 +67,7 @@ def floor_mjcf(
             continue
         item = items.get(node.id)
         writer.body(node, model.meshes[node.mesh], item, free_pickupables)
-    for name, solid in _floor_boxes(scene):
+    for name, solid in ground_boxes(scene):
         writer.solid(name, solid)
     return MjcfExport(_document(scene, model, writer, mesh_dir), writer.files)
 
@@ -134,7 +129,7 @@ class _Writer:
                 f'group="{group}" {visual} '
                 f"material={quoteattr(self.material(surface.material))}/>"
             )
-        collision = _collision_box(node, mesh, item)
+        collision = collision_box(node, mesh, item)
         if collision is not None:
             name = f"{node.id}/collision"
             mass = 'mass="0.3"' if loose else ""
@@ -176,67 +171,6 @@ class _Writer:
 def _wall_boxes(scene: FloorScene) -> list[tuple[Wall, list[Box]]]:
     bodies = WallBodies(scene)
     return [(wall, bodies.boxes(wall)) for wall in scene.walls]
-
-
-def _collision_box(node: Node, mesh: Mesh, item: SceneObject | None) -> Box | None:
-    """Return the box of an object or door leaf in its body's frame, if it stops anybody."""
-    if item is not None:
-        if item.size[2] <= FLAT and item.mount == "floor":
-            return None
-        return Box((0.0, 0.0, 0.0), item.size)
-    if node.group == "doors" and "/leaf" in node.id:
-        points = np.concatenate([surface.vertices for surface in mesh.surfaces])
-        low, high = points.min(0), points.max(0)
-        center, size = (low + high) / 2, high - low
-        return Box(tuple(center.tolist()), tuple(size.tolist()))
-    return None
-
-
-def _floor_boxes(scene: FloorScene) -> list[tuple[str, Box]]:
-    """The ground of rooms, landings and lift cabins, and the steps of stairs, as upright boxes."""
-    boxes = []
-    for room in scene.rooms:
-        for i, solid in enumerate(_strips(Polygon(room.polygon, room.holes), room.kind == "stair")):
-            boxes.append((f"{room.id}/ground/{i}", solid))
-    for core in scene.cores:
-        details = core.details
-        if details is None:
-            continue
-        if isinstance(details, StairDetails):
-            solids = [*details.treads, *details.landings]
-            for i, (low, high) in enumerate(solids):
-                boxes.append((f"{core.id}/step/{i}", _between(low, high)))
-            if len(details.floor_landing) >= 3:
-                for i, solid in enumerate(_strips(Polygon(details.floor_landing))):
-                    boxes.append((f"{core.id}/ground/{i}", solid))
-        else:
-            (x0, y0, _), (x1, y1, _) = details.cabin
-            boxes.append((f"{core.id}/ground", _between((x0, y0, -FLOOR_DEPTH), (x1, y1, 0.0))))
-    return boxes
-
-
-def _between(low: tuple[float, float, float], high: tuple[float, float, float]) -> Box:
-    center = tuple((a + b) / 2 for a, b in zip(low, high))
-    size = tuple(max(b - a, 1e-3) for a, b in zip(low, high))
-    return Box((center[0], center[1], center[2]), (size[0], size[1], size[2]))
-
-
-def _strips(polygon: Polygon, skip: bool = False) -> list[Box]:
-    """Cut a polygon into upright strips at its corners; exact where its sides are upright or level."""
-    if skip:
-        return []
-    rings = [polygon.exterior, *polygon.interiors]
-    xs = sorted({round(float(x), 6) for ring in rings for x, _ in ring.coords})
-    _, low_y, _, high_y = polygon.bounds
-    boxes = []
-    for x0, x1 in itertools.pairwise(xs):
-        cut = polygon.intersection(box(x0, low_y - 1.0, x1, high_y + 1.0))
-        parts = [cut] if cut.geom_type == "Polygon" else list(getattr(cut, "geoms", []))
-        for part in parts:
-            if part.geom_type == "Polygon" and part.area > 1e-6:
-                _, y0, _, y1 = part.bounds
-                boxes.append(_between((x0, y0, -FLOOR_DEPTH), (x1, y1, 0.0)))
-    return boxes
 
 
 def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -> str:
