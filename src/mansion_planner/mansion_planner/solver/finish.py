@@ -1,27 +1,18 @@
 """From the best partition to the FloorLayout payload."""
 
-import shapely
 from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.layout import FloorLayout, LayoutRoom, RealisedEdge, UnmetEdge
 from shapely.geometry import MultiPolygon, Polygon
 
+from mansion_planner.solver.cutting import RoundsResult
+from mansion_planner.solver.feasibility import Relaxed
 from mansion_planner.solver.model import FloorModel
 from mansion_planner.solver.options import SolverOptions
-from mansion_planner.solver.polygons import room_shapes, turned_back
+from mansion_planner.solver.polygons import layout_room, room_shapes, turned_back
 from mansion_planner.solver.refine import Partition
 from mansion_planner.solver.verify import judge
 
 __all__ = ["finish"]
-
-
-def _layout_room(name: str, shape: Polygon, angle: float) -> LayoutRoom:
-    """Return a room in the problem's frame."""
-    shell = turned_back(shapely.get_coordinates(shape.exterior)[:-1].tolist(), angle)
-    holes = [
-        turned_back(shapely.get_coordinates(line)[:-1].tolist(), angle, ccw=False)
-        for line in shape.interiors
-    ]
-    return LayoutRoom(id=name, polygon=shell, holes=holes)
 
 
 def _turned_edge(edge: RealisedEdge, angle: float) -> RealisedEdge:
@@ -33,25 +24,43 @@ def _turned_edge(edge: RealisedEdge, angle: float) -> RealisedEdge:
     return edge
 
 
-def _reason(model: FloorModel, edge: RealisedEdge) -> str:
-    need = model.problem.min_access_wall if edge.kind == "access" else 0.3
-    if edge.length <= 0.0:
-        return f"the search found no place where both touch and {need:g} m of wall fit"
-    return f"they share {edge.length:.2f} m of wall, {need:g} m are needed"
+def _reason(
+    model: FloorModel, edge: RealisedEdge, relaxed: list[Relaxed], options: SolverOptions, used: int
+) -> str:
+    for entry in relaxed:
+        if {entry.link.source, entry.link.target} == {edge.source, edge.target}:
+            return entry.reason
+    need = model.problem.min_access_wall if edge.kind == "access" else options.adjacent_wall
+    what = "they do not touch"
+    if edge.length > 0.0:
+        what = f"they share {edge.length:.2f} m of wall"
+    return f"{what}, {need:g} m are needed; {used} candidate layouts were looked at"
 
 
-def finish(model: FloorModel, partition: Partition, options: SolverOptions) -> FloorLayout:
+def finish(
+    model: FloorModel,
+    partition: Partition,
+    options: SolverOptions,
+    rounds: RoundsResult,
+    relaxed: list[Relaxed],
+    used: int,
+) -> FloorLayout:
     """Return the layout of the best partition, measured on its final polygons."""
     shapes: list[Polygon | MultiPolygon] = room_shapes(model, partition.grid, partition.labels)
     verdict = judge(model, shapes, options)
     rooms = [
-        _layout_room(room.id, max(polygon_parts(shape), key=lambda p: p.area), model.angle)
+        layout_room(room.id, max(polygon_parts(shape), key=lambda p: p.area), model.angle)
         for room, shape in zip(model.rooms, shapes)
     ]
     rooms += [LayoutRoom(id=r.id, polygon=r.polygon) for r in model.problem.fixed_rooms]
     edges = [_turned_edge(edge, model.angle) for edge in verdict.edges]
     unmet = [
-        UnmetEdge(source=e.source, target=e.target, kind=e.kind, reason=_reason(model, e))
+        UnmetEdge(
+            source=e.source,
+            target=e.target,
+            kind=e.kind,
+            reason=_reason(model, e, relaxed, options, used),
+        )
         for e in edges
         if not e.satisfied
     ]
@@ -61,10 +70,12 @@ def finish(model: FloorModel, partition: Partition, options: SolverOptions) -> F
         unmet_edges=unmet,
         plan_id=model.problem.plan_id,
         edges=edges,
+        rounds=rounds.records,
         hub=model.hub,
         area_scale=round(model.area_scale, 6),
-        scores={"energy": round(partition.energy, 6)},
-        checks={name: round(value, 9) for name, value in verdict.checks.items()},
+        scores={"energy": round(partition.energy, 6), "rounds": round(rounds.energy, 6)},
+        checks={name: round(value, 9) for name, value in verdict.checks.items()}
+        | {"candidates": float(used)},
         messages=list(model.messages),
         building_id=model.problem.building_id,
         floor=model.problem.floor,

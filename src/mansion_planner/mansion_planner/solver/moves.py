@@ -1,9 +1,19 @@
 """Moves of the wall search. Each paints cells, records what it changed, and can be taken back."""
 
-from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.state import HB, VB, Bools, Floats, Ints, paint
+import numpy as np
 
-__all__ = ["draw", "place_rectangle", "shift_wall", "swap_rooms", "undo", "uniform"]
+from mansion_planner.solver.jit import kernel
+from mansion_planner.solver.state import HB, TARGET, VB, Bools, Floats, Ints, paint
+
+__all__ = [
+    "draw",
+    "place_rectangle",
+    "random_rectangle",
+    "shift_wall",
+    "swap_rooms",
+    "undo",
+    "uniform",
+]
 
 
 @kernel
@@ -23,21 +33,43 @@ def uniform(rng: Ints) -> float:
 
 @kernel
 def undo(
-    geometry: Floats, near: Ints, labels: Ints, stats: Floats, contact: Floats, straddle: Floats,
-    changes: Ints, made: int,
+    geometry: Floats,
+    near: Ints,
+    labels: Ints,
+    stats: Floats,
+    contact: Floats,
+    straddle: Floats,
+    changes: Ints,
+    made: int,
 ) -> None:
     """Take the recorded changes back, last first."""
     for k in range(made - 1, -1, -1):
         paint(
-            geometry, near, labels, stats, contact, straddle, changes[k, 0], changes[k, 1],
+            geometry,
+            near,
+            labels,
+            stats,
+            contact,
+            straddle,
+            changes[k, 0],
+            changes[k, 1],
             changes[k, 2],
         )
 
 
 @kernel
 def _repaint(
-    geometry: Floats, near: Ints, labels: Ints, stats: Floats, contact: Floats, straddle: Floats,
-    changes: Ints, made: int, j: int, i: int, new: int,
+    geometry: Floats,
+    near: Ints,
+    labels: Ints,
+    stats: Floats,
+    contact: Floats,
+    straddle: Floats,
+    changes: Ints,
+    made: int,
+    j: int,
+    i: int,
+    new: int,
 ) -> int:
     """Paint a cell, record its row, column and old label, and return the new number of records."""
     changes[made, 0] = j
@@ -67,8 +99,16 @@ def _run_end(
 
 @kernel
 def shift_wall(
-    geometry: Floats, near: Ints, free: Bools, labels: Ints, stats: Floats, contact: Floats,
-    straddle: Floats, changes: Ints, rng: Ints, reach: int,
+    geometry: Floats,
+    near: Ints,
+    free: Bools,
+    labels: Ints,
+    stats: Floats,
+    contact: Floats,
+    straddle: Floats,
+    changes: Ints,
+    rng: Ints,
+    reach: int,
 ) -> int:
     """Shift a random straight run of wall by up to `reach` lines; return the number of records (0: nothing to do)."""
     rows, columns = labels.shape
@@ -121,8 +161,15 @@ def shift_wall(
 
 @kernel
 def swap_rooms(
-    geometry: Floats, near: Ints, labels: Ints, stats: Floats, contact: Floats, straddle: Floats,
-    changes: Ints, rng: Ints, rooms: int,
+    geometry: Floats,
+    near: Ints,
+    labels: Ints,
+    stats: Floats,
+    contact: Floats,
+    straddle: Floats,
+    changes: Ints,
+    rng: Ints,
+    rooms: int,
 ) -> int:
     """Let two random rooms change places; return the number of records."""
     a = draw(rng) % rooms
@@ -134,12 +181,96 @@ def swap_rooms(
     for j in range(1, rows - 1):
         for i in range(1, columns - 1):
             x = labels[j, i]
-            if x == a or x == b:  # noqa: PLR1714
+            if x == a or x == b:
                 made = _repaint(
-                    geometry, near, labels, stats, contact, straddle, changes, made, j, i,
+                    geometry,
+                    near,
+                    labels,
+                    stats,
+                    contact,
+                    straddle,
+                    changes,
+                    made,
+                    j,
+                    i,
                     b if x == a else a,
                 )
     return made
+
+
+@kernel
+def random_rectangle(
+    xs: Floats,
+    ys: Floats,
+    free: Bools,
+    rooms: Floats,
+    links: Ints,
+    need: Floats,
+    labels: Ints,
+    contact: Floats,
+    rng: Ints,
+    box: Ints,
+) -> bool:
+    """Draw a room and a rectangle of about its area; write room, rows and columns to `box`.
+
+    Half of the draws take a room whose link is unmet and a corner beside the room that it should touch.
+
+    Returns
+    -------
+    bool
+        The rectangle lies inside the frame.
+    """
+    rows, columns = labels.shape
+    n = rooms.shape[0]
+    r, partner = draw(rng) % n, -1
+    if links.shape[0] > 0 and draw(rng) & 1 == 0:
+        for _ in range(12):
+            e = draw(rng) % links.shape[0]
+            a, b = links[e, 0], links[e, 1]
+            if contact[a, b] < need[e]:
+                r, partner = (a, b) if draw(rng) & 1 == 0 else (b, a)
+                break
+    if r >= n:
+        r, partner = partner, r
+    if r == 0 or r >= n:
+        return False
+    j, i, found = 0, 0, False
+    for _ in range(60):
+        j = 1 + draw(rng) % (rows - 2)
+        i = 1 + draw(rng) % (columns - 2)
+        if not free[j, i]:
+            continue
+        if partner < 0 or (
+            labels[j, i] != partner
+            and (
+                labels[j, i + 1] == partner
+                or labels[j, i - 1] == partner
+                or labels[j + 1, i] == partner
+                or labels[j - 1, i] == partner
+            )
+        ):
+            found = True
+            break
+    if not found:
+        return False
+    aspect = np.exp(1.4 * (uniform(rng) - 0.5))
+    wide = (rooms[r, TARGET] * aspect) ** 0.5
+    high = rooms[r, TARGET] / wide
+    j0, j1, i0, i1 = j, j + 1, i, i + 1
+    if draw(rng) & 1 == 0:
+        while i1 < columns - 1 and xs[i1 + 1] - xs[i0] < wide + 0.2:
+            i1 += 1
+    else:
+        while i0 > 1 and xs[i1] - xs[i0 - 1] < wide + 0.2:
+            i0 -= 1
+    if draw(rng) & 1 == 0:
+        while j1 < rows - 1 and ys[j1 + 1] - ys[j0] < high + 0.2:
+            j1 += 1
+    else:
+        while j0 > 1 and ys[j1] - ys[j0 - 1] < high + 0.2:
+            j0 -= 1
+    box[0], box[1], box[2], box[3], box[4] = r, j0, j1, i0, i1
+    return True
 
 
 @kernel
@@ -159,12 +290,21 @@ def _heir(geometry: Floats, free: Bools, labels: Ints, j: int, i: int) -> int:
 
 @kernel
 def place_rectangle(
-    geometry: Floats, near: Ints, free: Bools, labels: Ints, stats: Floats, contact: Floats,
-    straddle: Floats, changes: Ints, rng: Ints, boxes: Ints,
+    geometry: Floats,
+    near: Ints,
+    free: Bools,
+    labels: Ints,
+    stats: Floats,
+    contact: Floats,
+    straddle: Floats,
+    changes: Ints,
+    r: int,
+    j0: int,
+    j1: int,
+    i0: int,
+    i1: int,
 ) -> int:
-    """Set a random room to a random rectangle of the list; its old ground goes to whoever it touches."""
-    row = draw(rng) % boxes.shape[0]
-    r, j0, j1, i0, i1 = boxes[row, 0], boxes[row, 1], boxes[row, 2], boxes[row, 3], boxes[row, 4]
+    """Set room `r` to the cells of a rectangle; its old ground goes to whoever it touches."""
     made = 0
     rows, columns = labels.shape
     for j in range(j0, j1):

@@ -7,7 +7,7 @@ __all__ = ["EnergyWeights", "SearchWeights", "SolverOptions"]
 
 @dataclass(frozen=True)
 class EnergyWeights:
-    """Weights **w** of the energy of section C.2; chosen by ``benchmarks/tune_weights.py``."""
+    """Weights **w** of the energy of section C.2; chosen by ``benchmarks/floorplans/tune_weights.py``."""
 
     ratio: float = 0.55
     seed: float = 0.15
@@ -17,7 +17,25 @@ class EnergyWeights:
 
 @dataclass(frozen=True)
 class SearchWeights:
-    """Weights of the wall search's energy (order of `objective.WEIGHTS`)."""
+    """Weights of the wall search's energy (order of `objective.WEIGHTS`).
+
+    Attributes
+    ----------
+    area, seed
+        Relative area error; distance of centroid and seed in units of the room's side.
+    corner, compact
+        Corners beyond four; perimeter beyond that of a rectangle of 1 : 2.6.
+    access, adjacent
+        Edges that are not realised.
+    thin
+        Share of a room narrower than its minimum width.
+    apart
+        Metres of wall between rooms without an edge (only where the graph states neighbourhoods).
+    straddle
+        Metres of structural wall inside a room.
+    wall
+        Missing contact with the envelope, for rooms without a seed.
+    """
 
     area: float = 1.0
     seed: float = 2.0
@@ -39,8 +57,20 @@ class SolverOptions:
     ----------
     retries, batch, base_radius, radius_gain, radius_growth
         ``N_retry``, ``B``, ``r_base`` (grid cells), ``k`` and the ratio of successive gamma of Algorithm 3.
+    energy : EnergyWeights
+        Weights of its score.
+    wall_search : bool
+        Move walls after the cut rounds; without it the result is that of the published algorithm.
+    round_candidates : int
+        Candidates of all cut rounds together, divided by the number of rooms, when the wall search follows.
+    seeded_proposals, proposals : int
+        Candidates of one wall search per room, with seeds and without.
+    attempts : int
+        Most wall searches, as long as edges are unmet.
     candidates : int
-        Most candidate layouts (grown, moved or constructed) looked at for one floor.
+        Most candidate layouts (grown or moved) looked at for one floor, in all.
+    spacing : float
+        Least distance of grid lines of the first search, metres; it grows with the floor.
     min_width : float
         Minimum width of a room where its node gives none, metres.
     adjacent_wall : float
@@ -52,8 +82,14 @@ class SolverOptions:
     base_radius: float = 2.0
     radius_gain: float = 4.0
     radius_growth: float = 1.25
-    candidates: int = 200_000
+    energy: EnergyWeights = field(default_factory=EnergyWeights)
+    wall_search: bool = True
+    round_candidates: int = 6000
+    seeded_proposals: int = 800
+    proposals: int = 1000
+    attempts: int = 8
+    candidates: int = 600_000
+    spacing: float = 0.4
     min_width: float = 1.2
     adjacent_wall: float = 0.3
-    energy: EnergyWeights = field(default_factory=EnergyWeights)
     search: SearchWeights = field(default_factory=SearchWeights)

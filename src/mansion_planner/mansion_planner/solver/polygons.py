@@ -2,14 +2,15 @@
 
 import numpy as np
 import shapely
-from mansion_geometry.rings import oriented, polygon_parts, rotated, signed_area
 from shapely.geometry import MultiPolygon, Polygon
 
+from mansion_geometry.rings import oriented, polygon_parts, rotated, signed_area
+from mansion_msgs_py.layout import LayoutRoom
 from mansion_planner.solver.grid import Grid
 from mansion_planner.solver.model import FloorModel
 from mansion_planner.solver.state import Ints
 
-__all__ = ["room_shapes", "trace"]
+__all__ = ["layout_room", "room_shapes", "shape_of_cells", "trace", "turned_back"]
 
 Ring = list[tuple[float, float]]
 Vertex = tuple[int, int]
@@ -22,7 +23,9 @@ def trace(mask: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> list[list[Ve
     """
     follow: dict[Vertex, list[Vertex]] = {}
 
-    def edges(found: "np.ndarray[tuple[int, ...], np.dtype[np.bool_]]", start: Vertex, end: Vertex) -> None:
+    def edges(
+        found: "np.ndarray[tuple[int, ...], np.dtype[np.bool_]]", start: Vertex, end: Vertex
+    ) -> None:
         for j, i in np.argwhere(found).tolist():
             follow.setdefault((j + start[0], i + start[1]), []).append((j + end[0], i + end[1]))
 
@@ -66,7 +69,9 @@ def _straightened(ring: list[Vertex]) -> list[Vertex]:
     return kept
 
 
-def _shape_of(grid: Grid, mask: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> Polygon | MultiPolygon:
+def _shape_of(
+    grid: Grid, mask: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
+) -> Polygon | MultiPolygon:
     """Return the shape of the masked cells from the grid lines alone."""
     xs, ys = grid.cells.xs.tolist(), grid.cells.ys.tolist()
     outer: list[Ring] = []
@@ -87,18 +92,34 @@ def _shape_of(grid: Grid, mask: np.ndarray[tuple[int, ...], np.dtype[np.bool_]])
     return MultiPolygon(shells)
 
 
+def shape_of_cells(
+    model: FloorModel, grid: Grid, mask: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
+) -> Polygon | MultiPolygon:
+    """Return the part of the masked cells inside the free region, in the model's frame."""
+    shape = _shape_of(grid, mask)
+    if grid.exact:
+        return shape
+    parts = polygon_parts(shapely.intersection(shape, model.region))
+    return parts[0] if len(parts) == 1 else MultiPolygon(parts)
+
+
 def room_shapes(model: FloorModel, grid: Grid, labels: Ints) -> list[Polygon | MultiPolygon]:
     """Return each room's shape in the model's frame; together they cover the free region without overlap."""
-    shapes = []
-    for r in range(len(model.rooms)):
-        shape = _shape_of(grid, labels == r)
-        if not grid.exact:
-            parts = polygon_parts(shapely.intersection(shape, model.region))
-            shape = parts[0] if len(parts) == 1 else MultiPolygon(parts)
-        shapes.append(shape)
-    return shapes
+    return [shape_of_cells(model, grid, labels == r) for r in range(len(model.rooms))]
 
 
 def turned_back(ring: Ring, angle: float, *, ccw: bool = True, digits: int = 4) -> Ring:
     """Return `ring` in the problem's frame, in the wished order, rounded."""
-    return [(round(x, digits), round(y, digits)) for x, y in oriented(rotated(ring, -angle), ccw=ccw)]
+    return [
+        (round(x, digits), round(y, digits)) for x, y in oriented(rotated(ring, -angle), ccw=ccw)
+    ]
+
+
+def layout_room(name: str, shape: Polygon, angle: float) -> LayoutRoom:
+    """Return a room in the problem's frame."""
+    shell = turned_back(shapely.get_coordinates(shape.exterior)[:-1].tolist(), angle)
+    holes = [
+        turned_back(shapely.get_coordinates(line)[:-1].tolist(), angle, ccw=False)
+        for line in shape.interiors
+    ]
+    return LayoutRoom(id=name, polygon=shell, holes=holes)

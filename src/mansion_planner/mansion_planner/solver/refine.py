@@ -1,5 +1,6 @@
 """From a coarse partition to straight walls at the right places: levels of ever finer grids around the walls."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +10,7 @@ from mansion_planner.solver.model import FloorModel
 from mansion_planner.solver.objective import WEIGHTS
 from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.state import Floats, Goal, Ints
+from mansion_planner.solver.zones import Link
 
 __all__ = ["Partition", "make_goal", "refined_grid", "used_lines"]
 
@@ -22,14 +24,18 @@ class Partition:
     energy: float
 
 
-def make_goal(model: FloorModel, options: SolverOptions) -> Goal:
-    """Return the goal arrays of the wall search."""
+def make_goal(
+    model: FloorModel, options: SolverOptions, left_out: Iterable[Link] = ()
+) -> Goal:
+    """Return the goal arrays of the wall search; links that are `left_out` are not asked for."""
     n = len(model.rooms)
     total = n + len(model.obstacles) + 1
     index = model.index
-    pairs = np.array([(index[k.source], index[k.target]) for k in model.links], np.int64)
+    dropped = set(left_out)
+    links = [link for link in model.links if link not in dropped]
+    pairs = np.array([(index[k.source], index[k.target]) for k in links], np.int64)
     pairs = pairs.reshape(-1, 2)
-    kind = np.array([0 if k.kind == "access" else 1 for k in model.links], np.int64)
+    kind = np.array([0 if k.kind == "access" else 1 for k in links], np.int64)
     need = np.where(kind == 0, model.problem.min_access_wall, options.adjacent_wall).astype(float)
     side = np.zeros(total, np.int64)
     for k, obstacle in enumerate(model.obstacles):
@@ -95,7 +101,10 @@ def _beside(lines: Floats, major: Floats, offsets: tuple[float, ...]) -> Floats:
 
 
 def refined_grid(
-    model: FloorModel, major: tuple[Floats, Floats], partition: Partition, offsets: tuple[float, ...]
+    model: FloorModel,
+    major: tuple[Floats, Floats],
+    partition: Partition,
+    offsets: tuple[float, ...],
 ) -> tuple[Grid, Ints]:
     """Return a grid of the used lines with finer ones around them, and the partition's labels on it."""
     xs, ys = used_lines(partition.grid, partition.labels, len(model.rooms))

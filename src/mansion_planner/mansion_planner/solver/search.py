@@ -10,6 +10,7 @@ from mansion_planner.solver.jit import kernel
 from mansion_planner.solver.moves import (
     draw,
     place_rectangle,
+    random_rectangle,
     shift_wall,
     swap_rooms,
     undo,
@@ -65,8 +66,15 @@ def piece_size(
 
 @kernel
 def _still_whole(
-    geometry: Floats, labels: Ints, stats: Floats, changes: Ints, made: int, stack: Ints,
-    seen: Ints, stamps: Ints, rooms: int,
+    geometry: Floats,
+    labels: Ints,
+    stats: Floats,
+    changes: Ints,
+    made: int,
+    stack: Ints,
+    seen: Ints,
+    stamps: Ints,
+    rooms: int,
 ) -> bool:
     """Tell whether every room that the recorded changes touched is one piece and not empty."""
     first = stamps[0] + 1
@@ -93,15 +101,24 @@ def _still_whole(
 
 @kernel
 def anneal(
-    cells: Cells, goal: Goal, state: State, boxes: Ints, proposals: int, hot: float, cold: float,
-    reach: int, swaps: float, jumps: float, seed: int,
+    cells: Cells,
+    goal: Goal,
+    state: State,
+    boxes: Ints,
+    proposals: int,
+    hot: float,
+    cold: float,
+    reach: int,
+    swaps: float,
+    jumps: float,
+    seed: int,
 ) -> float:
     """Lower the energy of `state` in place and leave it at the best partition met.
 
     Parameters
     ----------
     boxes : (k, 5) int array
-        Rectangles to try: room, first and last-but-one row, first and last-but-one column.
+        Rectangles to try: room, first row, last row + 1, first column, last column + 1. None: random ones.
     proposals : int
         Candidates to look at.
     hot, cold : float
@@ -131,6 +148,7 @@ def anneal(
     seen = np.zeros((rows, columns), np.int64)
     stamps = np.zeros(1, np.int64)
     width = np.zeros((rows, columns))
+    box = np.zeros(5, np.int64)
     recount(cells, state)
     energy = total_energy(cells, goal, state, width)
     best = energy
@@ -141,12 +159,26 @@ def anneal(
         heat *= ratio
         u = uniform(rng)
         if u < swaps:
-            made = swap_rooms(
-                geometry, near, labels, stats, contact, straddle, changes, rng, n
-            )
-        elif u < swaps + jumps and boxes.shape[0] > 0:
+            made = swap_rooms(geometry, near, labels, stats, contact, straddle, changes, rng, n)
+        elif u < swaps + jumps:
+            if boxes.shape[0] > 0:
+                box[:] = boxes[draw(rng) % boxes.shape[0]]
+            elif not random_rectangle(xs, ys, free, rooms, links, need, labels, contact, rng, box):
+                continue
             made = place_rectangle(
-                geometry, near, free, labels, stats, contact, straddle, changes, rng, boxes
+                geometry,
+                near,
+                free,
+                labels,
+                stats,
+                contact,
+                straddle,
+                changes,
+                box[0],
+                box[1],
+                box[2],
+                box[3],
+                box[4],
             )
         else:
             made = shift_wall(
@@ -162,9 +194,7 @@ def anneal(
         if shape <= limit:
             bound = edge_energy(links, need, apart, weights, stats, contact, run, False)
             ok = shape + bound <= limit
-        if ok and _still_whole(
-            geometry, labels, stats, changes, made, stack, seen, stamps, n
-        ):
+        if ok and _still_whole(geometry, labels, stats, changes, made, stack, seen, stamps, n):
             scan_runs(xs, ys, geometry, rooms, side, labels, run, thin, width)
             found = shape + thin_energy(rooms, weights, thin)
             found += edge_energy(links, need, apart, weights, stats, contact, run, True)

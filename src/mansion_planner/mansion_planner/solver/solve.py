@@ -1,63 +1,48 @@
 """`solve_floor`: from a FloorProblem to a FloorLayout (Algorithm 2)."""
 
-from collections.abc import Callable
-
 import numpy as np
 from mansion_geometry.randomness import item_seed
+from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
-from mansion_msgs_py.topology import SeedPlan
 
+from mansion_planner.solver.budget import Budget
+from mansion_planner.solver.cutting import RoundsResult, run_rounds
+from mansion_planner.solver.feasibility import relaxed_links
 from mansion_planner.solver.finish import finish
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
-from mansion_planner.solver.model import make_model
+from mansion_planner.solver.model import FloorModel, make_model
 from mansion_planner.solver.options import SolverOptions
-from mansion_planner.solver.refine import Partition, make_goal, refined_grid
-from mansion_planner.solver.search import anneal
-from mansion_planner.solver.starts import fit_rectangles, flood, paint_rectangles
-from mansion_planner.solver.state import CX, CY, SEED_WEIGHT, SEED_X, SEED_Y, Goal, make_state
+from mansion_planner.solver.refine import Partition, make_goal
+from mansion_planner.solver.seeding import SeedCallback
+from mansion_planner.solver.starts import flood
+from mansion_planner.solver.state import SEED_X, SEED_Y, Floats, Goal
+from mansion_planner.solver.wall_search import WallSearch
 
 __all__ = ["solve_floor"]
 
-SeedCallback = Callable[..., SeedPlan | None]
+MOST_CELLS = 900.0
 
 
-def _start(
-    grid: Grid, goal: Goal, total: int, rng: np.random.Generator
+def _coarse_grid(
+    model: FloorModel, major: tuple[Floats, Floats], options: SolverOptions
+) -> Grid:
+    """Return the first grid: about 900 cells, but fine enough for the smallest room."""
+    area = float(model.region.area)
+    spacing = max(options.spacing, (area / MOST_CELLS) ** 0.5)
+    smallest = 0.5 * float(np.sqrt(model.targets.min()))
+    spacing = max(min(spacing, smallest), (area / (4.0 * MOST_CELLS)) ** 0.5)
+    return make_grid(model, spaced_lines(major[0], spacing), spaced_lines(major[1], spacing))
+
+
+def _without_search(
+    model: FloorModel, goal: Goal, grid: Grid, rounds: RoundsResult
 ) -> Partition | None:
-    """Return one annealed coarse partition."""
-    n = len(goal.rooms)
-    seeds = goal.rooms[:, SEED_X : SEED_Y + 1].copy()
-    missing = goal.rooms[:, SEED_WEIGHT] <= 0
-    free = np.argwhere(grid.cells.free)
-    pick = free[rng.integers(len(free), size=n)]
-    points = np.stack(
-        [grid.cells.geometry[pick[:, 0], pick[:, 1], k] for k in (CX, CY)], 1
-    )
-    seeds[missing] = points[missing]
-    labels = grid.base.copy()
-    boxes, costs = fit_rectangles(grid.cells, goal, 30)
-    boxes, costs = boxes[boxes[:, 0] != 0], costs[boxes[:, 0] != 0]
-    if len(boxes):
-        paint_rectangles(labels, grid.cells, boxes, costs)
-    if not flood(labels, grid.cells, goal, seeds):
+    """Return the cut rounds' own layout, what they left open filled."""
+    labels = rounds.labels.copy()
+    if not flood(labels, grid.cells, goal, goal.rooms[:, SEED_X : SEED_Y + 1].copy()):
         return None
-    state = make_state(labels, n, total)
-    seeded = bool(len(boxes))
-    energy = anneal(
-        grid.cells,
-        goal,
-        state,
-        boxes,
-        6000 if seeded else 20000,
-        0.15 if seeded else 0.6,
-        0.005,
-        4,
-        0.0 if seeded else 0.05,
-        0.05 if seeded else 0.0,
-        int(rng.integers(2**62)),
-    )
-    return Partition(grid, state.labels.copy(), energy)
+    return Partition(grid, labels, rounds.energy)
 
 
 def solve_floor(
@@ -66,38 +51,65 @@ def solve_floor(
     options: SolverOptions | None = None,
     seed_callback: SeedCallback | None = None,
 ) -> FloorLayout:
-    """Lay out one floor.
+    """Lay out one floor: cut rounds from the hub outwards, then a search that moves the walls.
+
+    Parameters
+    ----------
+    problem : FloorProblem
+        Free region, cores, room graph and areas; its `seed` decides every random draw.
+    options : SolverOptions, optional
+    seed_callback : callable, optional
+        Asked for a SeedPlan before each cut round (Algorithm 3, lines 1 to 4).
+
+    Returns
+    -------
+    FloorLayout
+        A partition of the free region. Edges that could not be realised are in ``unmet_edges``, each with the reason.
 
     Raises
     ------
     MansionError
-        ``INFEASIBLE`` with the reason when no partition can exist.
+        ``INFEASIBLE`` with the place and the reason when no partition can exist.
+
+    Examples
+    --------
+    >>> from mansion_msgs_py.layout import ProblemNode
+    >>> nodes = [ProblemNode(id="hall", type="main", area=8.0), ProblemNode(id="den", type="Entities", area=16.0)]
+    >>> ring = [(0.0, 0.0), (6.0, 0.0), (6.0, 4.0), (0.0, 4.0)]
+    >>> sorted(room.id for room in solve_floor(FloorProblem(boundary=ring, nodes=nodes)).rooms)
+    ['den', 'hall']
     """
     options = options or SolverOptions()
     model = make_model(problem, options)
-    goal = make_goal(model, options)
+    pieces = len(polygon_parts(model.region))
+    if pieces > len(model.rooms):
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"cores, holes and fixed rooms cut the free region into {pieces} pieces, but there are "
+            f"{len(model.rooms)} rooms, and every room is one piece",
+            path="$.boundary",
+        )
+    relaxed = relaxed_links(model)
+    goal = make_goal(model, options, [entry.link for entry in relaxed])
     major = major_lines(model)
-    n = len(model.rooms)
-    total = n + len(model.obstacles) + 1
-    spacing = max(0.35, (model.region.area / 900.0) ** 0.5)
-    grid = make_grid(model, spaced_lines(major[0], spacing), spaced_lines(major[1], spacing))
+    grid = _coarse_grid(model, major, options)
+    budget = Budget(options.candidates)
     rng = np.random.default_rng(item_seed(problem.seed, "floor", problem.plan_id))
-    best: Partition | None = None
-    for _ in range(4):
-        found = _start(grid, goal, total, rng)
-        if found is not None and (best is None or found.energy < best.energy):
-            best = found
-        if found is not None and (goal.rooms[:, SEED_WEIGHT] > 0).all():
-            break
+    share = options.candidates
+    if options.wall_search:
+        share = min(share, max(1, options.round_candidates // len(model.rooms)))
+    round_budget = Budget(share)
+    rounds = run_rounds(model, goal, grid, options, round_budget, rng, seed_callback)
+    budget.take(round_budget.used)
+    if options.wall_search:
+        best = WallSearch(model, goal, grid, major, options, budget, rng).run(rounds)
+    else:
+        best = _without_search(model, goal, grid, rounds)
     if best is None:
         raise MansionError(
-            ErrorCode.INFEASIBLE, "the rooms do not fit into the free region", path="$.nodes"
+            ErrorCode.INFEASIBLE,
+            f"{len(model.rooms)} rooms do not fit into {model.region.area:.2f} m2 of free region",
+            path="$.nodes",
+            details={"free_area": round(float(model.region.area), 3)},
         )
-    for offsets in ((0.22, 0.1), (0.07, 0.03)):
-        finer, labels = refined_grid(model, major, best, offsets)
-        state = make_state(labels, n, total)
-        none = np.zeros((0, 5), np.int64)
-        seed = int(rng.integers(2**62))
-        energy = anneal(finer.cells, goal, state, none, 3000, 0.0, 0.0, 4, 0.0, 0.0, seed)
-        best = Partition(finer, state.labels.copy(), energy)
-    return finish(model, best, options)
+    return finish(model, best, options, rounds, relaxed, budget.used)

@@ -4,6 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
+from shapely.geometry import MultiPolygon, Polygon
+from shapely.geometry.base import BaseGeometry
+
 from mansion_geometry.rings import corner_points, polygon_parts
 from mansion_geometry.shared_walls import (
     SharedWall,
@@ -13,14 +17,10 @@ from mansion_geometry.shared_walls import (
     total_length,
 )
 from mansion_msgs_py.layout import RealisedEdge
-from numpy.typing import NDArray
-from shapely.geometry import MultiPolygon, Polygon
-from shapely.geometry.base import BaseGeometry
-
 from mansion_planner.solver.model import FloorModel, Obstacle
 from mansion_planner.solver.options import SolverOptions
 
-__all__ = ["Verdict", "judge", "realise_edges"]
+__all__ = ["Verdict", "judge", "on_side", "realise_edges"]
 
 SLACK = 1e-3
 GAP = 1e-3
@@ -34,7 +34,7 @@ class Verdict:
     checks: dict[str, float]
 
 
-def _on_side(wall: SharedWall, obstacle: Obstacle) -> bool:
+def on_side(wall: SharedWall, obstacle: Obstacle) -> bool:
     """Tell whether a wall, running along the room's boundary, lies on the obstacle's door side.
 
     The room is on the wall's left, the obstacle on its right, so a room north of the core sees a wall running east.
@@ -53,9 +53,9 @@ def _walls(
     walls = shared_walls(edges[a], edges[b], GAP)
     if kind == "access":
         if b in obstacles:
-            walls = [w for w in walls if _on_side(w, obstacles[b])]
+            walls = [w for w in walls if on_side(w, obstacles[b])]
         if a in obstacles:
-            walls = [w for w in walls if _on_side(SharedWall(w.end, w.start), obstacles[a])]
+            walls = [w for w in walls if on_side(SharedWall(w.end, w.start), obstacles[a])]
     return walls
 
 

@@ -1,0 +1,125 @@
+"""Seeds of a cut round: given, from a callback, or planned from the graph and the region (Algorithm 3, lines 2 to 4)."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from mansion_geometry.rings import rotated
+from mansion_msgs_py.layout import LayoutRoom
+from mansion_msgs_py.topology import SeedPlan
+from mansion_planner.solver.model import FloorModel
+from mansion_planner.solver.rounds import CutRound
+from mansion_planner.solver.state import Floats
+
+__all__ = ["SeedCallback", "SeedRequest", "plan_seeds", "seeds_from_plan", "separated"]
+
+DRAWS = 64
+
+
+@dataclass(frozen=True)
+class SeedRequest:
+    """What a seed callback is asked before a round.
+
+    Attributes
+    ----------
+    parent : str
+    children : tuple of str
+    fractions : dict
+        Wished share of the parent's area for each child, ``alpha_r``.
+    x_range, y_range : (float, float)
+        The parent's bounding box, metres.
+    neighbours : tuple of str
+        Rooms and cores that touch the parent's region.
+    layout : list of LayoutRoom
+        The layout so far.
+    preview : bytes
+        PNG image of it with the parent highlighted.
+    """
+
+    parent: str
+    children: tuple[str, ...]
+    fractions: dict[str, float]
+    x_range: tuple[float, float]
+    y_range: tuple[float, float]
+    neighbours: tuple[str, ...]
+    layout: list[LayoutRoom]
+    preview: bytes
+
+
+SeedCallback = Callable[[SeedRequest], SeedPlan | None]
+
+
+def seeds_from_plan(plan: SeedPlan, cut: CutRound, angle: float) -> dict[str, tuple[float, float]]:
+    """Return the centre of each child's box, in the model's frame; boxes of other rooms are ignored."""
+    centres = {}
+    for box in plan.boxes:
+        if box.room_id in cut.children:
+            centre = ((box.x[0] + box.x[1]) / 2, (box.y[0] + box.y[1]) / 2)
+            if np.isfinite(centre).all():
+                centres[box.room_id] = rotated([centre], angle)[0]
+    return centres
+
+
+def separated(points: Floats, least: float) -> bool:
+    """Tell whether all points are at least `least` apart."""
+    if len(points) < 2:
+        return True
+    gap = np.linalg.norm(points[:, None] - points[None, :], axis=-1)
+    np.fill_diagonal(gap, np.inf)
+    return bool(gap.min() >= least)
+
+
+def plan_seeds(
+    model: FloorModel,
+    cut: CutRound,
+    cells: Floats,
+    placed: dict[str, tuple[float, float]],
+    known: dict[str, tuple[float, float]],
+    rng: np.random.Generator,
+) -> Floats:
+    """Return a seed for each child: the known ones, and the best of some random draws for the others.
+
+    A draw is good when its seeds are far apart, near the neighbours that are already `placed`, and near each other where
+    the graph joins them.
+
+    Parameters
+    ----------
+    cells : (n, 2) array
+        Centres of the parent's cells.
+    """
+    fixed = np.array([name in known for name in cut.children])
+    seeds = np.zeros((len(cut.children), 2))
+    for k, name in enumerate(cut.children):
+        if fixed[k]:
+            seeds[k] = known[name]
+    if fixed.all():
+        return seeds
+    spread = max(0.5, float(np.sqrt(np.prod(np.ptp(cells, axis=0) + 0.5) / len(seeds))))
+    best, best_cost = seeds, np.inf
+    for _ in range(DRAWS):
+        trial = np.where(fixed[:, None], seeds, cells[rng.integers(len(cells), size=len(seeds))])
+        cost = _plan_cost(model, cut, trial, placed, spread)
+        if cost < best_cost:
+            best, best_cost = trial, cost
+    return best
+
+
+def _plan_cost(
+    model: FloorModel,
+    cut: CutRound,
+    seeds: Floats,
+    placed: dict[str, tuple[float, float]],
+    spread: float,
+) -> float:
+    gap = np.linalg.norm(seeds[:, None] - seeds[None, :], axis=-1)
+    cost = float(np.maximum(0.0, spread - gap[np.triu_indices(len(seeds), 1)]).sum())
+    at = {name: seeds[k] for k, name in enumerate(cut.children)}
+    for name in cut.children:
+        for other in model.graph[name]:
+            where = at.get(other)
+            if where is None and other in placed and other != cut.parent:
+                where = np.array(placed[other])
+            if where is not None:
+                cost += 0.3 * float(np.linalg.norm(at[name] - where))
+    return cost
