@@ -197,6 +197,25 @@ def gap_matrix(poses: Floats, hw: float, hd: float, targets: Floats) -> Floats:
 
 
 @kernel
+def _backed(box: Floats, edges: Floats, limit: float) -> bool:
+    """Tell whether both ends and the middle of a box's back are within `limit` of the boundary."""
+    for k in range(-1, 2):
+        x = box[0] + box[5] * box[3] + k * box[4] * box[2]
+        y = box[1] - box[5] * box[2] + k * box[4] * box[3]
+        near = False
+        for e in range(edges.shape[0]):
+            dx, dy = edges[e, 2] - edges[e, 0], edges[e, 3] - edges[e, 1]
+            qx, qy = x - edges[e, 0], y - edges[e, 1]
+            t = min(1.0, max(0.0, (qx * dx + qy * dy) / max(dx * dx + dy * dy, 1e-12)))
+            if (qx - t * dx) ** 2 + (qy - t * dy) ** 2 <= limit * limit:
+                near = True
+                break
+        if not near:
+            return False
+    return True
+
+
+@kernel
 def feasible_poses(
     poses: Floats, parts: Floats, edges: Floats, boxes: Floats, zones: Floats, gap: float
 ) -> Bools:
@@ -205,8 +224,9 @@ def feasible_poses(
     Parameters
     ----------
     poses : (n, 4) array
-    parts : (k, 7) array
-        Boxes in the local frame, the 7th column their height.
+    parts : (k, 8) array
+        Boxes in the local frame; the 7th column their height, the 8th above 0 where the back must be at a wall, at most
+        that far from it.
     edges : (e, 4) array
         The room's boundary.
     boxes : (m, 6) array
@@ -229,6 +249,8 @@ def feasible_poses(
                         ok = False
                         break
             if ok and not box_inside(moved[k], edges):
+                ok = False
+            if ok and parts[k, 7] > 0.0 and not _backed(moved[k], edges, parts[k, 7]):
                 ok = False
             if not ok:
                 break

@@ -120,7 +120,7 @@ class Floor:
         return np.array([copy.box for copy in self.placed if copy.spec == spec]).reshape(-1, 6)
 
     def fits(self, poses: Floats, parts: Floats) -> Bools:
-        """Tell at which poses rigid `parts`, shape (k, 7), are in bounds, free and clear of openings."""
+        """Tell at which poses rigid `parts`, shape (k, 8), are in bounds, free and clear of openings."""
         self.effort.search(len(poses), len(self.boxes) + len(parts))
         if len(parts) > 3:
             # The outermost parts of a pattern are the likeliest not to fit.

@@ -159,6 +159,9 @@ def _macro_poses(
     centre = offsets.mean(axis=0)
     if spec.where == "edge":
         macro = repeated(unit, offsets - [centre[0], 0.0])
+        # Only the first row of a block of three and more can be at the wall.
+        row = len(unit.parts) * shape[1]
+        macro.parts[row:] = [(*part[:7], 0.0) for part in macro.parts[row:]]
         poses = wall_poses(floor, macro.extent(), unit.sizes[0][1] / 2, rng)
     else:
         macro = repeated(unit, offsets - centre)

@@ -22,6 +22,9 @@ __all__ = ["Unit", "UnitStyle", "build_unit"]
 Floats = npt.NDArray[np.float64]
 Size3 = tuple[float, float, float]
 
+_BACK = 0.14
+"""How far the back of an edge object may be from its wall, metres."""
+
 
 @dataclass(frozen=True)
 class UnitStyle:
@@ -51,8 +54,8 @@ class Unit:
 
     Attributes
     ----------
-    parts : list of 7-tuples
-        Boxes with height; the anchor first, at the origin.
+    parts : list of 8-tuples
+        Boxes with height and how far their back may be from a wall (0: anywhere); the anchor first, at the origin.
     specs : list of int
     hosts : list of int
         Index of each part's host among the parts, -1 for the anchor.
@@ -65,8 +68,8 @@ class Unit:
     sizes: list[Size3] = field(default_factory=list)
 
     def array(self) -> Floats:
-        """Return the parts as an array, shape (k, 7)."""
-        return np.array(self.parts).reshape(-1, 7)
+        """Return the parts as an array, shape (k, 8)."""
+        return np.array(self.parts).reshape(-1, 8)
 
     def extent(self) -> tuple[float, float, float, float]:
         """Return (x min, x max, y min, y max) of all parts."""
@@ -80,7 +83,7 @@ class Unit:
             float((p[:, 1] + ey).max()),
         )
 
-    def add(self, spec: int, size: Size3, slot: Slot, host: int) -> bool:
+    def add(self, spec: Spec, size: Size3, slot: Slot, host: int) -> bool:
         """Add a part at a slot in the frame of part `host` unless it overlaps another."""
         x, y, degrees = slot
         ux, uy = unit_vector(degrees)
@@ -88,12 +91,13 @@ class Unit:
             base = self.parts[host]
             x, y = base[0] + x * base[2] - y * base[3], base[1] + x * base[3] + y * base[2]
             ux, uy = ux * base[2] - uy * base[3], ux * base[3] + uy * base[2]
-        part = (x, y, ux, uy, size[0] / 2, size[1] / 2, size[2])
+        back = _BACK if spec.where == "edge" else 0.0
+        part = (x, y, ux, uy, size[0] / 2, size[1] / 2, size[2], back)
         box = np.array(part[:6])
         if any(boxes_overlap(box, np.array(other[:6]), 0.0) for other in self.parts):
             return False
         self.parts.append(part)
-        self.specs.append(spec)
+        self.specs.append(spec.index)
         self.hosts.append(host)
         self.sizes.append(size)
         return True
@@ -118,7 +122,7 @@ def build_unit(
     style : UnitStyle
     """
     unit = Unit()
-    unit.add(spec.index, size, (0.0, 0.0, 0.0), -1)
+    unit.add(spec, size, (0.0, 0.0, 0.0), -1)
     _add_members(unit, 0, spec, shares, children, style)
     return unit
 
@@ -140,7 +144,7 @@ def _add_members(
         for slot in _slots(spec, unit.sizes[at], child, wanted, backed, style):
             if added == wanted:
                 break
-            if unit.add(child.index, child.size, slot, at):
+            if unit.add(child, child.size, slot, at):
                 added += 1
                 _add_members(unit, len(unit.parts) - 1, child, shares, children, style)
 
@@ -152,6 +156,8 @@ def _slots(
     seat = child.role.seat
     at_wall = child.where == "edge"
     if child.link == "paired":
+        if at_wall and not backed:
+            return []
         beside = at_wall or spec.role.bed
         return [paired_slot(anchor, member, beside=beside, mirrored=style.mirrored, gap=style.gap)]
     if child.link == "side_of":

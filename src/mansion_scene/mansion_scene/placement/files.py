@@ -1,0 +1,125 @@
+"""``mansion place``: a JSON list of rooms to a JSON list of placements, in one process or several."""
+
+import multiprocessing
+import os
+import time
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from pathlib import Path
+
+from mansion_msgs_py.codec import decode, encode_bytes
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.placement import Discarded, PlacementResult, PlacementRoom
+from mansion_msgs_py.world import Progress
+from mansion_scene.placement import PlacementOptions, place_room, warm
+
+__all__ = ["load_rooms", "place_file", "place_timed", "placements"]
+
+
+def load_rooms(path: Path) -> list[PlacementRoom]:
+    """Read a JSON list of rooms.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` where the file cannot be read, ``INVALID_PAYLOAD`` with the JSON path of a fault in it.
+    """
+    try:
+        return decode(list[PlacementRoom], path.read_bytes())
+    except OSError as error:
+        raise MansionError(ErrorCode.NOT_FOUND, f"no readable file at {path}: {error}") from None
+
+
+def place_timed(room: PlacementRoom, seed: int, options: PlacementOptions) -> PlacementResult:
+    """Place a room and note the CPU seconds; a room that is refused keeps its place, all discarded with the reason."""
+    begin = time.process_time()
+    try:
+        result = place_room(room, seed=seed, options=options)
+    except MansionError as error:
+        reason = f"room refused, {error.info.path}: {error.info.message}"
+        lost = [Discarded(name=o.name, count=o.quantity, reason=reason) for o in room.objects]
+        result = PlacementResult(room_id=room.room_id, placements=[], discarded=lost)
+    result.seconds = round(time.process_time() - begin, 4)
+    return result
+
+
+def _place_encoded(seed: int, options: PlacementOptions, data: bytes) -> bytes:
+    return encode_bytes(place_timed(decode(PlacementRoom, data), seed, options))
+
+
+def placements(
+    rooms: Sequence[PlacementRoom],
+    *,
+    seed: int = 0,
+    jobs: int = 1,
+    options: PlacementOptions | None = None,
+) -> Iterator[PlacementResult]:
+    """Yield the placements of rooms in their order; the same for any number of processes, apart from ``seconds``."""
+    chosen = options or PlacementOptions()
+    if jobs <= 1 or len(rooms) < 2:
+        warm()
+        for room in rooms:
+            yield place_timed(room, seed, chosen)
+        return
+    work = partial(_place_encoded, seed, chosen)
+    spawning = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(min(jobs, len(rooms)), spawning, initializer=warm) as pool:
+        for data in pool.map(work, [encode_bytes(room) for room in rooms]):
+            yield decode(PlacementResult, data)
+
+
+def place_file(
+    rooms: Path,
+    output: Path,
+    *,
+    seed: int = 0,
+    jobs: int = 1,
+    options: PlacementOptions | None = None,
+    progress: Callable[[Progress], None] | None = None,
+) -> list[PlacementResult]:
+    """Place every room of a file and write the placements.
+
+    Parameters
+    ----------
+    rooms, output : Path
+        JSON lists of `PlacementRoom` and `PlacementResult`; the output appears whole or not at all.
+    seed : int
+        Every room draws from this seed and its own id.
+    jobs : int
+        Processes.
+    options : PlacementOptions, optional
+    progress : callable, optional
+        Called after each room.
+
+    Returns
+    -------
+    list of PlacementResult
+        In the order of the rooms.
+
+    Raises
+    ------
+    MansionError
+        When the rooms cannot be read.
+    """
+    asked = load_rooms(rooms)
+    results: list[PlacementResult] = []
+    for result in placements(asked, seed=seed, jobs=jobs, options=options):
+        results.append(result)
+        if progress is not None:
+            left = sum(entry.count for entry in result.discarded)
+            text = f"{result.room_id}: {len(result.placements)} placed, {left} left out"
+            progress(Progress(stage="place", message=text, done=len(results), total=len(asked)))
+    _replace(output, b"[" + b",\n".join(encode_bytes(result) for result in results) + b"]\n")
+    return results
+
+
+def _replace(path: Path, data: bytes) -> None:
+    """Put a file of `data` in the place of `path` in one step."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    fresh = path.with_name(f".{path.name}.{os.getpid()}.new")
+    try:
+        fresh.write_bytes(data)
+        fresh.replace(path)
+    finally:
+        fresh.unlink(missing_ok=True)
