@@ -12,7 +12,6 @@ import argparse
 import statistics
 import sys
 import time
-from dataclasses import dataclass
 
 from _processes import environment, running
 
@@ -21,47 +20,46 @@ DOMAIN = 61
 
 def bare_pair(server: bool):  # type: ignore[no-untyped-def]
     """Writer, reader and wait set of one side, with plain IDL types."""
-    from cyclonedds.core import InstanceState, Policy, Qos, ReadCondition, SampleState, ViewState, WaitSet
+    from cyclonedds.core import (
+        InstanceState,
+        Policy,
+        Qos,
+        ReadCondition,
+        SampleState,
+        ViewState,
+        WaitSet,
+    )
     from cyclonedds.domain import Domain, DomainParticipant
-    from cyclonedds.idl import IdlStruct
+    from cyclonedds.idl import make_idl_struct
     from cyclonedds.idl.types import int64, uint64
     from cyclonedds.pub import DataWriter
     from cyclonedds.sub import DataReader
     from cyclonedds.topic import Topic
     from cyclonedds.util import duration
-
     from rclpy._dds.domain import configuration
 
-    @dataclass
-    class Request(IdlStruct, typename="BareRequest"):
-        guid: uint64
-        seq: int64
-        text: str
-
-    @dataclass
-    class Reply(IdlStruct, typename="BareReply"):
-        guid: uint64
-        seq: int64
-        success: bool
-        text: str
+    header = {"guid": uint64, "seq": int64}
+    request_type = make_idl_struct("BareRequest", "BareRequest", {**header, "text": str})
+    reply_type = make_idl_struct("BareReply", "BareReply", {**header, "success": bool, "text": str})
 
     domain = Domain(DOMAIN + 1, configuration())
     participant = DomainParticipant(DOMAIN + 1)
     qos = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.History.KeepLast(10))
-    request, reply = Topic(participant, "request", Request), Topic(participant, "reply", Reply)
+    request = Topic(participant, "request", request_type)
+    reply = Topic(participant, "reply", reply_type)
     mine, theirs = (reply, request) if server else (request, reply)
     writer = DataWriter(participant, mine, qos=qos)
     reader = DataReader(participant, theirs, qos=qos)
     waitset = WaitSet(participant)
     any_state = ViewState.Any | InstanceState.Any | SampleState.Any
     waitset.attach(ReadCondition(reader, any_state))
-    return domain, writer, reader, waitset, Request, Reply, duration
+    return (domain, participant), writer, reader, waitset, request_type, reply_type, duration
 
 
 def serve_bare() -> None:
     """Answer requests until killed."""
-    _, writer, reader, waitset, _, reply, duration = bare_pair(server=True)
-    print("ready")
+    keep, writer, reader, waitset, _, reply, duration = bare_pair(server=True)
+    print("ready", len(keep))
     while True:
         waitset.wait(duration(seconds=1))
         for sample in reader.take(N=10):
@@ -71,12 +69,13 @@ def serve_bare() -> None:
 
 def call_bare(calls: int) -> list[float]:
     """Seconds of each round trip."""
-    _, writer, reader, waitset, request, _, duration = bare_pair(server=False)
+    keep, writer, reader, waitset, request, _, duration = bare_pair(server=False)
     while not (writer.get_matched_subscriptions() and reader.get_matched_publications()):
         time.sleep(0.01)
     time.sleep(0.2)
-    times = []
-    for i in range(calls):
+    times: list[float] = []
+    while len(times) < calls and keep:
+        i = len(times)
         start = time.perf_counter()
         writer.write(request(1, i, "x"))
         done = False
@@ -149,7 +148,9 @@ def main() -> None:
         quarter = max(len(times) // 4, 1)
         growth = statistics.median(times[-quarter:]) / statistics.median(times[:quarter])
         own = _median_us(times)
-        print(f"{label:32} {own:8.0f} us  {own / bare:5.2f} x bare  last/first quarter {growth:.2f}")
+        print(
+            f"{label:32} {own:8.0f} us  {own / bare:5.2f} x bare  last/first quarter {growth:.2f}"
+        )
     return None
 
 

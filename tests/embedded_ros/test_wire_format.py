@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from rclpy.serialization import deserialize_message, serialize_message
+
 from rosidl_embedded.registry import definition_of, get_message, get_service, type_hash
 
 VECTORS = json.loads((Path(__file__).parent / "data" / "vectors.json").read_text(encoding="utf-8"))
@@ -84,3 +85,34 @@ def test_truncated_data_raises_a_value_error(name: str) -> None:
     for end in range(0, len(data), max(1, len(data) // 40)):
         with pytest.raises(ValueError, match=r"cannot read|not little-endian"):
             deserialize_message(data[:end], cls)
+
+
+def test_announcements_are_the_message_of_rmw_dds_common() -> None:
+    from rclpy._dds.announcement import NodeEndpoints, decode_announcement, encode_announcement
+
+    from rmw_dds_common.msg import Gid, NodeEntitiesInfo, ParticipantEntitiesInfo
+
+    guids = [bytes(range(i, i + 16)) for i in range(5)]
+    nodes = [
+        NodeEndpoints("/", "first", guids[:2], guids[2:]),
+        NodeEndpoints("/deep/er", "second", [], guids[:1]),
+    ]
+    message = ParticipantEntitiesInfo(
+        gid=Gid(data=list(guids[4])),
+        node_entities_info_seq=[
+            NodeEntitiesInfo(
+                node_namespace=node.namespace,
+                node_name=node.name,
+                reader_gid_seq=[Gid(data=list(g)) for g in node.readers],
+                writer_gid_seq=[Gid(data=list(g)) for g in node.writers],
+            )
+            for node in nodes
+        ],
+    )
+    data = serialize_message(message)
+    assert encode_announcement(guids[4], nodes) == data
+    decoded = decode_announcement(data)
+    assert [vars(n) for n in decoded] == [vars(n) for n in nodes]
+    for end in range(20, len(data)):
+        with pytest.raises(ValueError, match="announcement"):
+            decode_announcement(data[:end])

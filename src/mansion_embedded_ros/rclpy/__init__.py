@@ -6,7 +6,8 @@ It has the API of rclpy 7.1 for what nodes normally use, and the wire format of
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from rclpy._real_ros import refuse_beside_real_ros
 
@@ -191,3 +192,18 @@ def spin_until_future_complete(
         executor.spin_until_future_complete(future, timeout_sec)
     finally:
         executor.remove_node(node)
+
+
+_SUBMODULES = frozenset(
+    "action callback_groups client clock constants duration event_handler exceptions executors "
+    "guard_condition lifecycle logging node parameter_client parameter_event_handler publisher qos "
+    "qos_event serialization service subscription time timer topic_endpoint_info wait_for_message".split()
+)
+
+
+def __getattr__(name: str) -> Any:
+    if name in _SUBMODULES:
+        return import_module(f"rclpy.{name}")
+    raise AttributeError(
+        f"module 'rclpy' has no attribute {name!r} (this is the rclpy of mansion_embedded_ros)"
+    )

@@ -33,7 +33,8 @@ _WITH_VALUE = {
     "--enclave": "ignored",
 }
 _RULE = re.compile(
-    r"^(?:(?P<node>[A-Za-z_/*][\w/*]*):)?(?P<scheme>rostopic://|rosservice://)?(?P<from>[^:]+):=(?P<to>.*)$"
+    r"^(?:(?P<node>[A-Za-z_/*][\w/*]*):(?!//))?(?P<scheme>rostopic://|rosservice://)?"
+    r"(?P<from>[^:]+):=(?P<to>.*)$"
 )
 
 

@@ -9,11 +9,13 @@ import time
 from dataclasses import dataclass
 from typing import Any
 
+from rclpy._dds.announcement import NodeEndpoints
 from rclpy._dds.endpoints import Endpoint, Reader, Writer
 from rclpy._dds.library import DDSError
-from rclpy._dds.participant import NodeEndpoints, Participant
+from rclpy._dds.participant import Participant
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.qos import QoSProfile
+
 from rosidl_embedded.cdr_codec import HEADER
 from rosidl_embedded.registry import codec_of, deserialize, serialize, type_hash, type_name
 
@@ -26,7 +28,7 @@ _READER_WAIT = 1.0
 
 
 @dataclass(slots=True)
-class rmw_request_id_t:  # noqa: N801
+class rmw_request_id_t:
     """Who asked: the writer of the request and the client's sequence number."""
 
     writer_guid: bytes
@@ -35,7 +37,7 @@ class rmw_request_id_t:  # noqa: N801
 
 
 @dataclass(slots=True)
-class rmw_service_info_t:  # noqa: N801
+class rmw_service_info_t:
     """A request's id and its times in nanoseconds since 1970."""
 
     request_id: rmw_request_id_t

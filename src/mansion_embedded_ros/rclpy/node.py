@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from rcl_interfaces.msg import Log, ParameterDescriptor, ParameterEvent
 from rclpy import _entities, _log_sink
 from rclpy._arguments import RosArguments, parse_arguments
-from rclpy._dds.participant import NodeEndpoints
+from rclpy._dds.announcement import NodeEndpoints
 from rclpy._endpoint_options import best_available, copy_profile, require_definition, to_profile
 from rclpy._names import expand_name
 from rclpy._node_graph import NodeGraph
@@ -47,6 +47,7 @@ from rclpy.validate_namespace import validate_namespace
 from rclpy.validate_node_name import validate_node_name
 from rclpy.validate_topic_name import validate_topic_name
 from rclpy.waitable import Waitable
+
 from rosidl_embedded.definition import MessageDefinition, ServiceDefinition
 
 if TYPE_CHECKING:
@@ -189,7 +190,14 @@ class Node(NodeParameters, NodeGraph):
             self._logger_service = LoggingService(self)
 
     def _publish_log(
-        self, stamp: int, severity: int, name: str, message: str, file: str, function: str, line: int
+        self,
+        stamp: int,
+        severity: int,
+        name: str,
+        message: str,
+        file: str,
+        function: str,
+        line: int,
     ) -> None:
         if self._rosout is None or not self._context.ok():
             return
@@ -442,9 +450,7 @@ class Node(NodeParameters, NodeGraph):
         full = self.resolve_service_name(srv_name)
         group = callback_group or self.default_callback_group
         handle = self._new(_entities.Client, srv_type, full, qos_profile)
-        client: Client = Client(
-            self.context, handle, srv_type, srv_name, qos_profile, group
-        )
+        client: Client = Client(self.context, handle, srv_type, srv_name, qos_profile, group)
         self._clients.append(client)
         self._attach(client, group)
         return client
@@ -463,9 +469,7 @@ class Node(NodeParameters, NodeGraph):
         full = self.resolve_service_name(srv_name)
         group = callback_group or self.default_callback_group
         handle = self._new(_entities.Service, srv_type, full, qos_profile)
-        service: Service = Service(
-            handle, srv_type, srv_name, callback, group, qos_profile
-        )
+        service: Service = Service(handle, srv_type, srv_name, callback, group, qos_profile)
         self._services.append(service)
         self._attach(service, group)
         return service

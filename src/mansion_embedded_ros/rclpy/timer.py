@@ -125,18 +125,24 @@ class Timer:
             return None
         state = self._clock._state
         left = self._next - state.now()
+        if left > self._period:
+            left = self._follow_backward_jump()
         if left > 0 and state.clock_type == ClockType.ROS_TIME and state.enabled:
             return None
         return max(left, 0)
+
+    def _follow_backward_jump(self) -> int:
+        """A clock set back leaves the next call one period away at most."""
+        with self._lock:
+            now = self._clock._state.now()
+            self._next = min(self._next, now + self._period)
+            return self._next - now
 
     def _take(self) -> Any:
         """Begin a call if it is due: move on to the next period."""
         with self._lock:
             now = self._clock._state.now()
             if self._canceled or self._destroyed or now < self._next:
-                # A clock set back leaves the next call one period away at most.
-                if self._next - now > self._period and not self._canceled:
-                    self._next = now + self._period
                 return None
             self._last = now
             self._next += self._period

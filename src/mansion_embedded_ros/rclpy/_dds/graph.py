@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from rclpy._dds.announcement import decode_announcement
 from rclpy._dds.library import (
     ALIVE,
     BUILTIN_PARTICIPANT,
@@ -20,8 +21,6 @@ from rclpy._dds.library import (
 )
 from rclpy._dds.qos_mapping import read_profile, read_user_data
 from rclpy.qos import QoSProfile
-from rmw_dds_common.msg import ParticipantEntitiesInfo
-from rosidl_embedded.registry import deserialize
 
 if TYPE_CHECKING:
     from rclpy._dds.participant import Participant
@@ -109,22 +108,20 @@ def endpoints(
 
 
 def nodes(participant: Participant) -> list[NodeInfo]:
-    """Every node in the domain, this participant's first."""
+    """Every node in the domain."""
     alive = alive_participants(participant)
     found = []
-    for data in participant.announcements().items():
-        gid, cdr = data
+    for gid, data in participant.announcements().items():
         if gid not in alive:
             continue
-        message = deserialize(cdr, ParticipantEntitiesInfo)
-        for node in message.node_entities_info_seq:
+        for node in decode_announcement(data):
             found.append(
                 NodeInfo(
-                    node.node_namespace,
-                    node.node_name,
+                    node.namespace,
+                    node.name,
                     alive[gid],
-                    frozenset(g.data.tobytes() for g in node.reader_gid_seq),
-                    frozenset(g.data.tobytes() for g in node.writer_gid_seq),
+                    frozenset(node.readers),
+                    frozenset(node.writers),
                 )
             )
     return found
@@ -154,5 +151,3 @@ def demangle_type(dds_type: str) -> str:
         for suffix in ("_Request", "_Response"):
             name = name.removesuffix(suffix)
     return "/".join([*parts[:-2], name])
-
-

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import ctypes as ct
 import threading
-from dataclasses import dataclass, field
 
+from rclpy._dds.announcement import NodeEndpoints, encode_announcement
 from rclpy._dds.domain import acquire_domain, release_domain
 from rclpy._dds.endpoints import Reader, Writer
 from rclpy._dds.library import check, dds
@@ -13,27 +13,16 @@ from rclpy._dds.qos_mapping import CQos
 from rclpy._dds.type_ops import topic_descriptor
 from rclpy._dds.waitset import Guard, WaitSet
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
-from rmw_dds_common.msg import Gid, NodeEntitiesInfo, ParticipantEntitiesInfo
-from rosidl_embedded.registry import serialize
+
 from rosidl_embedded.type_description import message_hash
 
-__all__ = ["NodeEndpoints", "Participant"]
+__all__ = ["Participant"]
 
 _DISCOVERY_TOPIC = "ros_discovery_info"
 _DISCOVERY_TYPE = "rmw_dds_common/msg/ParticipantEntitiesInfo"
 _GID_AT = 4
 _PAUSE = 0.25
 """Seconds between two looks at the announcements of others: nobody waits for them in between."""
-
-
-@dataclass(eq=False)
-class NodeEndpoints:
-    """One node of this participant and the GUIDs of its endpoints, in the order of creation."""
-
-    namespace: str
-    name: str
-    readers: list[bytes] = field(default_factory=list)
-    writers: list[bytes] = field(default_factory=list)
 
 
 class Participant:
@@ -145,19 +134,7 @@ class Participant:
         with self._lock:
             if self._quiet or self.closed:
                 return
-            message = ParticipantEntitiesInfo(
-                gid=Gid(data=list(self.guid)),
-                node_entities_info_seq=[
-                    NodeEntitiesInfo(
-                        node_namespace=node.namespace,
-                        node_name=node.name,
-                        reader_gid_seq=[Gid(data=list(g)) for g in node.readers],
-                        writer_gid_seq=[Gid(data=list(g)) for g in node.writers],
-                    )
-                    for node in self._nodes
-                ],
-            )
-            self._writer.write(serialize(message))
+            self._writer.write(encode_announcement(self.guid, self._nodes))
 
     def _listen(self) -> None:
         """Keep the latest announcement of each participant, a few times a second at most."""
