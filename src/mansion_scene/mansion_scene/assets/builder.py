@@ -98,7 +98,9 @@ class Builder:
         """Return the material of a role of the recipe."""
         return self.asset.materials.get(role, default)
 
-    def raw(self, vertices: Floats, faces: Ints, material: str, part: str, solid: bool = False) -> None:
+    def raw(
+        self, vertices: Floats, faces: Ints, material: str, part: str, solid: bool = False
+    ) -> None:
         """Add triangles; a solid's bounding box takes part in collisions."""
         key = (part, material)
         self.pieces.setdefault(key, Piece(part, material)).add(vertices, faces)
@@ -144,16 +146,17 @@ class Builder:
         """Add a body of revolution about a vertical axis; `profile` lists (radius, height) from one pole to the other."""
         angles = np.linspace(0.0, 2 * math.pi, n, endpoint=False)
         circle = np.stack([np.cos(angles) * stretch[0], np.sin(angles) * stretch[1]], axis=1)
-        rings = [
-            np.column_stack([circle * r + np.array(at), np.full(n, z)]) for r, z in profile
-        ]
+        rings = [np.column_stack([circle * r + np.array(at), np.full(n, z)]) for r, z in profile]
         vertices = np.concatenate([*rings, [[*at, profile[0][1]], [*at, profile[-1][1]]]])
         i = np.arange(n)
         j = (i + 1) % n
         faces = []
         for k in range(len(profile) - 1):
             a, b = k * n, (k + 1) * n
-            faces += [np.column_stack([a + i, a + j, b + j]), np.column_stack([a + i, b + j, b + i])]
+            faces += [
+                np.column_stack([a + i, a + j, b + j]),
+                np.column_stack([a + i, b + j, b + i]),
+            ]
         first, last = len(profile) * n, len(profile) * n + 1
         faces.append(np.column_stack([np.full(n, first), j, i]))
         end = (len(profile) - 1) * n
@@ -173,7 +176,9 @@ class Builder:
         solid: bool = True,
     ) -> None:
         """Add an upright cylinder, or a cone frustum whose upper radius is `r2`."""
-        self.lathe([(r, z[0]), (r if r2 is None else r2, z[1])], material, (x, y), part, n, solid=solid)
+        self.lathe(
+            [(r, z[0]), (r if r2 is None else r2, z[1])], material, (x, y), part, n, solid=solid
+        )
 
     def rod(
         self,
@@ -254,9 +259,15 @@ class Builder:
             lon = np.arange(m) * 2 * math.pi / m
         rows = []
         for b in lat:
-            rows.append(np.column_stack([math.cos(b) * np.cos(lon), math.cos(b) * np.sin(lon), np.full(m, math.sin(b))]))
+            rows.append(
+                np.column_stack(
+                    [math.cos(b) * np.cos(lon), math.cos(b) * np.sin(lon), np.full(m, math.sin(b))]
+                )
+            )
         unit = np.concatenate([*rows, [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]])
-        vertices = unit * radius + np.where(np.abs(unit) < 1e-9, 0.0, np.sign(unit)) * (half - radius)
+        vertices = unit * radius + np.where(np.abs(unit) < 1e-9, 0.0, np.sign(unit)) * (
+            half - radius
+        )
         peaks = np.abs(vertices).max(axis=0)
         vertices = vertices * (half / np.maximum(peaks, 1e-9)) + center
         i = np.arange(m)
@@ -264,7 +275,10 @@ class Builder:
         faces = []
         for k in range(len(lat) - 1):
             a, c = k * m, (k + 1) * m
-            faces += [np.column_stack([a + i, a + j, c + j]), np.column_stack([a + i, c + j, c + i])]
+            faces += [
+                np.column_stack([a + i, a + j, c + j]),
+                np.column_stack([a + i, c + j, c + i]),
+            ]
         south, north = len(lat) * m, len(lat) * m + 1
         end = (len(lat) - 1) * m
         faces.append(np.column_stack([np.full(m, south), j, i]))
@@ -286,7 +300,8 @@ class Builder:
         flat = [[(u, v, s) for u, v in outline] for s in span]
         vertices = np.array(flat, dtype=float).reshape(2 * n, 3)[:, order]
         area = sum(
-            a[0] * b[1] - b[0] * a[1] for a, b in zip(outline, [*outline[1:], outline[0]], strict=True)
+            a[0] * b[1] - b[0] * a[1]
+            for a, b in zip(outline, [*outline[1:], outline[0]], strict=True)
         )
         faces = []
         for k in range(n):
@@ -300,7 +315,12 @@ class Builder:
         self.raw(vertices, table, material, part, solid)
 
     def legs(
-        self, z: tuple[float, float], r: float, material: str, inset: float = 0.04, round_: bool = False
+        self,
+        z: tuple[float, float],
+        r: float,
+        material: str,
+        inset: float = 0.04,
+        round_: bool = False,
     ) -> None:
         """Add four legs at the corners."""
         for sx in (-1, 1):

@@ -49,7 +49,9 @@ def mesh(asset: Asset) -> list[MeshPart]:
 
     pieces, _ = _built(_look(asset))
     return [
-        MeshPart(part, trimesh.Trimesh(vertices.copy(), faces.copy(), process=False), material(name))
+        MeshPart(
+            part, trimesh.Trimesh(vertices.copy(), faces.copy(), process=False), material(name)
+        )
         for part, name, vertices, faces in pieces
     ]
 
@@ -63,7 +65,15 @@ def collision_boxes(asset: Asset) -> list[Box]:
 
 def _look(asset: Asset) -> _Look:
     plain = msgspec.structs.replace(
-        asset, key="", category="", name="", synonyms=(), rooms=(), tags=(), asset_id=None, thor_type=""
+        asset,
+        key="",
+        category="",
+        name="",
+        synonyms=(),
+        rooms=(),
+        tags=(),
+        asset_id=None,
+        thor_type="",
     )
     return _Look(msgspec.msgpack.encode(plain))
 

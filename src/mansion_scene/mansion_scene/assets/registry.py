@@ -26,7 +26,6 @@ _MODULES = (
     "office",
     "personal",
     "plants",
-    "public",
     "seating",
     "shop",
     "sport",

@@ -1,0 +1,428 @@
+"""Household and kitchen appliances."""
+
+from mansion_scene.assets.builder import Builder
+from mansion_scene.assets.registry import recipe
+
+__all__: list[str] = []
+
+
+def hollow(
+    b: Builder,
+    x: tuple[float, float],
+    y: tuple[float, float],
+    z: tuple[float, float],
+    t: float,
+    material: str,
+) -> None:
+    """A box open towards the front, for a case with something inside."""
+    b.box((x[0], x[0] + t), y, z, material, "case")
+    b.box((x[1] - t, x[1]), y, z, material, "case")
+    b.box(x, (y[0], y[0] + t), z, material, "case")
+    b.box(x, y, (z[0], z[0] + t), material, "case")
+    b.box(x, y, (z[1] - t, z[1]), material, "case")
+
+
+@recipe("fridge")
+def fridge(b: Builder) -> None:
+    """Case with boards inside, two doors with a gap, handles."""
+    w, d, h = b.w, b.d, b.h
+    main, face = b.mat(), d / 2 - 0.075
+    hollow(b, (-w / 2, w / 2), (-d / 2, face), (0.02, h), 0.045, main)
+    b.box(
+        (-w / 2 + 0.03, w / 2 - 0.03),
+        (-d / 2 + 0.03, face - 0.03),
+        (0, 0.03),
+        "plastic_black",
+        "feet",
+        False,
+    )
+    for cell in b.cells:
+        b.box(
+            (cell.x0, cell.x1),
+            (cell.y0, min(cell.y1, face)),
+            (cell.z - 0.012, cell.z),
+            "glass_white",
+            "boards",
+        )
+    split = (0.03, h) if b.p.get("doors") == 1 else (0.03, h * 0.36, h)
+    for z0, z1 in zip(split, split[1:], strict=False):
+        b.box((-w / 2, w / 2), (face + 0.006, d / 2 - 0.03), (z0, z1 - 0.008), main, "door", False)
+        zm = z0 + 0.12 if z0 > 0.1 else z1 - 0.5 * (z1 - z0)
+        b.box(
+            (w / 2 - 0.08, w / 2 - 0.055),
+            (d / 2 - 0.03, d / 2),
+            (zm, zm + min(0.45, (z1 - z0) * 0.4)),
+            "metal_steel",
+            "handle",
+            False,
+        )
+    b.box((-w / 2, w / 2), (-d / 2, face), (h - 0.004, h), main, "case", False)
+
+
+@recipe("display_fridge")
+def display_fridge(b: Builder) -> None:
+    """Cooler with glass doors, or open to the front, full of bottles and cartons."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    hollow(b, (-w / 2, w / 2), (-d / 2, d / 2 - 0.04), (0, h), 0.05, main)
+    cells = b.cells
+    count = len(cells) or 5
+    for k in range(count):
+        z = cells[k].z if cells else 0.25 + k * (h - 0.4) / count
+        b.box(
+            (-w / 2 + 0.05, w / 2 - 0.05),
+            (-d / 2 + 0.05, d / 2 - 0.1),
+            (z - 0.015, z),
+            "metal_steel",
+            "boards",
+        )
+        if cells:
+            continue
+        goods = max(3, int(w / 0.11))
+        for i in range(goods):
+            x = -w / 2 + 0.08 + i * (w - 0.16) / goods
+            color = ("paper_blue", "plastic_white", "paper_red", "paper_yellow", "paper_green")[
+                (i // 3 + k) % 5
+            ]
+            b.box((x, x + 0.08), (-0.05, d / 2 - 0.14), (z, z + 0.18), color, "goods", False)
+    if b.asset.openable:
+        doors = max(1, round(w / 0.7))
+        for k in range(doors):
+            x0 = -w / 2 + k * w / doors
+            b.box(
+                (x0 + 0.004, x0 + w / doors - 0.004),
+                (d / 2 - 0.038, d / 2 - 0.02),
+                (0.1, h - 0.16),
+                "glass_clear",
+                "door",
+                False,
+            )
+            b.box(
+                (x0 + w / doors - 0.08, x0 + w / doors - 0.06),
+                (d / 2 - 0.02, d / 2),
+                (h * 0.4, h * 0.6),
+                "metal_steel",
+                "handle",
+                False,
+            )
+    else:
+        b.box((-w / 2, w / 2), (d / 2 - 0.2, d / 2), (0.0, 0.25), main, "front")
+    b.box(
+        (-w / 2, w / 2), (d / 2 - 0.05, d / 2 - 0.03), (h - 0.15, h), "light_white", "sign", False
+    )
+
+
+@recipe("oven")
+def oven(b: Builder) -> None:
+    """Oven, stove with a hob, microwave or dishwasher."""
+    w, d, h = b.w, b.d, b.h
+    main, face = b.mat(), d / 2 - min(0.05, d * 0.12)
+    cell = b.cells[0]
+    t = min(0.03, w * 0.06)
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + t), (0, h), main, "case")
+    b.box((-w / 2, cell.x0), (-d / 2, face), (0, h), main, "case")
+    b.box((cell.x1, w / 2), (-d / 2, face), (0, h), main, "case")
+    b.box((-w / 2, w / 2), (-d / 2, face), (0, cell.z), main, "case")
+    b.box((-w / 2, w / 2), (-d / 2, face), (cell.top, h), main, "case")
+    right = cell.x1 + 0.01 if b.p.get("panel") == "side" else w / 2
+    grip = min(0.03, d * 0.06)
+    front = (face + 0.004, d / 2 - grip)
+    b.box(
+        (-w / 2 + 0.005, right - 0.005),
+        front,
+        (cell.z - t, cell.top + t * 0.6),
+        main,
+        "door",
+        False,
+    )
+    b.box(
+        (cell.x0 + 0.02, cell.x1 - 0.02),
+        (front[1], front[1] + 0.003),
+        (cell.z + 0.03, cell.top - 0.04),
+        "glass_black",
+        "window",
+        False,
+    )
+    if b.p.get("panel") == "side":
+        b.box(
+            (right - 0.02, right - 0.01),
+            (front[1], d / 2),
+            (cell.z, cell.top),
+            "metal_steel",
+            "handle",
+            False,
+        )
+        b.box(
+            (right + 0.01, w / 2 - 0.01),
+            (face, face + 0.01),
+            (h * 0.7, h * 0.85),
+            "screen_green",
+            "panel",
+            False,
+        )
+        for k in range(4):
+            b.box(
+                (right + 0.015, w / 2 - 0.015),
+                (face, face + 0.012),
+                (h * (0.18 + 0.11 * k), h * (0.25 + 0.11 * k)),
+                "plastic_dark",
+                "buttons",
+                False,
+            )
+    else:
+        b.box(
+            (-w * 0.38, w * 0.38),
+            (front[1], d / 2),
+            (cell.top - 0.01, cell.top + 0.008),
+            "metal_steel",
+            "handle",
+            False,
+        )
+        for k in range(4 if h > 0.6 else 2):
+            x = -w * 0.3 + k * w * 0.2
+            b.rod(
+                (x, face, (cell.top + h) / 2),
+                (x, d / 2 - 0.005, (cell.top + h) / 2),
+                min(0.022, (h - cell.top) * 0.3),
+                "plastic_black",
+                "knobs",
+                12,
+            )
+    if b.p.get("hob"):
+        b.box(
+            (-w / 2 + 0.02, w / 2 - 0.02),
+            (-d / 2 + 0.04, face - 0.03),
+            (h - 0.006, h),
+            "glass_black",
+            "hob",
+            False,
+        )
+        for sx in (-1, 1):
+            for sy in (-1, 1):
+                b.cyl(
+                    sx * w * 0.24,
+                    sy * d * 0.2 - 0.01,
+                    (h - 0.005, h),
+                    0.075,
+                    "metal_dark",
+                    "burners",
+                    n=20,
+                    solid=False,
+                )
+
+
+@recipe("washer")
+def washer(b: Builder) -> None:
+    """Washing machine or dryer with a round door; two of them in a tower."""
+    w, d, h = b.w, b.d, b.h
+    main, count = b.mat(), int(b.p.get("stack", 1))
+    for k in range(count):
+        z0, z1 = h * k / count, h * (k + 1) / count
+        b.box(
+            (-w / 2, w / 2),
+            (-d / 2, d / 2 - 0.05),
+            (z0, z1 - 0.004 * (k < count - 1)),
+            main,
+            "case",
+        )
+        zm, r = z0 + (z1 - z0) * 0.45, min(w, z1 - z0) * 0.3
+        b.rod((0, d / 2 - 0.06, zm), (0, d / 2 - 0.012, zm), r, "metal_chrome", "door", 28)
+        b.rod((0, d / 2 - 0.03, zm), (0, d / 2, zm), r * 0.78, "glass_black", "door", 28)
+        b.box(
+            (-w / 2 + 0.01, w / 2 - 0.01),
+            (d / 2 - 0.05, d / 2 - 0.04),
+            (z1 - (z1 - z0) * 0.16, z1 - 0.02),
+            "plastic_dark",
+            "panel",
+            False,
+        )
+        b.rod(
+            (w * 0.3, d / 2 - 0.05, z1 - (z1 - z0) * 0.09),
+            (w * 0.3, d / 2 - 0.02, z1 - (z1 - z0) * 0.09),
+            0.03,
+            "metal_chrome",
+            "dial",
+            16,
+        )
+        b.box(
+            (-w / 2 + 0.03, -w / 2 + 0.2),
+            (d / 2 - 0.04, d / 2 - 0.035),
+            (z1 - (z1 - z0) * 0.13, z1 - (z1 - z0) * 0.05),
+            main,
+            "drawer",
+            False,
+        )
+
+
+@recipe("hood")
+def hood(b: Builder) -> None:
+    """Extractor: sloped hood with a duct."""
+    w, d, h = b.w, b.d, b.h
+    low = min(0.06, h * 0.15)
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, low), b.mat(), "rim")
+    b.prism(
+        [(-d / 2, low), (d / 2, low), (-d / 2 + 0.22, h * 0.45), (-d / 2, h * 0.45)],
+        (-w * 0.48, w * 0.48),
+        b.mat(),
+        part="slope",
+    )
+    b.box((-0.14, 0.14), (-d / 2, -d / 2 + 0.22), (h * 0.45, h), b.mat(), "duct")
+    b.box((-w * 0.3, w * 0.3), (-d * 0.2, d * 0.3), (0, 0.004), "light_warm", "lamp", False)
+
+
+@recipe("coffee_machine")
+def coffee_machine(b: Builder) -> None:
+    """Housing with spout, drip tray, cup and hopper."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.14), b.mat(), "base")
+    b.box((-w / 2, w / 2), (-d / 2, -d * 0.08), (h * 0.14, h * 0.95), b.mat(), "body")
+    b.box((-w / 2, w / 2), (-d / 2, d * 0.3), (h * 0.68, h * 0.95), b.mat(), "head")
+    b.cyl(0, d * 0.14, (h * 0.58, h * 0.68), w * 0.07, "metal_steel", "spout", solid=False)
+    b.cyl(
+        0, d * 0.14, (h * 0.15, h * 0.36), w * 0.12, "ceramic_white", "cup", w * 0.14, solid=False
+    )
+    b.box(
+        (-w * 0.4, w * 0.4),
+        (-d * 0.05, d * 0.45),
+        (h * 0.14, h * 0.15),
+        "metal_steel",
+        "grid",
+        False,
+    )
+    b.box((-w * 0.3, w * 0.3), (-d * 0.45, 0), (h * 0.95, h), "glass_amber", "hopper", False)
+    b.box(
+        (-w * 0.25, w * 0.25),
+        (d * 0.3, d * 0.31),
+        (h * 0.76, h * 0.88),
+        "screen_blue",
+        "panel",
+        False,
+    )
+
+
+@recipe("toaster")
+def toaster(b: Builder) -> None:
+    """Rounded housing with two slots and a lever."""
+    w, d, h = b.w, b.d, b.h
+    b.cushion((-w / 2, w / 2), (-d / 2, d / 2 - 0.02), (0.01, h), b.mat(), "body", 0.4, 12)
+    b.box((-w * 0.42, w * 0.42), (-d * 0.45, d * 0.42), (0, 0.02), "plastic_black", "feet")
+    for sx in (-1, 1):
+        b.box(
+            (sx * w * 0.18 - w * 0.08, sx * w * 0.18 + w * 0.08),
+            (-d * 0.36, d * 0.32),
+            (h - 0.002, h),
+            "plastic_black",
+            "slots",
+            False,
+        )
+    b.box(
+        (-w * 0.1, w * 0.1),
+        (d / 2 - 0.04, d / 2),
+        (h * 0.55, h * 0.65),
+        "plastic_black",
+        "lever",
+        False,
+    )
+
+
+@recipe("kettle")
+def kettle(b: Builder) -> None:
+    """Pot with lid, spout to the front and handle behind; also tea pots and watering cans."""
+    w, d, h = b.w, b.d, b.h
+    r = w * 0.5
+    b.lathe(
+        [
+            (r * 0.85, 0),
+            (r, h * 0.08),
+            (r * 0.98, h * 0.35),
+            (r * 0.6, h * 0.75),
+            (r * 0.5, h * 0.82),
+            (r * 0.1, h * 0.9),
+        ],
+        b.mat(),
+        (0, 0),
+        n=20,
+    )
+    b.ball((0, 0, h * 0.94), (r * 0.14, r * 0.14, h * 0.06), "plastic_black", "knob", 8, False)
+    b.rod((0, r * 0.7, h * 0.4), (0, d / 2 - 0.01, h * 0.75), min(w, d) * 0.08, b.mat(), "spout")
+    b.path(
+        [
+            (0, -r * 0.7, h * 0.25),
+            (0, -d / 2 + 0.012, h * 0.35),
+            (0, -d / 2 + 0.012, h * 0.7),
+            (0, -r * 0.5, h * 0.8),
+        ],
+        0.012,
+        "plastic_black",
+        "handle",
+    )
+
+
+@recipe("vacuum")
+def vacuum(b: Builder) -> None:
+    """Upright cleaner."""
+    w, d, h = b.w, b.d, b.h
+    b.cushion((-w / 2, w / 2), (0, d / 2), (0, 0.12), "plastic_dark", "head", 0.5)
+    b.rod((0, 0.05, 0.1), (0, -d / 2 + 0.1, h * 0.6), min(w, d) * 0.28, b.mat(), "body", 16, True)
+    b.rod(
+        (0, -d / 2 + 0.12, h * 0.55), (0, -d / 2 + 0.02, h - 0.02), 0.018, "metal_steel", "handle"
+    )
+    b.cushion((-0.05, 0.05), (-d / 2, -d / 2 + 0.08), (h - 0.1, h), "plastic_black", "grip")
+
+
+@recipe("ironing_board")
+def ironing_board(b: Builder) -> None:
+    """Board on crossed legs."""
+    w, d, h = b.w, b.d, b.h
+    b.prism(
+        [
+            (-w / 2, -d / 2),
+            (w * 0.3, -d / 2),
+            (w / 2, -d * 0.12),
+            (w / 2, d * 0.12),
+            (w * 0.3, d / 2),
+            (-w / 2, d / 2),
+        ],
+        (h - 0.04, h),
+        b.mat(),
+        "z",
+        "board",
+    )
+    for sy in (-1, 1):
+        y = sy * (d / 2 - 0.05)
+        b.rod((-w * 0.35, y, 0), (w * 0.25, y * 0.5, h - 0.04), 0.013, "metal_white", "legs")
+        b.rod((w * 0.35, y, 0), (-w * 0.25, y * 0.5, h - 0.04), 0.013, "metal_white", "legs")
+
+
+@recipe("dispenser")
+def dispenser(b: Builder) -> None:
+    """Water cooler with a bottle on top."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.03), (0, h * 0.72), b.mat(), "case")
+    b.box(
+        (-w * 0.35, w * 0.35),
+        (d / 2 - 0.035, d / 2 - 0.028),
+        (h * 0.42, h * 0.64),
+        "plastic_dark",
+        "niche",
+        False,
+    )
+    for x, color in ((-0.05, "plastic_red"), (0.05, "plastic_blue")):
+        b.box(
+            (x - 0.012, x + 0.012), (d / 2 - 0.03, d / 2), (h * 0.56, h * 0.6), color, "taps", False
+        )
+    b.box(
+        (-w * 0.35, w * 0.35),
+        (d / 2 - 0.03, d / 2),
+        (h * 0.4, h * 0.42),
+        "metal_steel",
+        "tray",
+        False,
+    )
+    r = min(w, d) * 0.42
+    b.lathe(
+        [(r * 0.4, h * 0.72), (r, h * 0.77), (r, h * 0.97), (r * 0.85, h)],
+        "glass_blue",
+        (0, -0.01),
+        "bottle",
+    )

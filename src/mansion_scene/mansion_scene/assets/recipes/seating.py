@@ -1,0 +1,383 @@
+"""Chairs, stools, benches, sofas."""
+
+import math
+
+from mansion_scene.assets.builder import Box, Builder
+from mansion_scene.assets.registry import recipe
+
+__all__: list[str] = []
+
+
+@recipe("chair")
+def chair(b: Builder) -> None:
+    """Seat on four legs or a cantilever, with a back."""
+    w, d, h = b.w, b.d, b.h
+    seat = b.tops[0].z
+    frame = b.mat("frame", b.mat())
+    soft = b.mat().startswith(("fabric", "leather"))
+    r = 0.011 if b.p.get("frame") else 0.019
+    low = seat - (0.07 if soft else 0.035)
+    style = b.p.get("frame", "legs")
+    for sx in (-1, 1):
+        x = sx * (w / 2 - r)
+        back, front = -d / 2 + 0.05, d / 2 - 0.03
+        if style == "cantilever":
+            b.path([(x, back, r), (x, front, r), (x, front, seat * 0.95), (x, back, low)], r, frame)
+        else:
+            for y in (back, front):
+                b.box((x - r, x + r), (y - r, y + r), (0, low), frame, "legs")
+        b.box((x - r, x + r), (-d / 2, -d / 2 + 2 * r), (seat - 0.05, h - 0.03), frame, "frame")
+    if soft:
+        b.cushion(
+            (-w / 2 + 0.015, w / 2 - 0.015), (-d / 2 + 0.05, d / 2), (low, seat), b.mat(), "seat"
+        )
+        b.cushion(
+            (-w / 2 + 0.02, w / 2 - 0.02), (-d / 2, -d / 2 + 0.07), (seat + 0.1, h), b.mat(), "back"
+        )
+    else:
+        b.box((-w / 2, w / 2), (-d / 2 + 0.04, d / 2), (low, seat), b.mat(), "seat")
+        b.box(
+            (-w / 2 + 0.02, w / 2 - 0.02),
+            (-d / 2, -d / 2 + 0.025),
+            (h - (h - seat) * 0.55, h),
+            b.mat(),
+            "back",
+        )
+    if b.p.get("tablet"):
+        b.box(
+            (w / 2 - 0.28, w / 2),
+            (0.0, d / 2),
+            (seat + 0.22, seat + 0.24),
+            "wood_birch",
+            "tablet",
+            False,
+        )
+
+
+@recipe("swivel_chair")
+def swivel_chair(b: Builder) -> None:
+    """Five-armed base, gas spring, upholstered seat and back, arm rests."""
+    w, d, h = b.w, b.d, b.h
+    seat = b.tops[0].z
+    dark = "plastic_black"
+    for k in range(5):
+        angle = math.pi / 2 + k * 2 * math.pi / 5
+        x, y = math.cos(angle) * (w / 2 - 0.035), math.sin(angle) * (d / 2 - 0.035)
+        b.rod((0, 0, 0.1), (x, y, 0.065), 0.02, "metal_chrome", "base")
+        b.rod((x - 0.012, y, 0.03), (x + 0.012, y, 0.03), 0.03, dark, "wheels", n=10)
+    b.cyl(0, 0, (0.07, seat - 0.09), 0.03, "metal_chrome", "column")
+    b.boxes.append(Box((0.0, 0.0, 0.05), (w * 0.8, d * 0.8, 0.09)))
+    b.cushion(
+        (-w * 0.42, w * 0.42), (-d * 0.32, d * 0.44), (seat - 0.09, seat), b.mat(), "seat", n=12
+    )
+    b.box((-0.04, 0.04), (-d * 0.4, -d * 0.34), (seat - 0.06, seat + 0.16), dark, "bracket", False)
+    b.cushion((-w * 0.38, w * 0.38), (-d / 2, -d * 0.36), (seat + 0.1, h), b.mat(), "back", n=12)
+    for sx in (-1, 1):
+        x = sx * w * 0.47
+        b.box((x - 0.03, x + 0.03), (-d * 0.22, d * 0.22), (seat + 0.19, seat + 0.22), dark, "arms")
+        b.box((x - 0.015, x + 0.015), (-0.03, 0.03), (seat - 0.06, seat + 0.2), dark, "arms", False)
+
+
+@recipe("stool")
+def stool(b: Builder) -> None:
+    """Round, square or cushioned seat without a back."""
+    w, d, h = b.w, b.d, b.h
+    style, main = b.p.get("style", "legs"), b.mat()
+    frame = b.mat("frame", "metal_black" if style in ("bar", "swivel") else main)
+    thick = min(0.05, h * 0.15)
+    if style == "drum":
+        b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, h), main, "seat", 0.35, 20)
+    elif b.p.get("shape") == "cushion":
+        b.legs((0, h * 0.25), 0.025, "wood_walnut")
+        b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.22, h), main, "seat", 0.3, 12)
+    elif style in ("bar", "swivel"):
+        b.cyl(0, 0, (0, 0.025), w * 0.45, frame, "base", n=24)
+        b.cyl(0, 0, (0.02, h - thick), 0.028, "metal_chrome", "column")
+        if style == "bar":
+            b.lathe(
+                [(w * 0.3, h * 0.3), (w * 0.32, h * 0.31), (w * 0.3, h * 0.325)],
+                "metal_chrome",
+                part="ring",
+                solid=False,
+            )
+        b.cyl(0, 0, (h - thick - 0.02, h), w / 2, main, "seat", n=24)
+    else:
+        r = 0.02
+        for sx in (-1, 1):
+            for sy in (-1, 1):
+                foot = (sx * (w / 2 - r), sy * (d / 2 - r), 0.0)
+                b.rod(foot, (sx * w * 0.33, sy * d * 0.33, h - thick), r, frame, "legs")
+        b.boxes.append(_leg_box(b, h - thick))
+        if b.p.get("shape") == "rect":
+            b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - thick, h), main, "seat")
+        else:
+            b.lathe(
+                [(0.48, h - thick), (0.5, h - thick / 2), (0.49, h)],
+                main,
+                stretch=(w, d),
+                part="seat",
+                n=24,
+            )
+
+
+def _leg_box(b: Builder, high: float) -> Box:
+    return Box((0.0, 0.0, high / 2), (b.w * 0.9, b.d * 0.9, high))
+
+
+@recipe("bench")
+def bench(b: Builder) -> None:
+    """Slatted or upholstered bench, with or without a back; tiers for a sauna."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    if b.p.get("style") == "tiered":
+        _slats(b, (-w / 2, w / 2), (0, d / 2), h * 0.45, main)
+        _slats(b, (-w / 2, w / 2), (-d / 2, 0), h, main)
+        return
+    seat = h if not b.p.get("back") else min(0.46, h * 0.52)
+    r = 0.03
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.1)
+        b.box((x - r, x + r), (-d / 2 + 0.02, d / 2 - 0.02), (0, 0.04), "metal_dark", "legs")
+        b.box((x - r, x + r), (-r, r), (0.03, seat - 0.04), "metal_dark", "legs")
+    if b.p.get("style") == "cushion" or main.startswith("leather"):
+        b.box(
+            (-w / 2 + 0.02, w / 2 - 0.02),
+            (-d / 2 + 0.02, d / 2 - 0.02),
+            (seat - 0.12, seat - 0.06),
+            "wood_walnut",
+            "frame",
+        )
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (seat - 0.07, seat), main, "seat")
+    else:
+        count = max(3, round(d / 0.12))
+        step = d / count
+        for k in range(count):
+            y = -d / 2 + k * step
+            b.box(
+                (-w / 2, w / 2),
+                (y + 0.004, y + step - 0.004),
+                (seat - 0.04, seat),
+                main,
+                "seat",
+                k in (0, count - 1),
+            )
+        b.boxes.append(_seat_box(b, seat))
+    if b.p.get("back"):
+        if b.p.get("panel"):
+            b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.04), (0, h), main, "back")
+        else:
+            for z in (seat + 0.14, seat + 0.28, h - 0.07):
+                b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.03), (z, z + 0.07), main, "back")
+            for sx in (-1, 1):
+                x = sx * (w / 2 - 0.1)
+                b.box(
+                    (x - r, x + r),
+                    (-d / 2 + 0.03, -d / 2 + 0.06),
+                    (seat - 0.04, h - 0.02),
+                    "metal_dark",
+                    "back",
+                )
+
+
+def _seat_box(b: Builder, seat: float) -> Box:
+    return Box((0.0, 0.0, seat - 0.02), (b.w, b.d, 0.04))
+
+
+def _slats(b: Builder, x: tuple[float, float], y: tuple[float, float], z: float, main: str) -> None:
+    count = max(3, round((y[1] - y[0]) / 0.1))
+    step = (y[1] - y[0]) / count
+    for k in range(count):
+        b.box(x, (y[0] + k * step, y[0] + (k + 1) * step - 0.015), (z - 0.03, z), main, "slats")
+    b.box((x[0], x[1]), (y[1] - 0.03, y[1] - 0.015), (0, z - 0.03), main, "front")
+
+
+@recipe("sofa")
+def sofa(b: Builder) -> None:
+    """Armchair or sofa: base, seat cushions, back cushions, arms, short legs."""
+    w, d, h = b.w, b.d, b.h
+    seat = b.tops[0]
+    main = b.mat()
+    arms = b.p.get("arms") is not False
+    arm = (w / 2 - seat.x1 - 0.02) if arms else 0.0
+    back = seat.y0 - 0.02 + d / 2
+    sharp = 0.22 if b.p.get("style") == "block" else 0.45
+    foot = min(0.1, seat.z * 0.25)
+    b.legs((0, foot), 0.022, "wood_walnut", 0.03)
+    b.box(
+        (-w / 2 + 0.01, w / 2 - 0.01),
+        (-d / 2 + 0.02, d / 2 - 0.03),
+        (foot, seat.z * 0.62),
+        main,
+        "base",
+    )
+    inner = w - 2 * arm
+    count = max(1, round(inner / 0.72))
+    for k in range(count):
+        x0 = -inner / 2 + k * inner / count
+        x1 = x0 + inner / count
+        b.cushion(
+            (x0 + 0.004, x1 - 0.004),
+            (-d / 2 + back, d / 2),
+            (seat.z * 0.6, seat.z),
+            main,
+            "seat",
+            sharp,
+            12,
+        )
+        b.cushion(
+            (x0 + 0.004, x1 - 0.004),
+            (-d / 2 + back * 0.35, -d / 2 + back * 1.05),
+            (seat.z - 0.02, h - 0.02),
+            main,
+            "back",
+            sharp,
+            12,
+        )
+    b.cushion((-w / 2, w / 2), (-d / 2, -d / 2 + back * 0.55), (foot, h), main, "back", 0.3, 12)
+    if arms:
+        top = seat.z + min(0.2, (h - seat.z) * 0.5)
+        for sx in (-1, 1):
+            lo, hi = sorted((sx * w / 2, sx * (w / 2 - arm)))
+            b.cushion((lo, hi), (-d / 2 + 0.04, d / 2 - 0.01), (foot, top), main, "arms", 0.4, 12)
+
+
+@recipe("seat_row")
+def seat_row(b: Builder) -> None:
+    """Seats on one beam, or a row of upholstered theatre seats."""
+    w, d, h = b.w, b.d, b.h
+    count, main = int(b.p.get("seats", 3)), b.mat()
+    seat = b.tops[0].z
+    step = w / count
+    plush = b.p.get("style") == "plush"
+    if not plush:
+        b.box(
+            (-w / 2 + 0.05, w / 2 - 0.05),
+            (-0.04, 0.04),
+            (seat - 0.14, seat - 0.08),
+            "metal_black",
+            "beam",
+        )
+        for sx in (-1, 1):
+            x = sx * (w / 2 - 0.3)
+            b.box(
+                (x - 0.03, x + 0.03),
+                (-d / 2 + 0.02, d / 2 - 0.02),
+                (0, 0.04),
+                "metal_black",
+                "legs",
+            )
+            b.box((x - 0.03, x + 0.03), (-0.04, 0.04), (0.03, seat - 0.1), "metal_black", "legs")
+    for k in range(count):
+        x0 = -w / 2 + k * step
+        b.cushion(
+            (x0 + 0.04, x0 + step - 0.04),
+            (-d / 2 + 0.14, d / 2),
+            (seat - (0.16 if plush else 0.06), seat),
+            main,
+            "seat",
+            0.4,
+        )
+        b.cushion(
+            (x0 + 0.03, x0 + step - 0.03),
+            (-d / 2, -d / 2 + 0.15),
+            (seat - 0.04 if plush else seat + 0.06, h),
+            main,
+            "back",
+            0.4,
+        )
+    for k in range(count + 1):
+        x = min(max(-w / 2 + k * step, -w / 2 + 0.03), w / 2 - 0.03)
+        if plush:
+            b.box(
+                (x - 0.03, x + 0.03),
+                (-d / 2 + 0.05, d / 2 - 0.12),
+                (0, seat + 0.16),
+                "wood_black",
+                "arms",
+            )
+        else:
+            b.box(
+                (x - 0.02, x + 0.02),
+                (-d * 0.2, d * 0.3),
+                (seat + 0.15, seat + 0.18),
+                "metal_black",
+                "arms",
+                False,
+            )
+
+
+@recipe("recliner")
+def recliner(b: Builder) -> None:
+    """Dental, barber's or wash chair: pedestal, seat, tilted back, head rest, foot rest."""
+    w, d, h = b.w, b.d, b.h
+    style, main = b.p.get("style", "salon"), b.mat()
+    cw = min(w, 0.62)
+    seat = min(0.55, h * 0.48)
+    b.cyl(0, 0, (0, 0.06), min(cw, d) * 0.42, "metal_chrome", "base", n=24)
+    b.cyl(0, 0, (0.05, seat - 0.1), 0.07, "metal_chrome", "column")
+    b.cushion((-cw / 2, cw / 2), (-d * 0.15, d * 0.28), (seat - 0.12, seat), main, "seat")
+    lean = -d / 2 + 0.03
+    b.prism(
+        [(-d * 0.17, seat - 0.05), (-d * 0.1, seat), (lean + 0.12, h - 0.02), (lean, h - 0.05)],
+        (-cw * 0.42, cw * 0.42),
+        main,
+        part="back",
+    )
+    b.cushion((-0.14, 0.14), (-d / 2, -d / 2 + 0.2), (h - 0.18, h), main, "head")
+    b.prism(
+        [
+            (d * 0.26, seat - 0.1),
+            (d * 0.28, seat - 0.02),
+            (d / 2, seat * 0.45),
+            (d / 2 - 0.06, seat * 0.4),
+        ],
+        (-cw * 0.36, cw * 0.36),
+        main,
+        part="foot",
+    )
+    for sx in (-1, 1):
+        x = sx * (cw / 2 - 0.03)
+        b.box(
+            (x - 0.03, x + 0.03),
+            (-d * 0.12, d * 0.2),
+            (seat + 0.14, seat + 0.18),
+            "plastic_black",
+            "arms",
+        )
+    if style == "dental":
+        b.rod(
+            (w / 2 - 0.06, -0.1, 0.0),
+            (w / 2 - 0.06, -0.1, h - 0.12),
+            0.03,
+            "metal_white",
+            "arm",
+            solid=True,
+        )
+        b.rod((w / 2 - 0.06, -0.1, h - 0.12), (0.1, 0.15, h - 0.05), 0.018, "metal_white", "arm")
+        b.ball((0.08, 0.16, h - 0.06), (0.1, 0.07, 0.05), "light_white", "lamp")
+        b.box((-w / 2, -w / 2 + 0.3), (0, 0.35), (seat + 0.2, seat + 0.23), "metal_steel", "tray")
+    if style == "wash":
+        b.lathe(
+            [(0.12, h * 0.62), (0.22, h * 0.8), (0.2, h * 0.8), (0.08, h * 0.68)],
+            "ceramic_white",
+            (0, -d / 2 + 0.22),
+            "basin",
+            stretch=(1.2, 1.0),
+        )
+
+
+@recipe("picnic")
+def picnic(b: Builder) -> None:
+    """Table with two benches in one frame."""
+    w, d, h = b.w, b.d, b.h
+    for k in range(5):
+        y = -0.36 + k * 0.146
+        b.box((-w / 2, w / 2), (y, y + 0.135), (h - 0.04, h), b.mat(), "top")
+    for sy in (-1, 1):
+        y = sy * (d / 2 - 0.13)
+        b.box((-w / 2, w / 2), (y - 0.13, y + 0.13), (0.41, 0.45), b.mat(), "benches")
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.25)
+        b.rod((x, -d / 2 + 0.1, 0), (x, 0.1 - 0.3, h - 0.04), 0.03, b.mat(), "legs")
+        b.rod((x, d / 2 - 0.1, 0), (x, 0.2, h - 0.04), 0.03, b.mat(), "legs")
+        b.box((x - 0.03, x + 0.03), (-d / 2 + 0.04, d / 2 - 0.04), (0.36, 0.41), b.mat(), "legs")

@@ -1,0 +1,517 @@
+"""Shelves, cabinets, racks, boxes."""
+
+from mansion_scene.assets.builder import Box, Builder, Rect
+from mansion_scene.assets.registry import recipe
+from mansion_scene.catalogue.surfaces import BOARD
+
+__all__: list[str] = []
+
+_BOOKS = (
+    "paper_red",
+    "paper_blue",
+    "paper_green",
+    "paper_brown",
+    "paper_beige",
+    "paper_dark",
+    "paper_orange",
+)
+_GOODS = (
+    "paper_red",
+    "paper_yellow",
+    "paper_blue",
+    "paper_green",
+    "paper_orange",
+    "plastic_white",
+    "paper_purple",
+)
+
+
+def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
+    """Show goods in a compartment; they are part of the mesh, and the compartment is no receptacle."""
+    room = cell.top - cell.z
+    step, palette = {
+        "books": (0.045, _BOOKS), "folders": (0.08, ("paper_dark", "paper_blue", "paper_grey")),
+        "groceries": (0.1, _GOODS), "medicine": (0.06, ("paper_white", "paper_blue", "paper_green")),
+        "boxes": (0.36, ("paper_brown", "paper_beige")), "bins": (0.2, ("plastic_blue", "plastic_red")),
+        "bottles": (0.09, ("glass_green", "glass_brown")), "toys": (0.17, _GOODS), "bags": (0.32, ("fabric_red", "fabric_blue", "fabric_green")),
+        "shoes": (0.13, ("leather_brown", "fabric_white", "leather_black")), "linen": (0.36, ("fabric_white", "fabric_beige")),
+        "magazines": (0.2, _GOODS), "plants": (0.22, ("leaf_green",)),
+    }.get(fill, (0.2, _GOODS))  # fmt: skip
+    count = max(1, int((cell.x1 - cell.x0) / step))
+    step = (cell.x1 - cell.x0) / count
+    tall = {"books": 0.78, "folders": 0.85, "magazines": 0.9, "shoes": 0.4, "boxes": 0.72}.get(
+        fill, 0.66
+    )
+    mid = (cell.y0 + cell.y1) / 2
+    for k in range(count):
+        mark = (k * 7 + key * 13 + k * k * 3) % 11
+        height = room * tall * (0.8 + 0.02 * mark)
+        x0 = cell.x0 + k * step
+        color = palette[(mark + k) % len(palette)]
+        back = cell.y0 + 0.01 + 0.002 * mark
+        front = min(cell.y1 - 0.01, back + depth * (0.8 if fill != "magazines" else 0.3))
+        if fill in ("bottles", "plants"):
+            b.cyl(
+                x0 + step / 2,
+                mid,
+                (cell.z, cell.z + height),
+                step * 0.4,
+                color,
+                "goods",
+                n=8,
+                solid=False,
+            )
+        elif fill == "books" and mark == 3:
+            continue
+        else:
+            b.box(
+                (x0 + 0.002, x0 + step - 0.002),
+                (back, front),
+                (cell.z, cell.z + height),
+                color,
+                "goods",
+                False,
+            )
+
+
+@recipe("shelf")
+def shelf(b: Builder) -> None:
+    """Boards between sides or posts; filled where the surface rule says that they are not free."""
+    w, d, h = b.w, b.d, b.h
+    count = int(b.p.get("levels", max(2, round(h / 0.38))))
+    base = float(b.p.get("base", 0.08 if h > 0.5 else 0.03))
+    heights = [base + (h - base) * i / count for i in range(count)]
+    main, posts, double = b.mat(), b.p.get("frame") == "posts", b.p.get("sides") == 2
+    if posts:
+        b.legs((0, h), 0.018, main, 0.0)
+    else:
+        for sx in (-1, 1):
+            lo, hi = sorted((sx * w / 2, sx * (w / 2 - BOARD)))
+            b.box((lo, hi), (-d / 2, d / 2), (0, h), main, "sides")
+    if double:
+        b.box((-w / 2, w / 2), (-0.012, 0.012), (0.02, h), main, "back")
+    elif not posts:
+        b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.01), (0.02, h), main, "back")
+    for z in (*heights, h):
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - BOARD, z), main, "boards")
+    if base > 0.05 and not posts:
+        b.box(
+            (-w / 2, w / 2), (-d / 2 + 0.01, d / 2 - 0.02), (0, base - BOARD), main, "plinth", False
+        )
+    free = {round(t.z, 2) for t in b.tops}
+    fill = str(b.p.get("fill", "none"))
+    if fill == "none":
+        return
+    gap = (h - base) / count - BOARD
+    sides = (
+        [(0.014, d / 2 - 0.01), (-d / 2 + 0.01, -0.014)]
+        if double
+        else [(-d / 2 + 0.012, d / 2 - 0.01)]
+    )
+    for level, z in enumerate(heights):
+        if round(z, 2) in free:
+            continue
+        for y0, y1 in sides:
+            goods(b, fill, Rect(-w / 2 + 0.03, w / 2 - 0.03, y0, y1, z, z + gap), y1 - y0, level)
+
+
+@recipe("cabinet")
+def cabinet(b: Builder) -> None:
+    """Carcass with doors or drawers, plinth or castors, handles, a worktop where it has one."""
+    w, d, h = b.w, b.d, b.h
+    cols, rows = int(b.p.get("cols", 2)), int(b.p.get("rows", 1))
+    plinth = float(b.p.get("plinth", min(0.08, h * 0.1)))
+    front, main = str(b.p.get("front", "drawers")), b.mat()
+    z1 = h
+    if b.p.get("top"):
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - BOARD, h), str(b.p["top"]), "top")
+        z1 = h - BOARD
+    face = d / 2 - 0.022
+    if front == "wheels":
+        b.wheels(0.045)
+    elif plinth > 0.01:
+        b.box(
+            (-w / 2 + 0.015, w / 2 - 0.015),
+            (-d / 2 + 0.01, face - 0.03),
+            (0, plinth),
+            "plastic_dark",
+            "plinth",
+        )
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * (w / 2 - BOARD)))
+        b.box((lo, hi), (-d / 2, face), (plinth, z1), main, "sides")
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.015), (plinth, z1), main, "back")
+    width, height = (w - BOARD) / cols, (h - plinth - BOARD) / rows
+    for row in range(rows + 1):
+        z = plinth + row * height
+        b.box((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD), main, "boards")
+    for col in range(1, cols):
+        x = -w / 2 + col * width
+        b.box((x, x + BOARD), (-d / 2, face), (plinth, z1), main, "sides")
+    for row in range(rows):
+        for col in range(cols):
+            x0, z0 = -w / 2 + BOARD / 2 + col * width, plinth + BOARD / 2 + row * height
+            _front(
+                b,
+                front,
+                (x0 + 0.002, x0 + width - 0.002),
+                (z0 + 0.002, z0 + height - 0.002),
+                face,
+                (row, col),
+            )
+
+
+def _front(
+    b: Builder,
+    style: str,
+    x: tuple[float, float],
+    z: tuple[float, float],
+    face: float,
+    place: tuple[int, int],
+) -> None:
+    """One door or drawer front with its handle, slightly apart from its neighbours."""
+    main, y = b.mat(), (face + 0.001, face + 0.016)
+    grip = (face + 0.016, b.d / 2)
+    xm, zm = (x[0] + x[1]) / 2, (z[0] + z[1]) / 2
+    if style == "glass":
+        b.box(x, y, z, "glass_clear", "doors", False)
+        for z0, z1 in ((z[0], z[0] + 0.04), (z[1] - 0.04, z[1])):
+            b.box(x, y, (z0, z1), main, "doors", False)
+    elif style == "recycle":
+        b.box(x, y, z, main, "doors", False)
+        color = ("plastic_blue", "plastic_yellow", "plastic_green", "plastic_grey")[place[1] % 4]
+        b.box(
+            (x[0] + 0.03, x[1] - 0.03),
+            (y[1], grip[1]),
+            (z[1] - 0.22, z[1] - 0.06),
+            color,
+            "labels",
+            False,
+        )
+        b.box(
+            (xm - 0.07, xm + 0.07),
+            (y[1], grip[1] - 0.001),
+            (z[1] - 0.36, z[1] - 0.27),
+            "plastic_black",
+            "slots",
+            False,
+        )
+        return
+    elif style == "slot":
+        b.box(x, y, z, main, "doors", False)
+        b.box(
+            (x[0] + 0.1, x[1] - 0.1),
+            (y[1], grip[1]),
+            (z[1] - 0.25, z[1] - 0.18),
+            "plastic_black",
+            "slots",
+            False,
+        )
+        return
+    else:
+        b.box(x, y, z, main, "doors" if style != "drawers" else "drawers", False)
+    if style == "locker":
+        for k in range(3):
+            b.box(
+                (xm - 0.06, xm + 0.06),
+                (y[1], y[1] + 0.003),
+                (z[1] - 0.1 - k * 0.02, z[1] - 0.09 - k * 0.02),
+                "plastic_dark",
+                "vents",
+                False,
+            )
+    if style == "safe":
+        b.rod((xm, y[1], zm), (xm, grip[1], zm), min(b.w, b.h) * 0.12, "metal_steel", "dial", 16)
+    elif style in ("doors", "glass", "locker"):
+        left = place[1] % 2 == 1 or b.p.get("cols", 2) == 1
+        hx = x[0] + 0.04 if left else x[1] - 0.04
+        b.box(
+            (hx - 0.006, hx + 0.006), grip, (zm - 0.07, zm + 0.07), "metal_steel", "handles", False
+        )
+    else:
+        half = min(0.07, (x[1] - x[0]) * 0.3)
+        level = zm if style != "lid" else z[1] - 0.05
+        b.box(
+            (xm - half, xm + half),
+            grip,
+            (level - 0.006, level + 0.006),
+            "metal_steel",
+            "handles",
+            False,
+        )
+
+
+@recipe("trolley")
+def trolley(b: Builder) -> None:
+    """Trays between posts on castors, with a push bar."""
+    w, d = b.w, b.d
+    for t in b.tops:
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (t.z - 0.025, t.z), b.mat(), "trays")
+    for sx in (-1, 1):
+        for sy in (-1, 1):
+            x, y = sx * (w / 2 - 0.02), sy * (d / 2 - 0.02)
+            b.rod((x, y, 0.09), (x, y, b.h - 0.012), 0.012, "metal_steel", "posts", solid=True)
+    for sx in (-1, 1):
+        b.rod(
+            (sx * (w / 2 - 0.02), -d / 2 + 0.02, b.h - 0.012),
+            (sx * (w / 2 - 0.02), d / 2 - 0.02, b.h - 0.012),
+            0.012,
+            "metal_steel",
+            "rail",
+        )
+    b.wheels(0.05)
+    fill = str(b.p.get("fill", "none"))
+    if fill != "none":
+        t = b.tops[-1]
+        goods(b, fill, Rect(t.x0, t.x1, t.y0, t.y1, 0.12, t.z - 0.05), d * 0.8, 1)
+
+
+@recipe("pallet_rack")
+def pallet_rack(b: Builder) -> None:
+    """Uprights and beams with loaded pallets."""
+    w, d, h = b.w, b.d, b.h
+    for sx in (-1, 1):
+        for sy in (-1, 1):
+            x, y = sx * (w / 2 - 0.05), sy * (d / 2 - 0.05)
+            b.box((x - 0.05, x + 0.05), (y - 0.05, y + 0.05), (0, h), b.mat(), "posts")
+        b.rod(
+            (sx * (w / 2 - 0.05), -d / 2 + 0.05, 0.2),
+            (sx * (w / 2 - 0.05), d / 2 - 0.05, h * 0.5),
+            0.02,
+            b.mat(),
+            "braces",
+        )
+        b.rod(
+            (sx * (w / 2 - 0.05), d / 2 - 0.05, h * 0.5),
+            (sx * (w / 2 - 0.05), -d / 2 + 0.05, h * 0.95),
+            0.02,
+            b.mat(),
+            "braces",
+        )
+    levels = (0.12, h * 0.36, h * 0.68)
+    for n, z in enumerate(levels):
+        for sy in (-1, 1):
+            y = sy * (d / 2 - 0.05)
+            b.box(
+                (-w / 2 + 0.1, w / 2 - 0.1),
+                (y - 0.03, y + 0.03),
+                (z - 0.12, z),
+                "metal_orange",
+                "beams",
+            )
+        count = 2 if w > 2.0 else 1
+        for k in range(count):
+            x0 = -w / 2 + 0.12 + k * (w - 0.24) / count
+            x1 = x0 + (w - 0.24) / count - 0.06
+            b.box((x0, x1), (-d / 2 + 0.02, d / 2 - 0.02), (z, z + 0.1), "wood_birch", "pallets")
+            top = z + 0.1 + (h * 0.3 - 0.26) * (1.0, 0.75, 0.9)[(n + k) % 3]
+            b.box(
+                (x0 + 0.03, x1 - 0.03),
+                (-d / 2 + 0.06, d / 2 - 0.06),
+                (z + 0.1, top),
+                ("paper_brown", "paper_beige", "plastic_blue")[(n * 2 + k) % 3],
+                "loads",
+            )
+
+
+@recipe("pallet")
+def pallet(b: Builder) -> None:
+    """A pallet of cartons, or a stack of empty pallets."""
+    w, d, h = b.w, b.d, b.h
+    count = max(2, round(h / 0.15)) if b.p.get("style") == "stack" else 1
+    high = h / count if count > 1 else 0.145
+    for k in range(count):
+        z = k * high
+        for sy in (-1, 0, 1):
+            b.box(
+                (-w / 2, w / 2),
+                (sy * (d / 2 - 0.06) - 0.06, sy * (d / 2 - 0.06) + 0.06),
+                (z, z + high - 0.05),
+                "wood_birch",
+                "blocks",
+                False,
+            )
+        for j in range(5):
+            y = -d / 2 + j * (d - 0.12) / 4
+            b.box(
+                (-w / 2, w / 2),
+                (y, y + 0.12),
+                (z + high - 0.05, z + high - 0.01 * (count > 1)),
+                "wood_birch",
+                "boards",
+                False,
+            )
+    if count > 1:
+        b.boxes.append(_whole(b))
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.02, h), "wood_birch", "boards", False)
+        return
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, high), "wood_birch", "deck", False)
+    rows = max(1, round((h - high) / 0.3))
+    step = (h - high) / rows
+    for k in range(rows):
+        for i in range(3):
+            for j in range(2):
+                x0, y0 = -w / 2 + 0.01 + i * (w - 0.02) / 3, -d / 2 + 0.01 + j * (d - 0.02) / 2
+                color = "paper_brown" if (i + j + k) % 3 else "paper_beige"
+                z = high + k * step
+                b.box(
+                    (x0, x0 + (w - 0.02) / 3 - 0.006),
+                    (y0, y0 + (d - 0.02) / 2 - 0.006),
+                    (z, z + step - (0.006 if k < rows - 1 else 0)),
+                    color,
+                    "cartons",
+                    False,
+                )
+    b.boxes.append(_whole(b))
+
+
+def _whole(b: Builder) -> Box:
+    return Box((0.0, 0.0, b.h / 2), (b.w, b.d, b.h))
+
+
+@recipe("crate")
+def crate(b: Builder) -> None:
+    """Open box of slats or plastic."""
+    w, d, h = b.w, b.d, b.h
+    t = min(0.025, w * 0.05)
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, t), b.mat(), "bottom")
+    count = max(2, round(h / 0.15))
+    for k in range(count):
+        z0, z1 = h * k / count + 0.006 * (k > 0), h * (k + 1) / count - 0.006 * (k < count - 1)
+        for sy in (-1, 1):
+            lo, hi = sorted((sy * d / 2, sy * (d / 2 - t)))
+            b.box((-w / 2, w / 2), (lo, hi), (z0, z1), b.mat(), "slats")
+        for sx in (-1, 1):
+            lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
+            b.box((lo, hi), (-d / 2, d / 2), (z0, z1), b.mat(), "slats")
+
+
+@recipe("rack")
+def server_rack(b: Builder) -> None:
+    """Server cabinet with a perforated door and lit units."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.03), (0.05, h), b.mat(), "case")
+    b.box(
+        (-w / 2 + 0.02, w / 2 - 0.02),
+        (-d / 2 + 0.05, d / 2 - 0.06),
+        (0, 0.05),
+        "metal_dark",
+        "feet",
+    )
+    count = int((h - 0.3) / 0.09)
+    for k in range(count):
+        z = 0.15 + k * 0.09
+        b.box(
+            (-w / 2 + 0.06, w / 2 - 0.06),
+            (d / 2 - 0.03, d / 2 - 0.018),
+            (z, z + 0.075),
+            "metal_dark" if k % 3 else "metal_grey",
+            "units",
+            False,
+        )
+        b.box(
+            (w / 2 - 0.12, w / 2 - 0.09),
+            (d / 2 - 0.018, d / 2 - 0.014),
+            (z + 0.03, z + 0.045),
+            "light_green" if k % 4 else "light_blue",
+            "leds",
+            False,
+        )
+    for x in (-w / 2 + 0.025, w / 2 - 0.025):
+        b.box((x - 0.025, x + 0.025), (d / 2 - 0.03, d / 2), (0.05, h), b.mat(), "door", False)
+    b.box((-w / 2, w / 2), (d / 2 - 0.03, d / 2), (h - 0.06, h), b.mat(), "door", False)
+
+
+@recipe("luggage_rack")
+def luggage_rack(b: Builder) -> None:
+    """Folding stand with straps."""
+    w, d, h = b.w, b.d, b.h
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.02)
+        b.rod(
+            (x, -d / 2 + 0.02, 0.0), (x, d / 2 - 0.02, h - 0.02), 0.018, b.mat(), "legs", solid=True
+        )
+        b.rod((x, d / 2 - 0.02, 0.0), (x, -d / 2 + 0.02, h - 0.02), 0.018, b.mat(), "legs")
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.012, h), "fabric_dark", "straps")
+    for sy in (-1, 1):
+        y = sy * (d / 2 - 0.018)
+        b.rod((-w / 2, y, h - 0.02), (w / 2, y, h - 0.02), 0.018, b.mat(), "rails")
+
+
+@recipe("vitrine")
+def vitrine(b: Builder) -> None:
+    """Glass case on a base, with exhibits, bread, fish or a cradle."""
+    w, d, h = b.w, b.d, b.h
+    base = float(b.p.get("base", min(0.9, h * 0.55)))
+    fill, main = b.p.get("fill", "none"), b.mat()
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base - 0.02), main, "base")
+    b.box(
+        (-w / 2, w / 2),
+        (-d / 2, d / 2),
+        (h - 0.03, h),
+        main if fill != "exhibit" else "metal_dark",
+        "lid",
+    )
+    glass = "glass_clear"
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.01)))
+        b.box((lo, hi), (-d / 2, d / 2), (base - 0.02, h - 0.03), glass, "glass")
+    for sy in (-1, 1):
+        lo, hi = sorted((sy * d / 2, sy * (d / 2 - 0.01)))
+        b.box((-w / 2, w / 2), (lo, hi), (base - 0.02, h - 0.03), glass, "glass")
+    levels = int(b.p.get("levels", 1))
+    step = (h - 0.03 - base) / levels
+    for k in range(levels):
+        z = base + k * step
+        b.box(
+            (-w / 2 + 0.012, w / 2 - 0.012),
+            (-d / 2 + 0.012, d / 2 - 0.012),
+            (z - 0.02, z),
+            "fabric_white" if fill == "exhibit" else main,
+            "boards",
+            False,
+        )
+        _exhibits(b, str(fill), z, step)
+
+
+def _exhibits(b: Builder, fill: str, z: float, room: float) -> None:
+    w, d = b.w, b.d
+    if fill == "water":
+        b.box(
+            (-w / 2 + 0.012, w / 2 - 0.012),
+            (-d / 2 + 0.012, d / 2 - 0.012),
+            (z, z + room * 0.85),
+            "glass_blue",
+            "water",
+            False,
+        )
+        for k in range(6):
+            x = -w * 0.35 + k * w * 0.14
+            b.ball(
+                (x, 0.05 * (-1) ** k, z + room * (0.2 + 0.1 * (k % 4))),
+                (0.04, 0.012, 0.02),
+                "paint_orange",
+                "fish",
+                8,
+                False,
+            )
+    elif fill == "cradle":
+        b.cushion(
+            (-w * 0.4, w * 0.4),
+            (-d * 0.38, d * 0.38),
+            (z, z + 0.06),
+            "fabric_white",
+            "mattress",
+            solid=False,
+        )
+    elif fill == "bread":
+        for k in range(max(2, int(w / 0.22))):
+            x = -w / 2 + 0.13 + k * 0.22
+            b.ball(
+                (x, 0, z + 0.05),
+                (0.08, min(0.14, d * 0.3), 0.05),
+                ("food_brown", "food_beige")[k % 2],
+                "bread",
+                8,
+                False,
+            )
