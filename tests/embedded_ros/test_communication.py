@@ -93,7 +93,9 @@ def test_publishing_another_type_raises(node: Any) -> None:
 
 
 def test_incompatible_qos_is_warned_of(node: Any, capfd: Any) -> None:
-    node.create_publisher(String, "qos", QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))
+    node.create_publisher(
+        String, "qos", QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+    )
     node.create_subscription(String, "qos", print, 1)
     spin_until(node, lambda: False, 0.3)
     errors = capfd.readouterr().err
@@ -136,7 +138,7 @@ def test_calls_without_a_server_time_out(node: Any) -> None:
     assert not client.wait_for_service(0.05)
     assert client.call(Trigger.Request(), timeout_sec=0.05) is None
     assert not client._pending_requests
-    with pytest.raises(TypeError, match="expected a Trigger.Request"):
+    with pytest.raises(TypeError, match=r"expected a Trigger\.Request"):
         client.call_async(String())
 
 
@@ -217,7 +219,7 @@ def test_a_service_that_returns_no_response_raises_and_the_node_lives_on(node: A
     executor = SingleThreadedExecutor()
     executor.add_node(node)
     client.call_async(Trigger.Request())
-    with pytest.raises(TypeError, match="gave a NoneType instead of a Trigger.Response"):
+    with pytest.raises(TypeError, match=r"gave a NoneType instead of a Trigger\.Response"):
         for _ in range(20):
             executor.spin_once(0.1)
     assert executor.spin_once(0.0) is None

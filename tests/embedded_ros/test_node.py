@@ -26,6 +26,7 @@ from rclpy.time import Time
 from rosgraph_msgs.msg import Clock as ClockMsg
 from sensor_msgs.msg import Image, LaserScan
 from std_msgs.msg import ColorRGBA, String, UInt8
+
 from type_description_interfaces.srv import GetTypeDescription
 
 

@@ -181,7 +181,9 @@ def test_other_nodes_see_and_set_parameters_through_services(ros: Any, node: Any
     assert "shared" in result(client.list_parameters()).result.names
     assert result(client.describe_parameters(["shared"])).descriptors[0].name == "shared"
     assert list(result(client.get_parameter_types(["shared"])).types) == [2]
-    assert result(client.set_parameters_atomically([Parameter("shared", value=5)])).result.successful
+    assert result(
+        client.set_parameters_atomically([Parameter("shared", value=5)])
+    ).result.successful
     executor.shutdown()
     other.destroy_node()
 

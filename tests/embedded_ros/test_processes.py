@@ -171,7 +171,10 @@ def test_a_real_rclpy_elsewhere_on_the_path_is_respected(
     ("variables", "inside"),
     [
         ({}, []),
-        ({"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}, ['address="localhost"', "AllowMulticast>false"]),
+        (
+            {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"},
+            ['address="localhost"', "AllowMulticast>false"],
+        ),
         ({"ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF"}, ["<Tag>", "ParticipantIndex>none"]),
         ({"ROS_STATIC_PEERS": "10.0.0.1;host"}, ['address="10.0.0.1"', 'address="host"']),
         ({"CYCLONEDDS_URI": "file:///x.xml"}, [",file:///x.xml"]),

@@ -195,9 +195,33 @@ def spin_until_future_complete(
 
 
 _SUBMODULES = frozenset(
-    "action callback_groups client clock constants duration event_handler exceptions executors "
-    "guard_condition lifecycle logging node parameter_client parameter_event_handler publisher qos "
-    "qos_event serialization service subscription time timer topic_endpoint_info wait_for_message".split()
+    [
+        "action",
+        "callback_groups",
+        "client",
+        "clock",
+        "constants",
+        "duration",
+        "event_handler",
+        "exceptions",
+        "executors",
+        "guard_condition",
+        "lifecycle",
+        "logging",
+        "node",
+        "parameter_client",
+        "parameter_event_handler",
+        "publisher",
+        "qos",
+        "qos_event",
+        "serialization",
+        "service",
+        "subscription",
+        "time",
+        "timer",
+        "topic_endpoint_info",
+        "wait_for_message",
+    ]
 )
 
 

@@ -99,7 +99,13 @@ def remove_rosout(
 
 
 def _render(
-    stamp: int, severity: LoggingSeverity, name: str, message: str, file: str, function: str, line: int
+    stamp: int,
+    severity: LoggingSeverity,
+    name: str,
+    message: str,
+    file: str,
+    function: str,
+    line: int,
 ) -> str:
     def value(match: re.Match[str]) -> str:
         key = match[1]

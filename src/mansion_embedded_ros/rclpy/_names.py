@@ -34,7 +34,10 @@ def full_name_fault(name: str, what: str = "topic name") -> Fault:
         return f"{what} must not end with a '/'", len(name) - 1
     bad = re.search(r"[^A-Za-z0-9_/]", name)
     if bad:
-        return f"{what} must not contain characters other than alphanumerics, '_', or '/'", bad.start()
+        return (
+            f"{what} must not contain characters other than alphanumerics, '_', or '/'",
+            bad.start(),
+        )
     repeated = name.find("//")
     if repeated >= 0:
         return f"{what} must not contain repeated '/'", repeated + 1

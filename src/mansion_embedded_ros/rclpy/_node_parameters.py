@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import (
@@ -14,6 +14,8 @@ from rcl_interfaces.msg import (
     ParameterValue,
     SetParametersResult,
 )
+from rclpy._parameter_callbacks import OnSet, ParameterCallbacks, PostSet, PreSet
+from rclpy._parameter_rules import double_fault, integer_fault, read_declaration
 from rclpy.exceptions import (
     InvalidParameterTypeException,
     InvalidParameterValueException,
@@ -30,12 +32,8 @@ if TYPE_CHECKING:
 
 __all__ = ["NodeParameters"]
 
-_OnSet = Callable[[list[Parameter]], SetParametersResult]
-_PreSet = Callable[[list[Parameter]], list[Parameter]]
-_PostSet = Callable[[list[Parameter]], None]
 
-
-class NodeParameters:
+class NodeParameters(ParameterCallbacks):
     """Mixed into ``Node``."""
 
     PARAM_REL_TOL = 1e-6
@@ -48,9 +46,9 @@ class NodeParameters:
         self._descriptors: dict[str, ParameterDescriptor] = {}
         self._allow_undeclared_parameters = allow_undeclared
         self._parameter_overrides = overrides
-        self._on_set_parameters_callbacks: list[_OnSet] = []
-        self._pre_set_parameters_callbacks: list[_PreSet] = []
-        self._post_set_parameters_callbacks: list[_PostSet] = []
+        self._on_set_parameters_callbacks: list[OnSet] = []
+        self._pre_set_parameters_callbacks: list[PreSet] = []
+        self._post_set_parameters_callbacks: list[PostSet] = []
         self._parameters_lock = threading.RLock()
 
     def get_fully_qualified_name(self) -> str:
@@ -102,7 +100,7 @@ class NodeParameters:
     ) -> list[Parameter]:
         wanted: list[tuple[Parameter, ParameterDescriptor]] = []
         for given in parameters:
-            parameter, descriptor = self._read_declaration(namespace, given)
+            parameter, descriptor = read_declaration(namespace, given)
             if parameter.name in self._parameters:
                 raise ParameterAlreadyDeclaredException([parameter.name])
             if not ignore_override and parameter.name in self._parameter_overrides:
@@ -126,45 +124,6 @@ class NodeParameters:
                 raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
             results.append(self._parameters[parameter.name])
         return results
-
-    def _read_declaration(
-        self, namespace: str, given: Sequence[Any]
-    ) -> tuple[Parameter, ParameterDescriptor]:
-        if not isinstance(given, list | tuple) or not 1 <= len(given) <= 3:
-            raise TypeError(f"a parameter is declared by 1 to 3 values, not {given!r}")
-        name = given[0]
-        if not isinstance(name, str):
-            raise TypeError(f"First element {name!r} at index 0 in parameters list is not a str.")
-        full = f"{namespace}{PARAMETER_SEPARATOR_STRING}{name}" if namespace else name
-        value = given[1] if len(given) > 1 else None
-        descriptor = given[2] if len(given) > 2 else ParameterDescriptor()
-        if not isinstance(descriptor, ParameterDescriptor):
-            raise TypeError(f"Third element {descriptor!r} in the tuple is no ParameterDescriptor")
-        kind = descriptor.type
-        descriptor = ParameterDescriptor(
-            **{f: getattr(descriptor, f) for f in descriptor.get_fields_and_field_types()}
-        )
-        descriptor.name = full
-        if isinstance(value, Parameter.Type):
-            if value is Parameter.Type.NOT_SET:
-                raise ValueError(f"Cannot declare parameter {full!r} of type NOT_SET")
-            descriptor.type = value.value
-            if descriptor.dynamic_typing:
-                raise ValueError(
-                    f"When declaring a parameter only providing its type, 'dynamic_typing' must be "
-                    f"False: {full!r}"
-                )
-            return Parameter(full), descriptor
-        parameter = Parameter(full, None, value)
-        if not descriptor.dynamic_typing:
-            if value is None and kind == 0:
-                raise ValueError(
-                    f"Cannot declare a statically typed parameter {full!r} with neither a default "
-                    "value nor a type: give one, or a descriptor with dynamic_typing"
-                )
-            if value is not None:
-                descriptor.type = parameter.type_.value
-        return parameter, descriptor
 
     def undeclare_parameter(self, name: str):
         """Forget a parameter.
@@ -214,9 +173,7 @@ class NodeParameters:
                 raise ParameterUninitializedException(name)
             return parameter
 
-    def get_parameter_or(
-        self, name: str, alternative_value: Parameter | None = None
-    ) -> Parameter:
+    def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
         """A parameter, or the alternative if it is not declared or has no value."""
         if alternative_value is None:
             alternative_value = Parameter(name, Parameter.Type.NOT_SET)
@@ -313,7 +270,11 @@ class NodeParameters:
         if not all(isinstance(p, Parameter) for p in parameters):
             raise TypeError("parameter must be instance of type 'rclpy.parameter.Parameter'")
         unknown = [p.name for p in parameters if p.name not in self._parameters]
-        if unknown and not self._allow_undeclared_parameters and not self._pre_set_parameters_callbacks:
+        if (
+            unknown
+            and not self._allow_undeclared_parameters
+            and not self._pre_set_parameters_callbacks
+        ):
             raise ParameterNotDeclaredException(unknown)
 
     def _apply(self, parameters: list[Parameter], declaring: bool) -> SetParametersResult:
@@ -344,7 +305,9 @@ class NodeParameters:
                 else:
                     del self._parameters[parameter.name], self._descriptors[parameter.name]
                 continue
-            (new if old is None or old.type_ is Parameter.Type.NOT_SET else changed).append(parameter)
+            (new if old is None or old.type_ is Parameter.Type.NOT_SET else changed).append(
+                parameter
+            )
             if parameter.name not in self._descriptors:
                 self._descriptors[parameter.name] = ParameterDescriptor(
                     name=parameter.name, dynamic_typing=True
@@ -404,34 +367,9 @@ class NodeParameters:
                 else f"expected '{expected}'"
             )
         if parameter.type_ is Parameter.Type.INTEGER and descriptor.integer_range:
-            return self._outside(parameter, descriptor.integer_range[0], exact=True)
+            return integer_fault(parameter, descriptor.integer_range[0])
         if parameter.type_ is Parameter.Type.DOUBLE and descriptor.floating_point_range:
-            return self._outside(parameter, descriptor.floating_point_range[0], exact=False)
-        return None
-
-    def _outside(self, parameter: Parameter, limits: Any, exact: bool) -> str | None:
-        low, high, step, value = limits.from_value, limits.to_value, limits.step, parameter.value
-        bounds = f"Parameter {parameter.name} out of range Min: {low}, Max: {high}, value: {value}"
-        if exact:
-            if not low <= value <= high:
-                return bounds
-            if step and value != high and (value - low) % step:
-                return f"The parameter value for {parameter.name} is not a valid step. " + (
-                    f"Min: {low}, max: {high}, value: {value}, step: {step}"
-                )
-            return None
-
-        def close(a: float, b: float) -> bool:
-            return math.isclose(a, b, rel_tol=self.PARAM_REL_TOL)
-
-        if close(value, low) or close(value, high):
-            return None
-        if not low <= value <= high:
-            return bounds
-        if step > 0.0 and not close(low + round((value - low) / step) * step, value):
-            return f"The parameter value for {parameter.name} is not close enough to a valid step. " + (
-                f"Min: {low}, max: {high}, value: {value}, step: {step}"
-            )
+            return double_fault(parameter, descriptor.floating_point_range[0], self.PARAM_REL_TOL)
         return None
 
     def set_descriptor(
@@ -462,9 +400,7 @@ class NodeParameters:
                 descriptor.type = old.type
             candidate = current
             if alternative_value is not None and self._fault(current, descriptor, True):
-                candidate = Parameter.from_parameter_msg(
-                    _named_value(name, alternative_value)
-                )
+                candidate = Parameter.from_parameter_msg(_named_value(name, alternative_value))
             reason = self._fault(candidate, descriptor, True)
             if reason:
                 raise InvalidParameterValueException(name, candidate.value, reason)
@@ -472,44 +408,6 @@ class NodeParameters:
             if candidate is not current:
                 self._apply([candidate], declaring=True)
             return self._parameters[name].get_parameter_value()
-
-    # Callbacks
-
-    def add_pre_set_parameters_callback(
-        self, callback: Callable[[list[Parameter]], list[Parameter]]
-    ) -> None:
-        """Have a callback change the list of parameters before it is checked."""
-        self._pre_set_parameters_callbacks.insert(0, callback)
-
-    def add_on_set_parameters_callback(
-        self, callback: Callable[[list[Parameter]], SetParametersResult]
-    ) -> None:
-        """Have a callback accept or refuse parameters; the one added last is asked first."""
-        self._on_set_parameters_callbacks.insert(0, callback)
-
-    def add_post_set_parameters_callback(
-        self, callback: Callable[[list[Parameter]], None]
-    ) -> None:
-        """Have a callback called with parameters that were set."""
-        self._post_set_parameters_callbacks.insert(0, callback)
-
-    def remove_pre_set_parameters_callback(
-        self, callback: Callable[[list[Parameter]], list[Parameter]]
-    ) -> None:
-        """Take the callback back; ValueError if it was not added."""
-        self._pre_set_parameters_callbacks.remove(callback)
-
-    def remove_on_set_parameters_callback(
-        self, callback: Callable[[list[Parameter]], SetParametersResult]
-    ) -> None:
-        """Take the callback back; ValueError if it was not added."""
-        self._on_set_parameters_callbacks.remove(callback)
-
-    def remove_post_set_parameters_callback(
-        self, callback: Callable[[list[Parameter]], None]
-    ) -> None:
-        """Take the callback back; ValueError if it was not added."""
-        self._post_set_parameters_callbacks.remove(callback)
 
 
 def _refused(reason: str) -> SetParametersResult:

@@ -38,7 +38,7 @@ class UnsupportedEventTypeError(RCLError):
     """The middleware has no such event."""
 
 
-class InvalidHandle(RuntimeError):  # noqa: N818
+class InvalidHandle(RuntimeError):
     """The object has been destroyed."""
 
 
@@ -64,7 +64,7 @@ class ServiceIntrospectionState(IntEnum):
 
 
 @dataclass
-class rmw_qos_incompatible_event_status_t:  # noqa: N801
+class rmw_qos_incompatible_event_status_t:
     total_count: int
     total_count_change: int
     last_policy_kind: int
@@ -75,7 +75,7 @@ rmw_offered_qos_incompatible_event_status_t = rmw_qos_incompatible_event_status_
 
 
 @dataclass
-class rmw_deadline_missed_status_t:  # noqa: N801
+class rmw_deadline_missed_status_t:
     total_count: int
     total_count_change: int
 
@@ -85,13 +85,13 @@ rmw_offered_deadline_missed_status_t = rmw_deadline_missed_status_t
 
 
 @dataclass
-class rmw_liveliness_lost_status_t:  # noqa: N801
+class rmw_liveliness_lost_status_t:
     total_count: int
     total_count_change: int
 
 
 @dataclass
-class rmw_liveliness_changed_status_t:  # noqa: N801
+class rmw_liveliness_changed_status_t:
     alive_count: int
     not_alive_count: int
     alive_count_change: int
@@ -99,19 +99,19 @@ class rmw_liveliness_changed_status_t:  # noqa: N801
 
 
 @dataclass
-class rmw_message_lost_status_t:  # noqa: N801
+class rmw_message_lost_status_t:
     total_count: int
     total_count_change: int
 
 
 @dataclass
-class rmw_incompatible_type_status_t:  # noqa: N801
+class rmw_incompatible_type_status_t:
     total_count: int
     total_count_change: int
 
 
 @dataclass
-class rmw_matched_status_t:  # noqa: N801
+class rmw_matched_status_t:
     total_count: int
     total_count_change: int
     current_count: int

@@ -38,7 +38,11 @@ def refuse_beside_real_ros() -> None:
     sourced = os.environ.get("ROS_DISTRO") if os.environ.get("AMENT_PREFIX_PATH") else None
     if other is None and sourced is None:
         return
-    what = f"a real rclpy is at {other}" if other else f"ROS 2 {sourced} is sourced (AMENT_PREFIX_PATH)"
+    what = (
+        f"a real rclpy is at {other}"
+        if other
+        else f"ROS 2 {sourced} is sourced (AMENT_PREFIX_PATH)"
+    )
     raise ImportError(
         f"{what}, and this is the rclpy of mansion_embedded_ros ({_HERE}), which only stands in where "
         "there is none. Take its folder off PYTHONPATH (or pip uninstall mansion-embedded-ros) to use "

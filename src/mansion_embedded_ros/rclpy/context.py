@@ -10,11 +10,11 @@ from contextlib import AbstractContextManager
 from types import TracebackType
 from typing import Any, Callable, Generic, List, Optional, Protocol, Type, TypeVar  # noqa: UP035
 
-from rclpy import logging as _logging
 from rclpy._arguments import RosArguments, parse_arguments
 from rclpy._dds.domain import domain_id_from_environment
 from rclpy._dds.library import DDSError
 from rclpy._dds.participant import Participant
+from rclpy._log_sink import apply_arguments
 from rclpy._rclpy_pybind11 import RCLError
 
 __all__ = ["Context", "ContextHandle"]
@@ -145,7 +145,7 @@ class Context(AbstractContextManager["Context"], Generic[_T]):
             except ValueError as problem:
                 raise RCLError(str(problem)) from None
             if initialize_logging and not self._logging_initialized:
-                _logging._apply_arguments(arguments)
+                apply_arguments(arguments)
                 self._logging_initialized = True
             self.__context = _State(arguments, number)
             self._ended_by_signal = False

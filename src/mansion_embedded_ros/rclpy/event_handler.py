@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes as ct
 from collections.abc import Callable as _Callable
 from enum import IntEnum
-from typing import Any, Callable, List, Optional  # noqa: UP035
+from typing import Any, Callable  # noqa: UP035
 
 import rclpy
 from rclpy import _rclpy_pybind11
@@ -250,9 +250,7 @@ def _handlers(
     wanted: list[tuple[Any, IntEnum]], group: CallbackGroup, parent: Any
 ) -> list[EventHandler]:
     return [
-        EventHandler(
-            callback_group=group, callback=callback, event_type=event, parent_impl=parent
-        )
+        EventHandler(callback_group=group, callback=callback, event_type=event, parent_impl=parent)
         for callback, event in wanted
         if callback is not None
     ]
@@ -264,12 +262,17 @@ class SubscriptionEventCallbacks:
     def __init__(
         self,
         *,
-        deadline: Optional[Callable[[_rclpy_pybind11.rmw_requested_deadline_missed_status_t], None]] = None,
-        incompatible_qos: Optional[Callable[[_rclpy_pybind11.rmw_requested_qos_incompatible_event_status_t], None]] = None,
-        liveliness: Optional[Callable[[_rclpy_pybind11.rmw_liveliness_changed_status_t], None]] = None,
-        message_lost: Optional[Callable[[_rclpy_pybind11.rmw_message_lost_status_t], None]] = None,
-        incompatible_type: Optional[Callable[[_rclpy_pybind11.rmw_incompatible_type_status_t], None]] = None,
-        matched: Optional[Callable[[_rclpy_pybind11.rmw_matched_status_t], None]] = None,
+        deadline: Callable[[_rclpy_pybind11.rmw_requested_deadline_missed_status_t], None]
+        | None = None,
+        incompatible_qos: Callable[
+            [_rclpy_pybind11.rmw_requested_qos_incompatible_event_status_t], None
+        ]
+        | None = None,
+        liveliness: Callable[[_rclpy_pybind11.rmw_liveliness_changed_status_t], None] | None = None,
+        message_lost: Callable[[_rclpy_pybind11.rmw_message_lost_status_t], None] | None = None,
+        incompatible_type: Callable[[_rclpy_pybind11.rmw_incompatible_type_status_t], None]
+        | None = None,
+        matched: Callable[[_rclpy_pybind11.rmw_matched_status_t], None] | None = None,
         use_default_callbacks: bool = True,
     ) -> None:
         self.deadline = deadline
@@ -285,7 +288,7 @@ class SubscriptionEventCallbacks:
         callback_group: CallbackGroup,
         subscription: _rclpy_pybind11.Subscription,
         topic_name: str,
-    ) -> List[EventHandler]:
+    ) -> list[EventHandler]:
         """The handlers of the events that have a callback."""
         incompatible = self.incompatible_qos
         if incompatible is None and self.use_default_callbacks:
@@ -316,11 +319,16 @@ class PublisherEventCallbacks:
     def __init__(
         self,
         *,
-        deadline: Optional[Callable[[_rclpy_pybind11.rmw_offered_deadline_missed_status_t], None]] = None,
-        liveliness: Optional[Callable[[_rclpy_pybind11.rmw_liveliness_lost_status_t], None]] = None,
-        incompatible_qos: Optional[Callable[[_rclpy_pybind11.rmw_requested_qos_incompatible_event_status_t], None]] = None,
-        incompatible_type: Optional[Callable[[_rclpy_pybind11.rmw_incompatible_type_status_t], None]] = None,
-        matched: Optional[Callable[[_rclpy_pybind11.rmw_matched_status_t], None]] = None,
+        deadline: Callable[[_rclpy_pybind11.rmw_offered_deadline_missed_status_t], None]
+        | None = None,
+        liveliness: Callable[[_rclpy_pybind11.rmw_liveliness_lost_status_t], None] | None = None,
+        incompatible_qos: Callable[
+            [_rclpy_pybind11.rmw_requested_qos_incompatible_event_status_t], None
+        ]
+        | None = None,
+        incompatible_type: Callable[[_rclpy_pybind11.rmw_incompatible_type_status_t], None]
+        | None = None,
+        matched: Callable[[_rclpy_pybind11.rmw_matched_status_t], None] | None = None,
         use_default_callbacks: bool = True,
     ) -> None:
         self.deadline = deadline
@@ -335,7 +343,7 @@ class PublisherEventCallbacks:
         callback_group: CallbackGroup,
         publisher: _rclpy_pybind11.Publisher,
         topic_name: str,
-    ) -> List[EventHandler]:
+    ) -> list[EventHandler]:
         """The handlers of the events that have a callback."""
         incompatible = self.incompatible_qos
         if incompatible is None and self.use_default_callbacks:

@@ -126,9 +126,7 @@ class InvalidParameterValueException(ParameterException):
     def __init__(self, parameter: str, value: AllowableParameterValue, reason: str) -> None:
         Exception.__init__(
             self,
-            "Invalid parameter value ({value}) for parameter. Reason: {reason}".format(
-                value=value, reason=reason
-            ),
+            f"Invalid parameter value ({value}) for parameter. Reason: {reason}",
             parameter,
         )
 

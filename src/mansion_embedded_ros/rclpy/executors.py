@@ -48,22 +48,22 @@ async def await_or_execute(callback: Callable[..., Any] | Coroutine[Any, Any, An
     return callback(*args)  # type: ignore[operator]
 
 
-class TimeoutException(Exception):  # noqa: N818
+class TimeoutException(Exception):
     """Signal that a timeout occurred."""
 
 
-class ShutdownException(Exception):  # noqa: N818
+class ShutdownException(Exception):
     """Signal that executor was shut down."""
 
 
-class ExternalShutdownException(Exception):  # noqa: N818
+class ExternalShutdownException(Exception):
     """Context has been shutdown."""
 
     def __init__(self, *args: object) -> None:
         super().__init__(*args)
 
 
-class ConditionReachedException(Exception):  # noqa: N818
+class ConditionReachedException(Exception):
     """Future has been completed."""
 
 

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import rclpy.impl.rcutils_logger
-from rclpy._log_sink import apply_arguments as _apply_arguments
 from rclpy._log_sink import levels
 from rclpy.impl.logging_severity import LoggingSeverity
 
@@ -47,9 +46,7 @@ def clear_config() -> None:
     levels.clear()
 
 
-def set_logger_level(
-    name: str, level: int | LoggingSeverity, detailed_error: bool = False
-) -> None:
+def set_logger_level(name: str, level: int | LoggingSeverity, detailed_error: bool = False) -> None:
     """Set the level of a logger, and of its children that have none."""
     levels.set(name, LoggingSeverity(level))
 

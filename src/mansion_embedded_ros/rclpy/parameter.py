@@ -72,10 +72,7 @@ class Parameter:
                 for kind, python_type in _SCALARS:
                     if all(_is(v, python_type) for v in parameter_value):
                         return cls[f"{kind}_ARRAY"]
-            raise TypeError(
-                "The given value is not one of the allowed types "
-                f"'{parameter_value}'."
-            )
+            raise TypeError(f"The given value is not one of the allowed types '{parameter_value}'.")
 
         def check(self, parameter_value: AllowableParameterValue) -> bool:
             """Whether a value is of this type."""
@@ -99,7 +96,7 @@ class Parameter:
         if type_ is None:
             type_ = Parameter.Type.from_parameter_value(value)
         if not isinstance(type_, Parameter.Type):
-            raise TypeError("type must be an instance of '{}'".format(repr(Parameter.Type)))
+            raise TypeError(f"type must be an instance of '{Parameter.Type!r}'")
         if not type_.check(value):
             raise ValueError(f"Type '{type_}' and value '{value}' do not agree")
         self._type_ = type_
@@ -223,7 +220,6 @@ def parameter_dict_from_yaml_file(
         If the file is no parameter file.
     """
     import yaml
-
     from rclpy._parameter_file import flatten
 
     with open(parameter_file, encoding="utf-8") as file:

@@ -87,9 +87,7 @@ class AsyncParameterClient:
         callback: Callable | None = None,
     ) -> Future:
         """The names under the prefixes."""
-        return self._call(
-            "list_parameters", callback, prefixes=prefixes or [], depth=depth or 0
-        )
+        return self._call("list_parameters", callback, prefixes=prefixes or [], depth=depth or 0)
 
     def get_parameters(self, names: list[str], callback: Callable | None = None) -> Future:
         """The values of parameters."""

@@ -21,9 +21,7 @@ __all__ = ["ParameterCallbackHandle", "ParameterEventCallbackHandle", "Parameter
 class ParameterCallbackHandle:
     """A callback for one parameter."""
 
-    def __init__(
-        self, parameter_name: str, node_name: str, callback: Callable[[Parameter], None]
-    ):
+    def __init__(self, parameter_name: str, node_name: str, callback: Callable[[Parameter], None]):
         self.parameter_name = parameter_name
         self.node_name = node_name
         self.callback = callback

@@ -66,7 +66,7 @@ class QoSCompatibility(IntEnum):
     ERROR = 2
 
 
-class InvalidQoSProfileException(Exception):  # noqa: N818
+class InvalidQoSProfileException(Exception):
     """The arguments do not make a QoS profile."""
 
     def __init__(self, *args):
@@ -270,10 +270,17 @@ class QoSProfile:
         return hash(tuple(getattr(self, slot) for slot in self.__slots__))
 
     def __str__(self):
-        names = (
-            "history depth reliability durability lifespan deadline liveliness "
-            "liveliness_lease_duration avoid_ros_namespace_conventions"
-        ).split()
+        names = [
+            "history",
+            "depth",
+            "reliability",
+            "durability",
+            "lifespan",
+            "deadline",
+            "liveliness",
+            "liveliness_lease_duration",
+            "avoid_ros_namespace_conventions",
+        ]
         values = ", ".join(f"{name}={_shown(getattr(self, name))}" for name in names)
         return f"{type(self).__name__}({values})"
 
@@ -300,9 +307,7 @@ qos_profile_sensor_data = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST
 qos_profile_services_default = QoSProfile(depth=10)
 qos_profile_parameters = QoSProfile(depth=1000)
 qos_profile_parameter_events = QoSProfile(depth=1000)
-qos_profile_action_status_default = QoSProfile(
-    depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL
-)
+qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 qos_profile_best_available = QoSProfile(
     depth=10,
     reliability=ReliabilityPolicy.BEST_AVAILABLE,

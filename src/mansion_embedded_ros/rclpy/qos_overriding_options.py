@@ -91,4 +91,3 @@ def _declare_qos_parameters(
             raise InvalidQosOverridesError(
                 f"{entity} of '{topic}': the overrides were refused: {result.reason}"
             )
-

@@ -42,7 +42,7 @@ class TopicEndpointInfo:
         self.endpoint_gid = kwargs.get("endpoint_gid", [])
         self.qos_profile = kwargs.get("qos_profile", QoSPresetProfiles.UNKNOWN.value)
 
-    def _checked(name, kind):  # noqa: N805
+    def _checked(name, kind):
         slot = f"_{name}"
 
         def get(self):

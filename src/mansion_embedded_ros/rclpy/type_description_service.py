@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from rclpy.qos import qos_profile_services_default
+
 from rosidl_embedded.definition import InterfaceNotFoundError, MessageDefinition, load_package
 from rosidl_embedded.registry import get_interface, type_hash
 from rosidl_embedded.type_description import type_description
@@ -36,7 +37,7 @@ def _individual(data: dict[str, Any]) -> IndividualTypeDescription:
 
 
 def _source(name: str) -> TypeSource:
-    package, kind, short = name.split("/")
+    package, kind, _short = name.split("/")
     definition = load_package(package).get(name)
     if definition is None:
         return TypeSource(type_name=name, encoding="implicit")

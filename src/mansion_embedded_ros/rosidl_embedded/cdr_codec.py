@@ -21,7 +21,9 @@ HEADER = b"\x00\x01\x00\x00"
 """Encapsulation header: plain CDR, little endian, no options."""
 
 if sys.byteorder != "little":  # pragma: no cover
-    raise ImportError("the embedded ROS writes little-endian CDR from memory; this host is big-endian")
+    raise ImportError(
+        "the embedded ROS writes little-endian CDR from memory; this host is big-endian"
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -233,7 +235,9 @@ class _Decoder(_Source):
             self.align(size)
             self.flush()
             self.namespace["frombuffer"] = __import__("numpy").frombuffer
-            self.emit(f"{target} = frombuffer(d, '<{_numpy_code(char, size)}', {kind.size}, o).copy()")
+            self.emit(
+                f"{target} = frombuffer(d, '<{_numpy_code(char, size)}', {kind.size}, o).copy()"
+            )
             self.emit(f"o += {kind.size * size}")
             self.advance(kind.size * size)
             return
@@ -307,9 +311,16 @@ def compile_codec(definition: MessageDefinition, check_fields: bool) -> Codec:
     result = decoder.message(definition)
     decoder.flush()
     source = "\n".join(
-        ["def encode(m, b):", *encoder.lines, "    return None"]
-        + ["def decode(d, o):", *decoder.lines]
-        + ["    if o > len(d): raise error(SHORT)", f"    return {result}, o", ""]
+        [
+            "def encode(m, b):",
+            *encoder.lines,
+            "    return None",
+            "def decode(d, o):",
+            *decoder.lines,
+            "    if o > len(d): raise error(SHORT)",
+            f"    return {result}, o",
+            "",
+        ]
     )
     exec(compile(source, f"<codec of {definition.name}>", "exec"), namespace)
     return Codec(namespace["encode"], namespace["decode"])

@@ -55,7 +55,9 @@ def check_number(value: Any, base: str, name: str, check: bool) -> Any:
         return bool(value)
     if base == "byte":
         if not isinstance(value, bytes | bytearray | memoryview) or len(value) != 1:
-            raise AssertionError(f"The '{name}' field must be of type 'bytes' or 'ByteString' with length 1")
+            raise AssertionError(
+                f"The '{name}' field must be of type 'bytes' or 'ByteString' with length 1"
+            )
         return bytes(value)
     if base.startswith("float"):
         if not isinstance(value, float):
@@ -170,10 +172,7 @@ def to_ndarray(value: Any, kind: FieldType, name: str = "", check: bool = False)
 
 
 def _require_sequence(value: Any, kind: FieldType, name: str) -> None:
-    if (
-        not isinstance(value, Sequence | Set | UserList)
-        or isinstance(value, str | UserString)
-    ):
+    if not isinstance(value, Sequence | Set | UserList) or isinstance(value, str | UserString):
         raise AssertionError(
             f"The '{name}' field must be a set or sequence and each value of type '{kind.base}'"
         )

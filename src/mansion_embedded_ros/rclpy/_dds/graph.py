@@ -114,16 +114,10 @@ def nodes(participant: Participant) -> list[NodeInfo]:
     for gid, data in participant.announcements().items():
         if gid not in alive:
             continue
-        for node in decode_announcement(data):
-            found.append(
-                NodeInfo(
-                    node.namespace,
-                    node.name,
-                    alive[gid],
-                    frozenset(node.readers),
-                    frozenset(node.writers),
-                )
-            )
+        found.extend(
+            NodeInfo(n.namespace, n.name, alive[gid], frozenset(n.readers), frozenset(n.writers))
+            for n in decode_announcement(data)
+        )
     return found
 
 

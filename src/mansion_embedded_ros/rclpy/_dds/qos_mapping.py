@@ -95,10 +95,14 @@ def read_profile(qos: int) -> QoSProfile:
             profile.depth = depth.value
     if dds.dds_qget_reliability(qos, ct.byref(kind), ct.byref(second)):
         reliable = kind.value == _RELIABLE
-        profile.reliability = ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT
+        profile.reliability = (
+            ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT
+        )
     if dds.dds_qget_durability(qos, ct.byref(kind)):
         volatile = kind.value == _VOLATILE
-        profile.durability = DurabilityPolicy.VOLATILE if volatile else DurabilityPolicy.TRANSIENT_LOCAL
+        profile.durability = (
+            DurabilityPolicy.VOLATILE if volatile else DurabilityPolicy.TRANSIENT_LOCAL
+        )
     if dds.dds_qget_lifespan(qos, ct.byref(second)):
         profile.lifespan = _duration(second.value)
     else:
@@ -110,6 +114,8 @@ def read_profile(qos: int) -> QoSProfile:
     profile.liveliness, profile.liveliness_lease_duration = LivelinessPolicy.AUTOMATIC, Infinite
     if dds.dds_qget_liveliness(qos, ct.byref(kind), ct.byref(second)):
         manual = kind.value == _MANUAL_BY_TOPIC
-        profile.liveliness = LivelinessPolicy.MANUAL_BY_TOPIC if manual else LivelinessPolicy.AUTOMATIC
+        profile.liveliness = (
+            LivelinessPolicy.MANUAL_BY_TOPIC if manual else LivelinessPolicy.AUTOMATIC
+        )
         profile.liveliness_lease_duration = _duration(second.value)
     return profile

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from rclpy._dds.library import TopicDescriptor
+
 from rosidl_embedded.definition import PRIMITIVES, FieldType, MessageDefinition, message_definition
 
 __all__ = ["Descriptor", "topic_descriptor"]

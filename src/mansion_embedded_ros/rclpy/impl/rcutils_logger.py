@@ -6,7 +6,7 @@ import sys
 import time
 from collections import OrderedDict, namedtuple
 from types import FrameType
-from typing import Any
+from typing import Any, ClassVar
 
 from rclpy._log_sink import emit, levels
 from rclpy.impl.logging_severity import LoggingSeverity
@@ -24,9 +24,7 @@ __all__ = [
 _INTERNAL = (__file__.removesuffix("c"),)
 
 
-class CallerId(
-    namedtuple("CallerId", ["function_name", "file_path", "line_number", "last_index"])  # noqa: PYI024
-):
+class CallerId(namedtuple("CallerId", ["function_name", "file_path", "line_number", "last_index"])):
     """Where a message was logged from."""
 
     def __new__(cls, frame: FrameType | None = None) -> CallerId:
@@ -50,7 +48,7 @@ def _find_caller(frame: FrameType) -> FrameType:
 class LoggingFilter:
     """Decides for each message of one place; what it needs is in ``context``."""
 
-    params: dict[str, Any] = {}
+    params: ClassVar[dict[str, Any]] = {}
     """The arguments of a log call that choose the filter: name and default (None: required)."""
 
     @classmethod
@@ -74,7 +72,7 @@ class LoggingFilter:
 class Once(LoggingFilter):
     """Ignore all messages of a place but the first."""
 
-    params = {"once": None}
+    params: ClassVar[dict[str, Any]] = {"once": None}
 
     @classmethod
     def initialize_context(cls, context, **kwargs):  # type: ignore[no-untyped-def]
@@ -91,13 +89,20 @@ class Once(LoggingFilter):
 class Throttle(LoggingFilter):
     """Ignore messages of a place until a duration has passed since the last one."""
 
-    params = {"throttle_duration_sec": None, "throttle_time_source_type": "SYSTEM_TIME"}
+    params: ClassVar[dict[str, Any]] = {
+        "throttle_duration_sec": None,
+        "throttle_time_source_type": "SYSTEM_TIME",
+    }
 
     @classmethod
     def initialize_context(cls, context, **kwargs):  # type: ignore[no-untyped-def]
         super().initialize_context(context, **kwargs)
         source = context["throttle_time_source_type"]
-        if isinstance(source, str) and source not in ("SYSTEM_TIME", "STEADY_TIME", "RCUTILS_STEADY_TIME"):
+        if isinstance(source, str) and source not in (
+            "SYSTEM_TIME",
+            "STEADY_TIME",
+            "RCUTILS_STEADY_TIME",
+        ):
             raise ValueError(
                 f'Received invalid expression "{source}" for time source type. Expected a clock, '
                 "SYSTEM_TIME or STEADY_TIME"
@@ -118,7 +123,7 @@ class Throttle(LoggingFilter):
 class SkipFirst(LoggingFilter):
     """Ignore the first message of a place."""
 
-    params = {"skip_first": None}
+    params: ClassVar[dict[str, Any]] = {"skip_first": None}
 
     @classmethod
     def initialize_context(cls, context, **kwargs):  # type: ignore[no-untyped-def]
