@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from tests.scene.placement.rooms import classroom, item, rectangle, restaurant, room, ward
+from placement_rooms import classroom, item, rectangle, restaurant, room, ward
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError

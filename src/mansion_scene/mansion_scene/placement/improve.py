@@ -56,21 +56,35 @@ def _ruin(floor: Floor, rating: Rating, specs: Sequence[Spec], rng: np.random.Ge
     by_key = {copy.key: copy for copy in floor.placed}
     if not by_key:
         return
-    single = [copy for copy in floor.placed if not specs[copy.spec].rows]
-    pool = single or floor.placed
-    if rating.faulty and rng.random() < 0.7:
-        centre = by_key[rating.faulty[int(rng.integers(len(rating.faulty)))]]
-        keys.add(centre.key)
+    pool = [copy for copy in floor.placed if not specs[copy.spec].rows] or floor.placed
+    if rating.faulty and rng.random() < 0.8:
+        faulty = by_key[rating.faulty[int(rng.integers(len(rating.faulty)))]]
+        keys.add(faulty.key)
+        centre = _wanted_at(floor, faulty, rng)
     else:
         centre = pool[int(rng.integers(len(pool)))]
     extra = 1 + int(rng.integers(4))
-    distance = [float(np.hypot(c.box[0] - centre.box[0], c.box[1] - centre.box[1])) for c in pool]
-    if rng.random() < 0.6:
-        order = np.argsort(np.array(distance), kind="stable")[: extra + 1]
+    if rng.random() < 0.7:
+        distance = [
+            float(np.hypot(c.box[0] - centre.box[0], c.box[1] - centre.box[1])) for c in pool
+        ]
+        order = np.argsort(np.array(distance), kind="stable")[: 2 * extra + 1]
+        order = rng.permutation(order)[: extra + 1]
     else:
         order = rng.permutation(len(pool))[:extra]
     keys |= {pool[int(i)].key for i in order}
     floor.take(keys | _members(floor, keys, every=bool(rng.random() < 0.5)))
+
+
+def _wanted_at(floor: Floor, copy: Placed, rng: np.random.Generator) -> Placed:
+    """Return where a misplaced copy should be: at a copy that it relates to, or where it is."""
+    spec = floor.specs[copy.spec]
+    targets = [target for kind, target in spec.relations if kind != "far"]
+    targets += [spec.host] if spec.host >= 0 else []
+    there = [c for target in targets for c in floor.copies(target)]
+    if not there or rng.random() < 0.3:
+        return copy
+    return there[int(rng.integers(len(there)))]
 
 
 def _members(floor: Floor, keys: set[int], *, every: bool) -> set[int]:
