@@ -1,21 +1,88 @@
 """Objects as nodes of a model; objects of one asset share its mesh."""
 
+from functools import lru_cache
+
+import numpy as np
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_scene.catalogue import Asset, Catalogue, load_catalogue
+from mansion_scene.catalogue.palette import PbrMaterial
 from mansion_scene.export.appearance import hex_color
 from mansion_scene.export.model import Material, Model, Node, Surface
 from mansion_scene.export.solids import Box
 from mansion_scene.export.solids3d import boxes_surface
 
-__all__ = ["add_objects"]
+__all__ = ["add_objects", "object_asset"]
 
 
-def add_objects(model: Model, scene: FloorScene) -> None:
-    """Add each object of a floor where it stands."""
+def add_objects(model: Model, scene: FloorScene, catalogue: Catalogue | None = None) -> None:
+    """Add each object of a floor where it stands.
+
+    An object in another colour than its asset's shows that colour in the asset's main material; one whose asset the
+    catalogue does not know, say a user's on another machine, is a box of its size.
+
+    Parameters
+    ----------
+    catalogue : Catalogue, optional
+        The shipped one when it is left out.
+    """
+    known = catalogue or load_catalogue()
     for item in scene.objects:
-        name = f"asset:{item.asset}:{item.color}"
-        surfaces = None if name in model.meshes else _box(item)
-        node = Node(item.id, name, "objects", item.position, item.rotation, item.size, item.room)
-        model.add(node, surfaces)
+        asset = object_asset(known, item)
+        if asset is None:
+            name, size = f"box:{item.color}", (1.0, 1.0, 1.0)
+            surfaces = None if name in model.meshes else _box(item)
+        else:
+            own = item.color in ("", asset.color)
+            name = f"asset:{asset.key}" if own else f"asset:{asset.key}:{item.color}"
+            size = asset.size
+            surfaces = None
+            if name not in model.meshes:
+                surfaces = list(_surfaces(asset.key, known, "" if own else item.color))
+        model.add(_node(item, name, size), surfaces)
+
+
+def object_asset(catalogue: Catalogue, item: SceneObject) -> Asset | None:
+    """Return the asset of an object, or None where the catalogue has none."""
+    try:
+        return catalogue.asset(item.asset)
+    except MansionError as error:
+        if error.code != ErrorCode.NOT_FOUND:
+            raise
+        return None
+
+
+def _node(item: SceneObject, mesh: str, size: tuple[float, float, float]) -> Node:
+    w, d, h = (1.0 if abs(mine - its) < 1e-4 else mine / its for mine, its in zip(item.size, size))
+    return Node(item.id, mesh, "objects", item.position, item.rotation, (w, d, h), item.room)
+
+
+@lru_cache(maxsize=4096)
+def _surfaces(key: str, catalogue: Catalogue, color: str) -> tuple[Surface, ...]:
+    """The parts of an asset's mesh, the main material in another colour where that is given."""
+    from mansion_scene.assets import mesh
+
+    asset = catalogue.asset(key)
+    return tuple(
+        Surface(
+            _material(part.material, color if part.material.name == asset.material else ""),
+            np.asarray(part.mesh.vertices, dtype=np.float64),
+            np.asarray(part.mesh.faces, dtype=np.int64),
+        )
+        for part in mesh(asset)
+    )
+
+
+def _material(entry: PbrMaterial, color: str) -> Material:
+    return Material(
+        f"{entry.name}_{color.lstrip('#')}" if color else entry.name,
+        hex_color(color or entry.color),
+        entry.opacity,
+        entry.roughness,
+        entry.metallic,
+        entry.emissive,
+    )
 
 
 def _box(item: SceneObject) -> list[Surface]:

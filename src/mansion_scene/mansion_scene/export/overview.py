@@ -24,7 +24,7 @@ __all__ = ["cutaway", "overview_png"]
 CUT = 1.5
 """Height at which walls are cut open, metres."""
 
-WIDTH = 2000
+WIDTH = 1800
 PAPER = (0.965, 0.968, 0.974)
 CAP = np.array([0.23, 0.25, 0.28])
 SUPERSAMPLING = 2

@@ -3,11 +3,14 @@
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from mansion_msgs_py.scene import FloorScene, Wall
 from mansion_msgs_py.shapes import Segment
 
 __all__ = ["Box", "Opening", "WallBodies", "box_between", "segment_box", "span"]
+
+FloatArray = npt.NDArray[np.float64]
 
 SEAM = 0.002
 """Metres by which a lengthened wall stays behind the face it meets, so that no two faces coincide."""
@@ -79,6 +82,7 @@ class WallBodies:
         self._units = vectors / self._lengths[:, None]
         self._starts, self._ends = starts, ends
         self._half = np.array([wall.thickness / 2 for wall in walls])
+        self._beyond_ends = self._extensions()
         self._index = {wall.id: i for i, wall in enumerate(walls)}
         self._openings: dict[str, list[Opening]] = {wall.id: [] for wall in walls}
         by_id = {wall.id: wall for wall in walls}
@@ -104,8 +108,8 @@ class WallBodies:
     def pieces(self, wall: Wall) -> list[tuple[float, float]]:
         """Return the full-height parts of a wall between its openings, lengthened to close corners."""
         i = self._index[wall.id]
-        end = float(self._lengths[i]) + self._extension(i, at_end=True)
-        reached = -self._extension(i, at_end=False)
+        end = float(self._lengths[i]) + float(self._beyond_ends[i, 1])
+        reached = -float(self._beyond_ends[i, 0])
         pieces = []
         for opening in self._openings[wall.id]:
             if opening.low > reached + 1e-6:
@@ -133,35 +137,59 @@ class WallBodies:
             boxes.append(Box(center, (high - low, wall.thickness, top - bottom), rotation))
         return boxes
 
-    def _extension(self, i: int, *, at_end: bool) -> float:
-        """How far wall `i` goes on beyond its end: to the far face at a corner, to the middle at a T."""
-        point = self._ends[i] if at_end else self._starts[i]
-        ahead = self._units[i] if at_end else -self._units[i]
-        cross = ahead[0] * self._units[:, 1] - ahead[1] * self._units[:, 0]
+    def _extensions(self) -> FloatArray:
+        """How far walls go on beyond start and end, (n, 2): to the far face at a corner, to the middle at a T."""
+        count = len(self._half)
+        found = np.zeros((count, 2))
+        if not count:
+            return found
+        cross = np.outer(self._units[:, 0], self._units[:, 1])
+        cross -= np.outer(self._units[:, 1], self._units[:, 0])
         parallel = np.abs(cross) < 0.05
-        to_start, to_end = self._starts - point, self._ends - point
-        for other in np.flatnonzero(parallel):
-            gap = min(np.hypot(*to_start[other]), np.hypot(*to_end[other]))
-            if other != i and gap < NEAR:
-                return 0.0
-        reach = self._half[i] + self._half + NEAR
-        along = np.clip(-np.einsum("ij,ij->i", to_start, self._units), 0.0, self._lengths)
-        nearest = to_start + along[:, None] * self._units
-        close = ~parallel & (np.hypot(nearest[:, 0], nearest[:, 1]) < reach)
-        if not close.any():
-            return 0.0
-        others = np.flatnonzero(close)
+        reach = np.add.outer(self._half, self._half) + NEAR
+        for side, (points, sign) in enumerate(((self._starts, -1.0), (self._ends, 1.0))):
+            to_start = self._starts[None] - points[:, None]
+            to_end = self._ends[None] - points[:, None]
+            along = np.clip(
+                -np.einsum("ijk,jk->ij", to_start, self._units), 0.0, self._lengths[None]
+            )
+            nearest = to_start + along[..., None] * self._units[None]
+            gap = np.minimum(
+                np.hypot(*np.moveaxis(to_start, 2, 0)), np.hypot(*np.moveaxis(to_end, 2, 0))
+            )
+            goes_on = parallel & (gap < NEAR)
+            np.fill_diagonal(goes_on, False)
+            close = ~parallel & (np.hypot(nearest[..., 0], nearest[..., 1]) < reach)
+            for i in np.flatnonzero(close.any(1) & ~goes_on.any(1)):
+                others = np.flatnonzero(close[i])
+                found[i, side] = self._beyond(
+                    int(i),
+                    others,
+                    sign * cross[i, others],
+                    to_start[i, others],
+                    to_end[i, others],
+                    sign,
+                )
+        return found
+
+    def _beyond(
+        self,
+        i: int,
+        others: npt.NDArray[np.int64],
+        cross: FloatArray,
+        to_start: FloatArray,
+        to_end: FloatArray,
+        sign: float,
+    ) -> float:
+        """How far wall `i` goes on among the walls that its end meets."""
+        ahead = sign * self._units[i]
         # Where this wall's line meets the other's, counted from the end.
         meets = (
-            to_start[others, 0] * self._units[others, 1]
-            - to_start[others, 1] * self._units[others, 0]
-        ) / cross[others]
-        sides = np.stack(
-            [ahead[0] * to[others, 1] - ahead[1] * to[others, 0] for to in (to_start, to_end)]
-        )
+            to_start[:, 0] * self._units[others, 1] - to_start[:, 1] * self._units[others, 0]
+        ) / cross
+        sides = np.stack([ahead[0] * to[:, 1] - ahead[1] * to[:, 0] for to in (to_start, to_end)])
         wide = float(self._half[i]) + NEAR
-        through = bool((sides.max(0) > wide).any() and (sides.min(0) < -wide).any())
-        if through:
+        if (sides.max(0) > wide).any() and (sides.min(0) < -wide).any():
             return max(float(meets.max()), 0.0)
-        corner = meets + self._half[others] / np.abs(cross[others]) - SEAM
+        corner = meets + self._half[others] / np.abs(cross) - SEAM
         return max(float(corner.max()), 0.0)
