@@ -1,6 +1,7 @@
 """Objects of a room: what the catalogue asks for, the placer places and the decorator adds (lines 12 and 13)."""
 
 import msgspec
+import shapely
 from shapely.geometry import LineString, Polygon
 
 from mansion_geometry.randomness import item_seed
@@ -15,10 +16,13 @@ from mansion_scene.catalogue import (
 )
 from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.placement import place_room
+from mansion_scene.spawn import footprint
 from mansion_scene.structure import FloorStructure
+from mansion_scene.structure.dimensions import DOOR_HEIGHT
 
 __all__ = ["RoomFurnisher", "room_openings"]
 
+_DOORWAY = 0.8  # metres before a door that stay free
 _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
 
@@ -121,7 +125,25 @@ class RoomFurnisher:
             Discard(room=room.id, name=lost.name, count=lost.count, reason=lost.reason)
             for lost in result.discarded
         ]
-        return [*placed, *small], left
+        return [*placed, *_off_doorways(small, net, doors)], left
+
+
+def _off_doorways(
+    objects: list[SceneObject], net: Polygon, doors: list[PlacementOpening]
+) -> list[SceneObject]:
+    """Leave out what hangs low on a side wall beside a door, where one walks and the leaf swings."""
+    ways = shapely.union_all(
+        [LineString(door.segment).buffer(_DOORWAY, cap_style="flat") for door in doors]
+    ).intersection(net)
+    shapely.prepare(ways)
+    dropped = {
+        item.id
+        for item in objects
+        if item.mount == "wall"
+        and item.position[2] - item.size[2] / 2 < DOOR_HEIGHT
+        and footprint(item).intersection(ways).area > 1e-4
+    }
+    return [item for item in objects if item.id not in dropped and item.parent not in dropped]
 
 
 def _with_panels(door: Door) -> Door:

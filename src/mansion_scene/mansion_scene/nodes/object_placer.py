@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from pathlib import Path
 
+from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.node import Node
 
 from mansion_msgs_py.interfaces import service, topic
@@ -12,8 +14,6 @@ from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_scene.assembly import furnish_floor
 from mansion_scene.catalogue import load_catalogue
-from rcl_interfaces.msg import ParameterDescriptor
-from rclpy.callback_groups import ReentrantCallbackGroup
 
 __all__ = ["ObjectPlacer", "main"]
 

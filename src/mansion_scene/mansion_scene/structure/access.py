@@ -93,7 +93,7 @@ def plan_access(
     repairs = _repair(floor, shared, passages, root)
     downgrades = [
         Downgrade(
-            wish=f"access between {source} and {target}",
+            wish=f"{source} access {target}",
             got=_detour(floor, (source, target), repairs),
             reason=reasons.get(pair_key(source, target))
             or f"they share no straight wall of {SHORTEST_ACCESS:.2f} m between walkable floor",
