@@ -262,3 +262,48 @@ def test_destroyed_nodes_are_collected(ros: Any) -> None:
     del node
     gc.collect()
     assert ref() is None
+
+
+def test_a_full_pool_waits_without_using_the_processor(ros: Any) -> None:
+    node = ros.create_node("saturated")
+    executor = MultiThreadedExecutor(2)
+    for _ in range(4):
+        node.create_timer(0.001, lambda: time.sleep(0.2), callback_group=ReentrantCallbackGroup())
+    executor.add_node(node)
+    end = time.monotonic() + 1.0
+    used = time.process_time()
+    while time.monotonic() < end:
+        executor.spin_once(0.05)
+    used = time.process_time() - used
+    executor.shutdown()
+    node.destroy_node()
+    assert used < 0.3
+
+
+def test_no_message_is_stuck_behind_a_busy_group(ros: Any) -> None:
+    node = ros.create_node("busy_group")
+    counts = [0] * 4
+    executor = MultiThreadedExecutor(3)
+
+    def counter(i: int) -> Any:
+        def count(_: Int32) -> None:
+            counts[i] += 1
+
+        return count
+
+    for i in range(4):
+        node.create_subscription(Int32, f"busy_{i}", counter(i), 300)
+    publishers = [node.create_publisher(Int32, f"busy_{i}", 300) for i in range(4)]
+    executor.add_node(node)
+    thread = threading.Thread(target=executor.spin)
+    thread.start()
+    for _ in range(200):
+        for publisher in publishers:
+            publisher.publish(Int32())
+    end = time.monotonic() + 20
+    while sum(counts) < 800 and time.monotonic() < end:
+        time.sleep(0.01)
+    executor.shutdown()
+    thread.join(5.0)
+    node.destroy_node()
+    assert counts == [200] * 4
