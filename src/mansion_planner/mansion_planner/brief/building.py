@@ -38,8 +38,10 @@ def _headness(reading: Reading, places: list[Place], first: int, last: int, is_r
         begin -= 1
     opened = any(reading.word(i) in _OPENERS for i in range(first))
     score = 6 if not opened else 3
-    if _in_section(reading, places, first):
+    stated = any(reading.word(i) in ("has", "have", "contain", "hold") for i in range(first))
+    if _in_section(reading, places, first) or "there" in [reading.word(first - k) for k in (2, 3, 4)]:
         return 0
+    score -= 3 if stated and is_room else 0
     lead = first - 1
     while lead >= 0 and reading.kind(lead) in ("word", "number", "unit") and first - lead < 8:
         if reading.word(lead) in {"a", "an", "the", "our", "my", "this"} | _INNER:

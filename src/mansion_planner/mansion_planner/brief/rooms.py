@@ -236,7 +236,7 @@ def similar_room_type(name: str, knowledge: KnowledgeBase) -> str:
     if name in knowledge.rooms:
         return name
     names = _names(tuple((room.name, room.synonyms) for room in knowledge.rooms.values()))
-    close = difflib.get_close_matches(name.replace("_", " "), list(names), n=1, cutoff=0.84)
+    close = difflib.get_close_matches(name.replace("_", " "), list(names), n=1, cutoff=0.88)
     if close:
         return names[close[0]]
     return _HEADS.get(name.rsplit("_", 1)[-1], "study_room")

@@ -1,8 +1,9 @@
 """Assemble the building program of Fig. 23 from decisions, massing and sketches."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
+from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.program import (
     AreaSummary,
     BuildingProgram,
@@ -14,7 +15,7 @@ from mansion_msgs_py.program import (
 )
 from mansion_msgs_py.request import BuildRequest
 
-from mansion_planner.brief.facts import BriefFacts
+from mansion_planner.brief.facts import AdjacencyFact, BriefFacts
 from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.allocation import Allocation, allocate, make_storeys
 from mansion_planner.program.bearing import bearing_walls
@@ -80,22 +81,7 @@ def plan_program(
         area, decisions.building, stairs, lifts, exact=decisions.area_stated,
         room=typical_room(storeys, allocation, knowledge), shape=choose_shape(decisions, area, generator),
     )  # fmt: skip
-    massing = _massing(decisions, wish, generator)
-    frame = _frame(decisions, massing, storeys, generator)
-    sketches: dict[int, Sketch] = {}
-    envelopes: dict[int, Envelope] = {}
-    pairs = wanted_pairs(decisions)
-    for storey in storeys:
-        source = next((s for s in storeys if s.index == storey.copy), None)
-        if source is None:
-            _furnish(storey, massing, allocation, knowledge, decisions)
-            sketches[storey.index] = _sketch(decisions, massing, storey, pairs)
-        else:
-            storey.rooms = source.rooms
-            sketches[storey.index] = sketches[source.index]
-        envelopes[storey.index] = (
-            Envelope.of(decisions.outline) if decisions.free_form else envelope_of(massing, storey, frame)
-        )
+    massing, frame, sketches, envelopes = _best_layout(decisions, wish, storeys, allocation, knowledge)
     walls = bearing_walls([sketches[storey.index] for storey in storeys], frame)
     program = BuildingProgram(
         building_id=building_id,
@@ -119,6 +105,61 @@ def plan_program(
     _set_elevations(program)
     note(decisions.trace, None, f"{why}")
     return PlannedBuilding(program, decisions, massing, frame, storeys, sketches, envelopes)
+
+
+_Layout = tuple[Massing, Frame, dict[int, Sketch], dict[int, Envelope]]
+
+
+def _best_layout(
+    decisions: Decisions,
+    wish: MassingWish,
+    storeys: list[Storey],
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+) -> _Layout:
+    """Lay the building out; when neighbours that the brief wishes stay apart, try other proportions."""
+    best: tuple[int, _Layout] | None = None
+    attempts = 6 if decisions.facts.adjacent and decisions.outline is None else 1
+    for attempt in range(attempts):
+        growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
+        generator = item_generator(decisions.seed, "massing", attempt)
+        layout = _lay_out(decisions, replace(wish, area=wish.area * growth, variant=attempt), storeys, allocation, knowledge, generator)
+        apart = sum(len(apart_pairs(decisions, s, layout[2][s.index])) for s in storeys)
+        if best is None or apart < best[0]:
+            best = (apart, layout)
+        if apart == 0:
+            break
+    assert best is not None
+    return best[1]
+
+
+def _lay_out(
+    decisions: Decisions,
+    wish: MassingWish,
+    storeys: list[Storey],
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    generator: np.random.Generator,
+) -> _Layout:
+    massing = _massing(decisions, wish, generator)
+    frame = _frame(decisions, massing, storeys, generator)
+    sketches: dict[int, Sketch] = {}
+    envelopes: dict[int, Envelope] = {}
+    pairs = wanted_pairs(decisions)
+    for storey in storeys:
+        source = next((s for s in storeys if s.index == storey.copy), None)
+        if source is None:
+            _furnish(storey, massing, allocation, knowledge, decisions)
+            sketches[storey.index] = _sketch(decisions, massing, storey, pairs)
+        else:
+            storey.rooms = source.rooms
+            sketches[storey.index] = sketches[source.index]
+        envelopes[storey.index] = (
+            Envelope.of(decisions.outline)
+            if decisions.free_form and decisions.outline is not None
+            else envelope_of(massing, storey, frame)
+        )
+    return massing, frame, sketches, envelopes
 
 
 def _massing(decisions: Decisions, wish: MassingWish, generator: np.random.Generator) -> Massing:
@@ -236,7 +277,7 @@ def _floor(
         sum_rooms=round(total, 2),
         reserve_ratio=round(1.0 - total / gross, 4),
         fits_within_gfa=total <= gross,
-        notes="the reserve holds cores, corridors and the rest of the hub",
+        notes=_reserve_notes(1.0 - total / gross),
     )
     return FloorProgram(
         index=storey.index,
@@ -252,24 +293,43 @@ def _floor(
     )
 
 
-def _neighbours(decisions: Decisions, storey: Storey, sketch: Sketch) -> dict[str, list[str]]:
-    """Return the neighbours that the brief wishes, by room id; what the storey cannot give is recorded."""
-    beside: dict[str, list[str]] = {}
+def _reserve_notes(ratio: float) -> str:
+    if ratio < 0.119:
+        return "less than 12% in reserve: without cores, and with a large room at the end of a short corridor, no more is walked"
+    return "the reserve holds cores, corridors and the rest of the hub"
+
+
+def apart_pairs(decisions: Decisions, storey: Storey, sketch: Sketch) -> list[AdjacencyFact]:
+    """Return the wished neighbours that both are on the storey and do not touch."""
+    apart = []
     for fact in decisions.facts.adjacent:
         firsts = [p for p in sketch.rooms if p.room.kind.name == fact.first]
         seconds = [p for p in sketch.rooms if p.room.kind.name == fact.second]
         if storey.hub.name in (fact.first, fact.second) or not firsts or not seconds:
             continue
-        pair = next(((a, b) for a in firsts for b in seconds if a is not b and touching(a, b)), None)
-        if pair is None:
+        if not any(a is not b and touching(a, b) for a in firsts for b in seconds):
+            apart.append(fact)
+    return apart
+
+
+def _neighbours(decisions: Decisions, storey: Storey, sketch: Sketch) -> dict[str, list[str]]:
+    """Return the neighbours that the brief wishes, by room id; what the storey cannot give is recorded."""
+    beside: dict[str, list[str]] = {}
+    apart = apart_pairs(decisions, storey, sketch) if not decisions.free_form else []
+    for fact in decisions.facts.adjacent:
+        firsts = [p for p in sketch.rooms if p.room.kind.name == fact.first]
+        seconds = [p for p in sketch.rooms if p.room.kind.name == fact.second]
+        pairs = [(a, b) for a in firsts for b in seconds if a is not b]
+        if fact in apart:
             decisions.downgrades.append(
                 Downgrade(
                     wish=fact.span.words, got="both on one storey, reached from one corridor", stage="program",
                     reason="their sizes leave no place side by side", floor=storey.index,
                 )
             )  # fmt: skip
-            continue
-        beside.setdefault(pair[0].room.id, []).append(pair[1].room.id)
+        elif pairs and storey.hub.name not in (fact.first, fact.second):
+            pair = next((p for p in pairs if decisions.free_form or touching(*p)), pairs[0])
+            beside.setdefault(pair[0].room.id, []).append(pair[1].room.id)
     return beside
 
 

@@ -51,6 +51,10 @@ def sketch_hall(
         hub_boxes.append((0.0, depth - band, begin, floor))
     if not north:
         hub_boxes[0] = (0.0, 0.0, length - column, depth - band if stairs else depth)
+    if lifts:
+        edge, top = max(core.box[2] for core in lifts), max(core.box[3] for core in lifts)
+        x0, _, x1, y1 = hub_boxes[0]
+        hub_boxes[:1] = [(x0, top, x1, y1), (edge, 0.0, x1, top)]
     hub = Corridor(hub_id, hub_boxes)
     sketch = Sketch([hub], placements)
     sketch.core_parent = {core.id: hub_id for core in (*stairs, *lifts)}

@@ -31,6 +31,8 @@ class MassingWish:
         ``rectangle``, ``square``, ``L``, ``U``, ``T``, ``H`` or ``courtyard``.
     room : float
         Area of a typical room, which sets the depth of the band opposite the stair.
+    variant : int
+        Takes another of the candidate depths than the most fitting one.
     exact : bool
         The area is asked for, so it is met as closely as whole metres allow.
     """
@@ -42,6 +44,7 @@ class MassingWish:
     shape: str = "rectangle"
     exact: bool = False
     room: float = 40.0
+    variant: int = 0
 
 
 _LEAST_AREA = {"L": 110.0, "T": 170.0, "U": 300.0, "H": 380.0, "courtyard": 440.0}
@@ -98,10 +101,11 @@ def _bands(
         return [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in _around(wish, 11, 17)]
     if stairs:
         wish = min(max(math.sqrt(area / 1.25), 8.0), 10.5)
+        upright = [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in (11, 12, 13)]
         return [
             (max(3.0, 0.42 * (d - corridor)), corridor, d - corridor - max(3.0, 0.42 * (d - corridor)))
             for d in _around(wish, 7, 11)
-        ]
+        ] + (upright if area >= 85 else [])
     wish = min(max(math.sqrt(area / 1.5), 5.0), 16.0)
     return [((d - corridor) / 2, corridor, (d - corridor) / 2) for d in _around(wish, 5, 17)]
 
@@ -122,6 +126,8 @@ def choose_massing(wish: MassingWish, generator: np.random.Generator) -> Massing
         Varies proportions within what suits the building.
     """
     candidates = _bands(wish.use, wish.area, wish.stairs, wish.room, wish.shape)
+    if wish.variant:
+        candidates = [candidates[-wish.variant % len(candidates)]]
     jitter = generator.random(len(candidates))
     best: tuple[float, Massing] | None = None
     for number, (north, corridor, south) in enumerate(candidates):
