@@ -123,7 +123,9 @@ class Builder:
         part: str = "body",
         solid: bool = True,
     ) -> None:
-        """Add an axis-aligned box."""
+        """Add an axis-aligned box; a thin one that is no solid is lifted off the face of the asset that it lies in."""
+        if not solid:
+            x, y, z = self._lifted(x, self.w / 2), self._lifted(y, self.d / 2), self._lifted(z, self.h)
         (x0, x1), (y0, y1), (z0, z1) = x, y, z
         vertices = np.array(
             [
@@ -132,6 +134,12 @@ class Builder:
             ]
         )  # fmt: skip
         self.raw(vertices, _BOX_FACES, material, part, solid)
+
+    @staticmethod
+    def _lifted(span: tuple[float, float], limit: float) -> tuple[float, float]:
+        """Move a thin span's outer end 1.5 mm beyond `limit`, so that it does not share a plane with what it is on."""
+        flush = span[1] - span[0] <= 0.012 and abs(span[1] - limit) < 1e-6
+        return (span[0], span[1] + 0.0015) if flush and limit > 0.02 else span
 
     def lathe(
         self,
@@ -143,7 +151,7 @@ class Builder:
         stretch: tuple[float, float] = (1.0, 1.0),
         solid: bool = True,
     ) -> None:
-        """Add a body of revolution about a vertical axis; `profile` lists (radius, height) from one pole to the other."""
+        """Add a body of revolution about a vertical axis; `profile` lists (radius, height) from pole to pole."""
         angles = np.linspace(0.0, 2 * math.pi, n, endpoint=False)
         circle = np.stack([np.cos(angles) * stretch[0], np.sin(angles) * stretch[1]], axis=1)
         rings = [np.column_stack([circle * r + np.array(at), np.full(n, z)]) for r, z in profile]
