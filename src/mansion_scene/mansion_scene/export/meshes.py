@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from mansion_msgs_py.scene import FloorScene
+from mansion_scene.catalogue import Catalogue
 from mansion_scene.export.core_meshes import add_cores
 from mansion_scene.export.model import Model
 from mansion_scene.export.object_meshes import add_objects
@@ -13,7 +14,11 @@ __all__ = ["building_models", "floor_model"]
 
 
 def floor_model(
-    scene: FloorScene, *, ceilings: bool = True, cabins: frozenset[str] | None = None
+    scene: FloorScene,
+    *,
+    ceilings: bool = True,
+    cabins: frozenset[str] | None = None,
+    catalogue: Catalogue | None = None,
 ) -> Model:
     """Make the model of a floor: structure, openings, cores and objects.
 
@@ -21,9 +26,11 @@ def floor_model(
     ----------
     scene : FloorScene
     ceilings : bool
-        Leave them out for a view from above.
+        Leave them out, and what hangs from them, for a view from above.
     cabins : frozenset of str, optional
         Ids of the lifts whose cabin stands here; all when it is left out.
+    catalogue : Catalogue, optional
+        Where the assets are, when they are not all in the shipped one.
     """
     model = Model(f"floor_{scene.floor}", scene.floor, scene.elevation)
     add_floors(model, scene)
@@ -33,7 +40,7 @@ def floor_model(
     add_doors(model, scene)
     add_windows(model, scene)
     add_cores(model, scene, cabins)
-    add_objects(model, scene)
+    add_objects(model, scene, catalogue, ceilings=ceilings)
     return model
 
 

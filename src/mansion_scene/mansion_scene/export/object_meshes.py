@@ -16,8 +16,14 @@ from mansion_scene.export.solids3d import boxes_surface
 __all__ = ["add_objects", "object_asset"]
 
 
-def add_objects(model: Model, scene: FloorScene, catalogue: Catalogue | None = None) -> None:
-    """Add each object of a floor where it stands.
+def add_objects(
+    model: Model,
+    scene: FloorScene,
+    catalogue: Catalogue | None = None,
+    *,
+    ceilings: bool = True,
+) -> None:
+    """Add each object of a floor where it stands; what hangs from ceilings only with them.
 
     An object in another colour than its asset's shows that colour in the asset's main material; one whose asset the
     catalogue does not know, say a user's on another machine, is a box of its size.
@@ -29,6 +35,8 @@ def add_objects(model: Model, scene: FloorScene, catalogue: Catalogue | None = N
     """
     known = catalogue or load_catalogue()
     for item in scene.objects:
+        if item.mount == "ceiling" and not ceilings:
+            continue
         asset = object_asset(known, item)
         if asset is None:
             name, size = f"box:{item.color}", (1.0, 1.0, 1.0)
@@ -55,7 +63,9 @@ def object_asset(catalogue: Catalogue, item: SceneObject) -> Asset | None:
 
 def _node(item: SceneObject, mesh: str, size: tuple[float, float, float]) -> Node:
     w, d, h = (1.0 if abs(mine - its) < 1e-4 else mine / its for mine, its in zip(item.size, size))
-    return Node(item.id, mesh, "objects", item.position, item.rotation, (w, d, h), item.room)
+    # What hangs from a ceiling goes when ceilings are hidden.
+    group = "ceiling" if item.mount == "ceiling" else "objects"
+    return Node(item.id, mesh, group, item.position, item.rotation, (w, d, h), item.room)
 
 
 @lru_cache(maxsize=4096)
