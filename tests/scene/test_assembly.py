@@ -72,6 +72,16 @@ def test_doors_stay_clear_of_furniture(office: FloorScene) -> None:
                 )
 
 
+def test_nothing_hangs_low_beside_a_door(office: FloorScene) -> None:
+    hung = [o for o in office.objects if o.mount == "wall" and o.position[2] - o.size[2] / 2 < 1.9]
+    assert hung
+    for door in office.doors:
+        way = LineString(door.segment).buffer(0.6, cap_style="flat")
+        for item in hung:
+            if item.room in door.rooms:
+                assert footprint(item).intersection(way).area < 1e-3, (item.id, door.id)
+
+
 def test_core_poses_are_free(office: FloorScene) -> None:
     blocks = [footprint(item) for item in office.objects if item.mount == "floor"]
     for core in office.cores:

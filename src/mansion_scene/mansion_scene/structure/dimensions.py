@@ -32,7 +32,7 @@ JAMB: Final = 0.09
 """Between a door's clear opening and the nearest wall face or opening."""
 WALL_END: Final = INTERIOR_THICKNESS / 2 + JAMB
 """Between a clear opening and the centre line of a wall that meets its wall."""
-DOOR_GAP: Final = 0.2
+DOOR_GAP: Final = 0.12
 """Between two openings of one wall line."""
 APPROACH_DEPTH: Final = 0.9
 """Floor that a door needs free in front of it."""
