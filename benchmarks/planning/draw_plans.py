@@ -4,14 +4,20 @@ import argparse
 from pathlib import Path
 
 import shapely
+from shapely.geometry import Polygon
+
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_planner.plan import plan_building
 from mansion_planner.solver import solve_floor
-from shapely.geometry import Polygon
 
-COLOURS = {"circulation": "#f2e6c9", "public": "#cfe3f5", "private": "#d8efd3", "service": "#ead7ea"}
+COLOURS = {
+    "circulation": "#f2e6c9",
+    "public": "#cfe3f5",
+    "private": "#d8efd3",
+    "service": "#ead7ea",
+}
 
 
 def draw(axis: object, reply: PlanReply, number: int, layout: FloorLayout) -> None:

@@ -178,7 +178,7 @@ def _method(value: str, reply: PlanReply) -> tuple[bool, str]:
 
 
 def _area(layout: FloorLayout) -> float:
-    return sum(Polygon(room.polygon, room.holes).area for room in layout.rooms)
+    return float(sum(Polygon(room.polygon, room.holes).area for room in layout.rooms))
 
 
 def _total(value: float, reply: PlanReply) -> tuple[bool, str]:

@@ -10,7 +10,6 @@ from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
-
 from mansion_planner.brief import read_brief
 from mansion_planner.knowledge import KnowledgeBase, default_knowledge
 from mansion_planner.program.building import plan_program
@@ -57,7 +56,9 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
     building_id = building_id_of(request)
     try:
         facts = read_brief(request.description, base)
-        planned = plan_program(request, facts, base, building_id, item_generator(request.seed, "program"))
+        planned = plan_program(
+            request, facts, base, building_id, item_generator(request.seed, "program")
+        )
     except MansionError as error:
         raise error.at_stage("program") from None
     topologies = [floor_topology(planned, storey, base) for storey in planned.storeys]

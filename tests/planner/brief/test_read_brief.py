@@ -1,8 +1,11 @@
 """What the reader finds in the words of a brief."""
 
+import itertools
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
 from mansion_planner.brief import read_brief
 from mansion_planner.brief.facts import BriefFacts
 from mansion_planner.brief.tokens import tokenize
@@ -56,7 +59,10 @@ def test_an_area_per_floor_is_told_from_a_total() -> None:
 def test_an_area_of_a_room_is_not_the_buildings() -> None:
     facts = read("an office with a 40 m2 meeting room and a gym of 60 m2")
     assert not facts.area
-    assert {fact.room_type: fact.area for fact in facts.rooms} == {"meeting_room": 40.0, "gym": 60.0}
+    assert {fact.room_type: fact.area for fact in facts.rooms} == {
+        "meeting_room": 40.0,
+        "gym": 60.0,
+    }
 
 
 def test_counts_and_plurals() -> None:
@@ -87,7 +93,10 @@ def test_a_clause_about_a_storey_places_all_its_rooms() -> None:
 
 def test_first_floor_is_above_the_ground_floor_where_both_are_named() -> None:
     facts = read("a shop on the ground floor and a gym on the first floor of a library")
-    assert {fact.room_type: fact.floors[0].first for fact in facts.rooms if fact.floors} == {"shop": 1, "gym": 2}
+    assert {fact.room_type: fact.floors[0].first for fact in facts.rooms if fact.floors} == {
+        "shop": 1,
+        "gym": 2,
+    }
 
 
 def test_exclusions_end_with_their_clause() -> None:
@@ -97,7 +106,9 @@ def test_exclusions_end_with_their_clause() -> None:
 
 
 def test_wishes_are_read() -> None:
-    facts = read("An L-shaped modern hotel, floors 3 to 8 identical, without elevator, the kitchen next to the restaurant, oak floors")
+    facts = read(
+        "An L-shaped modern hotel, floors 3 to 8 identical, without elevator, the kitchen next to the restaurant, oak floors"
+    )
     assert [shape for shape, _ in facts.shapes] == ["L"]
     assert [style for style, _ in facts.styles] == ["modern"]
     assert [(copy.first.first, copy.first.last) for copy in facts.copies] == [(3, 8)]
@@ -118,7 +129,10 @@ def test_common_words_are_not_taken_for_misspellings() -> None:
 
 def test_unknown_rooms_become_rooms_like_known_ones() -> None:
     facts = read("an office with a quantum lab and two drone rooms")
-    assert [(f.name, f.room_type, f.count) for f in facts.rooms] == [("laboratory", "laboratory", 1), ("drone_room", "study_room", 2)]
+    assert [(f.name, f.room_type, f.count) for f in facts.rooms] == [
+        ("laboratory", "laboratory", 1),
+        ("drone_room", "study_room", 2),
+    ]
 
 
 def test_spans_are_places_in_the_text() -> None:
@@ -141,5 +155,5 @@ def test_any_text_is_read(text: str) -> None:
 @settings(max_examples=100, deadline=None)
 def test_tokens_keep_their_order_and_place(text: str) -> None:
     tokens = tokenize(text)
-    assert all(a.end <= b.start for a, b in zip(tokens, tokens[1:]))
+    assert all(a.end <= b.start for a, b in itertools.pairwise(tokens))
     assert all(0 <= token.start < token.end <= len(text) for token in tokens)

@@ -1,5 +1,6 @@
 """What every plan guarantees, over the corpus of briefs and several seeds."""
 
+import itertools
 import json
 from functools import cache
 from pathlib import Path
@@ -7,13 +8,14 @@ from pathlib import Path
 import networkx as nx
 import pytest
 import shapely
+from shapely.geometry import Polygon
+
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_planner.knowledge import default_knowledge
 from mansion_planner.plan import plan_building
-from shapely.geometry import Polygon
 
 CORPUS = json.loads((Path(__file__).parents[2] / "briefs" / "briefs.json").read_text())
 BRIEFS = [e["brief"] for e in CORPUS if not any(f.startswith("error=") for f in e["facts"])]
@@ -69,7 +71,9 @@ def test_cores_are_integer_boxes_inside_every_outline_and_apart() -> None:
         cores = reply.program.vertical_connectivity.cores
         boxes = [shapely.box(c.x[0], c.y[0], c.x[1], c.y[1]) for c in cores]
         for core in cores:
-            assert all(float(value).is_integer() and value >= 0 for value in (*core.x, *core.y)), brief
+            assert all(float(value).is_integer() and value >= 0 for value in (*core.x, *core.y)), (
+                brief
+            )
         for floor in reply.program.floors:
             outline = Polygon(floor.outline, floor.holes).buffer(1e-6)
             assert all(outline.covers(box) for box in boxes), (brief, floor.index)
@@ -90,7 +94,7 @@ def test_stairs_stand_in_corners_of_two_outer_walls() -> None:
 def test_upper_floors_stand_on_what_is_below_them() -> None:
     for brief, reply in plans():
         floors = [floor for floor in reply.program.floors if floor.index >= 1]
-        for lower, upper in zip(floors, floors[1:]):
+        for lower, upper in itertools.pairwise(floors):
             below = Polygon(lower.outline, lower.holes).buffer(1e-6)
             assert below.covers(Polygon(upper.outline, upper.holes)), (brief, upper.index)
 
@@ -145,14 +149,22 @@ def test_the_same_request_gives_the_same_bytes() -> None:
 
 def test_other_seeds_give_other_outlines() -> None:
     plans_by_seed = {
-        encode_bytes(plan_building(BuildRequest(description="a house", seed=seed)).program.floors[0].outline)
+        encode_bytes(
+            plan_building(BuildRequest(description="a house", seed=seed)).program.floors[0].outline
+        )
         for seed in range(8)
     }
     assert len(plans_by_seed) > 2
 
 
-@pytest.mark.parametrize("entry", [e for e in CORPUS if e["facts"][0].startswith("error=")], ids=lambda e: e["brief"][:40])
-def test_briefs_that_cannot_be_met_are_refused_with_both_places(entry: dict[str, list[str]]) -> None:
+@pytest.mark.parametrize(
+    "entry",
+    [e for e in CORPUS if e["facts"][0].startswith("error=")],
+    ids=lambda e: e["brief"][:40],
+)
+def test_briefs_that_cannot_be_met_are_refused_with_both_places(
+    entry: dict[str, list[str]],
+) -> None:
     with pytest.raises(MansionError) as caught:
         plan_building(BuildRequest(description=str(entry["brief"])))
     assert f"error={caught.value.code}" in entry["facts"]

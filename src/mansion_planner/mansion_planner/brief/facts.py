@@ -49,9 +49,7 @@ class FloorRef:
         Floor numbers, 1 at the ground, for ``number`` and ``range``; `first` is the number of storeys for ``top``.
     """
 
-    kind: Literal[
-        "number", "range", "top", "every", "upper", "basement", "roof", "lower", "middle"
-    ]
+    kind: Literal["number", "range", "top", "every", "upper", "basement", "roof", "lower", "middle"]
     first: int = 0
     last: int = 0
     span: Span = Span("", 0, 0)

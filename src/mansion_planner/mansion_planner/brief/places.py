@@ -1,5 +1,6 @@
 """Find which storeys a brief speaks of: "on the third floor", "ground-floor", "in the basement", "floors 3 to 8"."""
 
+import itertools
 from dataclasses import dataclass
 
 from mansion_planner.brief.facts import FloorRef
@@ -49,7 +50,7 @@ def find_places(reading: Reading) -> list[Place]:
 def _counts_from_ground(reading: Reading) -> bool:
     """Whether the first floor is the one above the ground floor: the brief uses both names, as the British do."""
     words = [token.text for token in reading.tokens]
-    pairs = list(zip(words, words[1:]))
+    pairs = list(itertools.pairwise(words))
     ground = ("ground", "floor") in pairs or ("ground", "level") in pairs
     return ground and ("first", "floor") in pairs and ("second", "storey") not in pairs
 
@@ -139,9 +140,12 @@ def _numbered(reading: Reading, index: int) -> tuple[tuple[FloorRef, ...], int]:
         low, high = min(first, second), max(first, second)
         return (FloorRef("range", low, high, reading.span(index, last + 2)),), last + 2
     adjoining = _number(reading, last, "number")
-    if adjoining is not None and adjoining > first and reading.text[
-        reading.tokens[index + 1].end : reading.tokens[last].start
-    ] in ("-", "‑", "−"):
+    if (
+        adjoining is not None
+        and adjoining > first
+        and reading.text[reading.tokens[index + 1].end : reading.tokens[last].start]
+        in ("-", "‑", "−")
+    ):
         return (FloorRef("range", first, adjoining, reading.span(index, last + 1)),), last + 1
     numbers = [first]
     while reading.word(last) in (",", "and", "&"):
@@ -149,7 +153,14 @@ def _numbered(reading: Reading, index: int) -> tuple[tuple[FloorRef, ...], int]:
         more = _number(reading, last + step, "number")
         if more is None or reading.tokens[index].plural is False:
             break
-        if more <= numbers[-1] or reading.word(last + step + 1) not in (",", "and", "&", ".", "", ":"):
+        if more <= numbers[-1] or reading.word(last + step + 1) not in (
+            ",",
+            "and",
+            "&",
+            ".",
+            "",
+            ":",
+        ):
             break
         numbers.append(more)
         last += step + 1

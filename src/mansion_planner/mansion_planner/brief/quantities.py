@@ -21,9 +21,40 @@ _STOREY_ADJECTIVES = frozenset(
 _BELOW = frozenset({"underground", "basement", "subterranean", "below"})
 _NAMED = {"duplex": 2, "triplex": 3, "bungalow": 1}
 _PEOPLE = frozenset(
-    """people person resident occupant pupil student child employee worker guest patient adult inhabitant staff bed
-    teacher kid user visitor elderly tenant inmate firefighter officer diner seat roommate friend desk colleague
-    developer lodger""".split()
+    [
+        "people",
+        "person",
+        "resident",
+        "occupant",
+        "pupil",
+        "student",
+        "child",
+        "employee",
+        "worker",
+        "guest",
+        "patient",
+        "adult",
+        "inhabitant",
+        "staff",
+        "bed",
+        "teacher",
+        "kid",
+        "user",
+        "visitor",
+        "elderly",
+        "tenant",
+        "inmate",
+        "firefighter",
+        "officer",
+        "diner",
+        "seat",
+        "roommate",
+        "friend",
+        "desk",
+        "colleague",
+        "developer",
+        "lodger",
+    ]
 )
 
 
@@ -46,7 +77,16 @@ def _negated(reading: Reading, index: int) -> bool:
 def _floor_count_at(reading: Reading, index: int) -> None:
     if reading.kind(index) != "number" or index in reading.taken:
         return
-    if reading.word(index - 1) in ("top", "first", "last", "bottom", "lower", "upper", "remaining", "other"):
+    if reading.word(index - 1) in (
+        "top",
+        "first",
+        "last",
+        "bottom",
+        "lower",
+        "upper",
+        "remaining",
+        "other",
+    ):
         return
     value = reading.tokens[index].value
     last = index + 1
@@ -56,7 +96,7 @@ def _floor_count_at(reading: Reading, index: int) -> None:
         value, last = _range(value, reading.tokens[last].value), last + 1
     if reading.word(index - 1) in ("and", "to", "or", "–") and reading.kind(index - 2) == "number":
         return
-    adjectives = []
+    adjectives: list[str] = []
     while reading.word(last) in _STOREY_ADJECTIVES and len(adjectives) < 2:
         adjectives.append(reading.word(last))
         last += 1
@@ -88,12 +128,17 @@ def _range(low: float, high: float) -> float:
 
 def _use_of_storeys(reading: Reading, index: int, last: int, count: int) -> bool:
     """Read "three floors of apartments" as a use of storeys, whatever the building's total is."""
-    mention = next((reading.mention_at[i] for i in (last + 1, last + 2) if i in reading.mention_at), None)
+    mention = next(
+        (reading.mention_at[i] for i in (last + 1, last + 2) if i in reading.mention_at), None
+    )
     if mention is None or not mention.building:
         return mention is not None
     name = "apartment_building" if mention.building == "flat" else mention.building
-    floors = ()
-    if any(reading.word(i) in ("above", "over", "on", "atop") for i in range(mention.last, mention.last + 2)):
+    floors: tuple[FloorRef, ...] = ()
+    if any(
+        reading.word(i) in ("above", "over", "on", "atop")
+        for i in range(mention.last, mention.last + 2)
+    ):
         floors = (FloorRef("range", 2, count + 1, reading.span(index, mention.last)),)
     reading.facts.uses.append(UseFact(name, floors, reading.span(index, mention.last), count))
     reading.take(index, mention.last)
@@ -112,7 +157,11 @@ def _named_count_at(reading: Reading, index: int) -> None:
         reading.facts.size.append((f"{word[:-4]}_rise", span))
     elif word in ("skyscraper", "tower"):
         reading.facts.size.append(("high_rise", span))
-    elif word == "g" and reading.word(index + 1) in ("+", "plus") and reading.kind(index + 2) == "number":
+    elif (
+        word == "g"
+        and reading.word(index + 1) in ("+", "plus")
+        and reading.kind(index + 2) == "number"
+    ):
         value = reading.tokens[index + 2].value + 1
         reading.facts.floors.append(Quantity(value, reading.span(index, index + 3)))
         reading.take(index, index + 3)
@@ -178,7 +227,11 @@ def _per_floor(reading: Reading, first: int, last: int) -> bool:
             follows = after[offset + 1]
             if word in ("footprint", "plate") or follows in FLOOR_WORDS or follows == "footprint":
                 return True
-        if offset == 0 and word in ("floor", "storey", "level") and after[1] in ("plate", "area", "plan"):
+        if (
+            offset == 0
+            and word in ("floor", "storey", "level")
+            and after[1] in ("plate", "area", "plan")
+        ):
             return True
     before = [reading.word(i) for i in range(first - 6, first)]
     text = " ".join(before)
@@ -230,12 +283,31 @@ def read_occupants(reading: Reading) -> None:
         if token.kind != "number" or index in reading.taken or token.value < 1:
             continue
         last = index + 1
-        while reading.word(last) in ("elderly", "young", "full", "time", "hospital", "school", "primary", "secondary", "office", "permanent", "hotel"):
+        while reading.word(last) in (
+            "elderly",
+            "young",
+            "full",
+            "time",
+            "hospital",
+            "school",
+            "primary",
+            "secondary",
+            "office",
+            "permanent",
+            "hotel",
+        ):
             last += 1
-        if reading.word(last) in _PEOPLE and (last not in reading.mention_at or reading.word(last) in ("bed",)):
-            if reading.word(last) == "desk" or (reading.word(last) == "bed" and reading.word(last + 1) == "room"):
+        if reading.word(last) in _PEOPLE and (
+            last not in reading.mention_at or reading.word(last) in ("bed",)
+        ):
+            if reading.word(last) == "desk" or (
+                reading.word(last) == "bed" and reading.word(last + 1) == "room"
+            ):
                 continue
-            if reading.word(last) in ("guest", "patient", "staff", "student", "kid", "child") and last in reading.mention_at:
+            if (
+                reading.word(last) in ("guest", "patient", "staff", "student", "kid", "child")
+                and last in reading.mention_at
+            ):
                 continue
             if reading.word(last) == "person" and last + 1 in reading.mention_at:
                 continue
@@ -244,7 +316,12 @@ def read_occupants(reading: Reading) -> None:
             span = reading.span(index, last + 1)
             reading.facts.occupants.append(OccupantFact(int(token.value), reading.word(last), span))
             reading.take(index, last + 1)
-        elif reading.word(index - 1) == "of" and reading.word(index - 2) in ("family", "household", "couple", "group"):
+        elif reading.word(index - 1) == "of" and reading.word(index - 2) in (
+            "family",
+            "household",
+            "couple",
+            "group",
+        ):
             span = reading.span(index - 2, index + 1)
             reading.facts.occupants.append(OccupantFact(int(token.value), "family", span))
             reading.take(index - 2, index + 1)

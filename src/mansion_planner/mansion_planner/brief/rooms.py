@@ -1,17 +1,15 @@
 """Read the rooms that a brief wants, with count, area and storeys."""
 
-import difflib
 import re
 from dataclasses import replace
-from functools import cache
 
 from mansion_planner.brief.facts import FloorRef, RoomFact, UseFact
 from mansion_planner.brief.places import Place
 from mansion_planner.brief.quantities import area_at
 from mansion_planner.brief.reading import Reading
-from mansion_planner.knowledge import KnowledgeBase
+from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 
-__all__ = ["AS_ROOM", "read_rooms", "similar_room_type"]
+__all__ = ["AS_ROOM", "read_rooms"]
 
 AS_ROOM = {
     "office": "private_office", "flat": "apartment", "apartment_building": "apartment",
@@ -39,31 +37,217 @@ AS_ROOM = {
 _AS_USE = {"flat": "apartment_building", "studio_flat": "apartment_building", "shop_building": "shopping_mall",
            "house": "apartment_building", "penthouse": "apartment_building"}  # fmt: skip
 
-_HEADS = {
-    "room": "study_room", "hall": "assembly_hall", "lab": "laboratory", "studio": "art_room",
-    "area": "lounge", "space": "lounge", "zone": "lounge", "corner": "lounge", "suite": "private_office",
-    "workshop": "workshop", "center": "common_room", "centre": "common_room", "shop": "shop",
-    "store": "shop", "lounge": "lounge", "chamber": "meeting_room", "parlor": "lounge", "den": "lounge",
-    "parlour": "lounge", "closet": "storage", "ward": "hospital_ward", "bay": "storage",
-    "office": "private_office", "department": "open_office", "gallery": "gallery", "bar": "bar",
-    "theater": "cinema_hall", "court": "sports_hall", "kitchen": "kitchen", "section": "lounge",
-    "cellar": "storage", "vault": "vault", "nook": "lounge", "garden": "greenhouse", "pool": "indoor_pool",
-}  # fmt: skip
 
 _STOP = frozenset(
-    """a an the with and or of in on at to for from no not without has have is are be that this it its which each every all
-    one per by as plus also any some several many few more most least than total about around i we want need like please
-    build design create make give us me would should must can will could there their our my your including containing
-    contain include provide includ contain where when who whose next beside adjacent near between above below under over
-    into onto onto across other same another extra additional living floor storey story level m2 square m metre meter sq ft feet foot
-    large small big main own separate shared common only just very quite new nice modern open outdoor indoor so but then
-    upper lower top ground located shall featuring have having both either neither enough direct connected connecting
-    opening opens open close between rest entire whole such lots lot plenty use used using parking story stories footprint sampl
-    unused empty free useful usable remaining gross net living dead storage green public private work working outside
-    available little much less wide tall first double single l u t h shaped""".split()
+    [
+        "a",
+        "an",
+        "the",
+        "with",
+        "and",
+        "or",
+        "of",
+        "in",
+        "on",
+        "at",
+        "to",
+        "for",
+        "from",
+        "no",
+        "not",
+        "without",
+        "has",
+        "have",
+        "is",
+        "are",
+        "be",
+        "that",
+        "this",
+        "it",
+        "its",
+        "which",
+        "each",
+        "every",
+        "all",
+        "one",
+        "per",
+        "by",
+        "as",
+        "plus",
+        "also",
+        "any",
+        "some",
+        "several",
+        "many",
+        "few",
+        "more",
+        "most",
+        "least",
+        "than",
+        "total",
+        "about",
+        "around",
+        "i",
+        "we",
+        "want",
+        "need",
+        "like",
+        "please",
+        "build",
+        "design",
+        "create",
+        "make",
+        "give",
+        "us",
+        "me",
+        "would",
+        "should",
+        "must",
+        "can",
+        "will",
+        "could",
+        "there",
+        "their",
+        "our",
+        "my",
+        "your",
+        "including",
+        "containing",
+        "contain",
+        "include",
+        "provide",
+        "includ",
+        "contain",
+        "where",
+        "when",
+        "who",
+        "whose",
+        "next",
+        "beside",
+        "adjacent",
+        "near",
+        "between",
+        "above",
+        "below",
+        "under",
+        "over",
+        "into",
+        "onto",
+        "onto",
+        "across",
+        "other",
+        "same",
+        "another",
+        "extra",
+        "additional",
+        "living",
+        "floor",
+        "storey",
+        "story",
+        "level",
+        "m2",
+        "square",
+        "m",
+        "metre",
+        "meter",
+        "sq",
+        "ft",
+        "feet",
+        "foot",
+        "large",
+        "small",
+        "big",
+        "main",
+        "own",
+        "separate",
+        "shared",
+        "common",
+        "only",
+        "just",
+        "very",
+        "quite",
+        "new",
+        "nice",
+        "modern",
+        "open",
+        "outdoor",
+        "indoor",
+        "so",
+        "but",
+        "then",
+        "upper",
+        "lower",
+        "top",
+        "ground",
+        "located",
+        "shall",
+        "featuring",
+        "have",
+        "having",
+        "both",
+        "either",
+        "neither",
+        "enough",
+        "direct",
+        "connected",
+        "connecting",
+        "opening",
+        "opens",
+        "open",
+        "close",
+        "between",
+        "rest",
+        "entire",
+        "whole",
+        "such",
+        "lots",
+        "lot",
+        "plenty",
+        "use",
+        "used",
+        "using",
+        "parking",
+        "story",
+        "stories",
+        "footprint",
+        "sampl",
+        "unused",
+        "empty",
+        "free",
+        "useful",
+        "usable",
+        "remaining",
+        "gross",
+        "net",
+        "living",
+        "dead",
+        "storage",
+        "green",
+        "public",
+        "private",
+        "work",
+        "working",
+        "outside",
+        "available",
+        "little",
+        "much",
+        "less",
+        "wide",
+        "tall",
+        "first",
+        "double",
+        "single",
+        "l",
+        "u",
+        "t",
+        "h",
+        "shaped",
+    ]
 )
 
-_SOFT_PLURAL = frozenset({"several", "multiple", "various", "many", "few", "some", "numerous", "more"})
+_SOFT_PLURAL = frozenset(
+    {"several", "multiple", "various", "many", "few", "some", "numerous", "more"}
+)
 
 
 def read_rooms(reading: Reading, places: list[Place], repeated: set[int]) -> None:
@@ -127,7 +311,16 @@ def _fact(
                         count = 12
                     first = index
                     break
-        elif token.kind != "word" or token.text in ("and", "or", "with", "a", "an", "the", "of", "no"):
+        elif token.kind != "word" or token.text in (
+            "and",
+            "or",
+            "with",
+            "a",
+            "an",
+            "the",
+            "of",
+            "no",
+        ):
             if token.text == "of" and reading.kind(index - 1) == "number":
                 index -= 1
                 continue
@@ -145,9 +338,13 @@ def _fact(
         last = end
     if reading.word(last) in ("each", "apiece"):
         last += 1
-    if reading.word(last) in ("per", "on", "for") and reading.word(last + (reading.word(last) != "per")) in ("floor", "storey", "level"):
+    if reading.word(last) in ("per", "on", "for") and reading.word(
+        last + (reading.word(last) != "per")
+    ) in ("floor", "storey", "level"):
         each = True
-    fact = RoomFact(room_type, name, reading.span(min(first, last - 1), last), count, area, (), each)
+    fact = RoomFact(
+        room_type, name, reading.span(min(first, last - 1), last), count, area, (), each
+    )
     return first, last, fact
 
 
@@ -188,9 +385,22 @@ def _plain_rooms(reading: Reading) -> list[tuple[int, int, RoomFact]]:
     found = []
     for index, token in enumerate(reading.tokens):
         first = index - 1
-        while reading.word(first) in ("guest", "patient", "comfortable", "private", "single", "double", "standard"):
+        while reading.word(first) in (
+            "guest",
+            "patient",
+            "comfortable",
+            "private",
+            "single",
+            "double",
+            "standard",
+        ):
             first -= 1
-        if token.text == "room" and token.plural and index not in reading.taken and reading.kind(first) == "number":
+        if (
+            token.text == "room"
+            and token.plural
+            and index not in reading.taken
+            and reading.kind(first) == "number"
+        ):
             reading.take(first + 1, index + 1)
             found.append(_fact(reading, first + 1, index + 1, name, name))
     return found
@@ -200,7 +410,7 @@ def _unknown_rooms(reading: Reading) -> list[tuple[int, int, RoomFact]]:
     """Read phrases such as "a pottery room" that the knowledge base does not hold."""
     found = []
     for index, token in enumerate(reading.tokens):
-        if token.kind != "word" or token.text not in _HEADS or index in reading.taken:
+        if token.kind != "word" or token.text not in HEAD_TYPES or index in reading.taken:
             continue
         first = index
         while (
@@ -222,35 +432,6 @@ def _unknown_rooms(reading: Reading) -> list[tuple[int, int, RoomFact]]:
     return found
 
 
-def similar_room_type(name: str, knowledge: KnowledgeBase) -> str:
-    """Return the room type that a room of unknown `name` is planned and furnished as.
-
-    By the nearest spelling among names and synonyms, else by the name's last word.
-
-    Examples
-    --------
-    >>> from mansion_planner.knowledge import default_knowledge
-    >>> similar_room_type("pottery_workshop", default_knowledge())
-    'workshop'
-    """
-    if name in knowledge.rooms:
-        return name
-    names = _names(tuple((room.name, room.synonyms) for room in knowledge.rooms.values()))
-    close = difflib.get_close_matches(name.replace("_", " "), list(names), n=1, cutoff=0.88)
-    if close:
-        return names[close[0]]
-    return _HEADS.get(name.rsplit("_", 1)[-1], "study_room")
-
-
-@cache
-def _names(rooms: tuple[tuple[str, tuple[str, ...]], ...]) -> dict[str, str]:
-    names: dict[str, str] = {}
-    for name, synonyms in rooms:
-        for phrase in (name.replace("_", " "), *synonyms):
-            names.setdefault(phrase, name)
-    return names
-
-
 def _attach_places(
     reading: Reading, places: list[Place], found: list[tuple[int, int, RoomFact]]
 ) -> None:
@@ -266,7 +447,10 @@ def _attach_places(
         rooms = _rooms_of(reading, place, places, found, set(assigned))
         for number in rooms:
             assigned[number] = place.refs
-            if place.refs[0].kind in ("every", "range", "upper", "middle", "lower") or len(place.refs) > 1:
+            if (
+                place.refs[0].kind in ("every", "range", "upper", "middle", "lower")
+                or len(place.refs) > 1
+            ):
                 each.add(number)
     for number, (first, last, fact) in enumerate(found):
         mention = reading.mention_at.get(first)
@@ -320,14 +504,37 @@ def _rooms_of(
 
 def _opens_clause(reading: Reading, place: Place) -> bool:
     before = reading.word(place.first - 1)
-    opens = place.first == 0 or before in (".", ";", ":", "\n", "and", ",", "while", "but", "!", "–", "where", "then")
+    opens = place.first == 0 or before in (
+        ".",
+        ";",
+        ":",
+        "\n",
+        "and",
+        ",",
+        "while",
+        "but",
+        "!",
+        "–",
+        "where",
+        "then",
+    )
     after = reading.word(place.last)
     verbs = ("has", "have", "contain", "hold", "house", "include", ":", "host", "feature", "is", "are", "with",
              "comprise", "offer", "should", "must", "provide", "accommodate", "consist", "there", "will", "–",
              "housing", "containing", "for", "used")  # fmt: skip
     if after in verbs:
         return after not in ("with", "for", "is", "are", "used") or opens
-    return opens and place.led and (after == "," or place.first == 0 or before in (".", ";", "\n") or after in ("a", "an", "the", "we", "put", "i", "you") or reading.kind(place.last) == "number")
+    return (
+        opens
+        and place.led
+        and (
+            after == ","
+            or place.first == 0
+            or before in (".", ";", "\n")
+            or after in ("a", "an", "the", "we", "put", "i", "you")
+            or reading.kind(place.last) == "number"
+        )
+    )
 
 
 def _clause_end(reading: Reading, index: int) -> int:
@@ -337,15 +544,21 @@ def _clause_end(reading: Reading, index: int) -> int:
 
 
 def _touches(reading: Reading, begin: int, end: int) -> bool:
-    return end >= begin and end - begin <= 3 and all(
-        reading.kind(i) in ("word", "number", "unit") and reading.word(i) not in ("and", "with", "or")
-        for i in range(begin, end)
+    return (
+        end >= begin
+        and end - begin <= 3
+        and all(
+            reading.kind(i) in ("word", "number", "unit")
+            and reading.word(i) not in ("and", "with", "or")
+            for i in range(begin, end)
+        )
     )
 
 
 def _no_break(reading: Reading, begin: int, end: int) -> bool:
     return end - begin <= 6 and not any(
-        reading.word(i) in (".", ";", ":", "\n", ",", "with", "and", "but") for i in range(begin, end)
+        reading.word(i) in (".", ";", ":", "\n", ",", "with", "and", "but")
+        for i in range(begin, end)
     )
 
 
@@ -355,9 +568,11 @@ def _conjuncts(
     """The rooms listed just before a floor reference, as far back as the list goes and the storey suits them."""
     chosen = [before[-1]]
     for number in reversed(before[:-1]):
-        first, last, fact = found[number]
+        _first, last, fact = found[number]
         between = [reading.word(i) for i in range(last, found[chosen[-1]][0])]
-        linked = all(word in ("and", "a", "an", "the", ",", "&", "one", "large", "small") for word in between)
+        linked = all(
+            word in ("and", "a", "an", "the", ",", "&", "one", "large", "small") for word in between
+        )
         joined = "and" in between or "&" in between or (len(chosen) > 1 and "," in between)
         if not linked or not joined or not _suits(reading, fact, place):
             break

@@ -178,7 +178,11 @@ def _join_number_words(tokens: list[Token]) -> list[Token]:
             and token.value < 100
         ):
             joined[-1] = Token(
-                "number", f"{last.text} {token.text}", last.start, token.end, last.value + token.value
+                "number",
+                f"{last.text} {token.text}",
+                last.start,
+                token.end,
+                last.value + token.value,
             )
         else:
             joined.append(token)

@@ -19,7 +19,19 @@ __all__ = [
 
 _SHAPES: dict[str, Shape] = {"l": "L", "u": "U", "t": "T", "h": "H"}
 _LIFT = ("elevator", "lift")
-_NEGATIONS = ("no", "without", "exclude", "excluding", "omit", "not", "neither", "nor", "avoid", "skip", "never")
+_NEGATIONS = (
+    "no",
+    "without",
+    "exclude",
+    "excluding",
+    "omit",
+    "not",
+    "neither",
+    "nor",
+    "avoid",
+    "skip",
+    "never",
+)
 _CLAUSE_ENDS = (".", ";", ":", "\n", "but", "with", "!", "?", "however", "only")
 _BESIDE = (("next", "to"), ("adjacent", "to"), ("beside",), ("adjoining",), ("near",), ("close", "to"),
            ("alongside",), ("connected", "to"), ("attached", "to"), ("opening", "to"), ("opening", "onto"),
@@ -43,15 +55,25 @@ def read_shape(reading: Reading) -> None:
         word = reading.word(i)
         if word in _SHAPES and (
             reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed")
-            or " ".join(reading.word(i - k) for k in (3, 2, 1)) in ("shape of a", "form of a", "shape of an", "form of an")
+            or " ".join(reading.word(i - k) for k in (3, 2, 1))
+            in ("shape of a", "form of a", "shape of an", "form of an")
         ):
-            reading.facts.shapes.append((_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped"))))
+            reading.facts.shapes.append(
+                (_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped")))
+            )
             reading.take(i, i + 2)
         elif word == "courtyard" and reading.word(i - 1) not in _NEGATIONS:
             reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
         elif word in ("rectangular", "rectangle", "oblong"):
             reading.facts.shapes.append(("rectangle", reading.span(i, i + 1)))
-        elif word == "square" and reading.word(i + 1) in ("outline", "footprint", "plan", "shape", "shaped", "building"):
+        elif word == "square" and reading.word(i + 1) in (
+            "outline",
+            "footprint",
+            "plan",
+            "shape",
+            "shaped",
+            "building",
+        ):
             reading.facts.shapes.append(("square", reading.span(i, i + 2)))
 
 
@@ -77,12 +99,20 @@ def read_vertical(reading: Reading) -> None:
 def read_exclusions(reading: Reading) -> None:
     """Read what must not be there: "no basement", "without a kitchen or a gym"."""
     for i in range(len(reading.tokens)):
-        if reading.word(i) not in _NEGATIONS or (reading.word(i) == "no" and reading.word(i + 1) in ("more", "less", "fewer", "bigger", "larger")):
+        if reading.word(i) not in _NEGATIONS or (
+            reading.word(i) == "no"
+            and reading.word(i + 1) in ("more", "less", "fewer", "bigger", "larger")
+        ):
             continue
         index, steps, listed = i + 1, 0, False
         while index < len(reading.tokens) and steps < 12:
             word = reading.word(index)
-            if word in _CLAUSE_ENDS or (word == "," and reading.word(index + 1) not in ("no", "nor", "or")) or (word == "and" and listed and reading.word(index + 1) in ("a", "an", "the") ) or reading.kind(index) == "number":
+            if (
+                word in _CLAUSE_ENDS
+                or (word == "," and reading.word(index + 1) not in ("no", "nor", "or"))
+                or (word == "and" and listed and reading.word(index + 1) in ("a", "an", "the"))
+                or reading.kind(index) == "number"
+            ):
                 break
             mention = reading.mention_at.get(index)
             if mention is not None and not reading.taken & set(range(mention.first, mention.last)):
@@ -104,7 +134,9 @@ def read_exclusions(reading: Reading) -> None:
 def read_adjacency(reading: Reading) -> None:
     """Read pairs that are to be side by side: "kitchen next to the dining room"."""
     for i in range(len(reading.tokens)):
-        phrase = next((p for p in _BESIDE if all(reading.word(i + k) == w for k, w in enumerate(p))), None)
+        phrase = next(
+            (p for p in _BESIDE if all(reading.word(i + k) == w for k, w in enumerate(p))), None
+        )
         if phrase is None:
             continue
         left = _room_before(reading, i)
@@ -114,7 +146,9 @@ def read_adjacency(reading: Reading) -> None:
         if left is not None and right is not None:
             first, second = _name(left), _name(right)
             if first and second:
-                reading.facts.adjacent.append(AdjacencyFact(first, second, reading.span(left.first, right.last)))
+                reading.facts.adjacent.append(
+                    AdjacencyFact(first, second, reading.span(left.first, right.last))
+                )
 
 
 def _name(mention: Mention) -> str:
@@ -153,9 +187,28 @@ def repeated_mentions(reading: Reading) -> set[int]:
         name = _name(mention)
         if not name or mention.first in reading.taken:
             continue
-        definite = reading.word(mention.first - 1) in ("the", "its", "their", "this", "that", "each", "every", "both", "all")
-        restated = not mention.plural and reading.word(mention.last) in _BESIDE_STARTS and reading.kind(mention.first - 1) not in ("number",) and reading.word(mention.first - 1) not in ("a", "an")
-        sized = reading.word(mention.last) in ("should", "must", "is", "has", "to", "shall", "will", "of") and definite
+        definite = reading.word(mention.first - 1) in (
+            "the",
+            "its",
+            "their",
+            "this",
+            "that",
+            "each",
+            "every",
+            "both",
+            "all",
+        )
+        restated = (
+            not mention.plural
+            and reading.word(mention.last) in _BESIDE_STARTS
+            and reading.kind(mention.first - 1) not in ("number",)
+            and reading.word(mention.first - 1) not in ("a", "an")
+        )
+        sized = (
+            reading.word(mention.last)
+            in ("should", "must", "is", "has", "to", "shall", "will", "of")
+            and definite
+        )
         if name in seen and (definite or restated or sized):
             repeated.add(mention.first)
         else:
@@ -163,7 +216,13 @@ def repeated_mentions(reading: Reading) -> set[int]:
     return repeated
 
 
-_BESIDE_STARTS = frozenset(phrase[0] for phrase in _BESIDE) | {"should", "must", "is", "are", "opens"}
+_BESIDE_STARTS = frozenset(phrase[0] for phrase in _BESIDE) | {
+    "should",
+    "must",
+    "is",
+    "are",
+    "opens",
+}
 
 
 def read_style(reading: Reading) -> None:
@@ -171,7 +230,13 @@ def read_style(reading: Reading) -> None:
     for mention in reading.mentions:
         if mention.style and not reading.taken & set(range(mention.first, mention.last)):
             following = reading.mention_at.get(mention.last)
-            if mention.room or mention.building or (following is not None and following.room and following.room in ("roof_terrace",)):
+            if (
+                mention.room
+                or mention.building
+                or (
+                    following is not None and following.room and following.room in ("roof_terrace",)
+                )
+            ):
                 continue
             reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
 
@@ -201,7 +266,11 @@ def read_materials(reading: Reading) -> None:
 def _material_ending(reading: Reading, end: int) -> int:
     """Return one more than the first token of the material words that end before `end`, or 0."""
     first = end
-    while first > 0 and (reading.word(first - 1) in _MATERIALS or reading.word(first - 1) in _COLOURS) and end - first < 4:
+    while (
+        first > 0
+        and (reading.word(first - 1) in _MATERIALS or reading.word(first - 1) in _COLOURS)
+        and end - first < 4
+    ):
         first -= 1
     return first + 1 if first < end else 0
 
@@ -209,17 +278,24 @@ def _material_ending(reading: Reading, end: int) -> int:
 def read_copies(reading: Reading, places: list[Place]) -> None:
     """Read storeys that are to be identical: "floors 3 to 8 identical", "identical upper floors"."""
     for i in range(len(reading.tokens)):
-        if reading.word(i) not in ("identical", "same", "repeated", "repeat", "alike", "equal") and not (
-            reading.word(i) == "typical" and reading.word(i + 1) in FLOOR_WORDS
-        ):
+        if reading.word(i) not in (
+            "identical",
+            "same",
+            "repeated",
+            "repeat",
+            "alike",
+            "equal",
+        ) and not (reading.word(i) == "typical" and reading.word(i + 1) in FLOOR_WORDS):
             continue
         near = [
             p for p in places
-            if (p.last <= i and i - p.last <= 5 or i < p.first <= i + 3) and p.refs[0].kind in ("range", "upper", "middle", "every")
+            if ((p.last <= i and i - p.last <= 5) or i < p.first <= i + 3) and p.refs[0].kind in ("range", "upper", "middle", "every")
         ]  # fmt: skip
         if near:
             place = min(near, key=lambda p: min(abs(p.last - i), abs(p.first - i)))
-            reading.facts.copies.append(CopyFact(place.refs[0], reading.span(min(place.first, i), max(place.last, i + 1))))
+            reading.facts.copies.append(
+                CopyFact(place.refs[0], reading.span(min(place.first, i), max(place.last, i + 1)))
+            )
         elif reading.word(i) == "identical" and reading.word(i + 1) in FLOOR_WORDS:
             span = reading.span(i, i + 2)
             reading.facts.copies.append(CopyFact(FloorRef("upper", span=span), span))
@@ -229,9 +305,15 @@ def read_massing(reading: Reading) -> None:
     """Read setbacks and terraces, protruding ground floors and garages."""
     for i in range(len(reading.tokens)):
         word, following = reading.word(i), reading.word(i + 1)
-        if word == "setback" or (word == "set" and following == "back") or word in ("stepped", "recessed", "terraced"):
+        if (
+            word == "setback"
+            or (word == "set" and following == "back")
+            or word in ("stepped", "recessed", "terraced")
+        ):
             if word == "terraced" and following == "house":
                 continue
             reading.facts.setback.append(reading.span(i, i + 1 + (following == "back")))
-        elif word in ("protruding", "projecting", "podium", "wider") or (word == "larger" and following == "ground"):
+        elif word in ("protruding", "projecting", "podium", "wider") or (
+            word == "larger" and following == "ground"
+        ):
             reading.facts.protruding.append(reading.span(i, i + 1))

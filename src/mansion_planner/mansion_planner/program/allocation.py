@@ -3,13 +3,21 @@
 from dataclasses import dataclass, field
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
-
 from mansion_planner.brief.facts import FloorRef, RoomFact
 from mansion_planner.knowledge import BuildingType, KnowledgeBase, RoomEntry, RoomType
-from mansion_planner.program.decisions import Decisions, note, quoted
+from mansion_planner.program.decisions import Decisions, quoted
+from mansion_planner.program.inference import note
 from mansion_planner.program.model import PlannedRoom, Storey
 
-__all__ = ["Allocation", "allocate", "entries_of", "floors_of", "is_hall", "make_storeys", "planned_room"]
+__all__ = [
+    "Allocation",
+    "allocate",
+    "entries_of",
+    "floors_of",
+    "is_hall",
+    "make_storeys",
+    "planned_room",
+]
 
 _KIN = (
     frozenset({"bedroom", "master_bedroom", "guest_room", "childrens_room"}),
@@ -79,13 +87,21 @@ def _mark_copies(decisions: Decisions, storeys: list[Storey]) -> None:
             group = [f for f in group if f >= 1]
         for room in decisions.facts.rooms:
             pinned = set(floors_of(room.floors, decisions)) & set(group)
-            if pinned and pinned != set(group) and any(ref.kind in ("number", "top") for ref in room.floors):
+            if (
+                pinned
+                and pinned != set(group)
+                and any(ref.kind in ("number", "top") for ref in room.floors)
+            ):
                 raise MansionError(
                     ErrorCode.CONTRADICTION,
                     f"{quoted(fact.span)} makes storeys identical, {quoted(room.span)} is for storey "
                     f"{min(pinned)} alone; keep one of the two",
                     path="$.description",
-                    details={"first": fact.span.words, "second": room.span.words, "stage": "program"},
+                    details={
+                        "first": fact.span.words,
+                        "second": room.span.words,
+                        "stage": "program",
+                    },
                 )
         for floor in group[1:]:
             by_index[floor].copy = group[0]
@@ -93,7 +109,11 @@ def _mark_copies(decisions: Decisions, storeys: list[Storey]) -> None:
             by_index[floor].use = by_index[group[0]].use
             by_index[floor].hub = by_index[group[0]].hub
         if len(group) > 1:
-            note(decisions.trace, fact.span, f"storeys {group[1]} to {group[-1]} repeat storey {group[0]}")
+            note(
+                decisions.trace,
+                fact.span,
+                f"storeys {group[1]} to {group[-1]} repeat storey {group[0]}",
+            )
 
 
 def _shape_storeys(decisions: Decisions, storeys: list[Storey]) -> None:
@@ -104,7 +124,11 @@ def _shape_storeys(decisions: Decisions, storeys: list[Storey]) -> None:
         for storey in storeys:
             if storey.index >= 2:
                 storey.setback = depth
-        note(decisions.trace, facts.setback[0], f"storeys above the ground floor are {depth:g} m shorter")
+        note(
+            decisions.trace,
+            facts.setback[0],
+            f"storeys above the ground floor are {depth:g} m shorter",
+        )
     elif facts.protruding and decisions.floors > 1:
         for storey in storeys:
             if storey.index <= 1:
@@ -161,7 +185,8 @@ def entries_of(storey: Storey) -> tuple[RoomEntry, ...]:
 
 def floors_of(refs: tuple[FloorRef, ...], decisions: Decisions) -> list[int]:
     """Return the storeys that floor references mean, ascending."""
-    top, found = decisions.floors, set()
+    top = decisions.floors
+    found: set[int] = set()
     for ref in refs:
         if ref.kind in ("number", "range"):
             found.update(range(ref.first, ref.last + 1))
@@ -187,13 +212,27 @@ def people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFac
         return []
     people = facts.occupants[0]
     stated = {fact.room_type for fact in facts.rooms if fact.count is not None}
-    if decisions.building.family == "home" and people.noun in ("family", "people", "person", "resident", "adult", "inhabitant"):
+    if decisions.building.family == "home" and people.noun in (
+        "family",
+        "people",
+        "person",
+        "resident",
+        "adult",
+        "inhabitant",
+    ):
         if stated & _KIN[0]:
             return []
         count = max(1, min(people.count - 1, 8))
         note(decisions.trace, people.span, f"{count} bedrooms for {people.count} people")
         return [RoomFact("bedroom", "bedroom", people.span, count)]
-    if seats is None or people.noun in ("employee", "worker", "staff", "visitor", "teacher", "family"):
+    if seats is None or people.noun in (
+        "employee",
+        "worker",
+        "staff",
+        "visitor",
+        "teacher",
+        "family",
+    ):
         return []
     kind = knowledge.room(seats.room_type)
     if kind.name in stated:
@@ -212,7 +251,7 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
         ``CONTRADICTION`` for a storey that does not exist, or a room that is asked for and excluded.
     """
     allocation = Allocation({storey.index: [] for storey in storeys})
-    excluded = {name: span for name, span in decisions.facts.excluded}
+    excluded = dict(decisions.facts.excluded)
     settled: set[str] = set()
     for fact in [*decisions.facts.rooms, *people_rooms(decisions, knowledge)]:
         if fact.room_type in excluded:
@@ -220,7 +259,11 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
                 ErrorCode.CONTRADICTION,
                 f"{quoted(fact.span)} asks for a room that {quoted(excluded[fact.room_type])} excludes; keep one",
                 path="$.description",
-                details={"first": fact.span.words, "second": excluded[fact.room_type].words, "stage": "program"},
+                details={
+                    "first": fact.span.words,
+                    "second": excluded[fact.room_type].words,
+                    "stage": "program",
+                },
             )
         kind = knowledge.room(fact.room_type)
         if fact.count is not None and not (fact.room_type in _EVERYWHERE and fact.count == 1):
@@ -231,7 +274,11 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
 
 
 def _distribute(
-    fact: RoomFact, kind: RoomType, decisions: Decisions, storeys: list[Storey], allocation: Allocation
+    fact: RoomFact,
+    kind: RoomType,
+    decisions: Decisions,
+    storeys: list[Storey],
+    allocation: Allocation,
 ) -> None:
     above = [storey.index for storey in storeys if storey.index >= 1]
     count = fact.count if fact.count is not None else 2
@@ -296,7 +343,11 @@ def _preferred(kind: RoomType, decisions: Decisions, storeys: list[Storey]) -> l
 
 
 def planned_room(
-    kind: RoomType, knowledge: KnowledgeBase, *, area: float | None = None, fact: RoomFact | None = None
+    kind: RoomType,
+    knowledge: KnowledgeBase,
+    *,
+    area: float | None = None,
+    fact: RoomFact | None = None,
 ) -> PlannedRoom:
     """Make a room of a type with its suite; the area of a fact is kept."""
     stated = fact is not None and fact.area is not None

@@ -1,7 +1,7 @@
 """Structural walls: what the sketches of all storeys have in common along the main corridor (section A.3)."""
 
 from mansion_planner.program.frame import Frame
-from mansion_planner.program.sketch import Sketch
+from mansion_planner.program.placement import Sketch
 
 __all__ = ["bearing_walls"]
 

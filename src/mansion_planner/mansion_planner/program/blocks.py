@@ -75,9 +75,7 @@ def _spare_front(block: Block, depth: float) -> float:
     return width - sum(room.area / front_depth(room.area, depth) for room in block.smalls)
 
 
-def _fit(
-    block: Block, room: PlannedRoom, depth: float, pairs: list[tuple[str, str]]
-) -> float:
+def _fit(block: Block, room: PlannedRoom, depth: float, pairs: list[tuple[str, str]]) -> float:
     """Prefer hosts of kindred use with room to spare."""
     same_zone = block.host.kind.zone == room.kind.zone
     wanted = room.kind.name in block.host.kind.near or block.host.kind.name in room.kind.near

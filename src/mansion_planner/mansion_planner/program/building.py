@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.program import (
     AreaSummary,
@@ -14,17 +15,17 @@ from mansion_msgs_py.program import (
     VerticalConnectivity,
 )
 from mansion_msgs_py.request import BuildRequest
-
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts
 from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.allocation import Allocation, allocate, make_storeys
 from mansion_planner.program.bearing import bearing_walls
-from mansion_planner.program.decisions import Decisions, decide, note
+from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.envelope import Envelope, envelope_of
 from mansion_planner.program.filling import fill_storey, fit_areas, hub_area, name_rooms
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
 from mansion_planner.program.frame import Frame
 from mansion_planner.program.hall import sketch_hall
+from mansion_planner.program.inference import note
 from mansion_planner.program.massing import (
     MassingWish,
     choose_massing,
@@ -33,8 +34,9 @@ from mansion_planner.program.massing import (
 )
 from mansion_planner.program.materials import materials_of
 from mansion_planner.program.model import Massing, Storey, box_area
+from mansion_planner.program.placement import Sketch, touching
 from mansion_planner.program.sizes import storey_area, typical_room
-from mansion_planner.program.sketch import Sketch, capacity, sketch_storey, touching
+from mansion_planner.program.sketch import capacity, sketch_storey
 from mansion_planner.program.vertical import vertical_method
 
 __all__ = ["PlannedBuilding", "plan_program"]
@@ -81,7 +83,9 @@ def plan_program(
         area, decisions.building, stairs, lifts, exact=decisions.area_stated,
         room=typical_room(storeys, allocation, knowledge), shape=choose_shape(decisions, area, generator),
     )  # fmt: skip
-    massing, frame, sketches, envelopes = _best_layout(decisions, wish, storeys, allocation, knowledge)
+    massing, frame, sketches, envelopes = _best_layout(
+        decisions, wish, storeys, allocation, knowledge
+    )
     walls = bearing_walls([sketches[storey.index] for storey in storeys], frame)
     program = BuildingProgram(
         building_id=building_id,
@@ -123,7 +127,14 @@ def _best_layout(
     for attempt in range(attempts):
         growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
         generator = item_generator(decisions.seed, "massing", attempt)
-        layout = _lay_out(decisions, replace(wish, area=wish.area * growth, variant=attempt), storeys, allocation, knowledge, generator)
+        layout = _lay_out(
+            decisions,
+            replace(wish, area=wish.area * growth, variant=attempt),
+            storeys,
+            allocation,
+            knowledge,
+            generator,
+        )
         apart = sum(len(apart_pairs(decisions, s, layout[2][s.index])) for s in storeys)
         if best is None or apart < best[0]:
             best = (apart, layout)
@@ -199,7 +210,11 @@ def _sketch(
 
 
 def _furnish(
-    storey: Storey, massing: Massing, allocation: Allocation, knowledge: KnowledgeBase, decisions: Decisions
+    storey: Storey,
+    massing: Massing,
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    decisions: Decisions,
 ) -> None:
     """Choose a storey's rooms, settle their areas and name them."""
     stated = hub_area(storey, allocation)
@@ -213,7 +228,9 @@ def _furnish(
     storey.rooms = fill_storey(storey, allocation, knowledge, room, hub_share=share)
     if massing.hall:
         asked = sum(r.gross for r in storey.rooms)
-        fit_areas(storey.rooms, room - share if stated else min(room - share, max(asked, 0.45 * room)))
+        fit_areas(
+            storey.rooms, room - share if stated else min(room - share, max(asked, 0.45 * room))
+        )
     else:
         fit_areas(storey.rooms, room)
     name_rooms(storey, hub_name(storey))
@@ -221,7 +238,11 @@ def _furnish(
 
 def wanted_pairs(decisions: Decisions) -> list[tuple[str, str]]:
     """Return room types to be side by side: the brief's wishes last, so that they win."""
-    usual = [("kitchen", "dining_room"), ("commercial_kitchen", "restaurant"), ("commercial_kitchen", "cafeteria")]
+    usual = [
+        ("kitchen", "dining_room"),
+        ("commercial_kitchen", "restaurant"),
+        ("commercial_kitchen", "cafeteria"),
+    ]
     return usual + [(fact.first, fact.second) for fact in decisions.facts.adjacent]
 
 
@@ -240,13 +261,23 @@ def _cores(massing: Massing, frame: Frame) -> list[CorePlan]:
     for core in massing.cores:
         x0, y0, x1, y1 = frame.area_box(core.box)
         cores.append(
-            CorePlan(id=core.id, type=core.type, x=(x0, x1), y=(y0, y1), door_side=frame.side(core.side) if core.side else None)  # type: ignore[arg-type]
+            CorePlan(
+                id=core.id,
+                type=core.type,
+                x=(x0, x1),
+                y=(y0, y1),
+                door_side=frame.side(core.side),
+            )
         )
     return cores
 
 
 def _floor(
-    decisions: Decisions, storey: Storey, sketch: Sketch, envelope: Envelope, knowledge: KnowledgeBase
+    decisions: Decisions,
+    storey: Storey,
+    sketch: Sketch,
+    envelope: Envelope,
+    knowledge: KnowledgeBase,
 ) -> FloorProgram:
     gross = envelope.area
     placed = sum(placement.area for placement in sketch.rooms)
@@ -344,7 +375,11 @@ def _requirement(storey: Storey) -> str:
         if name not in kinds:
             kinds.append(name)
     use = storey.use.name.replace("_", " ")
-    return f"{storey.role} storey of a {use}: {', '.join(kinds[:8])}" if kinds else f"{storey.role} storey of a {use}"
+    return (
+        f"{storey.role} storey of a {use}: {', '.join(kinds[:8])}"
+        if kinds
+        else f"{storey.role} storey of a {use}"
+    )
 
 
 def _set_elevations(program: BuildingProgram) -> None:

@@ -3,23 +3,20 @@
 from dataclasses import dataclass, field
 
 import numpy as np
+from shapely.geometry import Polygon
+
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.request import BuildRequest
-from shapely.geometry import Polygon
-
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.knowledge import BuildingType, KnowledgeBase
 from mansion_planner.program.footprint import check_footprint, is_rectangle
+from mansion_planner.program.inference import MOST_FLOORS, infer_building, infer_floors, note
 
-__all__ = ["AREA_CAP", "Decisions", "decide", "note"]
+__all__ = ["AREA_CAP", "Decisions", "contradiction", "decide", "quoted"]
 
 AREA_CAP = 500.0
 """Most square metres of a storey that are inferred (section B.1)."""
-
-_SIZES = {"high_rise": (10, 1.0), "mid_rise": (6, 1.0), "low_rise": (3, 1.0), "duplex": (2, 1.0),
-          "triplex": (3, 1.0), "bungalow": (1, 1.0)}  # fmt: skip
-_MOST_FLOORS = 100
 
 
 @dataclass
@@ -54,14 +51,6 @@ class Decisions:
     downgrades: list[Downgrade] = field(default_factory=list)
 
 
-def note(trace: list[TraceEntry], span: Span | None, effect: str) -> None:
-    """Add a line to the trace: the words (or none, for a rule) and what they led to."""
-    if span is None:
-        trace.append(TraceEntry(words="", effect=effect))
-    else:
-        trace.append(TraceEntry(words=span.words, effect=effect, start=span.start, end=span.end))
-
-
 def contradiction(what: str, first: str, second: str, path: str = "$.description") -> MansionError:
     """Return the refusal of two statements that exclude each other."""
     return MansionError(
@@ -84,13 +73,18 @@ def _one(values: list[Quantity], what: str) -> Quantity | None:
     for other in values[1:]:
         if abs(other.value - values[0].value) > 0.02 * values[0].value:
             raise contradiction(
-                f"the description states two different {what}", quoted(values[0].span), quoted(other.span)
+                f"the description states two different {what}",
+                quoted(values[0].span),
+                quoted(other.span),
             )
     return values[0]
 
 
 def decide(
-    request: BuildRequest, facts: BriefFacts, knowledge: KnowledgeBase, generator: np.random.Generator
+    request: BuildRequest,
+    facts: BriefFacts,
+    knowledge: KnowledgeBase,
+    generator: np.random.Generator,
 ) -> Decisions:
     """Resolve type, storeys, area and style.
 
@@ -126,22 +120,32 @@ def _check_wishes(facts: BriefFacts) -> None:
         if opposite is not None:
             raise contradiction(f"{name.replace('_', ' ')}", quoted(opposite), quoted(span))
         wishes.setdefault(name, span)
-    shapes = {shape: span for shape, span in reversed(facts.shapes)}
+    shapes = dict(reversed(facts.shapes))
     if len(shapes) > 1:
         first, second = list(shapes.values())[-1], list(shapes.values())[-2]
         raise contradiction("two outlines", quoted(first), quoted(second))
     no_basement = next((span for name, span in facts.excluded if name == "basement"), None)
-    below = next((ref for room in facts.rooms for ref in room.floors if ref.kind == "basement"), None)
+    below = next(
+        (ref for room in facts.rooms for ref in room.floors if ref.kind == "basement"), None
+    )
     if no_basement is not None and (below is not None or facts.basements):
         other = below.span if below is not None else facts.basements[0].span
         raise contradiction("a basement", quoted(no_basement), quoted(other))
     counted: dict[str, tuple[int, Span]] = {}
     for room in facts.rooms:
-        if room.floors or room.each or room.count is None or room.count < 2 or room.area is not None:
+        if (
+            room.floors
+            or room.each
+            or room.count is None
+            or room.count < 2
+            or room.area is not None
+        ):
             continue
         earlier = counted.setdefault(room.name, (room.count, room.span))
         if earlier[0] != room.count:
-            raise contradiction(f"two numbers of {room.name}", quoted(earlier[1]), quoted(room.span))
+            raise contradiction(
+                f"two numbers of {room.name}", quoted(earlier[1]), quoted(room.span)
+            )
 
 
 def _building(facts: BriefFacts, knowledge: KnowledgeBase, trace: list[TraceEntry]) -> BuildingType:
@@ -149,50 +153,10 @@ def _building(facts: BriefFacts, knowledge: KnowledgeBase, trace: list[TraceEntr
         name, span = facts.building[0]
         note(trace, span, f"building type {name}")
         return knowledge.buildings[name]
-    name = _infer_building(facts)
+    name = infer_building(facts)
     building = knowledge.buildings.get(name) or next(iter(knowledge.buildings.values()))
     note(trace, None, f"no building type is named: {building.name} suits the rooms best")
     return building
-
-
-_HINTS = {
-    "home": "house", "classroom": "school", "patient_room": "hospital", "hotel_room": "hotel",
-    "consultation_room": "clinic", "open_office": "office", "private_office": "office",
-    "meeting_room": "office", "bedroom": "house", "living_room": "house", "apartment": "apartment_building",
-    "shop": "shopping_mall", "sales_area": "supermarket", "gallery": "museum", "laboratory": "laboratory_building",
-    "gym": "gym_building", "cinema_hall": "cinema", "warehouse": "warehouse_building", "operating_room": "hospital",
-    "production_hall": "factory", "restaurant": "restaurant_building", "dorm_room": "student_dormitory",
-    "reading_room": "library_building", "book_stacks": "library_building", "master_bedroom": "house",
-    "parking": "parking_garage", "workshop": "factory", "coworking_area": "coworking", "auditorium": "theater", "courtroom": "courthouse",
-    "cafe": "cafe_building", "sports_hall": "sports_center", "lecture_hall": "university", "kitchen": "house",
-    "studio_apartment": "apartment_building", "bathroom": "house", "dining_room": "house",
-    "kindergarten_classroom": "kindergarten", "dental_room": "dental_clinic", "apparatus_bay": "fire_station",
-}  # fmt: skip
-_PEOPLE_HINTS = {"pupil": "school", "student": "university", "patient": "hospital", "bed": "hospital",
-                 "employee": "office", "guest": "hotel", "resident": "apartment_building", "worker": "office",
-                 "family": "house", "kid": "kindergarten", "child": "kindergarten", "developer": "office",
-                 "diner": "restaurant_building", "firefighter": "fire_station", "tenant": "apartment_building"}  # fmt: skip
-
-
-def _infer_building(facts: BriefFacts) -> str:
-    if len({use.building_type for use in facts.uses}) > 1:
-        return "mixed_use"
-    if facts.uses:
-        return facts.uses[0].building_type
-    votes: dict[str, float] = {}
-    for room in facts.rooms:
-        hint = _HINTS.get(room.room_type)
-        if hint:
-            votes[hint] = votes.get(hint, 0.0) + min(room.count or 2, 4)
-    for occupants in facts.occupants:
-        hint = _PEOPLE_HINTS.get(occupants.noun)
-        if hint:
-            votes[hint] = votes.get(hint, 0.0) + 3.0
-    if votes:
-        return max(votes, key=lambda name: (votes[name], name))
-    if any(word == "high_rise" for word, _ in facts.size) or any(q.value >= 4 for q in facts.floors):
-        return "office"
-    return "house" if not any(q.value > 300 for q in facts.area) else "office"
 
 
 def _floors(
@@ -204,17 +168,20 @@ def _floors(
 ) -> int:
     stated = _one(facts.floors, "numbers of storeys")
     needed, place = _highest(facts)
-    if stated is not None and not 1 <= stated.value <= _MOST_FLOORS:
+    if stated is not None and not 1 <= stated.value <= MOST_FLOORS:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"{quoted(stated.span)} asks for {stated.value:g} storeys; 1 to {_MOST_FLOORS} can be planned",
+            f"{quoted(stated.span)} asks for {stated.value:g} storeys; 1 to {MOST_FLOORS} can be planned",
             path="$.description",
             details={"stage": "program"},
         )
     if request.floors is not None:
         if stated is not None and int(stated.value) != request.floors:
             raise contradiction(
-                "the number of storeys", f"$.floors = {request.floors}", quoted(stated.span), "$.floors"
+                "the number of storeys",
+                f"$.floors = {request.floors}",
+                quoted(stated.span),
+                "$.floors",
             )
         count, words, span = request.floors, f"$.floors = {request.floors}", None
         note(trace, None, f"{count} storeys, as the request states")
@@ -222,7 +189,7 @@ def _floors(
         count, words, span = int(stated.value), quoted(stated.span), stated.span
         note(trace, span, f"{count} storeys")
     else:
-        return _infer_floors(facts, building, needed, trace, generator)
+        return infer_floors(facts, building, needed, trace, generator)
     if place is not None and needed > count:
         raise contradiction(
             f"a storey that the building does not have (it has {count})", quoted(place.span), words
@@ -232,61 +199,14 @@ def _floors(
 
 def _highest(facts: BriefFacts) -> tuple[int, FloorRef | None]:
     refs = [ref for room in facts.rooms for ref in room.floors]
-    refs += [ref for use in facts.uses for ref in use.floors] + [copy.first for copy in facts.copies]
+    refs += [ref for use in facts.uses for ref in use.floors] + [
+        copy.first for copy in facts.copies
+    ]
     refs = [ref for ref in refs if ref.kind in ("number", "range")]
     if not refs:
         return 0, None
     ref = max(refs, key=lambda entry: entry.last)
     return ref.last, ref
-
-
-def _infer_floors(
-    facts: BriefFacts,
-    building: BuildingType,
-    needed: int,
-    trace: list[TraceEntry],
-    generator: np.random.Generator,
-) -> int:
-    usual, most = building.floors
-    count, reason = usual, f"a {building.name} usually has {usual}"
-    sized = next(((word, span) for word, span in facts.size if word in _SIZES), None)
-    if sized is not None:
-        count, reason = _SIZES[sized[0]][0], f'"{sized[1].words}"'
-        if building.name == "penthouse" or (sized[0] == "high_rise" and building.family == "home"):
-            count = usual
-    elif facts.area and facts.floor_area:
-        ratio = facts.area[0].value / facts.floor_area[0].value
-        count = max(1, min(round(ratio), _MOST_FLOORS))
-        reason = "total area over area of a storey"
-    elif facts.area and facts.area[0].value > 1.25 * building.floor_area[1]:
-        count = min(max(-(-int(facts.area[0].value) // int(max(building.floor_area[1], 150))), 1), max(most, 1))
-        reason = "the stated area"
-    elif any(word == "small" for word, _ in facts.size):
-        count = max(1, usual - 1) if usual > 2 else usual
-    elif usual > 2 and generator.random() < 0.3:
-        count = usual + 1 if usual < most else usual
-    if facts.uses and needed:
-        tops = [ref.first for use in facts.uses for ref in use.floors if ref.kind == "top"]
-        count, needed = needed + max(tops, default=0), needed + max(tops, default=0)
-        reason = "the storeys that are given a use"
-    pinned = {ref.first for room in facts.rooms for ref in room.floors if ref.kind == "number"}
-    if needed >= 2 and pinned >= set(range(1, needed + 1)) and not sized:
-        count, reason = needed, "each of them is described"
-    kinds = {ref.kind for room in facts.rooms for ref in room.floors}
-    floor_least = 1
-    if kinds & {"upper", "top"}:
-        floor_least = 2
-    if kinds & {"middle"}:
-        floor_least = 3
-    if sum(use.count or 0 for use in facts.uses):
-        above = any(use.floors for use in facts.uses if use.count)
-        floor_least = max(floor_least, sum(use.count or 0 for use in facts.uses) + above)
-        count = floor_least
-    result = max(count, needed, floor_least)
-    if result > count:
-        reason = "the highest storey that is named"
-    note(trace, sized[1] if sized else None, f"{result} storeys: {reason}")
-    return result
 
 
 def _basements(facts: BriefFacts, trace: list[TraceEntry]) -> int:
@@ -306,18 +226,35 @@ def _basements(facts: BriefFacts, trace: list[TraceEntry]) -> int:
 
 
 def _area(request: BuildRequest, decisions: Decisions, generator: np.random.Generator) -> None:
-    facts, building, trace = decisions.facts, decisions.building, decisions.trace
+    facts, _building, trace = decisions.facts, decisions.building, decisions.trace
     total, floor = _one(facts.area, "total areas"), _one(facts.floor_area, "areas of a storey")
     storeys = decisions.floors + decisions.basements
     if request.area is not None and request.floor_area is not None:
         raise contradiction("two areas", "$.area", "$.floor_area", "$.floor_area")
-    if request.area is not None and total is not None and abs(request.area - total.value) > 0.02 * total.value:
-        raise contradiction("the total area", f"$.area = {request.area:g}", quoted(total.span), "$.area")
-    if request.floor_area is not None and floor is not None and abs(request.floor_area - floor.value) > 0.02 * floor.value:
+    if (
+        request.area is not None
+        and total is not None
+        and abs(request.area - total.value) > 0.02 * total.value
+    ):
         raise contradiction(
-            "the area of a storey", f"$.floor_area = {request.floor_area:g}", quoted(floor.span), "$.floor_area"
+            "the total area", f"$.area = {request.area:g}", quoted(total.span), "$.area"
         )
-    if total is not None and floor is not None and abs(floor.value * storeys - total.value) > 0.12 * total.value:
+    if (
+        request.floor_area is not None
+        and floor is not None
+        and abs(request.floor_area - floor.value) > 0.02 * floor.value
+    ):
+        raise contradiction(
+            "the area of a storey",
+            f"$.floor_area = {request.floor_area:g}",
+            quoted(floor.span),
+            "$.floor_area",
+        )
+    if (
+        total is not None
+        and floor is not None
+        and abs(floor.value * storeys - total.value) > 0.12 * total.value
+    ):
         raise contradiction(
             f"the areas for {storeys} storeys", quoted(total.span), quoted(floor.span)
         )
@@ -330,7 +267,11 @@ def _area(request: BuildRequest, decisions: Decisions, generator: np.random.Gene
         whole = request.area if request.area is not None else total.value  # type: ignore[union-attr]
         decisions.area = whole / storeys
         decisions.area_span = quoted(total.span) if total else f"$.area = {whole:g}"
-        note(trace, total.span if total else None, f"{whole:.0f} m2 over {storeys} storeys, as stated")
+        note(
+            trace,
+            total.span if total else None,
+            f"{whole:.0f} m2 over {storeys} storeys, as stated",
+        )
         decisions.area_stated = True
     else:
         _infer_area(decisions, generator)
@@ -342,7 +283,9 @@ def _area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:
     shape = check_footprint(request.footprint)
     facts, levels = decisions.facts, decisions.floors + decisions.basements
     area = float(shape.area)
-    stated = [(q.value, quoted(q.span)) for q in facts.floor_area] + [(q.value / levels, quoted(q.span)) for q in facts.area]
+    stated = [(q.value, quoted(q.span)) for q in facts.floor_area] + [
+        (q.value / levels, quoted(q.span)) for q in facts.area
+    ]
     if request.floor_area is not None:
         stated.append((request.floor_area, f"$.floor_area = {request.floor_area:g}"))
     if request.area is not None:
@@ -350,10 +293,15 @@ def _area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:
     for value, words in stated:
         if abs(value - area) > 0.05 * area:
             raise contradiction(
-                f"the area of a storey ({value:.0f} m2 asked for)", words, f"$.footprint of {area:.0f} m2", "$.footprint"
+                f"the area of a storey ({value:.0f} m2 asked for)",
+                words,
+                f"$.footprint of {area:.0f} m2",
+                "$.footprint",
             )
     if facts.shapes and facts.shapes[0][0] not in ("rectangle", "square") and is_rectangle(shape):
-        raise contradiction("the outline", quoted(facts.shapes[0][1]), "the rectangle of $.footprint", "$.footprint")
+        raise contradiction(
+            "the outline", quoted(facts.shapes[0][1]), "the rectangle of $.footprint", "$.footprint"
+        )
     decisions.area, decisions.area_stated = area, True
     decisions.area_span = f"$.footprint of {area:.0f} m2"
     decisions.outline = shape
@@ -373,6 +321,14 @@ def _infer_area(decisions: Decisions, generator: np.random.Generator) -> None:
     if facts.occupants and building.seats is None and building.family != "home":
         people = sum(o.count for o in facts.occupants)
         area = min(max(people * building.people / decisions.floors, least), AREA_CAP)
-        note(decisions.trace, facts.occupants[0].span, f"{building.people:g} m2 for each of {people} people")
+        note(
+            decisions.trace,
+            facts.occupants[0].span,
+            f"{building.people:g} m2 for each of {people} people",
+        )
     decisions.area = min(max(area, least), AREA_CAP)
-    note(decisions.trace, None, f"about {decisions.area:.0f} m2 a storey, usual for a {building.name}")
+    note(
+        decisions.trace,
+        None,
+        f"about {decisions.area:.0f} m2 a storey, usual for a {building.name}",
+    )

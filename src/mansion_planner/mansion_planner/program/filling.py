@@ -23,7 +23,9 @@ def base_rooms(
 
 def hub_area(storey: Storey, allocation: Allocation) -> float:
     """Return the area that the brief states for the room that is a storey's hub, or 0."""
-    areas = [f.area for f in allocation.wanted[storey.index] if f.room_type == storey.hub.name and f.area]
+    areas = [
+        f.area for f in allocation.wanted[storey.index] if f.room_type == storey.hub.name and f.area
+    ]
     return max(areas, default=0.0)
 
 

@@ -2,15 +2,16 @@
 
 import math
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 import shapely
-from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.request import Footprint
 from shapely.geometry import Polygon
 
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.request import Footprint
 from mansion_planner.program.model import CoreBox, Massing, PlannedRoom, Storey
-from mansion_planner.program.sketch import Corridor, Placement, Sketch
+from mansion_planner.program.placement import Corridor, Placement, Sketch
 
 __all__ = ["check_footprint", "free_cores", "free_massing", "is_rectangle", "sketch_free"]
 
@@ -46,7 +47,10 @@ def check_footprint(footprint: Footprint) -> Polygon:
     outer = Polygon(footprint.boundary)
     extent = max(outer.bounds[2] - outer.bounds[0], outer.bounds[3] - outer.bounds[1])
     if outer.area < LEAST_AREA or extent > MOST_EXTENT:
-        raise _fault(f"it covers {outer.area:.1f} m2 and is {extent:.0f} m long (at most {MOST_EXTENT:.0f})", rings[0][1])
+        raise _fault(
+            f"it covers {outer.area:.1f} m2 and is {extent:.0f} m long (at most {MOST_EXTENT:.0f})",
+            rings[0][1],
+        )
     for hole, path in rings[1:]:
         if not outer.contains(Polygon(hole)):
             raise _fault("the hole is not inside the boundary", path)
@@ -72,7 +76,9 @@ def free_cores(shape: Polygon, stairs: int, lifts: int) -> tuple[CoreBox, ...]:
     """
     cores: list[CoreBox] = []
     free = shape
-    wishes = [("stair", [(3, 6), (6, 3)])] * stairs + [("elevator", [(2, 2)])] * lifts
+    wishes: list[tuple[Literal["stair", "elevator"], list[tuple[int, int]]]] = [
+        ("stair", [(3, 6), (6, 3)])
+    ] * stairs + [("elevator", [(2, 2)])] * lifts
     counts: dict[str, int] = {}
     for kind, sizes in wishes:
         found = _best_place(shape, free, sizes)
@@ -87,7 +93,7 @@ def free_cores(shape: Polygon, stairs: int, lifts: int) -> tuple[CoreBox, ...]:
         counts[kind] = counts.get(kind, 0) + 1
         box = shapely.box(*found)
         free = free.difference(box)
-        cores.append(CoreBox(f"{kind}_{counts[kind]}", kind, found, ""))
+        cores.append(CoreBox(f"{kind}_{counts[kind]}", kind, found))
     return tuple(cores)
 
 
@@ -105,9 +111,13 @@ def _best_place(
         if not len(boxes):
             continue
         contact = shapely.length(shapely.intersection(shapely.boundary(boxes), shape.boundary))
-        around = shapely.area(shapely.intersection(shapely.buffer(boxes, 3.0, join_style="mitre"), free))
+        around = shapely.area(
+            shapely.intersection(shapely.buffer(boxes, 3.0, join_style="mitre"), free)
+        )
         for k in np.lexsort((around, -np.round(contact, 3)))[:12]:
-            ranked.append((-round(float(contact[k]), 3), float(around[k]), float(k), tuple(boxes[k].bounds)))
+            ranked.append(
+                (-round(float(contact[k]), 3), float(around[k]), float(k), tuple(boxes[k].bounds))
+            )
     for _, _, _, bounds in sorted(ranked):
         rest = free.difference(shapely.box(*bounds)).buffer(-0.7)
         if isinstance(rest, Polygon) and rest.area > 0.5 * free.area - 40:
@@ -131,7 +141,9 @@ def sketch_free(storey: Storey, hub_id: str, free_area: float) -> Sketch:
     hub_share = circulation * (1.0 if not pieces else 0.4)
     corridors = [Corridor(hub_id, [], given=hub_share)]
     for number in range(1, pieces + 1):
-        corridors.append(Corridor(f"corridor_{number}", [], hub_id, given=circulation * 0.6 / pieces))
+        corridors.append(
+            Corridor(f"corridor_{number}", [], hub_id, given=circulation * 0.6 / pieces)
+        )
     placements: list[Placement] = []
     for number, room in enumerate(rooms):
         parent = hub_id if not pieces else corridors[1 + number * pieces // len(rooms)].id

@@ -2,11 +2,9 @@
 
 from dataclasses import dataclass
 
-from mansion_planner.program.model import Box
+from mansion_planner.program.model import Box, Side
 
 __all__ = ["Frame"]
-
-_SIDES = ("north", "east", "south", "west")
 
 
 @dataclass(frozen=True)
@@ -41,12 +39,23 @@ class Frame:
         bx, by = self.point((box[2], box[3]))
         return (min(ax, bx), min(ay, by), max(ax, bx), max(ay, by))
 
-    def side(self, side: str) -> str:
+    def side(self, side: Side | None) -> Side | None:
         """Return a side of the massing frame in plan coordinates."""
-        if self.mirror_x and side in ("east", "west"):
-            side = "west" if side == "east" else "east"
-        if self.mirror_y and side in ("north", "south"):
-            side = "south" if side == "north" else "north"
-        if self.swap:
-            side = {"north": "east", "east": "north", "south": "west", "west": "south"}[side]
-        return side
+        if side is None:
+            return None
+        flipped: dict[Side, Side] = {
+            "east": "west",
+            "west": "east",
+            "north": "south",
+            "south": "north",
+        }
+        turned: dict[Side, Side] = {
+            "north": "east",
+            "east": "north",
+            "south": "west",
+            "west": "south",
+        }
+        across = side in ("east", "west")
+        if (self.mirror_x and across) or (self.mirror_y and not across):
+            side = flipped[side]
+        return turned[side] if self.swap else side

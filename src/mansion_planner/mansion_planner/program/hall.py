@@ -1,9 +1,9 @@
 """Sketch a storey whose hub is its main room: a living room, a sales floor, a restaurant; the other rooms line it."""
 
-from mansion_planner.program.blocks import group_blocks, lay_block
-from mansion_planner.program.model import Box, Massing, Storey
+from mansion_planner.program.blocks import Block, group_blocks, lay_block
+from mansion_planner.program.model import Box, CoreBox, Massing, Storey
+from mansion_planner.program.placement import Corridor, Placement, Sketch
 from mansion_planner.program.segments import Segment, bring_together, front_order
-from mansion_planner.program.sketch import Corridor, Placement, Sketch
 
 __all__ = ["sketch_hall"]
 
@@ -41,8 +41,14 @@ def sketch_hall(
     for block in east:
         rise = depth * block.gross / high
         for room, boxes in lay_block(block, rise, column):
-            parent = hub_id if room is block.host or any(room is s for s in block.smalls) else block.host.id
-            world: list[Box] = [(length - column + b[1], y + b[0], length - column + b[3], y + b[2]) for b in boxes]
+            parent = (
+                hub_id
+                if room is block.host or any(room is s for s in block.smalls)
+                else block.host.id
+            )
+            world: list[Box] = [
+                (length - column + b[1], y + b[0], length - column + b[3], y + b[2]) for b in boxes
+            ]
             placements.append(Placement(room, world, parent))
         y += rise
     hub_boxes: list[Box] = [(0.0, 0.0, length - column, depth - band)]
@@ -61,7 +67,9 @@ def sketch_hall(
     return sketch
 
 
-def _band_depth(total: float, length: float, depth: float, areas: list[float], stairs: list[object]) -> float:
+def _band_depth(
+    total: float, length: float, depth: float, areas: list[float], stairs: list[CoreBox]
+) -> float:
     usual = (sum(areas) / len(areas)) ** 0.5 if areas else 3.0
     band = max(total / length, 0.85 * usual, 2.6)
     if stairs:
@@ -69,11 +77,13 @@ def _band_depth(total: float, length: float, depth: float, areas: list[float], s
     return min(band, 0.5 * depth)
 
 
-def _split(blocks: list, band: float, length: float) -> tuple[list, list]:  # type: ignore[type-arg]
+def _split(blocks: list[Block], band: float, length: float) -> tuple[list[Block], list[Block]]:
     """Fill the north side up to its length; what is left over goes to the far side."""
     if sum(block.gross for block in blocks) / band <= length * 1.02:
         return blocks, []
-    north, east, used = [], [], 0.0
+    north: list[Block] = []
+    east: list[Block] = []
+    used = 0.0
     ordered = sorted(blocks, key=lambda block: block.gross)
     for block in ordered:
         if used + block.gross / band <= length * 0.86:
@@ -89,4 +99,6 @@ def _place(segment: Segment, massing: Massing, hub_id: str, placements: list[Pla
         for room, boxes in lay_block(block, x1 - x0, segment.depth):
             fronts = [block.host, *block.smalls]
             parent = hub_id if any(room is front for front in fronts) else block.host.id
-            placements.append(Placement(room, [segment.world(box, x0, massing) for box in boxes], parent))
+            placements.append(
+                Placement(room, [segment.world(box, x0, massing) for box in boxes], parent)
+            )

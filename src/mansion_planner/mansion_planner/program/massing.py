@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from mansion_msgs_py.program import Downgrade
-
 from mansion_planner.knowledge import BuildingType
-from mansion_planner.program.decisions import Decisions, note
+from mansion_planner.program.decisions import Decisions
+from mansion_planner.program.inference import note
 from mansion_planner.program.model import CoreBox, Massing, Wing
 
 __all__ = ["MassingWish", "choose_massing", "choose_shape", "least_area", "rectangle_massing"]
@@ -97,13 +97,19 @@ def _bands(
         return [(0.0, float(d), 0.0) for d in _around(side, 4 if not stairs else 6)]
     if stairs and area >= 150:
         south = min(max(math.sqrt(1.35 * room), 4.0), 8.0)
-        wish = min(max(STAIR_DEPTH + corridor + south, math.sqrt(area / 2.6)), math.sqrt(area / 1.2))
+        wish = min(
+            max(STAIR_DEPTH + corridor + south, math.sqrt(area / 2.6)), math.sqrt(area / 1.2)
+        )
         return [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in _around(wish, 11, 17)]
     if stairs:
         wish = min(max(math.sqrt(area / 1.25), 8.0), 10.5)
         upright = [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in (11, 12, 13)]
         return [
-            (max(3.0, 0.42 * (d - corridor)), corridor, d - corridor - max(3.0, 0.42 * (d - corridor)))
+            (
+                max(3.0, 0.42 * (d - corridor)),
+                corridor,
+                d - corridor - max(3.0, 0.42 * (d - corridor)),
+            )
             for d in _around(wish, 7, 11)
         ] + (upright if area >= 85 else [])
     wish = min(max(math.sqrt(area / 1.5), 5.0), 16.0)
@@ -158,8 +164,7 @@ def rectangle_massing(wish: MassingWish, length: float, depth: float) -> Massing
         corridor = max(1.4, min(corridor, 0.3 * depth))
         south = max(depth - corridor - north, 0.3)
         north = depth - corridor - south
-    massing = _dimensions(replace(wish, shape="rectangle"), north, corridor, south, length)
-    return massing
+    return _dimensions(replace(wish, shape="rectangle"), north, corridor, south, length)
 
 
 def gross_area(massing: Massing) -> float:
@@ -246,7 +251,14 @@ def _cores(
         if pocket >= 0.0:
             x0 = float(wide + LIFT * number)
             low = math.ceil(pocket - 1e-9)
-            cores.append(CoreBox(f"elevator_{number + 1}", "elevator", (x0, float(low), x0 + LIFT, float(low + LIFT)), "south"))
+            cores.append(
+                CoreBox(
+                    f"elevator_{number + 1}",
+                    "elevator",
+                    (x0, float(low), x0 + LIFT, float(low + LIFT)),
+                    "south",
+                )
+            )
             continue
         box = (float(LIFT * number), 0.0, float(LIFT * (number + 1)), float(LIFT))
         cores.append(CoreBox(f"elevator_{number + 1}", "elevator", box, "north"))

@@ -5,10 +5,13 @@ The massing frame has its x axis along the main corridor and the first stair in 
 """
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 from mansion_planner.knowledge import BuildingType, RoomType
 
-__all__ = ["Box", "CoreBox", "Massing", "PlannedRoom", "Storey", "Wing", "box_area"]
+__all__ = ["Box", "CoreBox", "Massing", "PlannedRoom", "Side", "Storey", "Wing", "box_area"]
+
+Side = Literal["north", "south", "east", "west"]
 
 Box = tuple[float, float, float, float]
 """Axis-aligned ``(x0, y0, x1, y1)`` in metres."""
@@ -89,9 +92,9 @@ class CoreBox:
     """A stair or lift in the massing frame; `side` is where it opens."""
 
     id: str
-    type: str
+    type: Literal["stair", "elevator"]
     box: Box
-    side: str
+    side: Side | None = None
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,11 @@
 """The gross area of a storey: stated, or what the rooms need."""
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
-
 from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.allocation import Allocation, entries_of, is_hall, planned_room
-from mansion_planner.program.decisions import AREA_CAP, Decisions, note
+from mansion_planner.program.decisions import AREA_CAP, Decisions
 from mansion_planner.program.filling import base_rooms, hub_area
+from mansion_planner.program.inference import note
 from mansion_planner.program.massing import least_area
 from mansion_planner.program.model import Storey
 
@@ -67,7 +67,11 @@ def storey_area(
     if decisions.facts.shapes:
         result = max(result, least_area(decisions.facts.shapes[0][0]))
     if result > usual + 1.0 and asked > usual:
-        note(decisions.trace, None, f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}")
+        note(
+            decisions.trace,
+            None,
+            f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}",
+        )
     if result > AREA_CAP:
         note(decisions.trace, None, f"above {AREA_CAP:.0f} m2 a storey, for the rooms asked for")
     return result
@@ -96,9 +100,7 @@ def _typical(
     return (most + fixed) / (1.0 - share)
 
 
-def typical_room(
-    storeys: list[Storey], allocation: Allocation, knowledge: KnowledgeBase
-) -> float:
+def typical_room(storeys: list[Storey], allocation: Allocation, knowledge: KnowledgeBase) -> float:
     """Return the median area of the rooms above 8 m2 on a typical storey, square metres."""
     areas: list[float] = []
     for storey in storeys:

@@ -4,93 +4,25 @@ The sketch is a witness: a partition in which every access edge has its shared w
 for nothing impossible. The solver is free to find a better one.
 """
 
-from dataclasses import dataclass, field
-
-from mansion_planner.program.blocks import Block, group_blocks, lay_block
-from mansion_planner.program.model import Box, Massing, PlannedRoom, Storey, box_area
+from mansion_planner.program.blocks import group_blocks, lay_block
+from mansion_planner.program.corridors import (
+    assign_parents,
+    bearing_lines,
+    close_corridor,
+    connect_cores,
+    corridors_of,
+    fill_pocket,
+    give_empty,
+)
+from mansion_planner.program.model import Massing, PlannedRoom, Storey
+from mansion_planner.program.placement import Placement, Sketch, far_stair, lobby_length, pocket
 from mansion_planner.program.segments import Segment, fill_segments, front_order
 
-__all__ = ["Corridor", "Placement", "Sketch", "capacity", "lobby_length", "sketch_storey", "touching"]
-
-HUB_CHILDREN = 8
-"""Rooms that a corridor serves before it is divided."""
-
-
-@dataclass
-class Corridor:
-    """A corridor, or the hub (the first): its boxes, what it is reached from, and the rooms on it."""
-
-    id: str
-    boxes: list[Box]
-    parent: str = ""
-    given: float = 0.0
-
-    @property
-    def area(self) -> float:
-        """Sum of its boxes, or the area given where it has no place yet."""
-        return self.given or sum(box_area(box) for box in self.boxes)
-
-
-@dataclass
-class Placement:
-    """A room's place: disjoint boxes, and the room or corridor that it is reached from."""
-
-    room: PlannedRoom
-    boxes: list[Box]
-    parent: str
-    given: float = 0.0
-
-    @property
-    def area(self) -> float:
-        """Sum of its boxes, or the area given where it has no place yet."""
-        return self.given or sum(box_area(box) for box in self.boxes)
-
-
-@dataclass
-class Sketch:
-    """Corridors (the hub first), placed rooms, and which corridor each core opens to.
-
-    Attributes
-    ----------
-    bearing : dict of float to list of (float, float)
-        Stretches along x, by their y, where both sides of the main corridor are walls.
-    """
-
-    corridors: list[Corridor]
-    rooms: list[Placement]
-    core_parent: dict[str, str] = field(default_factory=dict)
-    bearing: dict[float, list[tuple[float, float]]] = field(default_factory=dict)
-
-
-def lobby_length(massing: Massing, storey: Storey) -> float:
-    """Return the length of the lift lobby on a storey: larger where the building is entered."""
-    if not massing.lobby:
-        return 0.0
-    return massing.lobby + (massing.entrance if storey.role in ("ground", "single") else 0.0)
-
-
-def _is_main(corridor: Corridor) -> bool:
-    return not corridor.id.startswith("wing_") and corridor.id != "far"
+__all__ = ["capacity", "sketch_storey"]
 
 
 def _extent(massing: Massing, storey: Storey) -> float:
     return massing.length - storey.setback + storey.extension
-
-
-def _pocket(massing: Massing) -> float:
-    """Where the north band is free from: behind the stair, and the lift beside it."""
-    inner = [
-        core.box[2] for core in massing.cores if core.box[1] >= massing.south and core.box[0] < 0.5 * massing.length
-    ]
-    return max(inner, default=0.0)
-
-
-def _far_stair(massing: Massing) -> float:
-    return sum(
-        core.box[2] - core.box[0]
-        for core in massing.cores
-        if core.box[0] >= 0.5 * massing.length and core.box[1] >= massing.south
-    )
 
 
 def capacity(massing: Massing, storey: Storey) -> float:
@@ -105,22 +37,11 @@ def capacity(massing: Massing, storey: Storey) -> float:
         total += (massing.court - massing.corridor) * massing.far_length
         total -= massing.corridor * massing.far_band * len(massing.wings)
     total -= lobby_length(massing, storey) * massing.south
-    total -= _pocket(massing) * massing.north + _far_stair(massing) * massing.north
+    total -= pocket(massing) * massing.north + far_stair(massing) * massing.north
     if massing.hall:
         hub = length * massing.corridor
         return total + hub
     return total
-
-
-def touching(first: Placement, second: Placement) -> bool:
-    """Whether two rooms of a sketch share at least half a metre of wall."""
-    for a in first.boxes:
-        for b in second.boxes:
-            wide = min(a[2], b[2]) - max(a[0], b[0])
-            high = min(a[3], b[3]) - max(a[1], b[1])
-            if (abs(wide) < 1e-6 and high >= 0.5) or (abs(high) < 1e-6 and wide >= 0.5):
-                return True
-    return False
 
 
 def sketch_storey(
@@ -151,7 +72,7 @@ def _end_rooms(
     massing: Massing, rooms: list[PlannedRoom], length: float
 ) -> tuple[list[PlannedRoom], list[PlannedRoom]]:
     """Choose the room that closes the bar over its whole depth: one too large for a band."""
-    if massing.wings or _far_stair(massing):
+    if massing.wings or far_stair(massing):
         return [], rooms
     deep = max(massing.north, massing.south)
     large = [r for r in rooms if not r.suite and r.area > 2.4 * deep * deep and r.area > 90]
@@ -167,8 +88,8 @@ def _segments(massing: Massing, stop: float, lobby: float) -> list[Segment]:
     south, north = massing.south, massing.north
     upper = massing.south + massing.corridor
     segments: list[Segment] = []
-    for is_north, begin in ((True, _pocket(massing)), (False, lobby)):
-        end = stop - (_far_stair(massing) if is_north else 0.0)
+    for is_north, begin in ((True, pocket(massing)), (False, lobby)):
+        end = stop - (far_stair(massing) if is_north else 0.0)
         x = begin
         for wing in sorted(massing.wings, key=lambda w: w.x0):
             if wing.north is is_north:
@@ -220,12 +141,19 @@ def _assemble(
         for block, x0, x1 in segment.laid():
             for room, boxes in lay_block(block, x1 - x0, segment.depth):
                 world = [segment.world(box, x0, massing) for box in boxes]
-                parent = next((p.id for p in block.host.each() if any(c is room for c in p.suite)), "")
+                parent = next(
+                    (p.id for p in block.host.each() if any(c is room for c in p.suite)), ""
+                )
                 rooms.append(Placement(room, world, parent))
                 if not parent:
                     span = [box for box in boxes if box[1] < 0.01]
                     fronts.append(
-                        (segment.bar, room, x0 + min(b[0] for b in span), x0 + max(b[2] for b in span))
+                        (
+                            segment.bar,
+                            room,
+                            x0 + min(b[0] for b in span),
+                            x0 + max(b[2] for b in span),
+                        )
                     )
     x = stop
     for room in ends:
@@ -233,187 +161,12 @@ def _assemble(
         rooms.append(Placement(room, [(x, 0.0, x + wide, massing.depth)], "@end"))
         x += wide
     lobby = lobby_length(massing, storey)
-    _fill_pocket(massing, rooms)
-    corridors = _corridors(massing, hub_id, fronts, stop, bool(ends), lobby)
+    fill_pocket(massing, rooms)
+    corridors = corridors_of(massing, hub_id, fronts, stop, bool(ends), lobby)
     sketch = Sketch(corridors, rooms)
-    _assign_parents(sketch, fronts)
-    _close_corridor(massing, sketch, segments, stop, bool(ends))
-    _give_empty(massing, sketch, segments)
-    _connect_cores(massing, sketch)
-    sketch.bearing = _bearing(massing, sketch, lobby, stop)
+    assign_parents(sketch, fronts)
+    close_corridor(massing, sketch, segments, stop, bool(ends))
+    give_empty(massing, sketch, segments)
+    connect_cores(massing, sketch)
+    sketch.bearing = bearing_lines(massing, sketch, lobby, stop)
     return sketch
-
-
-def _fill_pocket(massing: Massing, rooms: list[Placement]) -> None:
-    """Give the ground above a lift that stands beside the stair to the room next to it."""
-    upper = massing.south + massing.corridor
-    lifts = [core.box for core in massing.cores if core.type == "elevator" and core.box[1] >= upper - 0.01]
-    if not lifts or _pocket(massing) <= 0:
-        return
-    edge = max(box[2] for box in lifts)
-    top = max(box[3] for box in lifts)
-    spare: Box = (min(box[0] for box in lifts), top, edge, massing.depth)
-    neighbours = [
-        placement for placement in rooms
-        for box in placement.boxes
-        if abs(box[0] - edge) < 0.01 and min(box[3], massing.depth) - max(box[1], top) > 1.2
-    ]  # fmt: skip
-    if neighbours:
-        neighbours[0].boxes.append(spare)
-
-
-def _give_empty(massing: Massing, sketch: Sketch, segments: list[Segment]) -> None:
-    """Give stretches of band without a room to the corridor that they lie on."""
-    for segment in segments:
-        if segment.blocks:
-            continue
-        box = segment.world((0.0, 0.0, segment.length, segment.depth), segment.begin, massing)
-        owners = [c for c in sketch.corridors if c.id == segment.bar]
-        if not owners:
-            middle = (box[0] + box[2]) / 2
-            mains = [c for c in sketch.corridors if _is_main(c)]
-            owners = [c for c in mains if c.boxes[0][0] <= middle <= c.boxes[0][2]] or mains[-1:]
-        owners[0].boxes.append(box)
-
-
-def _corridors(
-    massing: Massing,
-    hub_id: str,
-    fronts: list[tuple[str, PlannedRoom, float, float]],
-    stop: float,
-    ended: bool,
-    lobby: float,
-) -> list[Corridor]:
-    low, high = massing.south, massing.south + massing.corridor
-    main = sorted((x0, x1) for bar, _, x0, x1 in fronts if bar == "main")
-    load = len(main) + len(massing.cores) + len(massing.wings) + ended
-    pieces = max(1, -(-load // (HUB_CHILDREN + 2)))
-    cuts = _cut_positions(main, stop, pieces)
-    xs = [0.0, *cuts, stop]
-    corridors = []
-    for number, (x0, x1) in enumerate(zip(xs, xs[1:])):
-        name = hub_id if number == 0 else f"corridor_{number}"
-        parent = "" if number == 0 else (hub_id if number == 1 else f"corridor_{number - 1}")
-        corridors.append(Corridor(name, [(x0, low, x1, high)], parent))
-    hub = corridors[0]
-    lifts = [core.box for core in massing.cores if core.box[3] <= massing.south + 0.01]
-    if lobby and lifts:
-        edge, top = max(box[2] for box in lifts), max(box[3] for box in lifts)
-        hub.boxes.append((0.0, top, lobby, massing.south))
-        if lobby > edge:
-            hub.boxes.append((edge, 0.0, lobby, top))
-    for core in massing.cores:
-        if core.box[1] > high + 0.01 and core.box[0] < 0.5 * massing.length:
-            hub.boxes.append((core.box[0], high, core.box[2], core.box[1]))
-        elif core.box[1] > high + 0.01:
-            corridors[-1].boxes.append((core.box[0], high, core.box[2], core.box[1]))
-    for number, wing in enumerate(massing.wings, 1):
-        side = (wing.x1 - wing.x0 - massing.corridor) / 2
-        box = (
-            (wing.x0 + side, high, wing.x1 - side, massing.depth + wing.reach)
-            if wing.north
-            else (wing.x0 + side, -wing.reach - (massing.far_band if massing.court else 0.0), wing.x1 - side, low)
-        )
-        centre = (wing.x0 + wing.x1) / 2
-        owner = next(
-            (c.id for c in corridors if c.boxes[0][0] <= centre <= c.boxes[0][2]), hub_id
-        )
-        corridors.append(Corridor(f"wing_{number}", [box], owner))
-    if massing.court:
-        top = -massing.wings[0].reach - massing.far_band
-        far: Box = (massing.far[0], top - massing.corridor, massing.far[1], top)
-        corridors.append(Corridor("far", [far], "wing_1"))
-    return corridors
-
-
-def _cut_positions(main: list[tuple[float, float]], stop: float, pieces: int) -> list[float]:
-    """Choose where the main corridor is divided: every front keeps a door's width on one side."""
-    cuts: list[float] = []
-    for number in range(1, pieces):
-        ideal = sorted(x0 for x0, _ in main)[min(number * len(main) // pieces, len(main) - 1)]
-        candidates = sorted({x for pair in main for x in pair}, key=lambda x: (abs(x - ideal), x))
-        for x in candidates:
-            clear = all(max(x - x0, x1 - x) >= 1.5 or x <= x0 or x >= x1 for x0, x1 in main)
-            if clear and 3.0 <= x <= stop - 3.0 and all(abs(x - other) > 4.0 for other in cuts):
-                cuts.append(x)
-                break
-    return sorted(cuts)
-
-
-def _assign_parents(sketch: Sketch, fronts: list[tuple[str, PlannedRoom, float, float]]) -> None:
-    """Give each front room to the corridor that it touches most."""
-    place = {id(placement.room): placement for placement in sketch.rooms}
-    mains = [c for c in sketch.corridors if _is_main(c)]
-    for bar, room, x0, x1 in fronts:
-        owner = bar
-        if bar == "main":
-            owner = max(mains, key=lambda c: min(c.boxes[0][2], x1) - max(c.boxes[0][0], x0)).id
-        place[id(room)].parent = owner
-    for placement in sketch.rooms:
-        if placement.parent == "@end":
-            placement.parent = mains[-1].id
-
-
-def _close_corridor(
-    massing: Massing, sketch: Sketch, segments: list[Segment], stop: float, ended: bool
-) -> None:
-    """Let the last room on the north side take the dead end of the corridor."""
-    if ended or _far_stair(massing):
-        return
-    mains = [c for c in sketch.corridors if _is_main(c)]
-    last = mains[-1]
-    low, high = massing.south, massing.south + massing.corridor
-    if any(abs(w.x1 - stop) < 8.0 for w in massing.wings):
-        return
-    x0c = last.boxes[0][0]
-    closing = None
-    for placement in sketch.rooms:
-        if placement.parent == last.id and len(placement.boxes) == 1 and not placement.room.suite:
-            box = placement.boxes[0]
-            if abs(box[2] - stop) < 0.01 and abs(box[1] - high) < 0.01 and not placement.room.fixed:
-                closing = placement
-    if closing is None:
-        return
-    x = closing.boxes[0][0]
-    if x - x0c < 3.0:
-        return
-    for placement in sketch.rooms:
-        if placement is closing or placement.parent != last.id:
-            continue
-        for box in placement.boxes:
-            touches = abs(box[3] - low) < 0.01 and box[2] > x
-            if touches and min(box[2], x) - max(box[0], x0c) < 1.5:
-                return
-    x0, _, x1, y1 = closing.boxes[0]
-    closing.boxes[0] = (x0, low, x1, y1)
-    last.boxes[0] = (x0c, low, x, high)
-
-
-def _bearing(
-    massing: Massing, sketch: Sketch, lobby: float, stop: float
-) -> dict[float, list[tuple[float, float]]]:
-    mains = [c for c in sketch.corridors if _is_main(c)]
-    end = max(corridor.boxes[0][2] for corridor in mains)
-    far = min((core.box[0] for core in massing.cores if core.box[0] > 0.5 * massing.length), default=end)
-    lines = {
-        massing.south + massing.corridor: [(_pocket(massing), min(end, far))],
-        massing.south: [(lobby, stop)],
-    }
-    for wing in massing.wings:
-        y = massing.south + massing.corridor if wing.north else massing.south
-        side = (wing.x1 - wing.x0 - massing.corridor) / 2
-        lines[y] = _without(lines[y], wing.x0 + side, wing.x1 - side)
-    return lines
-
-
-def _without(spans: list[tuple[float, float]], x0: float, x1: float) -> list[tuple[float, float]]:
-    left = [(a, min(b, x0)) for a, b in spans]
-    right = [(max(a, x1), b) for a, b in spans]
-    return [(a, b) for a, b in left + right if b - a > 0.5]
-
-
-def _connect_cores(massing: Massing, sketch: Sketch) -> None:
-    mains = [c for c in sketch.corridors if _is_main(c)]
-    for core in massing.cores:
-        far = core.box[0] >= 0.5 * massing.length
-        sketch.core_parent[core.id] = mains[-1].id if far else mains[0].id

@@ -17,12 +17,14 @@ def vertical_method(
 ) -> tuple[Method, int, int, str]:
     """Return the method, the numbers of stairs and lifts, and the reason."""
     levels = len(storeys)
-    wishes = {name: span for name, span in decisions.facts.vertical}
+    wishes = dict(decisions.facts.vertical)
     if levels == 1:
         return "none", 0, 0, "one storey needs no stair"
     home = decisions.building.family == "home"
     lifts = 0
-    if levels >= (5 if home else 4 if decisions.building.parti == "house" else 3) or (decisions.building.stretcher and levels > 1):
+    if levels >= (5 if home else 4 if decisions.building.parti == "house" else 3) or (
+        decisions.building.stretcher and levels > 1
+    ):
         lifts = 1
     if not home and levels >= 8 and decisions.area > 300:
         lifts = 2
@@ -35,11 +37,27 @@ def vertical_method(
         return "elevator", 0, max(lifts, 1), f'elevator alone, as "{wishes["no_stair"].words}" asks'
     stairs = 1
     largest = max(
-        [fact.area or knowledge.room(fact.room_type).usual for facts in allocation.wanted.values() for fact in facts]
-        + [entry.area or knowledge.room(entry.room_type).usual for storey in storeys for entry in entries_of(storey)],
+        [
+            fact.area or knowledge.room(fact.room_type).usual
+            for facts in allocation.wanted.values()
+            for fact in facts
+        ]
+        + [
+            entry.area or knowledge.room(entry.room_type).usual
+            for storey in storeys
+            for entry in entries_of(storey)
+        ],
         default=0.0,
     )
-    if not home and decisions.building.parti == "spine" and levels >= 3 and decisions.area >= 340 and largest <= 150 and not decisions.facts.setback and not decisions.facts.protruding:
+    if (
+        not home
+        and decisions.building.parti == "spine"
+        and levels >= 3
+        and decisions.area >= 340
+        and largest <= 150
+        and not decisions.facts.setback
+        and not decisions.facts.protruding
+    ):
         stairs = 2
         reason += ", more than 340 m2 a storey: a second stair at the far end"
     method: Method = "stair_and_elevator" if lifts else "stair"

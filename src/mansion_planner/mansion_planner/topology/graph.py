@@ -1,7 +1,6 @@
 """The room graph of a floor (schema of Fig. 24) from its sketch."""
 
 from mansion_msgs_py.topology import Edge, FloorTopology, TopologyNode
-
 from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.building import PlannedBuilding, hub_name
 from mansion_planner.program.materials import materials_of
@@ -49,11 +48,17 @@ def floor_topology(
         floor, wall = materials_of(knowledge.room("corridor"), style, knowledge)
         nodes.append(
             TopologyNode(
-                id=core.id, type=core.type, area=round(box_area(core.box), 3), floor_material=floor,  # type: ignore[arg-type]
+                id=core.id, type=core.type, area=round(box_area(core.box), 3), floor_material=floor,
                 wall_material=wall, open_relation="door", room_type=core.type,
             )
         )  # fmt: skip
-        edges.append(Edge(source=sketch.core_parent.get(core.id, hub_name(storey)), target=core.id, kind="access"))
+        edges.append(
+            Edge(
+                source=sketch.core_parent.get(core.id, hub_name(storey)),
+                target=core.id,
+                kind="access",
+            )
+        )
     linked = {frozenset((edge.source, edge.target)) for edge in edges}
     for room in floor_program.rooms:
         for other in room.adjacent_to:

@@ -2,7 +2,6 @@
 
 from mansion_msgs_py.layout import FloorProblem, ProblemCore, ProblemNode, SeedRange
 from mansion_msgs_py.topology import FloorTopology
-
 from mansion_planner.program.building import PlannedBuilding
 from mansion_planner.program.model import Box, Storey, box_area
 
@@ -33,7 +32,12 @@ def floor_problem(
         ProblemCore(
             id=core.id,
             type=core.type,
-            polygon=[(core.x[0], core.y[0]), (core.x[1], core.y[0]), (core.x[1], core.y[1]), (core.x[0], core.y[1])],
+            polygon=[
+                (core.x[0], core.y[0]),
+                (core.x[1], core.y[0]),
+                (core.x[1], core.y[1]),
+                (core.x[0], core.y[1]),
+            ],
             door_side=core.door_side,
         )
         for core in planned.program.vertical_connectivity.cores
