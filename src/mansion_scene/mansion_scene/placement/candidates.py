@@ -70,7 +70,7 @@ def _stops(
     low, high = -left + gap, wall.length - right - gap
     if high < low:
         return np.array([wall.length / 2])
-    step = min(0.25, max(0.05, (high - low) / 40))
+    step = max(0.05, (high - low) / 40)
     regular = np.arange(low + rng.uniform(0, step), high, step)
     special = [low, high, (low + high) / 2, -left + 0.3, wall.length - right - 0.3]
     if len(obstacles):
@@ -99,7 +99,7 @@ def floor_poses(floor: Floor, rng: np.random.Generator, *, limit: int = 1200) ->
     middle = np.array([(x0 + x1) / 2, (y0 + y1) / 2])
     for rank, angle in enumerate(angles):
         share = limit if len(angles) == 1 else (2 * limit // 3 if rank == 0 else limit // 3)
-        step = min(0.5, max(0.08, (4 * room.area / share) ** 0.5))
+        step = min(1.5, max(0.08, (4 * room.area / share) ** 0.5))
         c, s = unit_vector(angle)
         half = np.abs([(x1 - x0) * c, (y1 - y0) * s]).sum() / 2
         half_y = np.abs([(x1 - x0) * s, (y1 - y0) * c]).sum() / 2

@@ -175,7 +175,10 @@ def _rings(floor: Floor, spec: Spec, unit: Unit) -> Floats:
     targets = _free_hosts(floor, spec)[:6]
     hw, hd = unit.sizes[0][0] / 2, unit.sizes[0][1] / 2
     limit = LIMITS.get(spec.link, 0.5)
-    gaps = tuple(g for g in (0.03, 0.08, 0.3, 0.6) if g <= limit - 0.05)
+    loose = spec.link == "near" and (spec.role.seat or spec.role.sofa)
+    gaps = tuple(
+        g for g in ((0.1, 0.3, 0.45, 0.7) if loose else (0.03, 0.08, 0.3, 0.6)) if g <= limit - 0.05
+    )
     turned = (0,) if spec.role.seat else (0, 1)
     return ring_poses(targets, hw, hd, gaps, turned=turned)
 
@@ -189,8 +192,11 @@ def _belonging(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
         return np.zeros(len(poses))
     gaps = gap_matrix(poses, unit.sizes[0][0] / 2, unit.sizes[0][1] / 2, targets)
     nearest = gaps.argmin(axis=1)
-    score = 1.0 - np.minimum(gaps.min(axis=1), 2.0) / 2.0
-    if spec.role.seat or spec.role.sofa:
+    # Legs need room between an armchair and its table; the rest belongs close.
+    seat = spec.role.seat or spec.role.sofa
+    wanted = 0.35 if spec.link == "near" and seat else 0.0
+    score = 1.0 - np.minimum(np.abs(gaps.min(axis=1) - wanted), 2.0) / 2.0
+    if seat:
         q = targets[nearest, :2] - poses[:, :2]
         q /= np.maximum(np.hypot(q[:, 0], q[:, 1]), 1e-6)[:, None]
         score += 0.6 * (-poses[:, 3] * q[:, 0] + poses[:, 2] * q[:, 1])
