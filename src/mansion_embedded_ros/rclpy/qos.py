@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from enum import Enum, IntEnum
+from typing import Any
 from typing import Union
 
 from rclpy._qos_compatibility import check_compatible
@@ -154,7 +155,7 @@ class QoSProfile:
         "_reliability",
     ]
 
-    def __init__(self, **kwargs):
+    def __init__(self, **kwargs: Any) -> None:
         unknown = [key for key in kwargs if f"_{key}" not in self.__slots__]
         assert not unknown, f"Invalid arguments passed to constructor: {unknown}"
         if "history" not in kwargs:

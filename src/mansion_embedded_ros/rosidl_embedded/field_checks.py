@@ -140,7 +140,7 @@ def _array_from_numpy(value: Any, code: str, kind: FieldType, name: str) -> Any:
             raise AssertionError(f"The '{name}' field has values outside of '{kind.base}'")
         flat = converted
     result = array(code)
-    result.frombytes(memoryview(numpy.ascontiguousarray(flat)).cast("B"))
+    result.frombytes(numpy.ascontiguousarray(flat).tobytes())
     return result
 
 

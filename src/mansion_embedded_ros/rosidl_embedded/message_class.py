@@ -174,4 +174,5 @@ def build_message_class(definition: MessageDefinition) -> type:
         namespace[field.name] = _property(field)
         if field.default is not None:
             namespace[f"{field.name.upper()}__DEFAULT"] = field.default
-    return type(f"Metaclass_{name}", (type,), {})(name, (), namespace)
+    cls: type = type(f"Metaclass_{name}", (type,), {})(name, (), namespace)
+    return cls

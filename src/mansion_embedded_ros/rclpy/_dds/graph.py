@@ -110,7 +110,7 @@ def endpoints(
 def nodes(participant: Participant) -> list[NodeInfo]:
     """Every node in the domain."""
     alive = alive_participants(participant)
-    found = []
+    found: list[NodeInfo] = []
     for gid, data in participant.announcements().items():
         if gid not in alive:
             continue
