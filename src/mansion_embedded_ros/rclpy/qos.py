@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import warnings
 from enum import Enum, IntEnum
-from typing import Any
-from typing import Union
+from typing import Any, Union
 
 from rclpy._qos_compatibility import check_compatible
 from rclpy.duration import Duration, Infinite
