@@ -58,3 +58,13 @@ def test_what_only_touches_the_far_side_of_a_neck_is_reached_another_way(
     wishes = [downgrade.wish for downgrade in structure.downgrades]
     assert "corridor access far" in wishes
     assert "all of F2/corridor in one piece" in wishes
+
+
+def test_no_door_opens_into_a_sliver_that_walls_fill(sample_floors: ModuleType) -> None:
+    rooms = {
+        "flat": ("living_room", [(0, 0), (6, 0), (6, 1.2), (1.5, 1.2), (1.5, 0.03), (0, 0.03)]),
+        "bath": ("bathroom", [(0, 0.03), (1.5, 0.03), (1.5, 1.2), (6, 1.2), (6, 4), (0, 4)]),
+    }
+    structure = build_structure(sample_floors.request(rooms, [("flat", "bath")], floor=2))
+    (door,) = structure.doors
+    assert all(x >= 1.5 for x, _ in door.segment)

@@ -120,17 +120,13 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
 
 
 def _walkable_rooms(floor: FloorRegions, stretches: Sequence[Stretch]) -> dict[str, Polygon]:
-    """Return the walkable part, with all walls standing, of each room that is not walkable as a whole.
+    """Return the walkable part of each room with all walls standing.
 
     Rooms narrower than a passage throughout are left out: their door is all there is of them.
     """
     closed = partition_floor(floor, stretches, frozenset())
     nets = {r.id: closed.nets[r.id] for r in floor.regions if r.is_room}
-    return {
-        name: part
-        for name, part in walkable_parts(nets).items()
-        if not part.is_empty and (part.area < nets[name].area - 1e-3 or name in closed.cut_off)
-    }
+    return {name: part for name, part in walkable_parts(nets).items() if not part.is_empty}
 
 
 def _cut_off(floor: FloorRegions, partition: Partition) -> list[Downgrade]:

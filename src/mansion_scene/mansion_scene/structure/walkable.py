@@ -49,7 +49,7 @@ def usable_stretches(stretches: Sequence[Stretch], parts: Mapping[str, Polygon])
     Parameters
     ----------
     parts : mapping
-        Of `walkable_parts`; a side whose region it leaves out (a core, a room all walkable) is not asked.
+        Of `walkable_parts`; a side whose region it leaves out (a core) is not asked.
     """
     usable: list[Stretch] = []
     for stretch in stretches:
