@@ -42,7 +42,7 @@ class SearchWeights:
     corner: float = 0.05
     compact: float = 0.3
     access: float = 4.0
-    adjacent: float = 1.5
+    adjacent: float = 3.0
     thin: float = 2.0
     apart: float = 0.3
     straddle: float = 3.0
@@ -75,6 +75,8 @@ class SolverOptions:
         Minimum width of a room where its node gives none, metres.
     adjacent_wall : float
         Least length of wall that an ``adjacent`` edge needs, metres.
+    seeded, unseeded : SearchWeights
+        Weights of the wall search where most rooms have a seed, and where not.
     """
 
     retries: int = 10
@@ -84,12 +86,15 @@ class SolverOptions:
     radius_growth: float = 1.25
     energy: EnergyWeights = field(default_factory=EnergyWeights)
     wall_search: bool = True
-    round_candidates: int = 6000
-    seeded_proposals: int = 800
-    proposals: int = 1000
+    round_candidates: int = 3000
+    seeded_proposals: int = 600
+    proposals: int = 700
     attempts: int = 8
     candidates: int = 600_000
     spacing: float = 0.4
     min_width: float = 1.2
     adjacent_wall: float = 0.3
-    search: SearchWeights = field(default_factory=SearchWeights)
+    seeded: SearchWeights = field(default_factory=SearchWeights)
+    unseeded: SearchWeights = field(
+        default_factory=lambda: SearchWeights(area=1.2, corner=0.22, compact=0.6)
+    )

@@ -12,7 +12,7 @@ from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.state import Floats, Goal, Ints
 from mansion_planner.solver.zones import Link
 
-__all__ = ["Partition", "make_goal", "refined_grid", "used_lines"]
+__all__ = ["Partition", "make_goal", "mostly_seeded", "refined_grid", "used_lines"]
 
 
 @dataclass(frozen=True)
@@ -49,6 +49,7 @@ def make_goal(
         np.int64,
     ).reshape(-1, 2)
     hub = np.arange(n) == 0
+    weights = options.seeded if mostly_seeded(model) else options.unseeded
     rooms = np.stack(
         [
             model.targets,
@@ -68,11 +69,17 @@ def make_goal(
         need=need + 1e-3,
         side=side,
         apart=apart,
-        weights=np.array([getattr(options.search, name) for name in WEIGHTS], dtype=float),
+        weights=np.array([getattr(weights, name) for name in WEIGHTS], dtype=float),
     )
 
 
-def used_lines(grid: Grid, labels: Ints, rooms: int) -> tuple[Floats, Floats]:
+def mostly_seeded(model: FloorModel) -> bool:
+    """Tell whether most rooms besides the hub have a seed."""
+    known = ~np.isnan(model.seeds[1:, 0])
+    return bool(known.size and known.mean() > 0.6)
+
+
+def used_lines(grid: Grid, labels: Ints) -> tuple[Floats, Floats]:
     """Return the lines of `grid` (without its frame) along which labels change."""
     across = (labels[:, 1:] != labels[:, :-1]).any(axis=0)
     along = (labels[1:, :] != labels[:-1, :]).any(axis=1)
@@ -107,6 +114,6 @@ def refined_grid(
     offsets: tuple[float, ...],
 ) -> tuple[Grid, Ints]:
     """Return a grid of the used lines with finer ones around them, and the partition's labels on it."""
-    xs, ys = used_lines(partition.grid, partition.labels, len(model.rooms))
+    xs, ys = used_lines(partition.grid, partition.labels)
     grid = make_grid(model, _beside(xs, major[0], offsets), _beside(ys, major[1], offsets))
     return grid, resample(partition.grid, partition.labels, grid)

@@ -1,6 +1,7 @@
 """The wall search over a whole floor: starts, attempts while edges are unmet, then ever finer grids."""
 
 import numpy as np
+from mansion_geometry.rings import polygon_parts
 
 from mansion_planner.solver.budget import Budget
 from mansion_planner.solver.cutting import RoundsResult
@@ -8,7 +9,8 @@ from mansion_planner.solver.grid import Grid
 from mansion_planner.solver.model import FloorModel
 from mansion_planner.solver.objective import total_energy
 from mansion_planner.solver.options import SolverOptions
-from mansion_planner.solver.refine import Partition, refined_grid
+from mansion_planner.solver.polygons import room_shapes
+from mansion_planner.solver.refine import Partition, mostly_seeded, refined_grid
 from mansion_planner.solver.search import anneal
 from mansion_planner.solver.starts import fit_rectangles, flood, paint_rectangles
 from mansion_planner.solver.state import (
@@ -21,6 +23,7 @@ from mansion_planner.solver.state import (
     make_state,
     recount,
 )
+from mansion_planner.solver.verify import realise_edges
 
 __all__ = ["WallSearch"]
 
@@ -56,35 +59,34 @@ class WallSearch:
         self.options, self.budget, self.rng = options, budget, rng
         self.rooms = len(model.rooms)
         self.total = self.rooms + len(model.obstacles) + 1
-        known = goal.rooms[1:, SEED_WEIGHT] > 0.0
-        self.seeded = bool(known.size and known.mean() > 0.6)
+        names = [room.id for room in model.rooms] + [o.id for o in model.obstacles]
+        self.asked = {(names[a], names[b]) for a, b in goal.links[:, :2].tolist()}
+        self.seeded = mostly_seeded(model)
 
     def run(self, rounds: RoundsResult) -> Partition | None:
         """Return the best partition found within the budget, or None when the rooms do not fit at all."""
         best: Partition | None = None
+        fewest = 0
         for attempt in range(self.options.attempts):
             start = self._start(rounds, attempt)
             if start is None:
                 continue
             found = self._refined(self._searched(start, attempt))
-            if best is None or found.energy < best.energy:
-                best = found
-            if self.unmet(best) == 0 or self.budget.left == 0:
+            faults = self.faults(found)
+            if best is None or (faults, found.energy) < (fewest, best.energy):
+                best, fewest = found, faults
+            if fewest == 0 or self.budget.left == 0:
                 break
         return best
 
-    def unmet(self, partition: Partition) -> int:
-        """Return how many links of the goal a partition leaves open."""
-        state = make_state(partition.labels, self.rooms, self.total)
-        recount(partition.grid.cells, state)
-        total_energy(partition.grid.cells, self.goal, state, np.zeros(state.labels.shape))
-        links = self.goal.links
-        length = np.where(
-            links[:, 2] == 0,
-            state.run[links[:, 0], links[:, 1]],
-            state.contact[links[:, 0], links[:, 1]],
+    def faults(self, partition: Partition) -> int:
+        """Return how many links the final polygons leave open, and how many rooms they leave in pieces."""
+        shapes = room_shapes(self.model, partition.grid, partition.labels)
+        edges = realise_edges(self.model, shapes, self.options)
+        open_links = sum(
+            not edge.satisfied and (edge.source, edge.target) in self.asked for edge in edges
         )
-        return int((length < self.goal.need - 1e-9).sum())
+        return open_links + sum(len(polygon_parts(shape)) != 1 for shape in shapes)
 
     def energy(self, labels: Ints) -> float:
         """Return the energy of labels on the coarse grid."""
