@@ -60,7 +60,7 @@ def draw_plan(scene: FloorScene) -> Drawing:
         *draw_doors(scene),
         *label_rooms(scene),
         Canvas("frame", tuple(_dimensions(x0, y0, x1, y1, unit))),
-        Canvas("frame", tuple(_heading(scene, x0, y1, unit))),
+        Canvas("frame", tuple(_heading(scene, x0, x1, y1, unit))),
         Canvas("frame", tuple(_scale_bar(x0, y0 - 2.1 * unit, x1 - x0, unit))),
         Canvas("frame", tuple(_north(x1 - 0.6 * unit, y1 + 1.35 * unit, unit))),
     ]
@@ -100,24 +100,28 @@ def _name(scene: FloorScene) -> str:
     return f"{scene.building_id.replace('_', ' ')}, floor {scene.label}"
 
 
-def _heading(scene: FloorScene, x0: float, y1: float, unit: float) -> list[Shape]:
+def _heading(scene: FloorScene, x0: float, x1: float, y1: float, unit: float) -> list[Shape]:
     area = sum(room.area for room in scene.rooms if room.kind not in ("stair", "elevator"))
     rooms = sum(room.kind not in ("stair", "elevator") for room in scene.rooms)
     facts = (
         f"{area:.0f} m² in {rooms} rooms, {len(scene.objects)} objects, "
         f"level {scene.elevation:+.2f} m"
     )
+    # Both lines end before the north arrow.
+    width = x1 - x0 - 1.8 * unit
+    title = min(0.72 * unit, width / (0.62 * len(_name(scene))))
+    small = min(0.4 * unit, width / (0.56 * len(facts)))
     return [
         Label(
             (x0, y1 + 1.55 * unit),
             _name(scene),
-            0.72 * unit,
+            title,
             INK["text"],
             "start",
             bold=True,
             halo=False,
         ),
-        Label((x0, y1 + 0.8 * unit), facts, 0.4 * unit, INK["muted"], "start", halo=False),
+        Label((x0, y1 + 0.8 * unit), facts, small, INK["muted"], "start", halo=False),
     ]
 
 

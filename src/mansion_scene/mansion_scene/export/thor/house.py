@@ -1,8 +1,10 @@
 """A floor as an AI2-THOR house, schema 1.0.0 (``ProceduralTools.CreateHouse``)."""
 
+import itertools
 from collections.abc import Sequence
 from typing import Any, TypeAlias
 
+import numpy as np
 import shapely
 from shapely.geometry import Polygon, box
 
@@ -28,6 +30,12 @@ SCHEMA = "1.0.0"
 
 AGENT_HEIGHT = 0.95
 """Height at which ProcTHOR sets the agent down, metres."""
+
+PHASES = 3
+"""Shifts of the agent's grid that are tried in each direction."""
+
+ENOUGH = 5
+"""Grid points that ``House.validate`` asks of each room."""
 
 SLIT = 0.002
 """Width of the cut that joins a hole to the outer ring: AI2-THOR's floor polygons have no holes."""
@@ -174,22 +182,44 @@ def _shadow(bias: float) -> Json:
 
 
 def _agent(scene: FloorScene, made: Json) -> Json:
-    """The spawn pose, moved to the nearest grid point from which most of the house can be walked."""
+    """The spawn pose, moved to the nearest grid point from which the agent reaches most rooms.
+
+    AI2-THOR's grid starts where the agent stands. Where a grid through multiples of `GRID` misses a narrow passage, one
+    that is shifted by multiples of a third of `GRID` may find it.
+    """
     if scene.spawn is not None:
         x, y, heading = scene.spawn.x, scene.spawn.y, thor_heading(scene.spawn.yaw)
     else:
         x, y = scene.rooms[0].polygon[0]
         heading = 0.0
-    components = reachable(made, (round(x / GRID) * GRID, round(y / GRID) * GRID), everywhere=True)
-    if components:
-        best = max(components, key=len)
-        x, y = min(best, key=lambda p: ((p[0] - x) ** 2 + (p[1] - y) ** 2, p))
+    corner = (round(x / GRID) * GRID, round(y / GRID) * GRID)
+    rings = [[(p["x"], p["z"]) for p in room["floorPolygon"]] for room in made["rooms"]]
+    best: tuple[int, int] = (-1, -1)
+    points: list[Point] = []
+    for i, j in sorted(itertools.product(range(PHASES), repeat=2), key=max):
+        start = (corner[0] + i * GRID / PHASES, corner[1] + j * GRID / PHASES)
+        for component in reachable(made, start, everywhere=True):
+            score = (_served(component, rings), len(component))
+            if score > best:
+                best, points = score, component
+        if best[0] == len(rings):
+            break
+    if points:
+        x, y = min(points, key=lambda p: ((p[0] - x) ** 2 + (p[1] - y) ** 2, p))
     return {
         "position": thor_point(x, y, AGENT_HEIGHT),
         "rotation": {"x": 0, "y": heading, "z": 0},
         "horizon": 30,
         "standing": True,
     }
+
+
+def _served(points: Sequence[Point], rings: Sequence[Sequence[Point]]) -> int:
+    """Count the rooms that hold enough of the points."""
+    if len(points) < ENOUGH:
+        return 0
+    x, y = np.array(points).T
+    return sum(int(shapely.contains_xy(Polygon(ring), x, y).sum()) >= ENOUGH for ring in rings)
 
 
 def _provenance(scene: FloorScene, omitted: list[Json]) -> Json:

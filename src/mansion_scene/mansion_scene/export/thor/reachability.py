@@ -1,10 +1,11 @@
 """Where AI2-THOR's agent can stand: ``GetReachablePositions`` from the house JSON alone."""
 
-from collections import deque
 from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
+
+from mansion_geometry.compiled import kernel
 
 __all__ = ["GRID", "RADIUS", "reachable"]
 
@@ -48,7 +49,7 @@ def reachable(
     for item in _flatten(house["objects"]):
         bottom = item["position"]["y"] - item["size"]["y"] / 2
         if bottom < AGENT_TOP and bottom + item["size"]["y"] > STEP_OVER:
-            free &= ~_near_box(item, xs, zs)
+            _block(free, item, xs, zs)
     labels = _components(free, *passages)
     wanted: list[int] = list(range(1, int(labels.max()) + 1))
     if not everywhere:
@@ -159,42 +160,58 @@ def _distance(
 def _components(free: Bools, near: Bools, right: Bools, up: Bools) -> npt.NDArray[np.int32]:
     """Label points that steps connect, from 1; 0 where the agent does not fit."""
     free = free & ~near
-    go_right = free[:, :-1] & free[:, 1:] & ~right[:, :-1]
-    go_up = free[:-1] & free[1:] & ~up[:-1]
+    go_right, go_up = np.zeros_like(free), np.zeros_like(free)
+    go_right[:, :-1] = free[:, :-1] & free[:, 1:] & ~right[:, :-1]
+    go_up[:-1] = free[:-1] & free[1:] & ~up[:-1]
     labels = np.zeros(free.shape, dtype=np.int32)
-    rows, columns = free.shape
-    label = 0
-    for seed in zip(*np.nonzero(free)):
-        if labels[seed]:
-            continue
-        label += 1
-        labels[seed] = label
-        queue = deque([(int(seed[0]), int(seed[1]))])
-        while queue:
-            i, j = queue.popleft()
-            steps = (
-                (i, j + 1, j + 1 < columns and go_right[i, j]),
-                (i, j - 1, j > 0 and go_right[i, j - 1]),
-                (i + 1, j, i + 1 < rows and go_up[i, j]),
-                (i - 1, j, i > 0 and go_up[i - 1, j]),
-            )
-            for m, n, open_step in steps:
-                if open_step and not labels[m, n]:
-                    labels[m, n] = label
-                    queue.append((m, n))
+    _label(free, go_right, go_up, labels)
     return labels
 
 
-def _near_box(item: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]) -> Bools:
+@kernel
+def _label(free: Bools, go_right: Bools, go_up: Bools, labels: npt.NDArray[np.int32]) -> None:
+    """Flood each connected set of points with its number."""
+    rows, columns = free.shape
+    stack = np.empty(rows * columns, dtype=np.int64)
+    label = 0
+    for seed in range(rows * columns):
+        if not free[seed // columns, seed % columns] or labels[seed // columns, seed % columns]:
+            continue
+        label += 1
+        labels[seed // columns, seed % columns] = label
+        stack[0] = seed
+        size = 1
+        while size > 0:
+            size -= 1
+            i, j = stack[size] // columns, stack[size] % columns
+            for step in range(4):
+                m = i + (step == 0) - (step == 1)
+                n = j + (step == 2) - (step == 3)
+                if m < 0 or n < 0 or m >= rows or n >= columns or labels[m, n]:
+                    continue
+                a, b = min(i, m), min(j, n)
+                if (step < 2 and go_up[a, b]) or (step >= 2 and go_right[a, b]):
+                    labels[m, n] = label
+                    stack[size] = m * columns + n
+                    size += 1
+
+
+def _block(
+    free: Bools, item: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]
+) -> None:
+    """Take the points that an object's box is too near to."""
     angle = np.radians(item["rotation"]["y"])
     c, s = float(np.cos(angle)), float(np.sin(angle))
-    dx = xs[None, :] - item["position"]["x"]
-    dz = zs[:, None] - item["position"]["z"]
+    x, z = item["position"]["x"], item["position"]["z"]
+    a, b = item["size"]["x"] / 2, item["size"]["z"] / 2
+    reach = float(np.hypot(a, b)) + RADIUS
+    columns = slice(*np.searchsorted(xs, (x - reach, x + reach)))
+    rows = slice(*np.searchsorted(zs, (z - reach, z + reach)))
+    dx, dz = xs[None, columns] - x, zs[rows, None] - z
     # Turning clockwise by the angle maps local (w, d) to (w c + d s, d c - w s).
-    w = np.maximum(np.abs(dx * c - dz * s) - item["size"]["x"] / 2, 0.0)
-    d = np.maximum(np.abs(dx * s + dz * c) - item["size"]["z"] / 2, 0.0)
-    near: Bools = np.hypot(w, d) < RADIUS - 1e-6
-    return near
+    w = np.maximum(np.abs(dx * c - dz * s) - a, 0.0)
+    d = np.maximum(np.abs(dx * s + dz * c) - b, 0.0)
+    free[rows, columns] &= np.hypot(w, d) >= RADIUS - 1e-6
 
 
 def _flatten(objects: list[Json]) -> list[Json]:
