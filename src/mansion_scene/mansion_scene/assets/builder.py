@@ -1,5 +1,6 @@
 """Builds a mesh from boxes, turned bodies, rods and cushions, in metres from the floor below the asset's centre."""
 
+import itertools
 import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -125,7 +126,11 @@ class Builder:
     ) -> None:
         """Add an axis-aligned box; a thin one that is no solid is lifted off the face of the asset that it lies in."""
         if not solid:
-            x, y, z = self._lifted(x, self.w / 2), self._lifted(y, self.d / 2), self._lifted(z, self.h)
+            x, y, z = (
+                self._lifted(x, self.w / 2),
+                self._lifted(y, self.d / 2),
+                self._lifted(z, self.h),
+            )
         (x0, x1), (y0, y1), (z0, z1) = x, y, z
         vertices = np.array(
             [
@@ -221,7 +226,7 @@ class Builder:
 
     def path(self, points: Sequence[Vec3], r: float, material: str, part: str = "frame") -> None:
         """Add round bars along a line of points."""
-        for start, end in zip(points, points[1:], strict=False):
+        for start, end in itertools.pairwise(points):
             self.rod(start, end, r, material, part)
 
     def ball(

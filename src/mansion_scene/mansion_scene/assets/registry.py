@@ -11,15 +11,18 @@ Recipe = Callable[[Builder], None]
 
 _MODULES = (
     "appliances",
+    "small_appliances",
     "bathroom",
     "beds",
     "containers",
     "electronics",
     "industry",
     "kitchenware",
+    "boxes",
     "leisure",
     "lighting",
     "machines",
+    "devices",
     "medical",
     "museum",
     "music",
@@ -30,10 +33,13 @@ _MODULES = (
     "shop",
     "sport",
     "storage",
+    "racks",
     "tables",
+    "counters",
     "toys",
     "vehicles",
     "wall",
+    "hangings",
 )
 
 _RECIPES: dict[str, Recipe] = {}

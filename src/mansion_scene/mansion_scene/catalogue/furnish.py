@@ -272,7 +272,12 @@ def _rugs(draft: _Draft) -> list[RugWish]:
         if present and assets and (not item.under or _has(draft, item.under)):
             chosen = tuple(assets[int(i)] for i in order)
             out.append(
-                RugWish(assets=chosen, under=draft.category_of(item.under), margin=item.margin, count=item.count)
+                RugWish(
+                    assets=chosen,
+                    under=draft.category_of(item.under),
+                    margin=item.margin,
+                    count=item.count,
+                )
             )
     return out
 

@@ -111,7 +111,7 @@ def _sofa(size: Size3, p: dict[str, Any]) -> list[Carrier]:
 def _bed(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     w, d, h = size
     tiers = int(p.get("tiers", 2 if h > 1.5 else 1))
-    low = min(0.52, h * 0.62) if h > 0.5 else h * 0.9
+    low = min(0.52, h * 0.62) if h > 0.5 else h - min(0.1, h / 2)
     head, side = min(0.45, d * 0.22), 0.06
     box = (-w / 2 + side, w / 2 - side, -d / 2 + head + 0.06, d / 2 - 0.08)
     heights = [low] if tiers == 1 else [low, min(h - 0.3, low + 1.0)]
@@ -269,6 +269,35 @@ def _open_top(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     return [_volume("tray", _inset(size, 0.05), h - depth, h)]
 
 
+def _bench(size: Size3, p: dict[str, Any]) -> list[Carrier]:
+    w, d, h = size
+    z = min(0.46, h * 0.52) if p.get("back") else h
+    return [_rect("seat", (-w / 2 + 0.03, w / 2 - 0.03, -d / 2 + 0.08, d / 2 - 0.03), z, 0.6)]
+
+
+def _cubicle(size: Size3, p: dict[str, Any]) -> list[Carrier]:
+    w, d, _ = size
+    box = (-w / 2 + 0.07, w / 2 - 0.07, -d / 2 + 0.07, -d / 2 + min(0.75, d * 0.8) - 0.03)
+    return [_rect("top", box, 0.74, 1.0)]
+
+
+def _control_desk(size: Size3, p: dict[str, Any]) -> list[Carrier]:
+    w, d, _ = size
+    return [_rect("top", (-w / 2 + 0.04, w / 2 - 0.04, 0.2, d / 2 - 0.02), 0.75, 1.0)]
+
+
+def _salon_station(size: Size3, p: dict[str, Any]) -> list[Carrier]:
+    w, d, _ = size
+    return [_rect("shelf", (-w / 2 + 0.03, w / 2 - 0.03, -d / 2 + 0.07, d / 2 - 0.02), 0.82, 0.8)]
+
+
+def _washer(size: Size3, p: dict[str, Any]) -> list[Carrier]:
+    w, d, h = size
+    high = h / int(p.get("stack", 1))
+    box = (-w * 0.3, w * 0.3, -d * 0.35, d * 0.3)
+    return [_volume("drum", box, high * 0.2, high * 0.72)]
+
+
 def _wall_shelf(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     return [_rect("shelf", _inset(size, 0.015), size[2], 0.45)]
 
@@ -281,16 +310,20 @@ def _plate(size: Size3, p: dict[str, Any]) -> list[Carrier]:
 _RULES: dict[str, Rule] = {
     "bathtub": _bathtub,
     "bed": _bed,
+    "bench": _bench,
     "bin": _bin,
     "bowl": _bin,
     "cabinet": _cabinet,
     "chair": _chair,
+    "control_desk": _control_desk,
     "counter": _counter,
+    "cubicle": _cubicle,
     "desk": _desk,
     "fridge": _fridge,
     "open_top": _open_top,
     "oven": _oven,
     "plate": _plate,
+    "salon_station": _salon_station,
     "shelf": _shelf,
     "sink": _sink,
     "sofa": _sofa,
@@ -301,6 +334,7 @@ _RULES: dict[str, Rule] = {
     "trolley": _trolley,
     "vitrine": _vitrine,
     "wall_shelf": _wall_shelf,
+    "washer": _washer,
 }
 
 

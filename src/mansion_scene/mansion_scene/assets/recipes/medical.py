@@ -46,7 +46,7 @@ def iv_stand(b: Builder) -> None:
 @recipe("patient_monitor")
 def patient_monitor(b: Builder) -> None:
     """Monitor on a rolling stand with a basket."""
-    w, d, h = b.w, b.d, b.h
+    w, _d, h = b.w, b.d, b.h
     _star(b, 0.018)
     b.cyl(0, 0, (0.05, h - 0.3), 0.02, "metal_steel", "pole", n=12)
     b.box((-w * 0.38, w * 0.38), (-0.08, 0.06), (h - 0.3, h), b.mat(), "monitor")

@@ -1,5 +1,6 @@
 """Statues, skeletons, instruments on tripods."""
 
+import itertools
 import math
 
 from mansion_scene.assets.builder import Box, Builder
@@ -83,7 +84,7 @@ def statue(b: Builder) -> None:
             (w * 0.42 * math.cos(t * 5), d * 0.42 * math.sin(t * 5), 0.12 + (h - 0.25) * t)
             for t in [k / 16 for k in range(17)]
         ]
-        for p, q in zip(points, points[1:], strict=False):
+        for p, q in itertools.pairwise(points):
             b.rod(p, q, 0.07, main, "coil", 10, True)
         b.ball((0, 0, h * 0.55), (w * 0.2, d * 0.2, h * 0.16), main, "core", 16)
         b.ball(
@@ -266,7 +267,7 @@ def _tripod(b: Builder, top: float) -> None:
 @recipe("telescope")
 def telescope(b: Builder) -> None:
     """Tube on a tripod, looking up to the front."""
-    w, d, h = b.w, b.d, b.h
+    _w, d, h = b.w, b.d, b.h
     _tripod(b, h * 0.62)
     b.rod((0, -d * 0.4, h * 0.5), (0, d * 0.42, h * 0.94), 0.09, b.mat(), "tube", 20, True)
     b.rod((0, d * 0.4, h * 0.93), (0, d * 0.43, h * 0.945), 0.085, "glass_black", "lens", 20)

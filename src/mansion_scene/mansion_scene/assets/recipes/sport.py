@@ -140,7 +140,7 @@ def _barbell(b: Builder, y: float, z: float) -> None:
 @recipe("bench_press")
 def bench_press(b: Builder) -> None:
     """Bench below a barbell on its rack."""
-    w, d, h = b.w, b.d, b.h
+    _w, d, h = b.w, b.d, b.h
     for sx in (-1, 1):
         x = sx * 0.5
         b.box((x - 0.03, x + 0.03), (-d / 2, -d * 0.1), (0, 0.05), b.mat(), "feet")

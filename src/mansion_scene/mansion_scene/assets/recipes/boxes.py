@@ -1,0 +1,322 @@
+"""Box-shaped things, told apart by what is on them."""
+
+from mansion_scene.assets.builder import Builder
+from mansion_scene.assets.registry import recipe
+
+__all__: list[str] = []
+
+
+@recipe("block")
+def block(b: Builder) -> None:
+    """Box-shaped things, told apart by what is on them."""
+    w, d, h = b.w, b.d, b.h
+    style, main = str(b.p.get("style", "plain")), b.mat()
+    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
+    maker = _BLOCKS.get(style)
+    if maker is not None:
+        maker(b)
+    elif style == "carton":
+        high = h * (0.86 if h > 1.3 * w else 1.0)
+        b.box(x, y, (0, high), main, "body")
+        if high < h:
+            b.prism(
+                [
+                    (-d / 2, high),
+                    (d / 2, high),
+                    (0.004, h * 0.97),
+                    (0.004, h),
+                    (-0.004, h),
+                    (-0.004, h * 0.97),
+                ],
+                x,
+                "paper_white",
+                part="gable",
+            )
+        b.box(
+            (-w * 0.32, w * 0.32),
+            (d / 2 - 0.001, d / 2),
+            (high * 0.3, high * 0.7),
+            "paper_white",
+            "label",
+            False,
+        )
+        b.box(
+            (-w * 0.36, w * 0.36),
+            (d / 2 - 0.001, d / 2),
+            (high * 0.74, high * 0.84),
+            "paper_yellow",
+            "label",
+            False,
+        )
+    elif style == "speaker":
+        b.box(x, (-d / 2, d / 2 - 0.012), (0, h), main, "case")
+        for z, r in ((0.32, 0.36), (0.74, 0.22)):
+            b.rod((0, d / 2 - 0.014, z * h), (0, d / 2, z * h), r * w, "plastic_dark", "cones", 20)
+            b.rod(
+                (0, d / 2 - 0.013, z * h),
+                (0, d / 2 - 0.001, z * h),
+                r * w * 0.4,
+                "metal_grey",
+                "cones",
+                12,
+            )
+    elif style == "screen":
+        b.box(x, y, (0, h), main, "case")
+        b.box(
+            (-w * 0.3, w * 0.3),
+            (d / 2 - 0.001, d / 2),
+            (h * 0.3, h * 0.7),
+            "screen_blue",
+            "panel",
+            False,
+        )
+        b.box(
+            (-w * 0.35, w * 0.35),
+            (-d * 0.2, d * 0.25),
+            (h - 0.001, h),
+            "plastic_light",
+            "plate",
+            False,
+        )
+    elif style in ("flatbox", "gift"):
+        b.box(x, y, (0, h * 0.95), main, "body")
+        b.box((-w * 0.06, w * 0.06), y, (0, h * 0.96), "paper_white", "band", False)
+        b.box(x, (-d * 0.06, d * 0.06), (0, h * 0.96), "paper_white", "band", False)
+        b.ball((0, 0, h * 0.96), (w * 0.12, d * 0.12, h * 0.04), "paper_white", "bow", 8, False)
+    elif style == "papers":
+        count = 4
+        for k in range(count):
+            shift = 0.004 * (k % 3) - 0.004
+            b.box(
+                (x[0] + max(0, shift), x[1] + min(0, shift)),
+                (y[0] + max(0, -shift), y[1]),
+                (h * k / count, h * (k + 1) / count),
+                "paper_white" if k % 2 else "paper_light",
+                "sheets",
+            )
+    elif style == "layers":
+        for k, color in enumerate(("food_beige", "food_green", "food_red", "food_beige")):
+            b.box(x, y, (h * k / 4, h * (k + 1) / 4), color, "layers")
+    elif style in ("wedge", "tent"):
+        tip = 0.004 if style == "tent" else d * 0.25
+        b.prism(
+            [(-d / 2, 0), (d / 2, 0), (tip if style == "tent" else d / 2, h), (-tip, h)], x, main
+        )
+    else:
+        b.box(x, y, (0, h), main, "body")
+
+
+def _carton_open(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    t, low = 0.008, b.h * 0.92
+    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.02, d / 2 - 0.02), (0, t), b.mat(), "floor")
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * (w / 2 - 0.02), sx * (w / 2 - 0.02 - t)))
+        b.box((lo, hi), (-d / 2 + 0.02, d / 2 - 0.02), (0, low), b.mat(), "sides")
+        b.prism(
+            [
+                (sx * (w / 2 - 0.02), low),
+                (sx * w / 2, h),
+                (sx * (w / 2 - 0.005), h),
+                (sx * (w / 2 - 0.03), low),
+            ],
+            (-d / 2 + 0.02, d / 2 - 0.02),
+            b.mat(),
+            "y",
+            "flaps",
+            False,
+        )
+    for sy in (-1, 1):
+        lo, hi = sorted((sy * (d / 2 - 0.02), sy * (d / 2 - 0.02 - t)))
+        b.box((-w / 2 + 0.02, w / 2 - 0.02), (lo, hi), (0, low), b.mat(), "sides")
+        b.prism(
+            [
+                (sy * (d / 2 - 0.02), low),
+                (sy * d / 2, h),
+                (sy * (d / 2 - 0.005), h),
+                (sy * (d / 2 - 0.03), low),
+            ],
+            (-w / 2 + 0.02, w / 2 - 0.02),
+            b.mat(),
+            part="flaps",
+            solid=False,
+        )
+    b.box((-0.03, 0.03), (d / 2 - 0.021, d / 2 - 0.018), (0, low), "paper_beige", "tape", False)
+
+
+def _bag(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    low = h * 0.74
+    b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, low), b.mat(), "body", 0.35, 12)
+    for sy in (-1, 1):
+        y = sy * d * 0.25
+        b.path(
+            [
+                (-w * 0.22, y, low * 0.95),
+                (-w * 0.18, y, h - 0.008),
+                (w * 0.18, y, h - 0.008),
+                (w * 0.22, y, low * 0.95),
+            ],
+            0.008,
+            "leather_dark",
+            "handles",
+        )
+    b.box(
+        (-w * 0.25, w * 0.25),
+        (d / 2 - 0.003, d / 2),
+        (low * 0.2, low * 0.5),
+        "fabric_dark",
+        "pocket",
+        False,
+    )
+
+
+def _suitcase(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0.05, h - 0.08), b.mat(), "shell", 0.3, 12)
+    for k in range(4):
+        x = -w * 0.36 + k * w * 0.24
+        b.box(
+            (x - 0.008, x + 0.008),
+            (d / 2 - 0.003, d / 2),
+            (h * 0.16, h * 0.8),
+            "plastic_dark",
+            "ribs",
+            False,
+        )
+    b.wheels(0.025, 0.06)
+    b.path(
+        [
+            (-w * 0.2, -d * 0.3, h - 0.1),
+            (-w * 0.2, -d * 0.3, h - 0.01),
+            (w * 0.2, -d * 0.3, h - 0.01),
+            (w * 0.2, -d * 0.3, h - 0.1),
+        ],
+        0.01,
+        "metal_steel",
+        "handle",
+    )
+
+
+def _tray(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    t = min(0.012, w * 0.05)
+    floor = min(0.006, h * 0.3)
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, floor), b.mat(), "floor")
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
+        b.box((lo, hi), (-d / 2, d / 2), (0, h), b.mat(), "rim")
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + t), (0, h), b.mat(), "rim")
+    b.box((-w / 2, w / 2), (d / 2 - t, d / 2), (0, h if h < 0.06 else h * 0.3), b.mat(), "rim")
+    if h > 0.06:
+        b.box(
+            (-w * 0.42, w * 0.42),
+            (-d * 0.4, d * 0.42),
+            (floor, h * 0.3),
+            "paper_white",
+            "papers",
+            False,
+        )
+
+
+def _lidbox(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    low = h * 0.78
+    b.box(
+        (-w / 2 + 0.004, w / 2 - 0.004), (-d / 2 + 0.004, d / 2 - 0.012), (0, low), b.mat(), "body"
+    )
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.008), (low, h * 0.86), b.mat(), "lid")
+    b.path(
+        [
+            (-w * 0.22, 0, h * 0.85),
+            (-w * 0.2, 0, h - 0.008),
+            (w * 0.2, 0, h - 0.008),
+            (w * 0.22, 0, h * 0.85),
+        ],
+        0.008,
+        "plastic_black",
+        "handle",
+    )
+    b.box(
+        (-0.02, 0.02),
+        (d / 2 - 0.012, d / 2),
+        (low * 0.85, low * 1.05),
+        "metal_steel",
+        "latch",
+        False,
+    )
+
+
+def _tissue(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.75), b.mat(), "box")
+    b.cushion(
+        (-w * 0.18, w * 0.18),
+        (-d * 0.12, d * 0.12),
+        (h * 0.7, h),
+        "paper_white",
+        "tissue",
+        0.9,
+        8,
+        False,
+    )
+
+
+def _knives(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    b.prism(
+        [(-d / 2, 0), (d / 2, 0), (d * 0.2, h * 0.72), (-d / 2, h * 0.6)], (-w / 2, w / 2), b.mat()
+    )
+    for k in range(4):
+        x = -w * 0.3 + k * w * 0.2
+        b.rod((x, -d * 0.1, h * 0.6), (x, -d * 0.3, h - 0.01), 0.009, "plastic_black", "handles", 6)
+
+
+def _clipboard(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.35), b.mat(), "board")
+    b.box(
+        (-w * 0.44, w * 0.44),
+        (-d * 0.46, d * 0.36),
+        (h * 0.35, h * 0.45),
+        "paper_white",
+        "sheet",
+        False,
+    )
+    b.box((-w * 0.18, w * 0.18), (d * 0.36, d * 0.48), (h * 0.35, h), "metal_steel", "clip")
+
+
+def _tube(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    b.prism(
+        [(-w / 2, h * 0.4), (w * 0.25, 0), (w * 0.25, h), (-w / 2, h * 0.6)],
+        (-d / 2, d / 2),
+        b.mat(),
+        "y",
+    )
+    b.box((w * 0.25, w / 2), (-d * 0.3, d * 0.3), (h * 0.15, h * 0.85), "plastic_red", "cap")
+
+
+def _napkins(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    for sy in (-1, 1):
+        lo, hi = sorted((sy * d / 2, sy * (d / 2 - 0.006)))
+        b.box((-w / 2, w / 2), (lo, hi), (0, h * 0.75), b.mat(), "holder")
+    b.box((-w * 0.45, w * 0.45), (-d * 0.3, d * 0.3), (0.0, h), "paper_white", "napkins")
+
+
+def _pad(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    b.cushion((-w / 2, w / 2), (-d * 0.1, d / 2), (0, h * 0.75), b.mat(), "body", 0.9)
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * w * 0.2))
+        b.cushion((lo, hi), (-d / 2, d * 0.2), (0, h * 0.7), b.mat(), "grips", 0.9)
+        b.cyl(
+            sx * w * 0.15, 0.0, (h * 0.7, h), w * 0.06, "plastic_dark", "sticks", n=10, solid=False
+        )
+
+
+_BLOCKS = {
+    "bag": _bag, "carton_open": _carton_open, "clipboard": _clipboard, "knives": _knives, "lidbox": _lidbox, "napkins": _napkins,
+    "pad": _pad, "suitcase": _suitcase, "tissue": _tissue, "tray": _tray, "tube": _tube,
+}  # fmt: skip
