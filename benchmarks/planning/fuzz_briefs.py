@@ -1,4 +1,7 @@
-"""Plan fuzzed briefs: each ends as a plan or as a documented refusal. ``fuzz_briefs.py tests/briefs/briefs.json --count 1000``."""
+"""Plan fuzzed briefs: each ends as a plan or as a documented refusal.
+
+``fuzz_briefs.py tests/briefs/briefs.json --count 1000``
+"""
 
 import argparse
 import json
@@ -12,10 +15,36 @@ from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.plan import plan_building
 
-ODD = ["", "\x00\x01\x07", "🏢🏠🚪", "医院 十层 大楼", "мебель дом", "مستشفى", "١٢ طابق", "999999999999 floors", "-3 floors", "0 floors",
-       "0 m2", "1e309 m2", "floor " * 50, "no " * 80, "1,2,3,4 floors of of of", "½ floor", "L-shaped U-shaped", ") ( ; : , . -",
-       "ﬁrst ﬂoor", "İstanbul İ", "a\u200bfour\u200bstorey", "4" * 200, "m2 m2 m2", "top floor basement roof every floor",
-       "10000 bedrooms", "a 90000 m2 bedroom", "500 toilets in a flat of 20 m2", "\n\n\n\t"]  # fmt: skip
+ODD = [
+    "",
+    "\x00\x01\x07",
+    "🏢🏠🚪",
+    "医院 十层 大楼",
+    "мебель дом",
+    "مستشفى",
+    "١٢ طابق",
+    "999999999999 floors",
+    "-3 floors",
+    "0 floors",
+    "0 m2",
+    "1e309 m2",
+    "floor " * 50,
+    "no " * 80,
+    "1,2,3,4 floors of of of",
+    "½ floor",
+    "L-shaped U-shaped",
+    ") ( ; : , . -",
+    "ﬁrst ﬂoor",
+    "İstanbul İ",
+    "a\u200bfour\u200bstorey",
+    "4" * 200,
+    "m2 m2 m2",
+    "top floor basement roof every floor",
+    "10000 bedrooms",
+    "a 90000 m2 bedroom",
+    "500 toilets in a flat of 20 m2",
+    "\n\n\n\t",
+]
 
 
 def fuzzed(generator: np.random.Generator, briefs: list[str]) -> str:

@@ -79,7 +79,8 @@ def main() -> None:
     print(f"floors with an unmet edge: {unmet} of {floors}")
     slow = sorted(planning)[int(0.95 * len(planning))]
     print(
-        f"planning: median {1e3 * sorted(planning)[len(planning) // 2]:.1f} ms, 95th percentile {1e3 * slow:.1f} ms, most {1e3 * max(planning):.1f} ms of processor time"
+        f"planning: median {1e3 * sorted(planning)[len(planning) // 2]:.1f} ms, "
+        f"95th percentile {1e3 * slow:.1f} ms, most {1e3 * max(planning):.1f} ms of processor time"
     )
 
 

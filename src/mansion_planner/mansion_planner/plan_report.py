@@ -82,8 +82,9 @@ def plan_table(reply: PlanReply) -> PlanTable:
         ]
     total = sum(floor.gross_floor_area for floor in program.floors)
     cores = ", ".join(core.id for core in program.vertical_connectivity.cores) or "no cores"
+    kind = program.building_type.replace("_", " ")
     return PlanTable(
-        title=f"{program.building_type.replace('_', ' ')}, {program.style}: {len(program.floors)} floors, {total:.0f} m2, {cores}",
+        title=f"{kind}, {program.style}: {len(program.floors)} floors, {total:.0f} m2, {cores}",
         floors=lines,
         rows=rows,
         trace=trace_lines(reply),

@@ -107,7 +107,8 @@ def test_exclusions_end_with_their_clause() -> None:
 
 def test_wishes_are_read() -> None:
     facts = read(
-        "An L-shaped modern hotel, floors 3 to 8 identical, without elevator, the kitchen next to the restaurant, oak floors"
+        "An L-shaped modern hotel, floors 3 to 8 identical, without elevator, "
+        "the kitchen next to the restaurant, oak floors"
     )
     assert [shape for shape, _ in facts.shapes] == ["L"]
     assert [style for style, _ in facts.styles] == ["modern"]

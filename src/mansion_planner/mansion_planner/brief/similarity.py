@@ -5,7 +5,32 @@ from functools import cache
 
 from mansion_planner.knowledge import KnowledgeBase
 
-__all__ = ["HEAD_TYPES", "similar_room_type"]
+__all__ = ["AS_ROOM", "HEAD_TYPES", "similar_room_type"]
+
+AS_ROOM = {
+    "office": "private_office", "flat": "apartment", "apartment_building": "apartment",
+    "studio_flat": "studio_apartment", "hotel": "hotel_room", "supermarket": "sales_area",
+    "factory": "production_hall", "bank": "bank_hall", "clinic": "consultation_room",
+    "museum": "gallery", "cinema": "cinema_hall", "theater": "auditorium", "nightclub": "bar",
+    "casino": "casino_floor", "kindergarten": "kindergarten_classroom", "sports_center": "sports_hall",
+    "church": "prayer_hall", "mosque": "prayer_hall", "coworking": "coworking_area",
+    "conference_center": "conference_hall", "swimming_center": "indoor_pool",
+    "data_center": "server_room", "dental_clinic": "dental_room", "student_dormitory": "dorm_room",
+    "school": "classroom", "post_office": "service_counter", "shopping_mall": "shop",
+    "parking_garage": "parking", "hostel": "hostel_dorm", "library_building": "library",
+    "police_station": "security_room", "penthouse": "apartment", "townhouse": "apartment",
+    "community_center": "assembly_hall", "spa_building": "spa", "farm_building": "stable",
+    "university": "lecture_hall", "hospital": "treatment_room", "town_hall": "service_counter",
+    "courthouse": "courtroom", "fire_station": "apparatus_bay", "car_dealership": "showroom",
+    "train_station": "waiting_hall", "airport_terminal": "departure_lounge",
+    "veterinary_clinic": "consultation_room", "rehabilitation_center": "physiotherapy_room",
+    "nursing_home": "resident_room", "entertainment_center": "arcade", "media_house": "newsroom",
+    "music_school": "music_room", "art_gallery": "gallery", "call_center": "open_office",
+    "observatory": "observatory_dome", "hair_salon": "salon_floor", "house": "apartment",
+    "villa": "apartment", "bungalow": "apartment",
+}  # fmt: skip
+"""The room type that a building type stands for when it is a part of another building."""
+
 
 HEAD_TYPES = {
     "room": "study_room", "hall": "assembly_hall", "lab": "laboratory", "studio": "art_room",

@@ -1,10 +1,10 @@
-"""Read what a brief wishes besides rooms and numbers: exclusions, neighbours, style, materials, shape, copies, lifts."""
+"""Read what a brief wishes besides rooms and numbers: exclusions, neighbours, style, shape, copies, lifts."""
 
 from mansion_planner.brief.facts import AdjacencyFact, CopyFact, FloorRef, MaterialFact, Shape
 from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.places import Place
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.rooms import AS_ROOM
+from mansion_planner.brief.similarity import AS_ROOM
 
 __all__ = [
     "read_adjacency",
@@ -289,7 +289,8 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             continue
         near = [
             p for p in places
-            if ((p.last <= i and i - p.last <= 5) or i < p.first <= i + 3) and p.refs[0].kind in ("range", "upper", "middle", "every")
+            if (0 <= i - p.last <= 5 or 0 < p.first - i <= 3)
+            and p.refs[0].kind in ("range", "upper", "middle", "every")
         ]  # fmt: skip
         if near:
             place = min(near, key=lambda p: min(abs(p.last - i), abs(p.first - i)))

@@ -1,7 +1,7 @@
 """Load, validate and extend the knowledge base.
 
-Three files of one format each: ``room_types.csv``, ``building_types.toml`` and ``styles.toml``. A user's folder with files
-of the same names adds records, or replaces those of the same name.
+Three files of one format each: ``room_types.csv``, ``building_types.toml`` and ``styles.toml``. A user's folder with
+files of the same names adds records, or replaces those of the same name.
 """
 
 import csv

@@ -3,13 +3,13 @@
 from pathlib import Path
 
 import rclpy.node
+from rcl_interfaces.msg import ParameterDescriptor
+
 from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
-from rcl_interfaces.msg import ParameterDescriptor
-
 from mansion_planner.knowledge import load_knowledge
 from mansion_planner.plan import plan_building
 

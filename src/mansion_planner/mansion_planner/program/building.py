@@ -300,7 +300,8 @@ def _floor(
             RoomProgram(
                 id=room.id, area_estimate=round(placement.area, 2), room_type=room.kind.name,
                 floor_material=floor, wall_material=wall,
-                open_relation="open" if room.kind.open else "door", notes=room.notes, adjacent_to=beside.get(room.id, []),
+                open_relation="open" if room.kind.open else "door", notes=room.notes,
+                adjacent_to=beside.get(room.id, []),
             )
         )  # fmt: skip
     total = sum(room.area_estimate for room in rooms)
@@ -326,7 +327,7 @@ def _floor(
 
 def _reserve_notes(ratio: float) -> str:
     if ratio < 0.119:
-        return "less than 12% in reserve: without cores, and with a large room at the end of a short corridor, no more is walked"
+        return "less than 12% in reserve: no cores, and a large room at the end of a short corridor"
     return "the reserve holds cores, corridors and the rest of the hub"
 
 

@@ -8,6 +8,25 @@ __all__ = ["base_rooms", "fill_storey", "fit_areas", "hub_area", "name_rooms"]
 
 MOST_ROOMS = 34
 
+_GENERAL = {
+    "home": ("home_office", "library_room", "playroom", "game_room", "storage", "laundry_room"),
+    "office": ("team_room", "meeting_room", "lounge", "training_room", "archive", "private_office"),
+    "education": ("study_room", "computer_lab", "art_room", "common_room", "meeting_room"),
+    "health": ("treatment_room", "lounge", "meeting_room", "private_office", "storage"),
+    "culture": ("lounge", "training_room", "cafe", "study_room", "meeting_room", "archive"),
+    "lodging": ("lounge", "common_room", "laundry_room", "study_room", "gym", "storage"),
+    "industry": ("storage", "workshop", "private_office", "meeting_room", "archive"),
+    "retail": ("stock_room", "shop", "lounge", "private_office", "break_room"),
+    "civic": (
+        "meeting_room",
+        "lounge",
+        "private_office",
+        "training_room",
+        "storage",
+        "common_room",
+    ),
+}
+
 
 def base_rooms(
     storey: Storey, allocation: Allocation, knowledge: KnowledgeBase
@@ -72,7 +91,26 @@ def fill_storey(
                 break
             rooms.append(room)
             used += room.gross
+    _top_up(storey, allocation, knowledge, rooms, budget)
     return rooms
+
+
+def _top_up(
+    storey: Storey,
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    rooms: list[PlannedRoom],
+    budget: float,
+) -> None:
+    """Add rooms of general use where the brief settles the number of those that would fill the storey."""
+    kinds = [knowledge.room(name) for name in _GENERAL.get(storey.use.family, _GENERAL["civic"])]
+    kinds = [kind for kind in kinds if kind.name not in allocation.settled]
+    for kind in kinds * 3:
+        used = sum(room.gross for room in rooms)
+        if used >= 0.82 * budget or len(rooms) >= MOST_ROOMS:
+            return
+        if used + 0.8 * kind.usual <= budget:
+            rooms.append(planned_room(kind, knowledge))
 
 
 def fit_areas(rooms: list[PlannedRoom], capacity: float) -> float:

@@ -17,13 +17,15 @@ __all__ = ["check_footprint", "free_cores", "free_massing", "is_rectangle", "ske
 
 LEAST_AREA = 12.0
 MOST_EXTENT = 400.0
+_CoreWish = tuple[Literal["stair", "elevator"], list[tuple[int, int]]]
 CHILDREN = 8
 
 
 def _fault(what: str, path: str) -> MansionError:
     return MansionError(
         ErrorCode.INVALID_PAYLOAD,
-        f"{what}; a footprint is a simple polygon in metres of at least {LEAST_AREA:g} m2, with courtyards as holes inside it",
+        f"{what}; a footprint is a simple polygon in metres of at least {LEAST_AREA:g} m2, "
+        "with courtyards as holes inside it",
         path=path,
     )
 
@@ -76,9 +78,9 @@ def free_cores(shape: Polygon, stairs: int, lifts: int) -> tuple[CoreBox, ...]:
     """
     cores: list[CoreBox] = []
     free = shape
-    wishes: list[tuple[Literal["stair", "elevator"], list[tuple[int, int]]]] = [
-        ("stair", [(3, 6), (6, 3)])
-    ] * stairs + [("elevator", [(2, 2)])] * lifts
+    stair: _CoreWish = ("stair", [(3, 6), (6, 3)])
+    lift: _CoreWish = ("elevator", [(2, 2)])
+    wishes = [stair] * stairs + [lift] * lifts
     counts: dict[str, int] = {}
     for kind, sizes in wishes:
         found = _best_place(shape, free, sizes)
@@ -114,10 +116,10 @@ def _best_place(
         around = shapely.area(
             shapely.intersection(shapely.buffer(boxes, 3.0, join_style="mitre"), free)
         )
-        for k in np.lexsort((around, -np.round(contact, 3)))[:12]:
-            ranked.append(
-                (-round(float(contact[k]), 3), float(around[k]), float(k), tuple(boxes[k].bounds))
-            )
+        ranked += [
+            (-round(float(contact[k]), 3), float(around[k]), float(k), tuple(boxes[k].bounds))
+            for k in np.lexsort((around, -np.round(contact, 3)))[:12]
+        ]
     for _, _, _, bounds in sorted(ranked):
         rest = free.difference(shapely.box(*bounds)).buffer(-0.7)
         if isinstance(rest, Polygon) and rest.area > 0.5 * free.area - 40:
@@ -140,10 +142,10 @@ def sketch_free(storey: Storey, hub_id: str, free_area: float) -> Sketch:
     pieces = 0 if len(rooms) <= CHILDREN + 2 else -(-len(rooms) // CHILDREN)
     hub_share = circulation * (1.0 if not pieces else 0.4)
     corridors = [Corridor(hub_id, [], given=hub_share)]
-    for number in range(1, pieces + 1):
-        corridors.append(
-            Corridor(f"corridor_{number}", [], hub_id, given=circulation * 0.6 / pieces)
-        )
+    corridors += [
+        Corridor(f"corridor_{number}", [], hub_id, given=circulation * 0.6 / pieces)
+        for number in range(1, pieces + 1)
+    ]
     placements: list[Placement] = []
     for number, room in enumerate(rooms):
         parent = hub_id if not pieces else corridors[1 + number * pieces // len(rooms)].id

@@ -31,7 +31,8 @@ _HINTS = {
     "gym": "gym_building", "cinema_hall": "cinema", "warehouse": "warehouse_building", "operating_room": "hospital",
     "production_hall": "factory", "restaurant": "restaurant_building", "dorm_room": "student_dormitory",
     "reading_room": "library_building", "book_stacks": "library_building", "master_bedroom": "house",
-    "parking": "parking_garage", "workshop": "factory", "coworking_area": "coworking", "auditorium": "theater", "courtroom": "courthouse",
+    "parking": "parking_garage", "workshop": "factory", "coworking_area": "coworking", "auditorium": "theater",
+    "courtroom": "courthouse",
     "cafe": "cafe_building", "sports_hall": "sports_center", "lecture_hall": "university", "kitchen": "house",
     "studio_apartment": "apartment_building", "bathroom": "house", "dining_room": "house",
     "kindergarten_classroom": "kindergarten", "dental_room": "dental_clinic", "apparatus_bay": "fire_station",
@@ -41,7 +42,8 @@ _HINTS = {
 _PEOPLE_HINTS = {"pupil": "school", "student": "university", "patient": "hospital", "bed": "hospital",
                  "employee": "office", "guest": "hotel", "resident": "apartment_building", "worker": "office",
                  "family": "house", "kid": "kindergarten", "child": "kindergarten", "developer": "office",
-                 "diner": "restaurant_building", "firefighter": "fire_station", "tenant": "apartment_building"}  # fmt: skip
+                 "diner": "restaurant_building", "firefighter": "fire_station",
+                 "tenant": "apartment_building"}  # fmt: skip
 
 
 def infer_building(facts: BriefFacts) -> str:

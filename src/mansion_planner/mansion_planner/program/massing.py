@@ -238,7 +238,7 @@ def _cores(
 ) -> tuple[CoreBox, ...]:
     """Place stairs in the upper corners and lifts in the lower one, each against two outer walls.
 
-    Where a wing takes the lower corner, `pocket` is the upper edge of the corridor and the lifts stand beside the stair.
+    Where a wing takes the lower corner, `pocket` is the corridor's upper edge and the lifts stand beside the stair.
     """
     cores: list[CoreBox] = []
     upright = north >= STAIR_DEPTH - 0.01 or (wish.use.parti == "hall" and depth >= 16)

@@ -42,7 +42,7 @@ class Segment:
         return sum(block.gross for block in self.blocks) / self.depth
 
     def laid(self) -> list[tuple[Block, float, float]]:
-        """Return each block with its place along the corridor; blocks of fixed area keep their width where others can give."""
+        """Return each block with its place along the corridor; fixed areas keep their width where others can give."""
         wishes = [block.gross / self.depth for block in self.blocks]
         if not wishes:
             return []

@@ -89,15 +89,16 @@ def _segments(massing: Massing, stop: float, lobby: float) -> list[Segment]:
     upper = massing.south + massing.corridor
     segments: list[Segment] = []
     for is_north, begin in ((True, pocket(massing)), (False, lobby)):
+        front, depth = (upper, north) if is_north else (south, south)
         end = stop - (far_stair(massing) if is_north else 0.0)
         x = begin
         for wing in sorted(massing.wings, key=lambda w: w.x0):
             if wing.north is is_north:
                 if wing.x0 - x > 0.5:
-                    segments.append(Segment("main", is_north, x, wing.x0, upper if is_north else south, north if is_north else south))  # fmt: skip
+                    segments.append(Segment("main", is_north, x, wing.x0, front, depth))
                 x = wing.x1
         if end - x > 0.5:
-            segments.append(Segment("main", is_north, x, end, upper if is_north else south, north if is_north else south))  # fmt: skip
+            segments.append(Segment("main", is_north, x, end, front, depth))
     for number, wing in enumerate(massing.wings, 1):
         side = (wing.x1 - wing.x0 - massing.corridor) / 2
         band = north if wing.north else south

@@ -60,10 +60,12 @@ def floor_topology(
             )
         )
     linked = {frozenset((edge.source, edge.target)) for edge in edges}
-    for room in floor_program.rooms:
-        for other in room.adjacent_to:
-            if frozenset((room.id, other)) not in linked:
-                edges.append(Edge(source=room.id, target=other, kind="adjacent"))
+    edges += [
+        Edge(source=room.id, target=other, kind="adjacent")
+        for room in floor_program.rooms
+        for other in room.adjacent_to
+        if frozenset((room.id, other)) not in linked
+    ]
     return FloorTopology(
         nodes=nodes, edges=edges, building_id=planned.program.building_id, floor=storey.index
     )
