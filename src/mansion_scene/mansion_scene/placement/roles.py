@@ -25,6 +25,7 @@ _CENTRED = _set(
 _SYMMETRIC = _set(
     "plant lamp bin basket vase can pot tree stand rack umbrella pouf ottoman pillar column"
 )
+_SCREENS = _set("tv television")
 _TABLES = _set("table desk island workbench counter")
 _ENTRANCE = _set(
     "host hostess reception umbrella coat shoe doormat checkout cashier ticket turnstile"
@@ -45,14 +46,27 @@ class Role:
     sofa, bed, focal, centred, symmetric, table, entrance : bool
         A wider seat; a bed (head at a wall); what a class looks at; stands amid a wall; has no front; one works at
         it; one meets it when coming in.
+    screen : bool
+        One watches it from a sofa.
     """
 
-    __slots__ = ("bed", "centred", "entrance", "focal", "seat", "sofa", "symmetric", "table")
+    __slots__ = (
+        "bed",
+        "centred",
+        "entrance",
+        "focal",
+        "screen",
+        "seat",
+        "sofa",
+        "symmetric",
+        "table",
+    )
 
     def __init__(self, words: frozenset[str]) -> None:
         self.seat = bool(words & _SEATS)
         self.sofa = bool(words & _SOFAS)
         self.bed = bool(words & _BEDS)
+        self.screen = bool(words & _SCREENS)
         self.table = bool(words & _TABLES) and not self.seat
         self.entrance = bool(words & _ENTRANCE) and not self.seat
         self.focal = bool(words & _FOCAL) and not self.seat

@@ -41,11 +41,14 @@ def pose_scores(
     room = floor.room
     aisle = room.aisle
     clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, room.edges, floor.boxes, _FAR)
-    score = rng.uniform(0.0, 0.25, len(poses))
+    # Walls differ less than places in the open, so that chance has more to say there: variety between seeds.
+    score = rng.uniform(0.0, 0.5 if at_wall else 0.25, len(poses))
     front = np.minimum(clear[:, 0], aisle) / aisle
     beside = np.minimum(clear[:, 2], clear[:, 3])
     if at_wall:
         score += 1.2 * front
+        if spec.role.screen:
+            score += _opposite_sofa(floor, poses)
         if spec.role.centred or spec.role.bed:
             score += 0.8 * np.minimum(beside, 0.9) / 0.9
             score -= 0.15 * np.abs(clear[:, 2] - clear[:, 3])
@@ -79,6 +82,16 @@ def _window_behind(floor: Floor, poses: Floats) -> Floats:
             back = (poses[:, 0] - zone[0]) * -zone[3] + (poses[:, 1] - zone[1]) * zone[2]
             penalty = np.maximum(penalty, weight * (same & (np.abs(back) < 1.0)))
     return penalty
+
+
+def _opposite_sofa(floor: Floor, poses: Floats) -> Floats:
+    """A screen faces the sofa, straight ahead of it."""
+    for copy in floor.placed:
+        if floor.specs[copy.spec].role.sofa:
+            u = np.array(copy.box[2:4])
+            aside = np.abs((poses[:, :2] - np.array(copy.box[:2])) @ u)
+            return np.asarray(-(poses[:, 2:] @ u) - 0.3 * np.minimum(aside, 3.0))
+    return np.zeros(len(poses))
 
 
 def _same_wall(floor: Floor, spec: Spec, poses: Floats) -> Floats:
