@@ -1,7 +1,7 @@
 """Furnish and decorate rooms and draw their plans: ``python benchmarks/catalogue/decorated_rooms.py OUT [SEED]``.
 
-Prints, for each room, how many objects it got and the faults found: overlaps, objects out of the room, and small objects
-that do not rest on their receptacle.
+Prints, for each room, how many objects it got and the faults found: overlaps, objects out of the room, and small
+objects that hang over their receptacle.
 """
 
 import sys
@@ -88,9 +88,11 @@ def faults(placed: list[SceneObject], extra: list[SceneObject], w: float, d: flo
     standing = placed + [o for o in extra if not o.parent and o.size[2] > 0.025]
     shapes = {o.id: footprint(o.position, o.size, o.rotation) for o in placed + extra}
     by_id = {o.id: o for o in placed + extra}
-    for o in placed + extra:
-        if not room.contains(shapes[o.id]) and not o.parent:
-            out.append(f"{o.id} out of the room")
+    out += [
+        f"{o.id} out of the room"
+        for o in placed + extra
+        if not room.contains(shapes[o.id]) and not o.parent
+    ]
     for group in (standing, carried):
         for i, a in enumerate(group):
             for b in group[i + 1 :]:

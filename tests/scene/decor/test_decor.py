@@ -147,7 +147,13 @@ def test_a_rug_lies_below_the_coffee_table_and_can_be_walked_on() -> None:
     for seed in range(8):
         wishes = furnish_request(CATALOGUE, "living_room", 30.0, seed=seed, room_id=ROOM)
         extra = decorate_room(
-            CATALOGUE, wishes, room_id=ROOM, net_polygon=RING, ceiling_height=2.7, placed=[stood], seed=seed
+            CATALOGUE,
+            wishes,
+            room_id=ROOM,
+            net_polygon=RING,
+            ceiling_height=2.7,
+            placed=[stood],
+            seed=seed,
         )
         found += [o for o in extra if o.mount == "floor"]
     assert len(found) >= 4

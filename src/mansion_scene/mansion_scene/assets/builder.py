@@ -270,13 +270,12 @@ class Builder:
         lat = np.linspace(-math.pi / 2, math.pi / 2, m // 2 + 2)[1:-1]
         if round_ >= 1.0:
             lon = np.arange(m) * 2 * math.pi / m
-        rows = []
-        for b in lat:
-            rows.append(
-                np.column_stack(
-                    [math.cos(b) * np.cos(lon), math.cos(b) * np.sin(lon), np.full(m, math.sin(b))]
-                )
+        rows = [
+            np.column_stack(
+                [math.cos(b) * np.cos(lon), math.cos(b) * np.sin(lon), np.full(m, math.sin(b))]
             )
+            for b in lat
+        ]
         unit = np.concatenate([*rows, [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]])
         vertices = unit * radius + np.where(np.abs(unit) < 1e-9, 0.0, np.sign(unit)) * (
             half - radius

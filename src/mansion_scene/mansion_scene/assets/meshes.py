@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import msgspec
 import numpy as np
+import numpy.typing as npt
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_scene.assets.builder import Box, Builder
@@ -78,7 +79,8 @@ def _look(asset: Asset) -> _Look:
     return _Look(msgspec.msgpack.encode(plain))
 
 
-Pieces = list[tuple[str, str, np.ndarray, np.ndarray]]
+Floats = npt.NDArray[np.float64]
+Pieces = list[tuple[str, str, Floats, npt.NDArray[np.int64]]]
 
 
 @lru_cache(maxsize=1024)
@@ -106,7 +108,7 @@ def _built(look: _Look) -> tuple[Pieces, list[Box]]:
     return fitted, boxes or [Box((0.0, 0.0, 0.0), asset.size)]
 
 
-def _vec(values: np.ndarray) -> tuple[float, float, float]:
+def _vec(values: Floats) -> tuple[float, float, float]:
     return (round(float(values[0]), 5), round(float(values[1]), 5), round(float(values[2]), 5))
 
 

@@ -14,6 +14,7 @@ _MODULES = (
     "small_appliances",
     "bathroom",
     "beds",
+    "bins",
     "containers",
     "electronics",
     "industry",

@@ -33,9 +33,11 @@ PROPERTIES: Final[dict[str, str]] = {
 }
 """Accepted property names, in small letters without separators, and the field that each tests."""
 
-_STOP: Final = frozenset(
-    ["a", "an", "the", "of", "for", "to", "in", "on", "at", "with", "and", "or", "some", "something", "thing", "things", "that", "which", "is", "are", "it", "my", "your", "our", "we", "i", "you", "need", "want", "find", "get", "put", "place", "where", "used", "use", "can", "from", "by", "new", "any", "one", "piece", "object", "item", "place"]
+_STOP_TEXT: Final = (
+    "a an the of for to in on at with and or some something thing things that which is are it my your our we i "
+    "you need want find get put place where used use can from by new any one piece object item"
 )
+_STOP: Final = frozenset(_STOP_TEXT.split())
 _K1, _B = 1.2, 0.4
 _WEIGHTS: Final = (("name", 3.0), ("synonym", 2.2), ("tag", 0.8), ("room", 0.12))
 

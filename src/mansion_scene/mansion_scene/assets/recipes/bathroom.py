@@ -94,11 +94,11 @@ def sink(b: Builder) -> None:
     bowl, steel = b.cells[0], main.startswith("metal")
     top = main if steel or main.startswith(("ceramic", "stone")) else "ceramic_white"
     thick = min(0.05, rim * 0.3)
-    for x, y in (
+    for span_x, span_y in (
         ((-w / 2, bowl.x0), (-d / 2, d / 2)), ((bowl.x1, w / 2), (-d / 2, d / 2)),
         ((bowl.x0, bowl.x1), (-d / 2, bowl.y0)), ((bowl.x0, bowl.x1), (bowl.y1, d / 2)),
     ):  # fmt: skip
-        b.box(x, y, (rim - thick, rim), top, "top")
+        b.box(span_x, span_y, (rim - thick, rim), top, "top")
     deep = bowl.z
     b.box(
         (bowl.x0 - 0.008, bowl.x1 + 0.008),

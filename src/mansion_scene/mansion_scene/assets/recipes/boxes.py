@@ -317,6 +317,15 @@ def _pad(b: Builder) -> None:
 
 
 _BLOCKS = {
-    "bag": _bag, "carton_open": _carton_open, "clipboard": _clipboard, "knives": _knives, "lidbox": _lidbox, "napkins": _napkins,
-    "pad": _pad, "suitcase": _suitcase, "tissue": _tissue, "tray": _tray, "tube": _tube,
-}  # fmt: skip
+    "bag": _bag,
+    "carton_open": _carton_open,
+    "clipboard": _clipboard,
+    "knives": _knives,
+    "lidbox": _lidbox,
+    "napkins": _napkins,
+    "pad": _pad,
+    "suitcase": _suitcase,
+    "tissue": _tissue,
+    "tray": _tray,
+    "tube": _tube,
+}

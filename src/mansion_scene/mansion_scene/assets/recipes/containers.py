@@ -2,45 +2,159 @@
 
 import math
 
-from mansion_scene.assets.builder import Box, Builder
+from mansion_scene.assets.builder import Builder
 from mansion_scene.assets.registry import recipe
 
 __all__: list[str] = []
 
+
 Profile = tuple[tuple[float, float], ...]
+
 
 _PROFILES: dict[str, Profile] = {
     "cup": ((0.38, 0), (0.5, 1), (0.46, 1), (0.35, 0.06)),
-    "wine_glass": ((0.42, 0), (0.4, 0.02), (0.05, 0.05), (0.05, 0.45), (0.46, 0.62), (0.5, 0.78), (0.4, 1), (0.37, 1), (0.44, 0.75), (0.05, 0.5)),
-    "bottle": ((0.48, 0), (0.5, 0.03), (0.5, 0.58), (0.2, 0.76), (0.17, 0.92), (0.2, 0.93), (0.2, 1)),
+    "wine_glass": (
+        (0.42, 0),
+        (0.4, 0.02),
+        (0.05, 0.05),
+        (0.05, 0.45),
+        (0.46, 0.62),
+        (0.5, 0.78),
+        (0.4, 1),
+        (0.37, 1),
+        (0.44, 0.75),
+        (0.05, 0.5),
+    ),
+    "bottle": (
+        (0.48, 0),
+        (0.5, 0.03),
+        (0.5, 0.58),
+        (0.2, 0.76),
+        (0.17, 0.92),
+        (0.2, 0.93),
+        (0.2, 1),
+    ),
     "can": ((0.46, 0), (0.5, 0.04), (0.5, 0.95), (0.45, 1)),
     "jar": ((0.48, 0), (0.5, 0.05), (0.5, 0.72), (0.42, 0.8), (0.45, 0.82), (0.45, 1)),
     "bowl": ((0.25, 0), (0.28, 0.06), (0.44, 0.55), (0.5, 1), (0.46, 1), (0.36, 0.4), (0.2, 0.14)),
     "pot": ((0.42, 0), (0.44, 0.02), (0.44, 0.88), (0.5, 0.9), (0.5, 1), (0.41, 1), (0.4, 0.08)),
-    "vase": ((0.3, 0), (0.34, 0.05), (0.5, 0.4), (0.38, 0.7), (0.24, 0.85), (0.32, 1), (0.28, 1), (0.2, 0.85), (0.2, 0.5)),
+    "vase": (
+        (0.3, 0),
+        (0.34, 0.05),
+        (0.5, 0.4),
+        (0.38, 0.7),
+        (0.24, 0.85),
+        (0.32, 1),
+        (0.28, 1),
+        (0.2, 0.85),
+        (0.2, 0.5),
+    ),
     "candle": ((0.5, 0), (0.5, 0.88), (0.1, 0.9), (0.04, 0.92), (0.04, 1)),
-    "pump": ((0.48, 0), (0.5, 0.05), (0.5, 0.6), (0.25, 0.72), (0.22, 0.8), (0.08, 0.81), (0.08, 0.93), (0.3, 0.94), (0.3, 1)),
+    "pump": (
+        (0.48, 0),
+        (0.5, 0.05),
+        (0.5, 0.6),
+        (0.25, 0.72),
+        (0.22, 0.8),
+        (0.08, 0.81),
+        (0.08, 0.93),
+        (0.3, 0.94),
+        (0.3, 1),
+    ),
     "jug": ((0.46, 0), (0.5, 0.06), (0.5, 0.6), (0.3, 0.8), (0.24, 0.86), (0.26, 1)),
     "shaker": ((0.46, 0), (0.5, 0.08), (0.36, 0.7), (0.4, 0.74), (0.38, 0.92), (0.2, 1)),
     "roll": ((0.5, 0), (0.5, 1), (0.18, 1), (0.18, 0.9)),
     "disc": ((0.48, 0), (0.5, 0.5), (0.48, 1)),
-    "brush": ((0.46, 0), (0.5, 0.04), (0.42, 0.32), (0.12, 0.34), (0.1, 0.95), (0.14, 0.97), (0.1, 1)),
-    "plunger": ((0.5, 0), (0.46, 0.1), (0.3, 0.2), (0.1, 0.25), (0.07, 0.3), (0.07, 0.97), (0.05, 1)),
+    "brush": (
+        (0.46, 0),
+        (0.5, 0.04),
+        (0.42, 0.32),
+        (0.12, 0.34),
+        (0.1, 0.95),
+        (0.14, 0.97),
+        (0.1, 1),
+    ),
+    "plunger": (
+        (0.5, 0),
+        (0.46, 0.1),
+        (0.3, 0.2),
+        (0.1, 0.25),
+        (0.07, 0.3),
+        (0.07, 0.97),
+        (0.05, 1),
+    ),
     "flask": ((0.5, 0), (0.5, 0.04), (0.2, 0.68), (0.17, 0.95), (0.2, 1), (0.16, 1), (0.13, 0.7)),
-    "barrel": ((0.44, 0), (0.45, 0.02), (0.49, 0.3), (0.5, 0.33), (0.48, 0.36), (0.48, 0.64), (0.5, 0.67), (0.49, 0.7), (0.45, 0.98), (0.42, 1), (0.42, 0.97)),
+    "barrel": (
+        (0.44, 0),
+        (0.45, 0.02),
+        (0.49, 0.3),
+        (0.5, 0.33),
+        (0.48, 0.36),
+        (0.48, 0.64),
+        (0.5, 0.67),
+        (0.49, 0.7),
+        (0.45, 0.98),
+        (0.42, 1),
+        (0.42, 0.97),
+    ),
     "cone": ((0.5, 0), (0.5, 0.05), (0.36, 0.06), (0.08, 0.97), (0.05, 1)),
-    "tires": ((0.42, 0), (0.5, 0.05), (0.5, 0.28), (0.42, 0.33), (0.5, 0.38), (0.5, 0.61), (0.42, 0.66), (0.5, 0.71), (0.5, 0.95), (0.42, 1), (0.26, 0.98), (0.26, 0.7)),
+    "tires": (
+        (0.42, 0),
+        (0.5, 0.05),
+        (0.5, 0.28),
+        (0.42, 0.33),
+        (0.5, 0.38),
+        (0.5, 0.61),
+        (0.42, 0.66),
+        (0.5, 0.71),
+        (0.5, 0.95),
+        (0.42, 1),
+        (0.26, 0.98),
+        (0.26, 0.7),
+    ),
     "bucket": ((0.36, 0), (0.48, 0.97), (0.5, 1), (0.46, 1), (0.34, 0.04)),
-    "reel": ((0.5, 0), (0.5, 0.1), (0.3, 0.12), (0.3, 0.88), (0.5, 0.9), (0.5, 1), (0.12, 1), (0.12, 0.9)),
-    "trophy": ((0.4, 0), (0.4, 0.12), (0.1, 0.16), (0.08, 0.4), (0.4, 0.6), (0.5, 1), (0.45, 1), (0.3, 0.6)),
-    "blender": ((0.5, 0), (0.46, 0.3), (0.3, 0.34), (0.36, 0.38), (0.46, 0.92), (0.4, 0.94), (0.3, 1)),
-}  # fmt: skip
+    "reel": (
+        (0.5, 0),
+        (0.5, 0.1),
+        (0.3, 0.12),
+        (0.3, 0.88),
+        (0.5, 0.9),
+        (0.5, 1),
+        (0.12, 1),
+        (0.12, 0.9),
+    ),
+    "trophy": (
+        (0.4, 0),
+        (0.4, 0.12),
+        (0.1, 0.16),
+        (0.08, 0.4),
+        (0.4, 0.6),
+        (0.5, 1),
+        (0.45, 1),
+        (0.3, 0.6),
+    ),
+    "blender": (
+        (0.5, 0),
+        (0.46, 0.3),
+        (0.3, 0.34),
+        (0.36, 0.38),
+        (0.46, 0.92),
+        (0.4, 0.94),
+        (0.3, 1),
+    ),
+}
+
 
 _BANDS = {
-    "bottle": ("paper_white", 0.2, 0.48, 0.504), "can": ("metal_steel", 0.93, 1.0, 0.47), "jar": ("metal_brass", 0.82, 1.0, 0.47),
-    "cone": ("plastic_white", 0.4, 0.55, 0.29), "pump": ("paper_white", 0.2, 0.5, 0.505), "blender": ("plastic_black", 0.92, 0.99, 0.42),
-    "jug": ("paper_white", 0.2, 0.5, 0.505), "candle": ("food_orange", 0.93, 1.0, 0.06),
-}  # fmt: skip
+    "bottle": ("paper_white", 0.2, 0.48, 0.504),
+    "can": ("metal_steel", 0.93, 1.0, 0.47),
+    "jar": ("metal_brass", 0.82, 1.0, 0.47),
+    "cone": ("plastic_white", 0.4, 0.55, 0.29),
+    "pump": ("paper_white", 0.2, 0.5, 0.505),
+    "blender": ("plastic_black", 0.92, 0.99, 0.42),
+    "jug": ("paper_white", 0.2, 0.5, 0.505),
+    "candle": ("food_orange", 0.93, 1.0, 0.06),
+}
 
 
 @recipe("lathe")
@@ -117,88 +231,6 @@ def pan(b: Builder) -> None:
     b.box((-0.012, 0.012), (-b.d / 2, y - r * 0.95), (b.h * 0.6, b.h), "plastic_black", "handle")
 
 
-@recipe("bin")
-def bin_(b: Builder) -> None:
-    """Open bin, round or rectangular, its wall thick enough to see into; lids where it has one."""
-    w, d, h = b.w, b.d, b.h
-    main, lid = b.mat(), b.p.get("lid")
-    high = h - (0.06 if lid else 0.0)
-    t = min(0.02, w * 0.06)
-    if b.p.get("shape", "round") == "round":
-        b.lathe(
-            [(0.4, 0), (0.5, high), (0.47, high), (0.37, 0.015)],
-            main,
-            stretch=(w, d),
-            n=24,
-            solid=False,
-        )
-        shrink = 0.92
-    else:
-        shrink = 1.0
-        b.prism(
-            [
-                (-w * 0.45, 0),
-                (w * 0.45, 0),
-                (w / 2, high),
-                (w / 2 - t, high),
-                (-w / 2 + t, high),
-                (-w / 2, high),
-            ],
-            (-d / 2, -d / 2 + t),
-            main,
-            "y",
-        )
-        b.prism(
-            [(-w * 0.45, 0), (w * 0.45, 0), (w / 2, high), (-w / 2, high)],
-            (d / 2 - t, d / 2),
-            main,
-            "y",
-        )
-        for sx in (-1, 1):
-            b.prism(
-                [
-                    (sx * w * 0.45, 0),
-                    (sx * w / 2, high),
-                    (sx * (w / 2 - t), high),
-                    (sx * (w * 0.45 - t), 0),
-                ],
-                (-d / 2, d / 2),
-                main,
-                "y",
-                solid=False,
-            )
-        b.box((-w * 0.45, w * 0.45), (-d * 0.47, d * 0.47), (0, t), main, "floor", False)
-        b.boxes.clear()
-    for sx in (-1, 1):
-        lo, hi = sorted((sx * w / 2 * shrink, sx * (w / 2 * shrink - t)))
-        b.boxes.append(_box((lo, hi), (-d / 2 * shrink, d / 2 * shrink), (0, high)))
-    for sy in (-1, 1):
-        lo, hi = sorted((sy * d / 2 * shrink, sy * (d / 2 * shrink - t)))
-        b.boxes.append(_box((-w / 2 * shrink, w / 2 * shrink), (lo, hi), (0, high)))
-    b.boxes.append(_box((-w * 0.4, w * 0.4), (-d * 0.4, d * 0.4), (0, 0.015)))
-    if lid:
-        b.box(
-            (-w / 2, w / 2),
-            (-d / 2, d / 2),
-            (high, h),
-            "plastic_dark" if lid == "slot" else main,
-            "lid",
-            False,
-        )
-        b.box((-w * 0.3, w * 0.3), (-0.02, 0.0), (h - 0.003, h), "plastic_black", "slot", False)
-
-
-def _box(x: tuple[float, float], y: tuple[float, float], z: tuple[float, float]) -> Box:
-    center = ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (z[0] + z[1]) / 2)
-    return Box(center, (x[1] - x[0], y[1] - y[0], z[1] - z[0]))
-
-
-@recipe("bowl")
-def bowl(b: Builder) -> None:
-    """Open round bowl."""
-    b.lathe([(r, z * b.h) for r, z in _PROFILES["bowl"]], b.mat(), n=24, stretch=(b.w, b.d))
-
-
 @recipe("fruit_bowl")
 def fruit_bowl(b: Builder) -> None:
     """Bowl heaped with fruit."""
@@ -223,41 +255,6 @@ def fruit_bowl(b: Builder) -> None:
             False,
         )
     b.ball((0, 0, b.h - r), (r, r, r), "food_yellow", "fruit", 10, False)
-
-
-@recipe("basket")
-def basket(b: Builder) -> None:
-    """Woven or wire basket with two handles."""
-    w, d, h = b.w, b.d, b.h
-    count = max(3, round(h / 0.05))
-    for k in range(count):
-        z0, z1 = h * k / count, h * (k + 1) / count - 0.006 * (k < count - 1)
-        grow = 0.9 + 0.1 * k / (count - 1)
-        for sx in (-1, 1):
-            lo, hi = sorted((sx * w / 2 * grow, sx * (w / 2 * grow - 0.015)))
-            b.box((lo, hi), (-d / 2 * grow, d / 2 * grow), (z0, z1), b.mat(), "weave")
-        for sy in (-1, 1):
-            lo, hi = sorted((sy * d / 2 * grow, sy * (d / 2 * grow - 0.015)))
-            b.box((-w / 2 * grow, w / 2 * grow), (lo, hi), (z0, z1), b.mat(), "weave")
-    b.box((-w * 0.44, w * 0.44), (-d * 0.44, d * 0.44), (0, 0.01), b.mat(), "floor")
-
-
-@recipe("sack")
-def sack(b: Builder) -> None:
-    """Tied bag."""
-    b.lathe(
-        [
-            (0.3, 0),
-            (0.5, b.h * 0.2),
-            (0.48, b.h * 0.5),
-            (0.2, b.h * 0.85),
-            (0.06, b.h * 0.9),
-            (0.2, b.h),
-        ],
-        b.mat(),
-        stretch=(b.w, b.d),
-        n=14,
-    )
 
 
 @recipe("roll")
@@ -315,46 +312,3 @@ def tube_rack(b: Builder) -> None:
             n=8,
             solid=False,
         )
-
-
-@recipe("open_top")
-def open_top(b: Builder) -> None:
-    """Stand open at the top: fruit, frozen food, flowers, hot food, oil."""
-    w, d, h = b.w, b.d, b.h
-    depth, fill, main = float(b.p.get("depth", h * 0.3)), str(b.p.get("fill", "fruit")), b.mat()
-    t = 0.05
-    low = h - depth
-    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.02, d / 2 - 0.02), (0.06, low), main, "base")
-    b.box(
-        (-w / 2 + 0.05, w / 2 - 0.05),
-        (-d / 2 + 0.05, d / 2 - 0.05),
-        (0, 0.06),
-        "plastic_dark",
-        "plinth",
-        False,
-    )
-    for sx in (-1, 1):
-        lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
-        b.box((lo, hi), (-d / 2, d / 2), (low - 0.1, h), main, "rim")
-    for sy in (-1, 1):
-        lo, hi = sorted((sy * d / 2, sy * (d / 2 - t)))
-        b.box((-w / 2, w / 2), (lo, hi), (low - 0.1, h), main, "rim")
-    _tray(b, fill, low, depth)
-
-
-def _tray(b: Builder, fill: str, z: float, depth: float) -> None:
-    w, d = b.w - 0.12, b.d - 0.12
-    cols, rows = max(2, round(w / 0.32)), max(1, round(d / 0.32))
-    colors = {
-        "fruit": ("food_red", "food_green", "food_orange", "food_yellow", "food_purple"), "frozen": ("paper_blue", "paper_white", "paper_red"),
-        "flowers": ("leaf_red", "leaf_yellow", "leaf_pink", "leaf_white"), "food": ("food_green", "food_brown", "food_orange", "food_beige"),
-    }.get(fill, ("food_yellow",))  # fmt: skip
-    for i in range(cols):
-        for j in range(rows):
-            x0, y0 = -w / 2 + i * w / cols, -d / 2 + j * d / rows
-            x, y = (x0 + 0.01, x0 + w / cols - 0.01), (y0 + 0.01, y0 + d / rows - 0.01)
-            color = colors[(i + 2 * j) % len(colors)]
-            if fill in ("fruit", "flowers"):
-                b.cushion(x, y, (z - 0.02, z + depth * 0.75), color, "goods", 0.95, 8, False)
-            else:
-                b.box(x, y, (z, z + depth * (0.45 + 0.1 * ((i + j) % 3))), color, "goods", False)

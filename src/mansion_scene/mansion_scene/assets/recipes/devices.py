@@ -15,8 +15,8 @@ def vending(b: Builder) -> None:
     b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + 0.03, f - 0.08), (0, 0.05), "metal_dark", "feet")
     b.box((w * 0.18, w / 2), (f - 0.05, f), (0.05, h), b.mat(), "front")
     b.box((-w / 2, -w * 0.44), (f - 0.05, f), (0.05, h), b.mat(), "front")
-    for z in ((0.05, h * 0.3), (h * 0.93, h)):
-        b.box((-w * 0.44, w * 0.18), (f - 0.05, f), z, b.mat(), "front")
+    for band in ((0.05, h * 0.3), (h * 0.93, h)):
+        b.box((-w * 0.44, w * 0.18), (f - 0.05, f), band, b.mat(), "front")
     b.box(
         (-w * 0.44, w * 0.18),
         (f - 0.049, f - 0.045),

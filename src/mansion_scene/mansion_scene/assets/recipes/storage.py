@@ -33,13 +33,20 @@ def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
     """Show goods in a compartment; they are part of the mesh, and the compartment is no receptacle."""
     room = cell.top - cell.z
     step, palette = {
-        "books": (0.045, _BOOKS), "folders": (0.08, ("paper_dark", "paper_blue", "paper_grey")),
-        "groceries": (0.1, _GOODS), "medicine": (0.06, ("paper_white", "paper_blue", "paper_green")),
-        "boxes": (0.36, ("paper_brown", "paper_beige")), "bins": (0.2, ("plastic_blue", "plastic_red")),
-        "bottles": (0.09, ("glass_green", "glass_brown")), "toys": (0.17, _GOODS), "bags": (0.32, ("fabric_red", "fabric_blue", "fabric_green")),
-        "shoes": (0.13, ("leather_brown", "fabric_white", "leather_black")), "linen": (0.36, ("fabric_white", "fabric_beige")),
-        "magazines": (0.2, _GOODS), "plants": (0.22, ("leaf_green",)),
-    }.get(fill, (0.2, _GOODS))  # fmt: skip
+        "books": (0.045, _BOOKS),
+        "folders": (0.08, ("paper_dark", "paper_blue", "paper_grey")),
+        "groceries": (0.1, _GOODS),
+        "medicine": (0.06, ("paper_white", "paper_blue", "paper_green")),
+        "boxes": (0.36, ("paper_brown", "paper_beige")),
+        "bins": (0.2, ("plastic_blue", "plastic_red")),
+        "bottles": (0.09, ("glass_green", "glass_brown")),
+        "toys": (0.17, _GOODS),
+        "bags": (0.32, ("fabric_red", "fabric_blue", "fabric_green")),
+        "shoes": (0.13, ("leather_brown", "fabric_white", "leather_black")),
+        "linen": (0.36, ("fabric_white", "fabric_beige")),
+        "magazines": (0.2, _GOODS),
+        "plants": (0.22, ("leaf_green",)),
+    }.get(fill, (0.2, _GOODS))
     count = max(1, int((cell.x1 - cell.x0) / step))
     step = (cell.x1 - cell.x0) / count
     tall = {"books": 0.78, "folders": 0.85, "magazines": 0.9, "shoes": 0.4, "boxes": 0.72}.get(

@@ -121,10 +121,10 @@ def panel(b: Builder) -> None:
         )
         return
     b.box((-w / 2, w / 2), (y0, y1 - 0.008 if d > 0.02 else y1 - 0.004), (z0, z1), b.mat(), "back")
-    for x in ((-w / 2, -w / 2 + rim), (w / 2 - rim, w / 2)):
-        b.box(x, (y0, y1), (z0, z1), b.mat(), "frame", False)
-    for z in ((z0, z0 + rim), (z1 - rim, z1)):
-        b.box((-w / 2, w / 2), (y0, y1), z, b.mat(), "frame", False)
+    for side in ((-w / 2, -w / 2 + rim), (w / 2 - rim, w / 2)):
+        b.box(side, (y0, y1), (z0, z1), b.mat(), "frame", False)
+    for level in ((z0, z0 + rim), (z1 - rim, z1)):
+        b.box((-w / 2, w / 2), (y0, y1), level, b.mat(), "frame", False)
     _face(
         b,
         face,
