@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+import numpy.typing as npt
 import shapely
 from shapely.geometry import LineString, Polygon
 
@@ -10,6 +11,8 @@ from mansion_geometry.free_space import connected_components
 from mansion_msgs_py.placement import PlacementRoom
 
 __all__ = ["approachable"]
+
+Indices = npt.NDArray[np.int64]
 
 _EPS = 1e-9
 
@@ -59,7 +62,7 @@ def approachable(
 
 def _within(
     tree: shapely.STRtree, shapes: Sequence[shapely.Geometry], distance: float
-) -> tuple[np.ndarray, np.ndarray]:  # type: ignore[type-arg]
+) -> tuple[Indices, Indices]:
     """Return the points of `tree` within a distance of each shape, and which shape that is."""
     if not shapes:
         return np.zeros(0, dtype=int), np.zeros(0, dtype=int)

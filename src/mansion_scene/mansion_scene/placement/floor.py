@@ -219,10 +219,3 @@ class Floor:
             self._index()
             self.grid.remove(np.array([copy.box for copy in gone]))
         return gone
-
-    def restore(self, copies: list[Placed]) -> None:
-        """Put back copies that `take` removed, unchecked."""
-        if copies:
-            self.placed = [*self.placed, *copies]
-            self._index()
-            self.grid.add(np.array([copy.box for copy in copies]))
