@@ -158,3 +158,24 @@ def test_tokens_keep_their_order_and_place(text: str) -> None:
     tokens = tokenize(text)
     assert all(a.end <= b.start for a, b in itertools.pairwise(tokens))
     assert all(0 <= token.start < token.end <= len(text) for token in tokens)
+
+
+def test_a_negation_ends_with_its_sentence() -> None:
+    assert [name for name, _ in read("Library. 3 floors. No elevator.").vertical] == ["no_elevator"]
+    assert [name for name, _ in read("No basement. An elevator.").vertical] == ["elevator"]
+
+
+def test_sides_make_an_area() -> None:
+    assert [quantity.value for quantity in read("an office of 20 x 15 metres").floor_area] == [
+        300.0
+    ]
+
+
+def test_a_storey_that_is_the_same_as_another_is_a_copy() -> None:
+    facts = read("Floor 2: open-plan office. Floor 3: same as floor 2. Floor 4: boardroom.")
+    assert [(copy.first.first, copy.first.last) for copy in facts.copies] == [(2, 3)]
+
+
+def test_typical_floors_with_numbers_are_those_floors() -> None:
+    facts = read("a 12-storey tower, typical floors 3-11 identical")
+    assert [(copy.first.first, copy.first.last) for copy in facts.copies] == [(3, 11)]

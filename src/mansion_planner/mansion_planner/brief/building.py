@@ -35,6 +35,9 @@ def read_building(reading: Reading, places: list[Place]) -> None:
             name = "apartment_building"
         reading.facts.building.append((name, reading.span(mention.first, mention.last)))
         reading.take(mention.first, mention.last)
+        doubled = reading.mention_at.get(mention.last)
+        if doubled is not None and doubled.building and not doubled.plural:
+            reading.take(doubled.first, doubled.last)
 
 
 def _headness(reading: Reading, places: list[Place], first: int, last: int, is_room: bool) -> int:

@@ -82,7 +82,9 @@ def lexicon_of(knowledge: KnowledgeBase) -> Lexicon:
 
 @cache
 def _key(phrase: str) -> tuple[str, ...]:
-    return tuple(singular(word) for word in phrase.replace("_", " ").replace("-", " ").split())
+    return tuple(
+        singular(singular(word)) for word in phrase.replace("_", " ").replace("-", " ").split()
+    )
 
 
 def _make(knowledge: KnowledgeBase) -> Lexicon:

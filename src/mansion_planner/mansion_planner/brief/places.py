@@ -104,6 +104,10 @@ def _refs_at(reading: Reading, index: int, british: bool) -> tuple[tuple[FloorRe
             return (FloorRef("range", 1, many, span),), index + 3
         if word in ("other", "remaining"):
             return (FloorRef("upper", span=span),), index + 3
+    if word == "typical" and following in FLOOR_WORDS:
+        refs, last = _numbered(reading, index + 1)
+        if refs:
+            return refs, last
     if word in _KINDS and following in FLOOR_WORDS:
         return (FloorRef(_KINDS[word], span=reading.span(index, index + 2)),), index + 2  # type: ignore[arg-type]
     if word == "other" and following in FLOOR_WORDS:

@@ -176,6 +176,9 @@ def area_at(reading: Reading, index: int) -> tuple[float, int] | None:
     if reading.kind(index) != "number" or reading.tokens[index].value <= 0:
         return None
     value, last = reading.tokens[index].value, index + 1
+    sides = _sides_at(reading, index)
+    if sides is not None:
+        return sides
     word, following = reading.word(last), reading.word(last + 1)
     if word == "k" and following in AREA_UNITS:
         value, word, following, last = value * 1000, following, reading.word(last + 2), last + 1
@@ -193,6 +196,16 @@ def area_at(reading: Reading, index: int) -> tuple[float, int] | None:
     return None
 
 
+def _sides_at(reading: Reading, index: int) -> tuple[float, int] | None:
+    """Read "20 x 15 m" as an area."""
+    link = index + 1 + (reading.word(index + 1) in _METRES)
+    if reading.word(link) not in ("x", "by") or reading.kind(link + 1) != "number":
+        return None
+    if reading.word(link + 2) not in _METRES:
+        return None
+    return reading.tokens[index].value * reading.tokens[link + 1].value, link + 3
+
+
 def read_areas(reading: Reading) -> None:
     """Read the areas that belong to the building or to a storey; those of rooms are read with the rooms."""
     index = 0
@@ -203,7 +216,8 @@ def read_areas(reading: Reading) -> None:
             continue
         value, last = found
         fact = Quantity(value, _with_approximation(reading, index, last))
-        if _per_floor(reading, index, last):
+        sides = _sides_at(reading, index) is not None and not _of_room(reading, index, last)
+        if sides or _per_floor(reading, index, last):
             reading.facts.floor_area.append(fact)
             reading.take(index, last)
         elif not _of_room(reading, index, last):

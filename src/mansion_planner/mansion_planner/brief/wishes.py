@@ -83,9 +83,9 @@ def read_vertical(reading: Reading) -> None:
         word = reading.word(i)
         if word in _LIFT or word == "stair" or word == "staircase":
             name = "elevator" if word in _LIFT else "stair"
-            negated = any(reading.word(i - k) in _NEGATIONS for k in (1, 2, 3, 4)) and not any(
-                reading.word(i - k) in _CLAUSE_ENDS for k in (1, 2, 3)
-            )
+            before = [reading.word(i - k) for k in (1, 2, 3, 4)]
+            stop = next((k for k, w in enumerate(before) if w in _CLAUSE_ENDS), len(before))
+            negated = any(w in _NEGATIONS for w in before[:stop])
             if i in reading.mention_at or reading.word(i + 1) in ("lobby", "hall"):
                 continue
             begin = max(i - 1, 0)
@@ -287,6 +287,12 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             "equal",
         ) and not (reading.word(i) == "typical" and reading.word(i + 1) in FLOOR_WORDS):
             continue
+        pair = _same_as(places, i)
+        if pair is not None:
+            first, last = sorted((pair[0].refs[0].first, pair[1].refs[0].first))
+            span = reading.span(pair[0].first, pair[1].last)
+            reading.facts.copies.append(CopyFact(FloorRef("range", first, last, span), span))
+            continue
         near = [
             p for p in places
             if (0 <= i - p.last <= 5 or 0 < p.first - i <= 3)
@@ -300,6 +306,15 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
         elif reading.word(i) == "identical" and reading.word(i + 1) in FLOOR_WORDS:
             span = reading.span(i, i + 2)
             reading.facts.copies.append(CopyFact(FloorRef("upper", span=span), span))
+
+
+def _same_as(places: list[Place], index: int) -> tuple[Place, Place] | None:
+    """Return the two neighbouring storeys of "floor 3: same as floor 2"."""
+    before = [p for p in places if 0 <= index - p.last <= 3 and p.refs[0].kind == "number"]
+    after = [p for p in places if 0 < p.first - index <= 3 and p.refs[0].kind == "number"]
+    if before and after and abs(before[-1].refs[0].first - after[0].refs[0].first) == 1:
+        return before[-1], after[0]
+    return None
 
 
 def read_massing(reading: Reading) -> None:

@@ -89,7 +89,8 @@ def _mark_copies(decisions: Decisions, storeys: list[Storey]) -> None:
             pinned = set(floors_of(room.floors, decisions)) & set(group)
             if (
                 pinned
-                and pinned != set(group)
+                and not pinned >= set(group)
+                and group[0] not in pinned
                 and any(ref.kind in ("number", "top") for ref in room.floors)
             ):
                 raise MansionError(
@@ -219,10 +220,13 @@ def people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFac
         "resident",
         "adult",
         "inhabitant",
+        "kid",
+        "child",
     ):
         if stated & _KIN[0]:
             return []
-        count = max(1, min(people.count - 1, 8))
+        grown = people.count if people.noun not in ("kid", "child") else people.count + 2
+        count = max(1, min(grown - 1, 8))
         note(decisions.trace, people.span, f"{count} bedrooms for {people.count} people")
         return [RoomFact("bedroom", "bedroom", people.span, count)]
     if seats is None or people.noun in (
