@@ -91,6 +91,7 @@ def wall_objects(
             wall.blocks.append(block)
             wall.hung.append((along, wish.asset.category))
             out.append(_hang(wish.asset, wall.edge, along, center, ids, room_id))
+            _block_object([other for other in walls if other is not wall], out[-1])
     return out
 
 
@@ -122,15 +123,19 @@ def _block(
                 low, high = window.sill - 0.05, window.sill + window.height + 0.05
                 wall.blocks.append(_Block(a, b, low, high))
     for obj in placed:
-        if obj.size[2] <= 0.03:
-            continue
-        corners = list(footprint(obj.position, obj.size, obj.rotation).exterior.coords)
-        high = obj.position[2] + obj.size[2] / 2 + _ABOVE
-        low = obj.position[2] - obj.size[2] / 2
-        for wall in walls:
-            a, b, distance = wall.edge.interval(corners)
-            if distance < 1.0 and b > 0.0 and a < wall.edge.length:
-                wall.blocks.append(_Block(a, b, low, high, max(distance, 0.0)))
+        if obj.size[2] > 0.03:
+            _block_object(walls, obj)
+
+
+def _block_object(walls: Sequence[_Wall], obj: SceneObject) -> None:
+    """Note an object on the walls that it stands before or hangs near to."""
+    corners = list(footprint(obj.position, obj.size, obj.rotation).exterior.coords)
+    high = obj.position[2] + obj.size[2] / 2 + _ABOVE
+    low = obj.position[2] - obj.size[2] / 2
+    for wall in walls:
+        a, b, distance = wall.edge.interval(corners)
+        if distance < 1.0 and b > 0.0 and a < wall.edge.length:
+            wall.blocks.append(_Block(a, b, low, high, max(distance, 0.0)))
 
 
 def _fits(wall: _Wall, asset: Asset, along: float, center: float) -> bool:
