@@ -1,6 +1,6 @@
 """Time of ``mansion build`` in one process tree and through a running graph, and whether the bytes agree.
 
-    python benchmarks/pipeline/build_time.py [--brief TEXT] [--repeat 3]
+python benchmarks/pipeline/build_time.py [--brief TEXT] [--repeat 3]
 """
 
 import argparse

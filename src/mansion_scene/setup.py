@@ -37,7 +37,6 @@ setup(
     entry_points={
         "console_scripts": [
             "object_placer = mansion_scene.nodes.object_placer:main",
-            "scene_editor = mansion_scene.nodes.scene_editor:main",
         ],
     },
 )

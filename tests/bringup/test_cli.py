@@ -22,7 +22,19 @@ def mansion(*arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-COMMANDS = ("build", "plan", "up", "call", "echo", "graph", "solve", "place", "schema", "check", "test")
+COMMANDS = (
+    "build",
+    "plan",
+    "up",
+    "call",
+    "echo",
+    "graph",
+    "solve",
+    "place",
+    "schema",
+    "check",
+    "test",
+)
 
 
 def test_help_lists_every_command_and_each_has_examples() -> None:
@@ -39,7 +51,9 @@ def test_each_command_shows_an_example(command: str) -> None:
 
 
 def test_an_infeasible_brief_ends_with_status_2_and_the_reason(tmp_path: Path) -> None:
-    done = mansion("build", "a hospital", "--floors", "9", "--area", "12", "-o", str(tmp_path / "h"))
+    done = mansion(
+        "build", "a hospital", "--floors", "9", "--area", "12", "-o", str(tmp_path / "h")
+    )
     assert done.returncode == 2
     assert "INFEASIBLE" in done.stderr
     assert "Traceback" not in done.stderr

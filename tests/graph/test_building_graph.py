@@ -109,7 +109,12 @@ def wait_until(condition: object, seconds: float = 10.0) -> bool:
 @pytest.mark.parametrize(
     ("service", "arguments", "code", "path"),
     [
-        ("solve_floor", {"boundary": [[0, 0]], "nodes": []}, ErrorCode.INVALID_PAYLOAD, "$.boundary"),
+        (
+            "solve_floor",
+            {"boundary": [[0, 0]], "nodes": []},
+            ErrorCode.INVALID_PAYLOAD,
+            "$.boundary",
+        ),
         ("build_building", {"descripton": "x"}, ErrorCode.INVALID_PAYLOAD, "$"),
         ("load_building", {"path": "/nowhere"}, ErrorCode.NOT_FOUND, "$.path"),
     ],

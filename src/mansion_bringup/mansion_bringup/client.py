@@ -11,12 +11,13 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import Any, TypeVar
 
+import rclpy
 from rclpy.client import Client
 from rclpy.context import Context
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 from rclpy.node import Node
+from std_msgs.msg import String
 
-import rclpy
 from mansion_msgs_py import interfaces
 from mansion_msgs_py.codec import decode_reply, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -26,7 +27,6 @@ from mansion_msgs_py.nodes.shell import JsonCall, Trigger, qos_profile
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import BuildJob, BuildReply, FurnishRequest, PlanReply
-from std_msgs.msg import String
 
 __all__ = ["MansionClient"]
 

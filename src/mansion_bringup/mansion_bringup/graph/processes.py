@@ -100,7 +100,8 @@ class GraphProcesses:
             arguments += ["--params-file", str(options.params_file)]
         for name, value in (options.parameters or {}).get(node.executable, {}).items():
             arguments += ["-p", f"{name}:={value}"]
-        return [sys.executable, "-m", node.module, "--ros-args", *arguments]
+        child = [sys.executable, "-m", "mansion_bringup.graph.child", str(os.getpid()), node.module]
+        return [*child, "--ros-args", *arguments]
 
     def _environment(self) -> dict[str, str]:
         environment = dict(os.environ)

@@ -4,6 +4,7 @@ import threading
 from collections.abc import Sequence
 from pathlib import Path
 
+from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.node import Node
 
@@ -21,7 +22,6 @@ from mansion_msgs_py.nodes.shell import (
 )
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.stages import BuildJob, BuildReply
-from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 
 __all__ = ["BuildingDirector", "main"]
 

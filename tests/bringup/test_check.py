@@ -1,0 +1,270 @@
+"""``mansion check`` finds nothing in a sound building and each kind of planted fault."""
+
+import json
+import math
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from mansion_bringup.check import check_building
+from mansion_bringup.pipeline.build import build_building
+from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.request import BuildRequest
+
+Json = dict[str, Any]
+BRIEF = "a three-storey office with an elevator"
+
+
+@pytest.fixture(scope="module")
+def sound(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    request = BuildRequest(description=BRIEF, floors=3, floor_area=200.0, seed=4)
+    return build_building(request, tmp_path_factory.mktemp("check") / "office", jobs=2).path
+
+
+@pytest.fixture
+def building(sound: Path, tmp_path: Path) -> Iterator[Path]:
+    copy = tmp_path / "office"
+    shutil.copytree(sound, copy)
+    yield copy
+
+
+def change(file: Path, edit: Callable[[Json], None]) -> None:
+    value = json.loads(file.read_text())
+    edit(value)
+    file.write_text(json.dumps(value))
+
+
+def scene(building: Path, floor: int = 2) -> Path:
+    return building / f"floors/floor_{floor}/scene.json"
+
+
+def kinds(building: Path) -> set[str]:
+    return {fault.kind for fault in check_building(building)}
+
+
+def standing(value: Json) -> Json:
+    """A thing on the floor of a room that is no passage, and that carries nothing."""
+    carriers = {thing.get("parent") for thing in value["objects"]}
+    ends = {room["id"] for room in value["rooms"] if "corridor" not in room["id"]}
+    ends -= {room["id"] for room in value["rooms"] if room["kind"] == "main"}
+    return next(
+        thing
+        for thing in value["objects"]
+        if thing.get("mount", "floor") == "floor"
+        and thing["size"][2] > 0.4
+        and thing["id"] not in carriers
+        and thing["room"] in ends
+    )
+
+
+def first_door(value: Json) -> Json:
+    return next(door for door in value["doors"] if door["kind"] in ("single", "glazed", "doorway"))
+
+
+def move(thing: Json, dx: float, dy: float, dz: float = 0.0) -> None:
+    x, y, z = thing["position"]
+    thing["position"] = [x + dx, y + dy, z + dz]
+
+
+def outside(value: Json) -> None:
+    move(standing(value), 400.0, 0.0)
+
+
+def floating(value: Json) -> None:
+    move(standing(value), 0.0, 0.0, 0.5)
+
+
+def doubled_id(value: Json) -> None:
+    value["objects"][1]["id"] = value["objects"][0]["id"]
+
+
+def foreign_id(value: Json) -> None:
+    value["walls"][0]["id"] = "wall_without_floor"
+
+
+def overlapping(value: Json) -> None:
+    one = standing(value)
+    other = dict(one, id=one["id"] + "_again")
+    value["objects"].append(other)
+
+
+def blocked_door(value: Json) -> None:
+    thing, door = standing(value), first_door(value)
+    (x0, y0), (x1, y1) = door["segment"]
+    thing["position"] = [(x0 + x1) / 2, (y0 + y1) / 2, thing["position"][2]]
+    thing["room"] = door["rooms"][0]
+
+
+def lost_parent(value: Json) -> None:
+    small = next(thing for thing in value["objects"] if thing.get("parent"))
+    small["parent"] = "F2/nowhere/table_1"
+
+
+def off_the_table(value: Json) -> None:
+    small = next(thing for thing in value["objects"] if thing.get("mount") == "surface")
+    move(small, 0.0, 0.0, 0.4)
+
+
+def door_off_its_wall(value: Json) -> None:
+    door = first_door(value)
+    door["segment"] = [[x + 0.7, y + 0.7] for x, y in door["segment"]]
+
+
+def narrow_door(value: Json) -> None:
+    door = first_door(value)
+    (x0, y0), (x1, y1) = door["segment"]
+    door["segment"] = [[x0, y0], [(x0 + x1) / 2, (y0 + y1) / 2]]
+    door["width"] = math.dist(*door["segment"])
+
+
+def missing_door(value: Json) -> None:
+    value["doors"].remove(first_door(value))
+
+
+def window_inside(value: Json) -> None:
+    inner = next(wall for wall in value["walls"] if not wall.get("exterior"))
+    value["windows"][0]["wall"] = inner["id"]
+
+
+def shifted_core(value: Json) -> None:
+    core = value["cores"][0]
+    core["polygon"] = [[x + 0.5, y] for x, y in core["polygon"]]
+
+
+def core_without_door(value: Json) -> None:
+    value["cores"][0]["door"] = "F2/door_none"
+
+
+def steep_stair(value: Json) -> None:
+    stair = next(core for core in value["cores"] if core["type"] == "stair")
+    stair["details"]["riser"] = 0.24
+
+
+def missing_room(value: Json) -> None:
+    room = next(room for room in value["rooms"] if room["kind"] == "Entities")
+    value["rooms"].remove(room)
+
+
+def swollen_room(value: Json) -> None:
+    room = next(room for room in value["rooms"] if room["kind"] == "Entities")
+    xs = [x for x, _ in room["polygon"]]
+    room["polygon"] = [[x + 1.0 if x == max(xs) else x, y] for x, y in room["polygon"]]
+
+
+def gap_in_walls(value: Json) -> None:
+    longest = max(value["walls"], key=lambda wall: math.dist(*wall["segment"]))
+    value["walls"].remove(longest)
+
+
+def buried_spawn(value: Json) -> None:
+    value["spawn"].update(x=-50.0, y=-50.0)
+
+
+def wrong_elevation(value: Json) -> None:
+    value["elevation"] += 1.0
+
+
+def other_building(value: Json) -> None:
+    value["building_id"] = "somebody-elses"
+
+
+PLANTED: list[tuple[Callable[[Json], None], str]] = [
+    (outside, "OBJECT_OUTSIDE"),
+    (floating, "OBJECT_FLOATS"),
+    (doubled_id, "ID"),
+    (foreign_id, "ID"),
+    (overlapping, "OBJECT_OVERLAP"),
+    (blocked_door, "DOOR_BLOCKED"),
+    (lost_parent, "OBJECT_PARENT"),
+    (off_the_table, "OBJECT_FLOATS"),
+    (door_off_its_wall, "DOOR_WALL"),
+    (narrow_door, "DOOR_NARROW"),
+    (missing_door, "DOOR_MISSING"),
+    (missing_door, "ROOM_UNREACHABLE"),
+    (window_inside, "WINDOW_WALL"),
+    (shifted_core, "CORE_SHIFTED"),
+    (core_without_door, "CORE_DOOR"),
+    (steep_stair, "STAIR_RISER"),
+    (missing_room, "ROOM_MISSING"),
+    (missing_room, "COVERAGE"),
+    (swollen_room, "ROOM_OVERLAP"),
+    (gap_in_walls, "WALL_GAP"),
+    (buried_spawn, "SPAWN"),
+    (wrong_elevation, "ELEVATION"),
+    (other_building, "BUILDING_ID"),
+]
+
+
+def test_a_sound_building_has_no_fault(sound: Path) -> None:
+    assert check_building(sound) == []
+
+
+@pytest.mark.parametrize(
+    ("plant", "kind"), PLANTED, ids=[f"{plant.__name__}-{kind}" for plant, kind in PLANTED]
+)
+def test_a_planted_fault_in_a_scene_is_found(
+    building: Path, plant: Callable[[Json], None], kind: str
+) -> None:
+    change(scene(building), plant)
+    assert kind in kinds(building)
+
+
+def test_a_furnished_door_way_cuts_off_what_lies_behind(building: Path) -> None:
+    def wall_in(value: Json) -> None:
+        thing = standing(value)
+        for room in value["rooms"]:
+            if room["id"] == thing["room"]:
+                xs = [x for x, _ in room["net_polygon"]]
+                ys = [y for _, y in room["net_polygon"]]
+                thing["size"] = [max(xs) - min(xs), max(ys) - min(ys), 1.0]
+                thing["rotation"] = 0.0
+                thing["position"] = [(max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2, 0.5]
+
+    change(scene(building), wall_in)
+    assert {"ROOM_UNREACHABLE", "OBJECT_UNREACHABLE"} & kinds(building)
+
+
+def test_a_number_that_is_not_finite_is_found(building: Path) -> None:
+    text = scene(building).read_text()
+    scene(building).write_text(text.replace('"elevation": ', '"elevation": 1e999, "was": ', 1))
+    assert "FILE" in kinds(building)
+
+
+def test_a_missing_file_is_named(building: Path) -> None:
+    (building / "floors/floor_1/plan.svg").unlink()
+    assert [(f.kind, f.where) for f in check_building(building)] == [
+        ("FILE", "floors/floor_1/plan.svg")
+    ]
+
+
+def test_a_cut_scene_file_is_named(building: Path) -> None:
+    scene(building).write_text(scene(building).read_text()[:1000])
+    faults = check_building(building)
+    assert [fault.kind for fault in faults] == ["FILE"]
+    assert "floor_2/scene.json" in str(faults[0])
+
+
+def test_another_number_of_floors_than_asked_is_found(building: Path) -> None:
+    change(building / "building.json", lambda value: value["request"].update(floors=5))
+    assert "FLOOR_COUNT" in kinds(building)
+
+
+def test_another_area_than_asked_is_found(building: Path) -> None:
+    change(building / "building.json", lambda value: value["request"].update(floor_area=900.0))
+    assert "AREA" in kinds(building)
+
+
+def test_no_way_in_from_outside_is_found(building: Path) -> None:
+    def without_entrance(value: Json) -> None:
+        value["doors"] = [door for door in value["doors"] if None not in door["rooms"]]
+
+    change(scene(building, 1), without_entrance)
+    assert "ENTRANCE" in kinds(building)
+
+
+def test_a_folder_that_is_no_building_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(MansionError, match="mansion build"):
+        check_building(tmp_path)
