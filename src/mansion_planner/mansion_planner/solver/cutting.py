@@ -146,6 +146,9 @@ class _Rounds:
         cells = self.grid.cells.geometry[inside][:, [CX, CY]]
         targets = np.array([areas[name] for name in cut.children])
         region = float(self.grid.cells.geometry[inside][:, 0].sum())
+        if not len(cells):
+            self._skip(cut)
+            return
         wanted = float(targets.sum()) if cut.vanishes else areas[cut.parent]
         targets = targets * region / wanted
         seeds = self._seed_plan(cut, cells, targets / region)
@@ -189,6 +192,12 @@ class _Rounds:
                 method=method,
                 candidates=self.budget.used - used,
             )
+        )
+
+    def _skip(self, cut: CutRound) -> None:
+        """Note a round whose parent has no ground left to split."""
+        self.records.append(
+            CutRoundRecord(parent=cut.parent, children=list(cut.children), method="failed")
         )
 
     def _grow(

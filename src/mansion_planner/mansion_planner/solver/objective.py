@@ -1,5 +1,7 @@
 """The energy that the wall search lowers: areas, seeds, shapes and, above all, topology."""
 
+import numpy as np
+
 from mansion_planner.solver.jit import kernel
 from mansion_planner.solver.state import (
     AREA,
@@ -58,13 +60,13 @@ def room_energy(
         if weight > 0.0:
             dx = stats[r, MX] / a - rooms[r, SEED_X]
             dy = stats[r, MY] / a - rooms[r, SEED_Y]
-            energy += w[W_SEED] * weight * (dx * dx + dy * dy) ** 0.5 / t**0.5
+            energy += w[W_SEED] * weight * np.sqrt((dx * dx + dy * dy) / t)
         energy += w[W_CORNER] * rooms[r, CORNER_WEIGHT] * max(0.0, stats[r, CORNERS] - 4.0)
-        shape = stats[r, PERIMETER] / (4.0 * a**0.5)
+        shape = stats[r, PERIMETER] / (4.0 * np.sqrt(a))
         energy += w[W_COMPACT] * rooms[r, SHAPE_WEIGHT] * max(0.0, shape - DETOUR)
         weight = rooms[r, WALL_WEIGHT]
         if weight > 0.0:
-            energy += w[W_WALL] * weight * max(0.0, 1.0 - contact[r, outside] / (0.6 * t**0.5))
+            energy += w[W_WALL] * weight * max(0.0, 1.0 - contact[r, outside] / (0.6 * np.sqrt(t)))
     return energy
 
 
@@ -90,8 +92,8 @@ def edge_energy(
         if length <= 1e-9 and stats[a, SIZE] > 0.0 and stats[b, SIZE] > 0.0:
             dx = stats[a, MX] / stats[a, SIZE] - stats[b, MX] / stats[b, SIZE]
             dy = stats[a, MY] / stats[a, SIZE] - stats[b, MY] / stats[b, SIZE]
-            size = stats[a, SIZE] ** 0.5 + stats[b, SIZE] ** 0.5
-            miss += 0.2 * min(4.0, (dx * dx + dy * dy) ** 0.5 / size)
+            size = np.sqrt(stats[a, SIZE]) + np.sqrt(stats[b, SIZE])
+            miss += 0.2 * min(4.0, np.sqrt(dx * dx + dy * dy) / size)
         energy += miss * (w[W_ACCESS] if access else w[W_ADJACENT])
     for k in range(apart.shape[0]):
         s = contact[apart[k, 0], apart[k, 1]]

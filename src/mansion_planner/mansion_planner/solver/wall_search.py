@@ -27,8 +27,13 @@ from mansion_planner.solver.verify import realise_edges
 
 __all__ = ["WallSearch"]
 
-LEVELS = ((0.22, 0.1), (0.07, 0.03))
+FINE_LEVELS = ((0.22, 0.1), (0.07, 0.03))
 """Offsets, in metres, of the lines that each finer grid puts beside the walls."""
+
+LEAN_LEVELS = ((0.18,), (0.06,))
+"""The same for floors of many rooms, whose grids would grow too large."""
+
+MANY_ROOMS = 14
 
 NO_BOXES = np.zeros((0, 5), np.int64)
 
@@ -152,7 +157,7 @@ class WallSearch:
 
     def _refined(self, partition: Partition) -> Partition:
         """Move the walls to their places on finer grids, by descent."""
-        for offsets in LEVELS:
+        for offsets in FINE_LEVELS if self.rooms < MANY_ROOMS else LEAN_LEVELS:
             grid, labels = refined_grid(self.model, self.major, partition, offsets)
             state = make_state(labels, self.rooms, self.total)
             energy = anneal(
