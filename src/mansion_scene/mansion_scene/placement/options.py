@@ -50,5 +50,5 @@ class PlacementOptions:
     gap: float = 0.02
     attempts: int = 3
     moves: int = 24
-    effort: float = 200_000.0
+    effort: float = 170_000.0
     candidates: int = 16

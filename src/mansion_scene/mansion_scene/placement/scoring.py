@@ -41,8 +41,8 @@ def pose_scores(
     room = floor.room
     aisle = room.aisle
     clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, room.edges, floor.boxes, _FAR)
-    # Walls differ less than places in the open, so that chance has more to say there: variety between seeds.
-    score = rng.uniform(0.0, 0.5 if at_wall else 0.25, len(poses))
+    # Sofas and desks give a room its face: chance has more to say there, for variety between seeds.
+    score = rng.uniform(0.0, 0.5 if spec.role.sofa or spec.role.table else 0.25, len(poses))
     front = np.minimum(clear[:, 0], aisle) / aisle
     beside = np.minimum(clear[:, 2], clear[:, 3])
     if at_wall:
