@@ -6,8 +6,8 @@ from dataclasses import replace
 from mansion_planner.brief.attachment import attach_places
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.brief.places import Place
-from mansion_planner.brief.quantities import area_at
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.room_areas import area_after, area_ending
 from mansion_planner.brief.similarity import AS_ROOM, HEAD_TYPES, similar_room_type
 
 __all__ = ["read_rooms"]
@@ -274,7 +274,7 @@ def _fact(
     each = False
     while index >= 0 and steps < 6:
         token = reading.tokens[index]
-        measured = _area_ending(reading, index + 1)
+        measured = area_ending(reading, index + 1)
         if measured is not None:
             area, index = measured[0], measured[1] - 1
             continue
@@ -304,7 +304,7 @@ def _fact(
             break
         index -= 1
         steps += 1
-    after = _area_after(reading, last)
+    after = area_after(reading, last)
     if area is None and after is not None:
         area, end = after
         reading.take(last, end)
@@ -319,31 +319,6 @@ def _fact(
         room_type, name, reading.span(min(first, last - 1), last), count, area, (), each
     )
     return first, last, fact
-
-
-def _area_ending(reading: Reading, end: int) -> tuple[float, int] | None:
-    for start in range(end - 4, end - 1):
-        if start >= 0 and start not in reading.taken:
-            found = area_at(reading, start)
-            if found is not None and found[1] == end:
-                reading.take(start, end)
-                return found[0], start
-    return None
-
-
-def _area_after(reading: Reading, index: int) -> tuple[float, int] | None:
-    begin = index
-    while index - begin < 6 and reading.word(index) in (
-        "of", "with", "(", "measuring", "about", "around", "at", "least", "is", "has", "an", "area", "be",
-        "should", "roughly", "approximately", "each", ":", "a", "having", "covering", "sized", "size", "must",
-        "will", "exactly", "occupying", "minimum", "more", "than", "floor",
-    ):  # fmt: skip
-        index += 1
-    found = area_at(reading, index) if index not in reading.taken else None
-    if found is None:
-        return None
-    value, end = found
-    return value, end + (reading.word(end) == ")")
 
 
 _PLAIN = {"hotel": "hotel_room", "hospital": "patient_room", "hostel": "hostel_dorm",
