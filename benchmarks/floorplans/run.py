@@ -9,6 +9,7 @@ import argparse
 from pathlib import Path
 
 import msgspec
+
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_planner.solver import SolverOptions
 from mansion_planner.solver.protocol import TrueProblem, run_protocol, table

@@ -10,6 +10,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, ProblemCore, ProblemNode
@@ -87,8 +88,10 @@ def summary(problems: list[FloorProblem], layouts: list[FloorLayout]) -> str:
     """Return the result as text."""
     lines = []
     for problem, layout in zip(problems, layouts):
-        for edge in layout.unmet_edges:
-            lines.append(f"{problem.plan_id}: {edge.source} - {edge.target}: {edge.reason}")
+        lines += [
+            f"{problem.plan_id}: {edge.source} - {edge.target}: {edge.reason}"
+            for edge in layout.unmet_edges
+        ]
     met = sum(layout.topology_satisfied for layout in layouts)
     lines.append(f"{met} of {len(layouts)} floors with every edge met")
     lines.append("| rooms | floors | median s | largest s | candidates | area error | corners |")

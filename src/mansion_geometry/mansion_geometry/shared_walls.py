@@ -104,11 +104,14 @@ def shared_walls(
         span = np.where(hi_t - lo_t > 1e-12, hi_t - lo_t, 1.0)
         middle = lo_d + (hi_d - lo_d) * ((lo + hi) / 2 - lo_t) / span
         slant = np.abs(along[:, 1] * ux - along[:, 0] * uy)
-        ok = (hi_t > lo_t) & (hi - lo > 1e-6) & (np.abs(middle) <= gap) & (slant <= PARALLEL * length)
+        ok = (
+            (hi_t > lo_t)
+            & (hi - lo > 1e-6)
+            & (np.abs(middle) <= gap)
+            & (slant <= PARALLEL * length)
+        )
         for a, b in _joined(sorted(zip(lo[ok].tolist(), hi[ok].tolist())), gap):
-            walls.append(
-                SharedWall((x0 + a * ux, y0 + a * uy), (x0 + b * ux, y0 + b * uy))
-            )
+            walls.append(SharedWall((x0 + a * ux, y0 + a * uy), (x0 + b * ux, y0 + b * uy)))
     return walls
 
 

@@ -3,6 +3,7 @@
 import math
 
 from hypothesis import strategies as st
+
 from mansion_msgs_py.layout import FixedRoom, FloorProblem, ProblemCore, ProblemNode
 from mansion_msgs_py.topology import Edge
 
@@ -94,11 +95,8 @@ def problems(draw: st.DrawFn) -> FloorProblem:
     """Draw a floor problem; its geometry need not make sense."""
     count = draw(st.integers(1, 7))
     names = [f"r{k}" for k in range(count)]
-    kinds = ["main"] + draw(
-        st.lists(
-            st.sampled_from(["Entities", "Entities", "area"]), min_size=count - 1, max_size=count - 1
-        )
-    )
+    others = st.sampled_from(["Entities", "Entities", "area"])
+    kinds = ["main", *draw(st.lists(others, min_size=count - 1, max_size=count - 1))]
     nodes = [
         ProblemNode(
             id=name,

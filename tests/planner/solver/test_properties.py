@@ -5,6 +5,7 @@ from pathlib import Path
 
 import shapely
 from hypothesis import HealthCheck, given, settings
+
 from mansion_geometry.rings import as_polygon, signed_area
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError

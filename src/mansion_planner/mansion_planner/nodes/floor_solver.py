@@ -2,14 +2,14 @@
 
 from collections.abc import Sequence
 
-from mansion_msgs_py.interfaces import service, topic
-from mansion_msgs_py.layout import FloorLayout, FloorProblem
-from mansion_msgs_py.nodes.run import run_node
-from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.node import Node
 
+from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.nodes.run import run_node
+from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
 from mansion_planner.solver import SolverOptions, solve_floor, warm
 
 __all__ = ["FloorSolver", "main"]

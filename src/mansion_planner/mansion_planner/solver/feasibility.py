@@ -3,9 +3,8 @@
 from dataclasses import dataclass
 
 import networkx as nx
-from mansion_geometry.rings import polygon_parts
-from mansion_geometry.shared_walls import edge_array, shared_walls
 
+from mansion_geometry.shared_walls import edge_array, shared_walls
 from mansion_planner.solver.model import FloorModel
 from mansion_planner.solver.verify import on_side
 from mansion_planner.solver.zones import Link
@@ -55,8 +54,8 @@ def _too_small(model: FloorModel, link: Link) -> str:
 def relaxed_links(model: FloorModel) -> list[Relaxed]:
     """Return the links that no layout can realise together with the rest.
 
-    Touching regions form a planar graph, so of a non-planar room graph some edges have to go: access edges are kept first,
-    then adjacent ones, each as long as the graph stays planar.
+    Touching regions form a planar graph, so of a non-planar room graph some edges have to go: access edges are kept
+    first, then adjacent ones, each as long as the graph stays planar.
     """
     relaxed: list[Relaxed] = []
     alive: list[Link] = []
@@ -78,8 +77,3 @@ def relaxed_links(model: FloorModel) -> list[Relaxed]:
             reason = "the room graph is not planar; regions of a floor cannot all touch like that"
             relaxed.append(Relaxed(link, reason))
     return relaxed
-
-
-def piece_count(model: FloorModel) -> int:
-    """Return how many separate pieces the free region has."""
-    return len(polygon_parts(model.region))

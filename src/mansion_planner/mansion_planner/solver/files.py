@@ -9,11 +9,11 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import msgspec
+
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, UnmetEdge
 from mansion_msgs_py.world import Progress
-
 from mansion_planner.solver.options import SolverOptions
 
 __all__ = ["load_problems", "refusal", "solve_file", "solve_timed"]
@@ -146,9 +146,7 @@ def solve_file(
         if progress is not None:
             met = "every edge met" if layout.topology_satisfied else "edges unmet"
             message = f"plan {layout.plan_id}: {met}"
-            progress(
-                Progress(stage="solve", message=message, done=len(layouts), total=len(asked))
-            )
+            progress(Progress(stage="solve", message=message, done=len(layouts), total=len(asked)))
     lines = b",\n".join(encode_bytes(layout) for layout in layouts)
     _write_atomic(output, b"[" + lines + b"]\n")
     return layouts

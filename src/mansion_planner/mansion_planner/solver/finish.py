@@ -1,9 +1,9 @@
 """From the best partition to the FloorLayout payload."""
 
-from mansion_geometry.rings import polygon_parts
-from mansion_msgs_py.layout import FloorLayout, LayoutRoom, RealisedEdge, UnmetEdge
 from shapely.geometry import MultiPolygon, Polygon
 
+from mansion_geometry.rings import polygon_parts
+from mansion_msgs_py.layout import FloorLayout, LayoutRoom, RealisedEdge, UnmetEdge
 from mansion_planner.solver.cutting import RoundsResult
 from mansion_planner.solver.feasibility import Relaxed
 from mansion_planner.solver.model import FloorModel

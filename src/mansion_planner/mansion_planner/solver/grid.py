@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
-from mansion_geometry.rings import polygon_parts
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
+from mansion_geometry.rings import polygon_parts
 from mansion_planner.solver.model import FloorModel
 from mansion_planner.solver.state import Bools, Cells, Floats, Ints
 
@@ -115,7 +115,9 @@ def _lengths_inside(model: FloorModel, x0: Floats, y0: Floats, x1: Floats, y1: F
     return lengths
 
 
-def _labels(model: FloorModel, xs: Floats, ys: Floats) -> tuple[Ints, Floats, Floats, Floats, Bools]:
+def _labels(
+    model: FloorModel, xs: Floats, ys: Floats
+) -> tuple[Ints, Floats, Floats, Floats, Bools]:
     """Classify the cells; return labels (-1 free), areas, centroids and which cells the outline crosses."""
     rooms = len(model.rooms)
     outside = rooms + len(model.obstacles)
@@ -156,7 +158,9 @@ def _rectilinear_on_lines(model: FloorModel, xs: Floats, ys: Floats) -> bool:
                 return False
             for axis, lines in ((0, xs), (1, ys)):
                 at = np.clip(np.searchsorted(lines, points[:, axis]), 1, len(lines) - 1)
-                off = np.minimum(np.abs(lines[at] - points[:, axis]), np.abs(lines[at - 1] - points[:, axis]))
+                off = np.minimum(
+                    np.abs(lines[at] - points[:, axis]), np.abs(lines[at - 1] - points[:, axis])
+                )
                 if (off > 2 * SAME_LINE).any():
                     return False
     return True
@@ -208,12 +212,12 @@ def _slanted_contacts(
     cells = np.argwhere(crossed & (base < 0))
     if not len(cells) or not model.obstacles:
         return near, length
-    boxes = shapely.box(
-        xs[cells[:, 1]], ys[cells[:, 0]], xs[cells[:, 1] + 1], ys[cells[:, 0] + 1]
-    )
+    boxes = shapely.box(xs[cells[:, 1]], ys[cells[:, 0]], xs[cells[:, 1] + 1], ys[cells[:, 0] + 1])
     for k, obstacle in enumerate(model.obstacles):
         inner = shapely.length(shapely.intersection(boxes, obstacle.polygon.boundary))
-        edge = shapely.length(shapely.intersection(shapely.boundary(boxes), obstacle.polygon.boundary))
+        edge = shapely.length(
+            shapely.intersection(shapely.boundary(boxes), obstacle.polygon.boundary)
+        )
         for (j, i), s in zip(cells.tolist(), (inner - edge).tolist()):
             if s > length[j, i] + 1e-9:
                 near[j, i], length[j, i] = len(model.rooms) + k, s

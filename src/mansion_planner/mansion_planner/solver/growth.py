@@ -257,7 +257,7 @@ def _remove_spurs(work: Ints, children: int) -> int:
 def clean(work: Ints, geometry: Floats, children: int, keep_largest: bool) -> None:
     """Remove spurs until none is left and fill the holes, up to 20 times (section C.2, last part).
 
-    Rooms of up to four cells keep their spurs. With `keep_largest` the largest free component is the parent's remainder.
+    Rooms of up to four cells keep their spurs. With `keep_largest` the largest free component stays the parent's.
     """
     for _ in range(PASSES):
         total = 0

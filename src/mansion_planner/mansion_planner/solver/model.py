@@ -1,16 +1,16 @@
-"""A floor problem made ready for the solver: checked, turned to its main direction, with scaled areas and indexed edges."""
+"""A floor problem made ready for the solver: checked, turned to its main direction, with scaled areas."""
 
 from dataclasses import dataclass, field
 
 import networkx as nx
 import numpy as np
 import shapely
-from mansion_geometry.rings import as_polygon, dominant_angle, oriented, polygon_parts, rotated
-from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from numpy.typing import NDArray
 from shapely.geometry import LineString, MultiPolygon, Polygon
 
+from mansion_geometry.rings import as_polygon, dominant_angle, polygon_parts, rotated
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.zones import Link, resolve_zones
 
@@ -173,7 +173,9 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
         raise _refuse("node ids must differ", "$.nodes", repeated=twice)
     rooms, zones, links, graph, messages = resolve_zones(problem, known)
     if not rooms:
-        raise _refuse("there is no room to lay out: every node is a core or a fixed room", "$.nodes")
+        raise _refuse(
+            "there is no room to lay out: every node is a core or a fixed room", "$.nodes"
+        )
     targets, scale = _targets(rooms, float(region.area))
     if abs(scale - 1.0) > 0.01:
         messages.append(f"node areas were scaled by {scale:.3f} to fill the free region")
@@ -184,12 +186,20 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
         if np.hypot(wall[1][0] - wall[0][0], wall[1][1] - wall[0][1]) > 1e-6
     )
     return FloorModel(
-        problem, tuple(rooms), tuple(zones), targets, scale, shapely.normalize(region), outline,
-        tuple(obstacles), walls, tuple(links), seeds, extents,
-        _min_widths(rooms, targets, options), angle, graph, messages,
+        problem,
+        tuple(rooms),
+        tuple(zones),
+        targets,
+        scale,
+        shapely.normalize(region),
+        outline,
+        tuple(obstacles),
+        walls,
+        tuple(links),
+        seeds,
+        extents,
+        _min_widths(rooms, targets, options),
+        angle,
+        graph,
+        messages,
     )
-
-
-def oriented_boundary(model: FloorModel) -> list[tuple[float, float]]:
-    """Return the outline in the model's frame, counter-clockwise."""
-    return oriented(shapely.get_coordinates(model.outline.exterior)[:-1])

@@ -22,7 +22,7 @@ def draw(rng: Ints) -> int:
     x = rng[0] * 6364136223846793005 + 1442695040888963407
     rng[0] = x
     y = (x >> 33) & 0x7FFFFFFF
-    return (y ^ (y >> 15)) & 0x7FFFFFFF
+    return int((y ^ (y >> 15)) & 0x7FFFFFFF)
 
 
 @kernel
@@ -181,7 +181,7 @@ def swap_rooms(
     for j in range(1, rows - 1):
         for i in range(1, columns - 1):
             x = labels[j, i]
-            if x == a or x == b:
+            if x in (a, b):
                 made = _repaint(
                     geometry,
                     near,

@@ -30,7 +30,16 @@ from mansion_planner.solver.state import (
 __all__ = ["WEIGHTS", "edge_energy", "room_energy", "scan_runs", "thin_energy", "total_energy"]
 
 WEIGHTS = (
-    "area", "seed", "corner", "compact", "access", "adjacent", "thin", "apart", "straddle", "wall",
+    "area",
+    "seed",
+    "corner",
+    "compact",
+    "access",
+    "adjacent",
+    "thin",
+    "apart",
+    "straddle",
+    "wall",
 )
 """Order of `Goal.weights`."""
 
@@ -67,12 +76,18 @@ def room_energy(
         weight = rooms[r, WALL_WEIGHT]
         if weight > 0.0:
             energy += w[W_WALL] * weight * max(0.0, 1.0 - contact[r, outside] / (0.6 * np.sqrt(t)))
-    return energy
+    return float(energy)
 
 
 @kernel
 def edge_energy(
-    links: Ints, need: Floats, apart: Ints, w: Floats, stats: Floats, contact: Floats, run: Floats,
+    links: Ints,
+    need: Floats,
+    apart: Ints,
+    w: Floats,
+    stats: Floats,
+    contact: Floats,
+    run: Floats,
     exact: bool,
 ) -> float:
     """Return the part of the energy that the room graph causes.
@@ -126,8 +141,15 @@ def _flush(run: Floats, side: Ints, a: int, b: int, where: int, length: float) -
 
 @kernel
 def scan_runs(
-    xs: Floats, ys: Floats, geometry: Floats, rooms: Floats, side: Ints, labels: Ints, run: Floats,
-    thin: Floats, width: Floats,
+    xs: Floats,
+    ys: Floats,
+    geometry: Floats,
+    rooms: Floats,
+    side: Ints,
+    labels: Ints,
+    run: Floats,
+    thin: Floats,
+    width: Floats,
 ) -> None:
     """Find the longest straight wall of each pair of labels, and each room's area narrower than its minimum width.
 
@@ -185,8 +207,15 @@ def scan_runs(
 def total_energy(cells: Cells, goal: Goal, state: State, width: Floats) -> float:
     """Return the whole energy of `state`."""
     scan_runs(
-        cells.xs, cells.ys, cells.geometry, goal.rooms, goal.side, state.labels, state.run,
-        state.thin, width,
+        cells.xs,
+        cells.ys,
+        cells.geometry,
+        goal.rooms,
+        goal.side,
+        state.labels,
+        state.run,
+        state.thin,
+        width,
     )
     energy = room_energy(goal.rooms, goal.weights, state.stats, state.contact, state.straddle)
     energy += edge_energy(

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import msgspec
 import numpy as np
 import shapely
+from shapely.geometry.base import BaseGeometry
+
 from mansion_geometry.rasters import raster_over
 from mansion_geometry.rings import as_polygon, corner_points, polygon_parts
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls, total_length
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
-from shapely.geometry.base import BaseGeometry
-
 from mansion_planner.solver.options import SolverOptions
 
 __all__ = ["Interval", "PlanScore", "TrueProblem", "figures", "run_protocol", "score_plan", "table"]
@@ -24,7 +24,7 @@ SLACK = 1e-3
 class TrueProblem(FloorProblem, kw_only=True):
     """A floor problem with the plan that it was taken from."""
 
-    truth: list[LayoutRoom] = []
+    truth: list[LayoutRoom] = msgspec.field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -165,7 +165,7 @@ def score_plan(
 def _figures(scores: list[PlanScore]) -> dict[str, float]:
     def pooled(kind: str) -> float:
         met = sum(getattr(s, kind)[0] for s in scores)
-        return met / max(1, sum(getattr(s, kind)[1] for s in scores))
+        return float(met / max(1, sum(getattr(s, kind)[1] for s in scores)))
 
     rooms = max(1, sum(s.rooms for s in scores))
     seconds = [s.seconds for s in scores]

@@ -24,9 +24,7 @@ class Partition:
     energy: float
 
 
-def make_goal(
-    model: FloorModel, options: SolverOptions, left_out: Iterable[Link] = ()
-) -> Goal:
+def make_goal(model: FloorModel, options: SolverOptions, left_out: Iterable[Link] = ()) -> Goal:
     """Return the goal arrays of the wall search; links that are `left_out` are not asked for."""
     n = len(model.rooms)
     total = n + len(model.obstacles) + 1

@@ -60,7 +60,7 @@ def _features(geometry: Floats, work: Ints, seeds: Floats, targets: Floats, out:
 def candidate_energy(features: Floats, weights: Floats) -> float:
     """Return ``E(L; w)`` of one candidate from the raw features of its rooms (rows).
 
-    Only the seed distance is min-max normalised, across the rooms of the candidate; the wall contact is clamped to [0, 1].
+    Only the seed distance is min-max normalised, across the candidate's rooms; the wall contact is clamped to [0, 1].
 
     Parameters
     ----------

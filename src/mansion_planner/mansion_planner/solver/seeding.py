@@ -1,4 +1,4 @@
-"""Seeds of a cut round: given, from a callback, or planned from the graph and the region (Algorithm 3, lines 2 to 4)."""
+"""Seeds of a cut round: given, from a callback, or planned from graph and region (Algorithm 3, lines 2 to 4)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from mansion_planner.solver.model import FloorModel
 from mansion_planner.solver.rounds import CutRound
 from mansion_planner.solver.state import Floats
 
-__all__ = ["SeedCallback", "SeedRequest", "plan_seeds", "seeds_from_plan", "separated"]
+__all__ = ["SeedCallback", "SeedRequest", "plan_seeds", "seeds_from_plan"]
 
 DRAWS = 64
 
@@ -61,15 +61,6 @@ def seeds_from_plan(plan: SeedPlan, cut: CutRound, angle: float) -> dict[str, tu
     return centres
 
 
-def separated(points: Floats, least: float) -> bool:
-    """Tell whether all points are at least `least` apart."""
-    if len(points) < 2:
-        return True
-    gap = np.linalg.norm(points[:, None] - points[None, :], axis=-1)
-    np.fill_diagonal(gap, np.inf)
-    return bool(gap.min() >= least)
-
-
 def plan_seeds(
     model: FloorModel,
     cut: CutRound,
@@ -80,8 +71,8 @@ def plan_seeds(
 ) -> Floats:
     """Return a seed for each child: the known ones, and the best of some random draws for the others.
 
-    A draw is good when its seeds are far apart, near the neighbours that are already `placed`, and near each other where
-    the graph joins them.
+    A draw is good when its seeds are far apart, near the neighbours that are already `placed`, and near each other
+    where the graph joins them.
 
     Parameters
     ----------

@@ -1,11 +1,11 @@
 """`solve_floor`: from a FloorProblem to a FloorLayout (Algorithm 2)."""
 
 import numpy as np
+
 from mansion_geometry.randomness import item_seed
 from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
-
 from mansion_planner.solver.budget import Budget
 from mansion_planner.solver.cutting import RoundsResult, run_rounds
 from mansion_planner.solver.feasibility import relaxed_links
@@ -24,9 +24,7 @@ __all__ = ["solve_floor"]
 MOST_CELLS = 900.0
 
 
-def _coarse_grid(
-    model: FloorModel, major: tuple[Floats, Floats], options: SolverOptions
-) -> Grid:
+def _coarse_grid(model: FloorModel, major: tuple[Floats, Floats], options: SolverOptions) -> Grid:
     """Return the first grid: about 900 cells, but fine enough for the smallest room."""
     area = float(model.region.area)
     spacing = max(options.spacing, (area / MOST_CELLS) ** 0.5)

@@ -4,7 +4,20 @@ import numpy as np
 
 from mansion_planner.solver.jit import kernel
 from mansion_planner.solver.state import (
-    AREA, CX, CY, HB, MIN_WIDTH, SEED_WEIGHT, SEED_X, SEED_Y, TARGET, VB, Cells, Floats, Goal, Ints,
+    AREA,
+    CX,
+    CY,
+    HB,
+    MIN_WIDTH,
+    SEED_WEIGHT,
+    SEED_X,
+    SEED_Y,
+    TARGET,
+    VB,
+    Cells,
+    Floats,
+    Goal,
+    Ints,
 )
 
 __all__ = ["fit_rectangles", "flood", "paint_rectangles"]
@@ -24,13 +37,15 @@ def _prefix(cells: Cells) -> Floats:
                     v = a * cells.geometry[j, i, CX]
                 elif q == 2:
                     v = a * cells.geometry[j, i, CY]
-                total[q, j + 1, i + 1] = v + total[q, j, i + 1] + total[q, j + 1, i] - total[q, j, i]
+                total[q, j + 1, i + 1] = (
+                    v + total[q, j, i + 1] + total[q, j + 1, i] - total[q, j, i]
+                )
     return total
 
 
 @kernel
 def _within(total: Floats, q: int, j0: int, j1: int, i0: int, i1: int) -> float:
-    return total[q, j1, i1] - total[q, j0, i1] - total[q, j1, i0] + total[q, j0, i0]
+    return float(total[q, j1, i1] - total[q, j0, i1] - total[q, j1, i0] + total[q, j0, i0])
 
 
 @kernel
@@ -83,7 +98,9 @@ def fit_rectangles(cells: Cells, goal: Goal, keep: int) -> tuple[Ints, Floats]:
                         dy = _within(total, 2, j0, j1, i0, i1) / a - sy
                         cost = abs(a - t) / t + 2.0 * (dx * dx + dy * dy) ** 0.5 / t**0.5
                         cost += 0.3 * (1.0 - a / (height * span))
-                        cost += 0.15 * max(0.0, (span + height) / (2.0 * (span * height) ** 0.5) - 1.1)
+                        cost += 0.15 * max(
+                            0.0, (span + height) / (2.0 * (span * height) ** 0.5) - 1.1
+                        )
                         if min(span, height) < goal.rooms[r, MIN_WIDTH]:
                             cost += 1.0
                         if made - begin == keep:
@@ -151,7 +168,11 @@ def _keep_main_piece(labels: Ints, cells: Cells, r: int, sx: float, sy: float) -
                     size += cells.geometry[y, x, AREA]
                     for q in range(4):
                         yy, xx = y + (q == 0) - (q == 1), x + (q == 2) - (q == 3)
-                        s = cells.geometry[min(y, yy), x, HB] if q < 2 else cells.geometry[y, min(x, xx), VB]
+                        s = (
+                            cells.geometry[min(y, yy), x, HB]
+                            if q < 2
+                            else cells.geometry[y, min(x, xx), VB]
+                        )
                         if labels[yy, xx] == r and not seen[yy, xx] and s > 1e-6:
                             seen[yy, xx] = True
                             top += 1
@@ -204,7 +225,9 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
     while empty > 0:
         r = -1
         for k in range(n):
-            if not closed[k] and (r < 0 or area[k] / goal.rooms[k, TARGET] < area[r] / goal.rooms[r, TARGET]):
+            if not closed[k] and (
+                r < 0 or area[k] / goal.rooms[k, TARGET] < area[r] / goal.rooms[r, TARGET]
+            ):
                 r = k
         if r < 0:
             return False
@@ -220,7 +243,10 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
                 touch += labels[j - 1, i] == r and cells.geometry[j - 1, i, HB] > 1e-6
                 if touch == 0:
                     continue
-                dx, dy = abs(cells.geometry[j, i, CX] - seeds[r, 0]), abs(cells.geometry[j, i, CY] - seeds[r, 1])
+                dx, dy = (
+                    abs(cells.geometry[j, i, CX] - seeds[r, 0]),
+                    abs(cells.geometry[j, i, CY] - seeds[r, 1]),
+                )
                 d = max(dx, dy) + 0.3 * min(dx, dy) - 0.5 * touch
                 if d < nearest:
                     best, nearest = j * columns + i, d

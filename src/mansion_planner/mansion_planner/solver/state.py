@@ -46,9 +46,9 @@ class Cells(NamedTuple):
 class Goal(NamedTuple):
     """What the search wants.
 
-    ``rooms[r]`` holds target area, seed, weights and minimum width; ``links`` are rows of two labels and a kind (0 access,
-    1 adjacent) with the wall length they ``need``; ``side`` gives, for each label, the only side on which a core may be
-    entered (0 any, 1 north, 2 east, 3 south, 4 west); ``apart`` lists pairs that should not touch.
+    ``rooms[r]`` holds target area, seed, weights and minimum width; ``links`` are rows of two labels and a kind (0
+    access, 1 adjacent) with the wall length they ``need``; ``side`` gives, for each label, the only side on which a core
+    may be entered (0 any, 1 north, 2 east, 3 south, 4 west); ``apart`` lists pairs that should not touch.
     """
 
     rooms: Floats
@@ -62,9 +62,9 @@ class Goal(NamedTuple):
 class State(NamedTuple):
     """One partition and its running statistics (see `paint`).
 
-    ``stats[label]`` holds area, first moments, perimeter, number of cells and of corners;
-    ``contact`` the wall length of each pair of labels, ``run`` the longest straight wall of each pair, ``thin`` each room's
-    area narrower than its minimum width, ``straddle`` the length of structural wall inside rooms.
+    ``stats[label]`` holds area, first moments, perimeter, number of cells and of corners; ``contact`` the wall length of
+    each pair of labels, ``run`` the longest straight wall of each pair, ``thin`` each room's area narrower than its
+    minimum width, ``straddle`` the length of structural wall inside rooms.
     """
 
     labels: Ints
@@ -104,11 +104,11 @@ def corners_at(labels: Ints, stats: Floats, j: int, i: int, sign: float) -> None
                 continue
         elif q == 2:
             x = c
-            if x == a or x == b:  # noqa: PLR1714
+            if x in (a, b):
                 continue
         else:
             x = d
-            if x == a or x == b or x == c:  # noqa: PLR1714
+            if x in (a, b, c):
                 continue
         k = (a == x) + (b == x) + (c == x) + (d == x)
         if k == 1 or k == 3:
@@ -119,7 +119,13 @@ def corners_at(labels: Ints, stats: Floats, j: int, i: int, sign: float) -> None
 
 @kernel
 def _border(
-    stats: Floats, contact: Floats, straddle: Floats, old: int, new: int, other: int, length: float,
+    stats: Floats,
+    contact: Floats,
+    straddle: Floats,
+    old: int,
+    new: int,
+    other: int,
+    length: float,
     wall: float,
 ) -> None:
     """Move one border of a cell from label `old` to label `new`."""
@@ -141,8 +147,15 @@ def _border(
 
 @kernel
 def paint(
-    geometry: Floats, near: Ints, labels: Ints, stats: Floats, contact: Floats, straddle: Floats,
-    j: int, i: int, new: int,
+    geometry: Floats,
+    near: Ints,
+    labels: Ints,
+    stats: Floats,
+    contact: Floats,
+    straddle: Floats,
+    j: int,
+    i: int,
+    new: int,
 ) -> None:
     """Give cell (j, i) the label `new` and update every statistic."""
     old = labels[j, i]
@@ -169,14 +182,26 @@ def paint(
         stats, contact, straddle, old, new, labels[j, i + 1], geometry[j, i, VB], geometry[j, i, VS]
     )
     _border(
-        stats, contact, straddle, old, new, labels[j, i - 1], geometry[j, i - 1, VB],
+        stats,
+        contact,
+        straddle,
+        old,
+        new,
+        labels[j, i - 1],
+        geometry[j, i - 1, VB],
         geometry[j, i - 1, VS],
     )
     _border(
         stats, contact, straddle, old, new, labels[j + 1, i], geometry[j, i, HB], geometry[j, i, HS]
     )
     _border(
-        stats, contact, straddle, old, new, labels[j - 1, i], geometry[j - 1, i, HB],
+        stats,
+        contact,
+        straddle,
+        old,
+        new,
+        labels[j - 1, i],
+        geometry[j - 1, i, HB],
         geometry[j - 1, i, HS],
     )
     s = geometry[j, i, NEAR]

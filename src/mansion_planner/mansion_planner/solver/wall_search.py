@@ -1,8 +1,8 @@
 """The wall search over a whole floor: starts, attempts while edges are unmet, then ever finer grids."""
 
 import numpy as np
-from mansion_geometry.rings import polygon_parts
 
+from mansion_geometry.rings import polygon_parts
 from mansion_planner.solver.budget import Budget
 from mansion_planner.solver.cutting import RoundsResult
 from mansion_planner.solver.grid import Grid

@@ -7,6 +7,7 @@ they have another access edge, and an edge from elsewhere to the zone goes to it
 from dataclasses import dataclass
 
 import networkx as nx
+
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 
@@ -66,8 +67,8 @@ def breadth_first_parents(
 ) -> dict[str, str]:
     """Return each room's parent, nearest to the hub first.
 
-    Access edges are followed before adjacent ones; what neither reaches joins the hub. `barred` ids (vertical cores) are
-    neither parents nor children.
+    Access edges are followed before adjacent ones; what neither reaches joins the hub. `barred` ids (vertical cores)
+    are neither parents nor children.
     """
     parent: dict[str, str] = {}
     place = {name: k for k, name in enumerate(order)}
@@ -122,7 +123,9 @@ def resolve_zones(
     for child, above in parent.items():
         children.setdefault(above, []).append(child)
     zones = {
-        node.id for node in nodes if node.type == "area" and children.get(node.id) and node.id != hub
+        node.id
+        for node in nodes
+        if node.type == "area" and children.get(node.id) and node.id != hub
     }
     rooms = [node for node in nodes if node.id == hub]
     rooms += [node for node in nodes if node.id != hub and node.id not in zones]
@@ -143,15 +146,16 @@ def resolve_zones(
         members = _members(zone, children, zones)
         for child in children[zone]:
             has_door = any(
-                data["kind"] == "access" and n not in zones
-                for n, data in graph[child].items()
+                data["kind"] == "access" and n not in zones for n, data in graph[child].items()
             )
             if child not in zones and not has_door:
                 add(above, child, "access")
         for name, data in graph[zone].items():
             if name not in members and name not in zones and name != above and members:
                 add(name, max(members, key=lambda m: areas.get(m, 0.0)), data["kind"])
-        notes.append(f"zone {zone} was split into {', '.join(members)}; its rooms open onto {above}")
+        notes.append(
+            f"zone {zone} was split into {', '.join(members)}; its rooms open onto {above}"
+        )
     return rooms, sorted(zones, key=order.index), list(links.values()), graph, notes
 
 
