@@ -148,11 +148,11 @@ class MansionClient:
 
     def is_served(self, name: str) -> bool:
         """Whether a node serves `name` now."""
-        return self._client(name, {}).service_is_ready()
+        return bool(self._client(name, {}).service_is_ready())
 
     def wait_served(self, name: str, timeout: float) -> bool:
         """Wait until a node serves `name`; False when none does after `timeout` seconds."""
-        return self._client(name, {}).wait_for_service(timeout_sec=timeout)
+        return bool(self._client(name, {}).wait_for_service(timeout_sec=timeout))
 
     def _answer(self, client: Client, request: Any, timeout: float) -> Any:
         future = client.call_async(request)

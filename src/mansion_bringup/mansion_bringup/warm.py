@@ -1,15 +1,45 @@
-"""Compile and cache the solver kernels, so that a first user does not wait: ``python -m mansion_bringup.warm``."""
+"""Compile and cache the kernels, so that a first user does not wait: ``python -m mansion_bringup.warm``."""
 
-__all__ = ["warm"]
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+from os import cpu_count
+
+__all__ = ["WARMERS", "warm"]
+
+
+def _solver() -> None:
+    from mansion_planner.solver import warm as compile_kernels
+
+    compile_kernels()
+
+
+def _placement() -> None:
+    from mansion_scene.placement import warm as compile_kernels
+
+    compile_kernels()
+
+
+def _pictures() -> None:
+    import numpy as np
+
+    from mansion_scene.export.triangles import Triangles
+    from mansion_scene.export.zbuffer import View, render
+
+    corners = np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 0, 1], [1, 0, 1], [0, 1, 1]]])
+    render(Triangles(corners.astype(float), np.ones((2, 3)), np.array([1.0, 0.5])), View())
+
+
+WARMERS: tuple[Callable[[], None], ...] = (_solver, _placement, _pictures)
+"""The longest first, so that two processes end together."""
 
 
 def warm() -> None:
-    """Compile the kernels of the floor solver and the placer."""
-    from mansion_planner.solver import warm as warm_solver
-    from mansion_scene.placement import warm as warm_placement
-
-    warm_solver()
-    warm_placement()
+    """Compile the kernels of the floor solver, the placer and the pictures, on all cores."""
+    workers = min(len(WARMERS), cpu_count() or 1)
+    with ProcessPoolExecutor(workers, mp_context=get_context("fork")) as pool:
+        for done in [pool.submit(work) for work in WARMERS]:
+            done.result()
 
 
 if __name__ == "__main__":
