@@ -17,13 +17,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from synthetic import floor
+
 from mansion_geometry.rings import as_polygon
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
 from mansion_planner.solver import solve_floor
 from mansion_planner.solver.protocol import TrueProblem
 from mansion_planner.solver.seeding import SeedRequest
-from synthetic import floor
 
 HUB = "#f4f1e8"
 

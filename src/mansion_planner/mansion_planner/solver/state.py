@@ -47,7 +47,7 @@ class Goal(NamedTuple):
     """What the search wants.
 
     ``rooms[r]`` holds target area, seed, weights and minimum width; ``links`` are rows of two labels and a kind (0
-    access, 1 adjacent) with the wall length they ``need``; ``side`` gives, for each label, the only side on which a core
+    access, 1 adjacent) and the wall length they ``need``; ``side`` gives, for each label, the side on which a core
     may be entered (0 any, 1 north, 2 east, 3 south, 4 west); ``apart`` lists pairs that should not touch.
     """
 
@@ -62,7 +62,7 @@ class Goal(NamedTuple):
 class State(NamedTuple):
     """One partition and its running statistics (see `paint`).
 
-    ``stats[label]`` holds area, first moments, perimeter, number of cells and of corners; ``contact`` the wall length of
+    ``stats[label]`` holds area, first moments, perimeter, number of cells, of corners; ``contact`` the wall length of
     each pair of labels, ``run`` the longest straight wall of each pair, ``thin`` each room's area narrower than its
     minimum width, ``straddle`` the length of structural wall inside rooms.
     """
