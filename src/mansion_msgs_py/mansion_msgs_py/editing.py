@@ -1,0 +1,363 @@
+"""Arguments and replies of the scene editor's tools, and what an edit changes.
+
+The names and inputs of the eight tools of the check-and-provision workflow are those of its tool cards (supplement,
+D.2): CheckPath, SearchAssets, ListObjects, CheckSurface, SearchContents, PlaceInContainer, RemoveObject,
+PlaceOnSurface. Every one takes `editor` besides, the name that ``scene/open`` gave a building on the server.
+"""
+
+from typing import Annotated, Any, Literal
+
+import msgspec
+
+from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.shapes import Point3
+
+__all__ = [
+    "AgentReport",
+    "AgentStep",
+    "AssetHits",
+    "AssetInfo",
+    "CheckPathArgs",
+    "CheckSurfaceArgs",
+    "DiffReport",
+    "EditResult",
+    "EditorInfo",
+    "InstructArgs",
+    "ListObjectsArgs",
+    "MoveObjectArgs",
+    "ObjectChange",
+    "ObjectInfo",
+    "ObjectList",
+    "OpenEditorArgs",
+    "PathReport",
+    "PathStep",
+    "PlaceInContainerArgs",
+    "PlaceOnSurfaceArgs",
+    "ReceptacleContents",
+    "ReceptacleReport",
+    "RemoveObjectArgs",
+    "SearchAssetsArgs",
+    "SearchContentsArgs",
+    "SetStateArgs",
+    "ToolArgs",
+    "Transaction",
+]
+
+Text = Annotated[str, msgspec.Meta(max_length=400)]
+Coordinate = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
+
+
+class ToolArgs(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """Which open building a call is for: the one opened last under the empty name when absent."""
+
+    editor: Text = ""
+
+
+class OpenEditorArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """Open the building folder `path` under the name `editor`.
+
+    Attributes
+    ----------
+    who : str
+        Written into the log beside each change.
+    autosave : bool
+        Land each edit at once; else edits wait for ``scene/save``.
+    """
+
+    path: Annotated[str, msgspec.Meta(max_length=4096)]
+    who: Text = ""
+    autosave: bool = True
+
+
+class EditorInfo(msgspec.Struct, kw_only=True):
+    """An open building."""
+
+    building_id: str
+    floors: list[int]
+    labels: list[str]
+    revisions: dict[str, int]
+    editor: str = ""
+    who: str = ""
+    autosave: bool = True
+
+
+class CheckPathArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """Both ends may be left out: from the entrance, to every room. A room, core or object, by id or words."""
+
+    start: Text = ""
+    end: Text = ""
+
+
+class SearchAssetsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """Words for a new object, how many hits, and properties that each must have (``Pickable``, ``Receptacle``, ...)."""
+
+    query: Text
+    top_k: Annotated[int, msgspec.Meta(ge=1, le=50)] = 5
+    properties: Annotated[list[Text], msgspec.Meta(max_length=8)] = []
+
+
+class ListObjectsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """Filters: a room (id or words, with a floor where it matters), a keyword or an id."""
+
+    room: Text = ""
+    keyword: Text = ""
+    id: Text = ""
+    limit: Annotated[int, msgspec.Meta(ge=1, le=500)] = 100
+
+
+class CheckSurfaceArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """The receptacle, by keyword or by id."""
+
+    keyword: Text = ""
+    id: Text = ""
+
+
+class SearchContentsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """The container, by keyword or by id."""
+
+    keyword: Text = ""
+    id: Text = ""
+
+
+class PlaceInContainerArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """A new object of the catalogue, and the container to put it into."""
+
+    asset_id: Text
+    container_id: Text
+
+
+class PlaceOnSurfaceArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """A new object of the catalogue, and what to put it on; a room's id is its floor, for furniture."""
+
+    asset_id: Text
+    receptacle_id: Text
+
+
+class RemoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """One object with what it carries, or all that a receptacle carries."""
+
+    object_id: Text = ""
+    receptacle_id: Text = ""
+
+
+class MoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """Where an object goes: on or in a receptacle, or to a point of its floor; with it goes what it carries.
+
+    Attributes
+    ----------
+    receptacle_id : str
+        A surface, a container, or a room for furniture.
+    x, y, rotation : float, optional
+        Metres and degrees on its own floor.
+    """
+
+    object_id: Text
+    receptacle_id: Text = ""
+    x: Coordinate | None = None
+    y: Coordinate | None = None
+    rotation: Annotated[float, msgspec.Meta(ge=-3600.0, le=3600.0)] | None = None
+
+
+class SetStateArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """States to set: ``open`` of what opens, ``on`` of what switches."""
+
+    object_id: Text
+    open: bool | None = None
+    on: bool | None = None
+
+
+class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """An instruction for the editing agent; `planner` as in a `BuildRequest`."""
+
+    instruction: Annotated[str, msgspec.Meta(max_length=4000)]
+    planner: Literal["rules", "llm"] = "rules"
+
+
+class PathStep(msgspec.Struct, kw_only=True):
+    """A place on the way and the door into it; a stair or a lift comes once for each floor."""
+
+    place: str
+    floor: int
+    door: str = ""
+
+
+class PathReport(msgspec.Struct, kw_only=True):
+    """Reply of CheckPath.
+
+    Attributes
+    ----------
+    unreachable : list of str
+        Rooms that cannot be reached from the start.
+    blocked_doors : list of str
+        Doors before which an object leaves no way through.
+    """
+
+    message: str
+    reachable: bool
+    start: str = ""
+    end: str = ""
+    route: list[PathStep] = []
+    unreachable: list[str] = []
+    blocked_doors: list[str] = []
+
+
+class AssetInfo(msgspec.Struct, kw_only=True):
+    """An asset of the catalogue; `asset_id` is what the Place tools take."""
+
+    asset_id: str
+    category: str
+    name: str
+    size: Point3
+    score: float
+    material: str = ""
+    properties: list[str] = []
+
+
+class AssetHits(msgspec.Struct, kw_only=True):
+    """Reply of SearchAssets, the best first."""
+
+    message: str
+    assets: list[AssetInfo]
+
+
+class ObjectInfo(msgspec.Struct, kw_only=True):
+    """An object of the scene with the properties that the catalogue knows of its asset."""
+
+    id: str
+    category: str
+    name: str
+    asset_id: str
+    floor: int
+    room: str
+    position: Point3
+    mount: str
+    parent: str | None = None
+    color: str = ""
+    properties: list[str] = []
+    states: dict[str, bool | float | str] = {}
+
+
+class ObjectList(msgspec.Struct, kw_only=True):
+    """Reply of ListObjects; `total` counts those beyond the limit too."""
+
+    message: str
+    total: int
+    objects: list[ObjectInfo]
+
+
+class ReceptacleContents(msgspec.Struct, kw_only=True):
+    """One receptacle and what geometry finds on or in it."""
+
+    receptacle: ObjectInfo
+    objects: list[ObjectInfo]
+
+
+class ReceptacleReport(msgspec.Struct, kw_only=True):
+    """Reply of CheckSurface and of SearchContents: one entry for each receptacle that fits."""
+
+    message: str
+    receptacles: list[ReceptacleContents]
+
+
+class ObjectChange(msgspec.Struct, kw_only=True, frozen=True):
+    """One object before and after; ``None`` where it was or is not there. `index` is its place in the floor's list."""
+
+    floor: int
+    index: int
+    before: SceneObject | None = None
+    after: SceneObject | None = None
+
+    @property
+    def id(self) -> str:
+        """Id of the object."""
+        found = self.after or self.before
+        return "" if found is None else found.id
+
+
+class Transaction(msgspec.Struct, kw_only=True):
+    """A line of the edit log: what landed together.
+
+    Attributes
+    ----------
+    number : int
+        Counts from 1.
+    what : str
+        The instruction, or the tool and its arguments.
+    undoes, redoes : int, optional
+        Number of the transaction that this one takes back or restores.
+    revisions : dict
+        Floor (as a decimal string) to the revision that this transaction made.
+    time : str
+        ISO 8601, as the caller's clock had it.
+    """
+
+    number: int
+    who: str
+    what: str
+    changes: list[ObjectChange]
+    revisions: dict[str, int] = {}
+    undoes: int | None = None
+    redoes: int | None = None
+    time: str = ""
+    schema_version: Literal[1] = 1
+
+
+class EditResult(msgspec.Struct, kw_only=True):
+    """Reply of every tool that changes something.
+
+    Attributes
+    ----------
+    object_ids : list of str
+        Objects added, moved, changed or removed, in that order of work.
+    saved : bool
+        Landed on disk, else waiting for Save.
+    transaction : int, optional
+        Its number in the log, once saved.
+    """
+
+    message: str
+    object_ids: list[str] = []
+    saved: bool = False
+    transaction: int | None = None
+    revisions: dict[str, int] = {}
+
+
+class DiffReport(msgspec.Struct, kw_only=True):
+    """Reply of Diff: changes that wait for Save."""
+
+    message: str
+    changes: list[ObjectChange]
+
+
+class AgentStep(msgspec.Struct, kw_only=True):
+    """One turn of the agent: what it thought, the tool it called and what it saw."""
+
+    thought: str
+    tool: str = ""
+    arguments: dict[str, Any] = {}
+    observation: Any = None
+    refused: bool = False
+
+
+class AgentReport(msgspec.Struct, kw_only=True):
+    """Reply of ``scene/instruct``.
+
+    Attributes
+    ----------
+    done : bool
+        Every fact that the instruction asks for holds.
+    facts, failed : list of str
+        What was asked, in words; and what could not be met, each with its reason.
+    edits : int
+        Tools that changed something.
+    """
+
+    message: str
+    done: bool
+    steps: list[AgentStep] = []
+    facts: list[str] = []
+    failed: list[str] = []
+    edits: int = 0
+    saved: bool = False
+    transaction: int | None = None
+    object_ids: list[str] = []
