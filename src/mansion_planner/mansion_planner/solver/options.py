@@ -9,10 +9,10 @@ __all__ = ["EnergyWeights", "SearchWeights", "SolverOptions"]
 class EnergyWeights:
     """Weights **w** of the energy of section C.2; chosen by ``benchmarks/floorplans/tune_weights.py``."""
 
-    ratio: float = 0.55
-    seed: float = 0.15
-    corner: float = 0.20
-    wall: float = 0.10
+    ratio: float = 0.019
+    seed: float = 0.068
+    corner: float = 0.521
+    wall: float = 0.392
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely.geometry import MultiPolygon, Polygon
 
 from mansion_geometry.rings import oriented, polygon_parts, rotated, signed_area
@@ -14,18 +15,17 @@ __all__ = ["layout_room", "room_shapes", "shape_of_cells", "trace", "turned_back
 
 Ring = list[tuple[float, float]]
 Vertex = tuple[int, int]
+Mask = NDArray[np.bool_]
 
 
-def trace(mask: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> list[list[Vertex]]:
+def trace(mask: Mask) -> list[list[Vertex]]:
     """Return the rings of grid vertices (row, column) around the cells of `mask`, the cells on their left.
 
     Cells that meet at a corner only are kept apart. Points on straight lines are left out.
     """
     follow: dict[Vertex, list[Vertex]] = {}
 
-    def edges(
-        found: "np.ndarray[tuple[int, ...], np.dtype[np.bool_]]", start: Vertex, end: Vertex
-    ) -> None:
+    def edges(found: Mask, start: Vertex, end: Vertex) -> None:
         for j, i in np.argwhere(found).tolist():
             follow.setdefault((j + start[0], i + start[1]), []).append((j + end[0], i + end[1]))
 
@@ -69,11 +69,8 @@ def _straightened(ring: list[Vertex]) -> list[Vertex]:
     return kept
 
 
-def _shape_of(
-    grid: Grid, mask: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
-) -> Polygon | MultiPolygon:
-    """Return the shape of the masked cells from the grid lines alone."""
-    xs, ys = grid.cells.xs.tolist(), grid.cells.ys.tolist()
+def _shape_of(xs: list[float], ys: list[float], mask: Mask) -> Polygon | MultiPolygon:
+    """Return the shape of the masked cells between lines."""
     outer: list[Ring] = []
     inner: list[Ring] = []
     for vertices in trace(mask):
@@ -92,20 +89,30 @@ def _shape_of(
     return MultiPolygon(shells)
 
 
-def shape_of_cells(
-    model: FloorModel, grid: Grid, mask: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
-) -> Polygon | MultiPolygon:
-    """Return the part of the masked cells inside the free region, in the model's frame."""
-    shape = _shape_of(grid, mask)
+def _inside(model: FloorModel, grid: Grid, shape: Polygon | MultiPolygon) -> Polygon | MultiPolygon:
+    """Return the part of a shape of cells that lies inside the free region."""
     if grid.exact:
         return shape
     parts = polygon_parts(shapely.intersection(shape, model.region))
     return parts[0] if len(parts) == 1 else MultiPolygon(parts)
 
 
+def shape_of_cells(model: FloorModel, grid: Grid, mask: Mask) -> Polygon | MultiPolygon:
+    """Return the part of the masked cells inside the free region, in the model's frame."""
+    return _inside(model, grid, _shape_of(grid.cells.xs.tolist(), grid.cells.ys.tolist(), mask))
+
+
 def room_shapes(model: FloorModel, grid: Grid, labels: Ints) -> list[Polygon | MultiPolygon]:
-    """Return each room's shape in the model's frame; together they cover the free region without overlap."""
-    return [shape_of_cells(model, grid, labels == r) for r in range(len(model.rooms))]
+    """Return each room's shape in the model's frame; together they cover the free region without overlap.
+
+    Lines along which no label changes are left out first, which leaves few cells to trace.
+    """
+    rows = np.flatnonzero(np.append(True, (labels[1:] != labels[:-1]).any(axis=1)))
+    columns = np.flatnonzero(np.append(True, (labels[:, 1:] != labels[:, :-1]).any(axis=0)))
+    few = labels[np.ix_(rows, columns)]
+    xs = [*grid.cells.xs[columns].tolist(), float(grid.cells.xs[-1])]
+    ys = [*grid.cells.ys[rows].tolist(), float(grid.cells.ys[-1])]
+    return [_inside(model, grid, _shape_of(xs, ys, few == r)) for r in range(len(model.rooms))]
 
 
 def turned_back(ring: Ring, angle: float, *, ccw: bool = True, digits: int = 4) -> Ring:

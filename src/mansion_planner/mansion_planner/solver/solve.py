@@ -13,6 +13,7 @@ from mansion_planner.solver.finish import finish
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
 from mansion_planner.solver.model import FloorModel, make_model
 from mansion_planner.solver.options import SolverOptions
+from mansion_planner.solver.planned import planned_partition, planned_rounds
 from mansion_planner.solver.refine import Partition, make_goal
 from mansion_planner.solver.seeding import SeedCallback
 from mansion_planner.solver.starts import flood
@@ -90,6 +91,11 @@ def solve_floor(
     relaxed = relaxed_links(model)
     goal = make_goal(model, options, [entry.link for entry in relaxed])
     major = major_lines(model)
+    planned = planned_partition(model, major) if options.wall_search else None
+    if planned is not None:
+        layout = finish(model, planned, options, planned_rounds(model, planned), relaxed, 1)
+        if layout.topology_satisfied and layout.checks["one_piece"] == len(model.rooms):
+            return layout
     grid = _coarse_grid(model, major, options)
     budget = Budget(options.candidates)
     rng = np.random.default_rng(item_seed(problem.seed, "floor", problem.plan_id))
@@ -100,7 +106,7 @@ def solve_floor(
     rounds = run_rounds(model, goal, grid, options, round_budget, rng, seed_callback)
     budget.take(round_budget.used)
     if options.wall_search:
-        best = WallSearch(model, goal, grid, major, options, budget, rng).run(rounds)
+        best = WallSearch(model, goal, grid, major, options, budget, rng).run(rounds, planned)
     else:
         best = _without_search(model, goal, grid, rounds)
     if best is None:

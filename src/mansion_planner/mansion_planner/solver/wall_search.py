@@ -5,7 +5,7 @@ import numpy as np
 from mansion_geometry.rings import polygon_parts
 from mansion_planner.solver.budget import Budget
 from mansion_planner.solver.cutting import RoundsResult
-from mansion_planner.solver.grid import Grid
+from mansion_planner.solver.grid import Grid, make_grid, resample, spaced_lines
 from mansion_planner.solver.model import FloorModel
 from mansion_planner.solver.objective import total_energy
 from mansion_planner.solver.options import SolverOptions
@@ -68,10 +68,21 @@ class WallSearch:
         self.asked = {(names[a], names[b]) for a, b in goal.links[:, :2].tolist()}
         self.seeded = mostly_seeded(model)
 
-    def run(self, rounds: RoundsResult) -> Partition | None:
-        """Return the best partition found within the budget, or None when the rooms do not fit at all."""
+    def run(self, rounds: RoundsResult, planned: Partition | None = None) -> Partition | None:
+        """Return the best partition found within the budget, or None when the rooms do not fit at all.
+
+        Parameters
+        ----------
+        planned : Partition, optional
+            What the seed boxes describe; its walls are moved first.
+        """
         best: Partition | None = None
         fewest = 0
+        if planned is not None:
+            best = self._refined(self._settled(planned))
+            fewest = self.faults(best)
+            if fewest == 0:
+                return best
         for attempt in range(self.options.attempts):
             start = self._start(rounds, attempt)
             if start is None:
@@ -154,6 +165,27 @@ class WallSearch:
             int(self.rng.integers(2**62)),
         )
         return Partition(self.grid, state.labels.copy(), energy)
+
+    def _settled(self, planned: Partition) -> Partition:
+        """Move the walls of a planned layout, a little at a time, until its edges are realised."""
+        xs, ys = planned.grid.cells.xs[1:-1], planned.grid.cells.ys[1:-1]
+        spacing = 1.25 * self.options.spacing
+        grid = make_grid(self.model, spaced_lines(xs, spacing), spaced_lines(ys, spacing))
+        state = make_state(resample(planned.grid, planned.labels, grid), self.rooms, self.total)
+        energy = anneal(
+            grid.cells,
+            self.goal,
+            state,
+            NO_BOXES,
+            self.budget.take(self.rooms * self.options.seeded_proposals // 2),
+            0.05,
+            0.005,
+            4,
+            0.0,
+            0.02,
+            int(self.rng.integers(2**62)),
+        )
+        return Partition(grid, state.labels.copy(), energy)
 
     def _refined(self, partition: Partition) -> Partition:
         """Move the walls to their places on finer grids, by descent."""
