@@ -23,11 +23,22 @@ def _placement() -> None:
 def _pictures() -> None:
     import numpy as np
 
-    from mansion_scene.export.triangles import Triangles
+    from mansion_scene.export.gltf import write_glb
+    from mansion_scene.export.model import Material, Model, Node, Surface
+    from mansion_scene.export.triangles import flatten
     from mansion_scene.export.zbuffer import View, render
 
-    corners = np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 0, 1], [1, 0, 1], [0, 1, 1]]])
-    render(Triangles(corners.astype(float), np.ones((2, 3)), np.array([1.0, 0.5])), View())
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]])
+    model = Model("warm", 1, 0.0)
+    for k, alpha in enumerate((1.0, 0.5)):
+        surface = Surface(
+            Material("warm", (1.0, 1.0, 1.0), alpha),
+            corners[3 * k : 3 * k + 3].astype(np.float64),
+            np.array([[0, 1, 2]]),
+        )
+        model.add(Node(f"warm_{k}", f"warm_{k}", "structure"), [surface])
+    render(flatten(model), View())
+    write_glb([model], "warm")
 
 
 WARMERS: tuple[Callable[[], None], ...] = (_solver, _placement, _pictures)

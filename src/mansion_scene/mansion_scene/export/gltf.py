@@ -10,14 +10,11 @@ import numpy.typing as npt
 from mansion_scene.export.appearance import linear
 from mansion_scene.export.frames import gltf_points, gltf_quaternion
 from mansion_scene.export.model import Material, Mesh, Model, Node, Surface
+from mansion_scene.export.welding import corner_normals
 
-__all__ = ["corner_normals", "write_glb"]
+__all__ = ["write_glb"]
 
 Json: TypeAlias = dict[str, Any]
-Floats = npt.NDArray[np.float64]
-
-SMOOTH = np.cos(np.radians(40.0))
-"""Faces that meet at less than this angle are shaded as one curved surface."""
 
 FLOAT, USHORT, UINT = 5126, 5123, 5125
 ARRAY, ELEMENTS = 34962, 34963
@@ -192,59 +189,3 @@ def _placed(node: Node, mesh: int) -> Json:
     if extras:
         content["extras"] = extras
     return content
-
-
-def corner_normals(
-    vertices: Floats, faces: npt.NDArray[np.int64]
-) -> tuple[Floats, Floats, npt.NDArray[np.int64]]:
-    """Give each corner of each face a normal, smooth over flat angles, and join equal corners.
-
-    Parameters
-    ----------
-    vertices : (n, 3) array
-    faces : (m, 3) array of int
-
-    Returns
-    -------
-    (points, normals, faces)
-        Arrays (k, 3), (k, 3) and (m, 3).
-    """
-    a, b, c = (vertices[faces[:, i]] for i in range(3))
-    areas = np.cross(b - a, c - a)
-    lengths = np.linalg.norm(areas, axis=1)
-    keep = lengths > 1e-12
-    faces, areas, lengths = faces[keep], areas[keep], lengths[keep]
-    units = areas / lengths[:, None]
-    _, points = np.unique(np.round(vertices, 5), axis=0, return_inverse=True)
-    corner_point = points.reshape(-1)[faces].reshape(-1)
-    corner_face = np.repeat(np.arange(len(faces)), 3)
-    normals = _smoothed(corner_point, corner_face, areas, units)
-    key = np.column_stack([vertices[faces.reshape(-1)], np.round(normals, 4)])
-    rows, index = np.unique(np.round(key, 5), axis=0, return_inverse=True)
-    return rows[:, :3], rows[:, 3:], index.reshape(-1, 3).astype(np.int64)
-
-
-def _smoothed(
-    corner_point: npt.NDArray[np.int64],
-    corner_face: npt.NDArray[np.int64],
-    areas: Floats,
-    units: Floats,
-) -> Floats:
-    """Sum, at each corner, the area normals of the faces around its point that look almost its way."""
-    order = np.argsort(corner_point, kind="stable")
-    sorted_points = corner_point[order]
-    starts = np.flatnonzero(np.r_[True, sorted_points[1:] != sorted_points[:-1]])
-    counts = np.diff(np.r_[starts, len(order)])
-    sizes = np.repeat(counts, counts)
-    first = np.repeat(np.repeat(starts, counts), sizes)
-    mine = np.repeat(np.arange(len(order)), sizes)
-    offset = np.arange(len(mine)) - np.repeat(np.cumsum(sizes) - sizes, sizes)
-    own, other = order[mine], order[first + offset]
-    alike = np.einsum("ij,ij->i", units[corner_face[own]], units[corner_face[other]]) > SMOOTH
-    sums = np.zeros((len(corner_point), 3))
-    np.add.at(sums, own[alike], areas[corner_face[other[alike]]])
-    lengths = np.linalg.norm(sums, axis=1, keepdims=True)
-    result: Floats = np.where(
-        lengths > 1e-12, sums / np.maximum(lengths, 1e-12), units[corner_face]
-    )
-    return result

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from mansion_scene.export.model import Model, Node
+from mansion_geometry.compiled import kernel
+from mansion_scene.export.model import Mesh, Model, Node
 
 __all__ = ["Triangles", "flatten", "placed"]
 
@@ -59,17 +60,55 @@ def flatten(model: Model, keep: Callable[[Node], bool] | None = None) -> Triangl
     keep : callable, optional
         Which nodes to take; all when it is left out.
     """
-    parts = []
-    for node in model.nodes:
-        if keep is not None and not keep(node):
-            continue
-        for surface in model.meshes[node.mesh].surfaces:
-            corners = placed(node, surface.vertices)[surface.faces]
-            count = len(corners)
-            color = np.array(surface.material.color)
-            parts.append(
-                Triangles(
-                    corners, np.tile(color, (count, 1)), np.full(count, surface.material.alpha)
-                )
-            )
-    return Triangles.join(parts)
+    nodes = [node for node in model.nodes if keep is None or keep(node)]
+    meshes: dict[str, int] = {}
+    for node in nodes:
+        meshes.setdefault(node.mesh, len(meshes))
+    sources = [_triangles(model.meshes[name]) for name in meshes]
+    source = Triangles.join(sources)
+    starts = np.cumsum([0, *(len(part.alpha) for part in sources)])
+    which = np.array([meshes[node.mesh] for node in nodes], dtype=np.int64)
+    poses = np.array(
+        [(*node.scale, *node.position, np.radians(node.rotation)) for node in nodes]
+    ).reshape(-1, 7)
+    counts = (starts[1:] - starts[:-1])[which]
+    corners = np.empty((int(counts.sum()), 3, 3))
+    origin = np.empty(len(corners), dtype=np.int64)
+    _place_instances(source.corners, starts, which, poses, corners, origin)
+    return Triangles(corners, source.colors[origin], source.alpha[origin])
+
+
+def _triangles(mesh: Mesh) -> Triangles:
+    """Return a mesh's triangles in its own frame."""
+    counts = [len(surface.faces) for surface in mesh.surfaces]
+    if not counts:
+        return Triangles.join([])
+    return Triangles(
+        np.concatenate([surface.vertices[surface.faces] for surface in mesh.surfaces]),
+        np.repeat([surface.material.color for surface in mesh.surfaces], counts, axis=0),
+        np.repeat([surface.material.alpha for surface in mesh.surfaces], counts),
+    )
+
+
+@kernel
+def _place_instances(
+    source: npt.NDArray[np.float64],
+    starts: npt.NDArray[np.int64],
+    which: npt.NDArray[np.int64],
+    poses: npt.NDArray[np.float64],
+    corners: npt.NDArray[np.float64],
+    origin: npt.NDArray[np.int64],
+) -> None:
+    """Write the triangles of mesh ``which[i]`` at ``poses[i]``: scale, position, angle; and where each came from."""
+    at = 0
+    for i in range(len(which)):
+        sx, sy, sz = poses[i, 0], poses[i, 1], poses[i, 2]
+        c, s = np.cos(poses[i, 6]), np.sin(poses[i, 6])
+        for k in range(starts[which[i]], starts[which[i] + 1]):
+            for corner in range(3):
+                x, y = source[k, corner, 0] * sx, source[k, corner, 1] * sy
+                corners[at, corner, 0] = x * c - y * s + poses[i, 3]
+                corners[at, corner, 1] = x * s + y * c + poses[i, 4]
+                corners[at, corner, 2] = source[k, corner, 2] * sz + poses[i, 5]
+            origin[at] = k
+            at += 1

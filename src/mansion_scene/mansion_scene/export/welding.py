@@ -1,0 +1,142 @@
+"""Normals of a mesh's corners: smooth over flat angles, sharp over steep ones."""
+
+import numpy as np
+import numpy.typing as npt
+
+from mansion_geometry.compiled import kernel
+
+__all__ = ["SMOOTH", "corner_normals"]
+
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+
+SMOOTH = float(np.cos(np.radians(40.0)))
+"""Faces that meet at less than this angle are shaded as one curved surface."""
+
+
+def corner_normals(vertices: Floats, faces: Ints) -> tuple[Floats, Floats, Ints]:
+    """Give each corner of each face a normal, smooth over flat angles, and join equal corners.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array
+    faces : (m, 3) array of int
+
+    Returns
+    -------
+    (points, normals, faces)
+        Arrays (k, 3), (k, 3) and (l, 3); faces without area are left out.
+    """
+    vertices = np.ascontiguousarray(vertices, dtype=np.float64)
+    faces = np.ascontiguousarray(faces, dtype=np.int64)
+    a, b, c = (vertices[faces[:, i]] for i in range(3))
+    areas = _cross(b - a, c - a)
+    lengths = np.sqrt((areas * areas).sum(axis=1))
+    keep = lengths > 1e-12
+    if not keep.all():
+        faces, areas, lengths = faces[keep], areas[keep], lengths[keep]
+    return _join_corners(vertices, faces, areas, areas / lengths[:, None], SMOOTH)
+
+
+def _cross(a: Floats, b: Floats) -> Floats:
+    out = np.empty_like(a)
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        out[:, i] = a[:, j] * b[:, k] - a[:, k] * b[:, j]
+    return out
+
+
+@kernel
+def _weld(vertices: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
+    """Number the places of vertices in order of first appearance; those within 0.01 mm are one place."""
+    count = len(vertices)
+    size = 16
+    while size < 2 * count:
+        size *= 2
+    table = np.full(size, -1, dtype=np.int64)
+    keys = np.empty((count, 3), dtype=np.int64)
+    place = np.empty(count, dtype=np.int64)
+    found = 0
+    for v in range(count):
+        for axis in range(3):
+            keys[v, axis] = np.int64(np.round(vertices[v, axis] * 1e5))
+        slot = (keys[v, 0] * 73856093 ^ keys[v, 1] * 19349663 ^ keys[v, 2] * 83492791) & (size - 1)
+        while True:
+            other = table[slot]
+            if other < 0:
+                table[slot] = v
+                place[v] = found
+                found += 1
+                break
+            if (
+                keys[other, 0] == keys[v, 0]
+                and keys[other, 1] == keys[v, 1]
+                and keys[other, 2] == keys[v, 2]
+            ):
+                place[v] = place[other]
+                break
+            slot = (slot + 1) & (size - 1)
+    return place
+
+
+@kernel
+def _join_corners(
+    vertices: npt.NDArray[np.float64],
+    faces: npt.NDArray[np.int64],
+    areas: npt.NDArray[np.float64],
+    units: npt.NDArray[np.float64],
+    smooth: float,
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64], npt.NDArray[np.int64]]:
+    """Sum, at each corner, the area normals of the faces around its place that look almost its way."""
+    corners = 3 * len(faces)
+    place = _weld(vertices)
+    starts = np.zeros(len(vertices) + 1, dtype=np.int64)
+    for k in range(corners):
+        starts[place[faces[k // 3, k % 3]] + 1] += 1
+    starts = np.cumsum(starts)
+    fill = starts[:-1].copy()
+    members = np.empty(corners, dtype=np.int64)
+    for k in range(corners):
+        p = place[faces[k // 3, k % 3]]
+        members[fill[p]] = k
+        fill[p] += 1
+    points = np.empty((corners, 3))
+    normals = np.empty((corners, 3))
+    joined = np.empty((len(faces), 3), dtype=np.int64)
+    count = 0
+    for p in range(len(vertices)):
+        first = count
+        for i in range(starts[p], starts[p + 1]):
+            f = members[i] // 3
+            x, y, z = 0.0, 0.0, 0.0
+            for j in range(starts[p], starts[p + 1]):
+                g = members[j] // 3
+                alike = (
+                    units[f, 0] * units[g, 0]
+                    + units[f, 1] * units[g, 1]
+                    + units[f, 2] * units[g, 2]
+                )
+                if alike > smooth:
+                    x += areas[g, 0]
+                    y += areas[g, 1]
+                    z += areas[g, 2]
+            length = np.sqrt(x * x + y * y + z * z)
+            if length > 1e-12:
+                x, y, z = x / length, y / length, z / length
+            else:
+                x, y, z = units[f, 0], units[f, 1], units[f, 2]
+            mine = -1
+            for q in range(first, count):
+                if (
+                    abs(normals[q, 0] - x) < 1e-4
+                    and abs(normals[q, 1] - y) < 1e-4
+                    and abs(normals[q, 2] - z) < 1e-4
+                ):
+                    mine = q
+                    break
+            if mine < 0:
+                mine = count
+                points[mine] = vertices[faces[f, members[i] % 3]]
+                normals[mine, 0], normals[mine, 1], normals[mine, 2] = x, y, z
+                count += 1
+            joined[f, members[i] % 3] = mine
+    return points[:count].copy(), normals[:count].copy(), joined
