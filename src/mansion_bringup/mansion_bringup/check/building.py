@@ -7,6 +7,7 @@ from mansion_bringup.building.read import BuildingFolder
 from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.files import check_files, check_maps
+from mansion_bringup.check.houses import check_house_files
 from mansion_bringup.check.identity import check_identity
 from mansion_bringup.check.objects import check_objects
 from mansion_bringup.check.openings import check_openings
@@ -45,6 +46,7 @@ def check_building(path: Path | str) -> list[Fault]:
     faults = [
         *check_files(folder, read.building),
         *check_maps(folder, read.building, scenes),
+        *check_house_files(folder, read.building),
         *check_request(read.building, layouts, scenes),
         *check_floors(read.building.building_id, scenes, topologies),
     ]
