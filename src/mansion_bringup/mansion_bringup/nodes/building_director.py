@@ -1,5 +1,6 @@
 """``building_director``: Algorithm 1 by service calls to the other nodes."""
 
+import os
 import threading
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,6 +11,7 @@ from rclpy.node import Node
 
 from mansion_bringup.client import MansionClient
 from mansion_bringup.pipeline.build import build_building
+from mansion_bringup.pipeline.crew import export_pool
 from mansion_bringup.pipeline.remote import RemoteStages
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
@@ -52,6 +54,7 @@ class BuildingDirector(Node):
             ),
         )
         self._progress = JsonPublisher(self, topic("progress"))
+        self._exporter = export_pool(min(os.cpu_count() or 1, MAX_BUILDS))
         self._slots = threading.BoundedSemaphore(MAX_BUILDS)
         self._stages = MansionClient(
             domain_id=self.context.get_domain_id(), namespace=self.get_namespace()
@@ -76,6 +79,7 @@ class BuildingDirector(Node):
                 stages=RemoteStages(
                     self._stages, self.get_parameter("stage_timeout").value or 120.0
                 ),
+                exporter=self._exporter,
                 jobs=self.get_parameter("floors_at_once").value or 1,
                 report=self._progress.publish,
                 force=job.force,
@@ -97,7 +101,8 @@ class BuildingDirector(Node):
         run_handler(self, "build_requests", lambda: self.build(job))
 
     def destroy_node(self) -> None:
-        """End the client of the stages, then the node."""
+        """End the client of the stages and the export processes, then the node."""
+        self._exporter.shutdown(wait=False, cancel_futures=True)
         self._stages.close()
         super().destroy_node()
 

@@ -2,9 +2,8 @@
 
 import time
 from collections.abc import Callable
-from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from dataclasses import dataclass, field
-from multiprocessing import get_context
 from pathlib import Path
 from typing import TypeVar
 
@@ -14,6 +13,7 @@ from mansion_bringup.building.floor_files import floor_directory, floor_files
 from mansion_bringup.building.report import building_index, building_report
 from mansion_bringup.building.workspace import Workspace
 from mansion_bringup.pipeline import floors as steps
+from mansion_bringup.pipeline.crew import Crew, local_crew, remote_crew
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.codec import decode, encode_bytes
@@ -74,6 +74,7 @@ def build_building(
     output: Path,
     *,
     stages: Stages | None = None,
+    exporter: Executor | None = None,
     jobs: int = 1,
     report: Report = lambda progress: None,
     cancelled: Callable[[], bool] = lambda: False,
@@ -88,6 +89,8 @@ def build_building(
         Folder to write; appears whole or not at all.
     stages : Stages, optional
         Where the stages run; in this process (or `jobs` processes) when absent.
+    exporter : Executor, optional
+        Processes for the exports, where `stages` are behind services.
     jobs : int
         Floors in work at once. The result does not depend on it.
     report : callable
@@ -105,31 +108,19 @@ def build_building(
     request = identified(request)
     job = _Job(request, stages or LocalStages(), report, cancelled)
     started = time.perf_counter()
-    with Workspace(output, request, force=force) as workspace, _executor(stages, jobs) as pool:
+    crew = local_crew(jobs) if stages is None else remote_crew(stages, jobs, exporter)
+    with Workspace(output, request, force=force) as workspace, crew:
         plan = _plan(job, workspace)
-        layouts = _solve(job, workspace, pool, plan)
-        scenes = _furnish(job, workspace, pool, plan, layouts)
+        layouts = _solve(job, workspace, crew, plan)
+        scenes = _furnish(job, workspace, crew, plan, layouts)
         index = building_index(request, plan, scenes)
-        _write_building(job, workspace, index, scenes)
+        _write_building(job, workspace, crew, index, scenes)
         job.timed("total", time.perf_counter() - started)
         summary = building_report(plan, layouts, scenes, job.seconds)
         workspace.write({"report.json": encode_bytes(summary, indent=1)})
         path = workspace.commit()
     job.step("done", f"wrote {path}", done=1)
     return BuildResult(path, index, summary)
-
-
-def _executor(stages: Stages | None, jobs: int) -> Executor:
-    if stages is None and jobs > 1:
-        _import_stages()
-        return ProcessPoolExecutor(jobs, mp_context=get_context("fork"))
-    return ThreadPoolExecutor(max(1, jobs))
-
-
-def _import_stages() -> None:
-    """Import what the workers need before they are forked, once instead of in each."""
-    import mansion_scene.assembly
-    import mansion_scene.export.plan  # noqa: F401
 
 
 def _plan(job: _Job, workspace: Workspace) -> PlanReply:
@@ -147,17 +138,16 @@ def _plan(job: _Job, workspace: Workspace) -> PlanReply:
     return plan
 
 
-def _solve(job: _Job, workspace: Workspace, pool: Executor, plan: PlanReply) -> list[FloorLayout]:
+def _solve(job: _Job, workspace: Workspace, crew: Crew, plan: PlanReply) -> list[FloorLayout]:
     found: dict[int, FloorLayout] = {}
     waiting: dict[int, Future[tuple[bytes, float]]] = {}
-    remote = None if isinstance(pool, ProcessPoolExecutor) else job.stages
     for index in steps.distinct_floors(plan):
         floor = plan.program.floors[index].index
         earlier = workspace.load(FloorLayout, f"{floor_directory(floor)}/layout.json")
         if earlier is not None:
             found[index] = earlier
         else:
-            waiting[index] = pool.submit(_solve_task, remote, plan, index)
+            waiting[index] = crew.pool.submit(_solve_task, crew.remote, plan, index)
     for index in steps.distinct_floors(plan):
         floor = plan.program.floors[index].index
         if index in waiting:
@@ -178,15 +168,14 @@ def _solve_task(stages: Stages | None, plan: PlanReply, index: int) -> tuple[byt
 def _furnish(
     job: _Job,
     workspace: Workspace,
-    pool: Executor,
+    crew: Crew,
     plan: PlanReply,
     layouts: list[FloorLayout],
 ) -> list[FloorScene]:
-    remote = None if isinstance(pool, ProcessPoolExecutor) else job.stages
     waiting: dict[int, Future[tuple[dict[str, bytes], float, float]]] = {}
     for index, floor in enumerate(plan.program.floors):
         if not workspace.floor_done(floor.index):
-            waiting[index] = pool.submit(_furnish_task, remote, plan, layouts[index], index)
+            waiting[index] = crew.furnish(_furnish_task, plan, layouts[index], index)
     scenes = []
     for index, floor in enumerate(plan.program.floors):
         if index in waiting:
@@ -203,16 +192,29 @@ def _furnish(
 
 
 def _furnish_task(
-    stages: Stages | None, plan: PlanReply, layout: FloorLayout, index: int
+    stages: Stages | None,
+    exporter: Executor | None,
+    plan: PlanReply,
+    layout: FloorLayout,
+    index: int,
 ) -> tuple[dict[str, bytes], float, float]:
     started = time.perf_counter()
     layout = msgspec.structs.replace(layout, floor=plan.program.floors[index].index)
     scene = steps.furnish(stages or LocalStages(), plan, layout, index)
     furnished = time.perf_counter()
     files = steps.at_stage(
-        f"export (floor {scene.floor})", lambda: floor_files(plan.topologies[index], layout, scene)
+        f"export (floor {scene.floor})",
+        lambda: _call(exporter, floor_files, plan.topologies[index], layout, scene),
     )
     return files, furnished - started, time.perf_counter() - furnished
+
+
+def _call(
+    exporter: Executor | None, export: Callable[..., dict[str, bytes]], *arguments: object
+) -> dict[str, bytes]:
+    if not isinstance(exporter, ProcessPoolExecutor):
+        return export(*arguments)
+    return exporter.submit(export, *arguments).result()
 
 
 def _result(waiting: dict[int, Future[T]], index: int) -> T:
@@ -225,17 +227,24 @@ def _result(waiting: dict[int, Future[T]], index: int) -> T:
 
 
 def _write_building(
-    job: _Job, workspace: Workspace, index: Building, scenes: list[FloorScene]
+    job: _Job, workspace: Workspace, crew: Crew, index: Building, scenes: list[FloorScene]
 ) -> None:
-    from mansion_scene.export.glb import building_glb
-    from mansion_scene.export.overview import overview_png
-
     job.step("export", "writing the 3D building")
     started = time.perf_counter()
-    files = steps.at_stage(
-        "export",
-        lambda: {"building.glb": building_glb(scenes), "building.png": overview_png(scenes)},
-    )
-    workspace.write(files)
+    waiting = [crew.exporter.submit(_model, scenes), crew.exporter.submit(_picture, scenes)]
+    for made in waiting:
+        workspace.write(steps.at_stage("export", made.result))
     workspace.write({"building.json": encode_bytes(index, indent=1)})
     job.timed("export_building", time.perf_counter() - started)
+
+
+def _model(scenes: list[FloorScene]) -> dict[str, bytes]:
+    from mansion_scene.export.glb import building_glb
+
+    return {"building.glb": building_glb(scenes)}
+
+
+def _picture(scenes: list[FloorScene]) -> dict[str, bytes]:
+    from mansion_scene.export.overview import overview_png
+
+    return {"building.png": overview_png(scenes)}

@@ -3,8 +3,7 @@
 import math
 from collections.abc import Iterable, Sequence
 
-from shapely import Polygon, box
-from shapely.affinity import rotate, translate
+from shapely import Polygon
 
 from mansion_msgs_py.scene import Mount, SceneObject
 from mansion_msgs_py.shapes import Point, Point3, Segment
@@ -108,9 +107,15 @@ def room_polygon(polygon: Sequence[Point], holes: Sequence[Sequence[Point]] = ()
 
 def footprint(position: Sequence[float], size: Sequence[float], rotation: float) -> Polygon:
     """Return the rectangle that an object covers on the floor."""
-    rectangle = box(-size[0] / 2, -size[1] / 2, size[0] / 2, size[1] / 2)
-    turned = rotate(rectangle, rotation, origin=(0, 0))
-    return translate(turned, position[0], position[1])
+    angle = math.radians(rotation)
+    c, s = math.cos(angle), math.sin(angle)
+    u, v = size[0] / 2, size[1] / 2
+    return Polygon(
+        [
+            (position[0] + c * a - s * b, position[1] + s * a + c * b)
+            for a, b in ((u, -v), (u, v), (-u, v), (-u, -v))
+        ]
+    )
 
 
 def to_floor(obj: SceneObject, point: Point) -> Point:

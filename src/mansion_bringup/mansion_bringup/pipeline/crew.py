@@ -1,0 +1,100 @@
+"""Who does the work of a build: processes of its own, or threads that wait for services beside an export pool.
+
+A process that runs nodes has threads, so it must not fork: its exports go to a pool that a fork server made.
+"""
+
+import os
+import signal
+from collections.abc import Callable
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import dataclass
+from multiprocessing import get_context
+from types import TracebackType
+from typing import Any, TypeVar
+
+from mansion_bringup.graph.child import end_with_parent
+from mansion_bringup.pipeline.stages import LocalStages, Stages
+
+__all__ = ["Crew", "export_pool", "local_crew", "remote_crew"]
+
+T = TypeVar("T")
+
+PRELOAD = ["mansion_scene.export.plan", "mansion_scene.export.glb", "mansion_scene.export.overview"]
+
+
+@dataclass(frozen=True)
+class Crew:
+    """Executors of one build.
+
+    Attributes
+    ----------
+    pool : Executor
+        Runs the floors.
+    exporter : Executor
+        Runs what turns scenes into files.
+    remote : Stages, optional
+        Where the stages run; in the pool's own processes when absent.
+    """
+
+    pool: Executor
+    exporter: Executor
+    remote: Stages | None = None
+
+    @property
+    def stages(self) -> Stages:
+        """The stages, for a task that is not sent to another process."""
+        return self.remote or LocalStages()
+
+    def __enter__(self) -> "Crew":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.pool.shutdown(wait=True, cancel_futures=error is not None)
+
+    def furnish(self, task: Callable[..., T], *arguments: Any) -> "Future[T]":
+        """Run a floor's task, which gets the crew's remote stages first and its exporter second."""
+        inside = isinstance(self.pool, ProcessPoolExecutor)
+        exporter = None if inside else self.exporter
+        return self.pool.submit(task, self.remote, exporter, *arguments)
+
+
+def local_crew(jobs: int) -> Crew:
+    """Return `jobs` forked processes (or this thread's helper thread for one) that run stages and exports."""
+    if jobs > 1:
+        _import_stages()
+        pool = ProcessPoolExecutor(jobs, mp_context=get_context("fork"))
+        return Crew(pool, pool)
+    thread = ThreadPoolExecutor(1)
+    return Crew(thread, thread)
+
+
+def remote_crew(stages: Stages, jobs: int, exporter: Executor | None) -> Crew:
+    """Return `jobs` threads that ask `stages`, with `exporter` for the files."""
+    pool = ThreadPoolExecutor(max(1, jobs))
+    return Crew(pool, exporter or pool, stages)
+
+
+def export_pool(workers: int) -> ProcessPoolExecutor:
+    """Return processes for exports that end with this one, made without forking it."""
+    context = get_context("forkserver")
+    context.set_forkserver_preload(PRELOAD)
+    return ProcessPoolExecutor(workers, mp_context=context, initializer=_tie_to_parent)
+
+
+def _tie_to_parent() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    end_with_parent(os.getppid())
+
+
+def _import_stages() -> None:
+    """Import what the workers need before they are forked, once instead of in each."""
+    import mansion_planner.solver  # noqa: F401
+    import mansion_scene.assembly
+    import mansion_scene.export.glb
+    import mansion_scene.export.overview
+    import mansion_scene.export.plan  # noqa: F401
