@@ -7,16 +7,28 @@ from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.program import BuildingProgram, FloorProgram, VerticalConnectivity
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.topology import FloorTopology
+from mansion_msgs_py.usage import LlmUsage
 
 __all__ = ["BuildJob", "BuildReply", "FurnishRequest", "PlanReply"]
 
 
 class PlanReply(msgspec.Struct, kw_only=True):
-    """Reply of ``plan_program``: the program, and for each floor its room graph and solver problem."""
+    """Reply of ``plan_program``: the program, and for each floor its room graph and solver problem.
+
+    Attributes
+    ----------
+    sources : dict of str to str
+        Piece (``numbers``, ``program/F1``, ``topology/F1``, ``seeds/F1``) to ``llm``, ``rules`` or ``rules: REASON``;
+        empty for the offline planner.
+    llm : LlmUsage, optional
+        What the language model took.
+    """
 
     program: BuildingProgram
     topologies: list[FloorTopology]
     problems: list[FloorProblem]
+    sources: dict[str, str] = {}
+    llm: LlmUsage | None = None
 
 
 class FurnishRequest(msgspec.Struct, kw_only=True):

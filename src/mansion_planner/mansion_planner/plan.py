@@ -1,6 +1,6 @@
-"""The offline planner: from a request to the program, the room graph of each floor and its solver problem.
+"""The planner: from a request to the program, the room graph of each floor and its solver problem.
 
-Lines 1 to 7 of Algorithm 1 (section C.1) without a language model.
+Lines 1 to 7 of Algorithm 1 (section C.1): by rules, or with a language model where the request says so.
 """
 
 import hashlib
@@ -44,7 +44,8 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
     ------
     MansionError
         ``CONTRADICTION`` for statements that exclude each other (``details`` names both), ``INFEASIBLE`` for what no
-        building can meet, ``INVALID_PAYLOAD`` for a footprint that is no polygon.
+        building can meet, ``INVALID_PAYLOAD`` for a footprint that is no polygon, ``UNAVAILABLE`` when the request
+        wants a language model and none is configured.
 
     Examples
     --------
@@ -54,6 +55,10 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
     """
     base = knowledge or default_knowledge()
     building_id = building_id_of(request)
+    if request.planner == "llm":
+        from mansion_planner.llm.planner import plan_with_model
+
+        return plan_with_model(request, base, building_id)
     try:
         facts = read_brief(request.description, base)
         planned = plan_program(

@@ -1,0 +1,162 @@
+"""Lay chosen rooms out in a given massing: the offline sketch of somebody else's program."""
+
+import copy
+from dataclasses import replace
+
+from mansion_msgs_py.program import AreaSummary, CorePlan, FloorProgram, RoomProgram
+from mansion_planner.llm.chosen import ChosenFloor, ChosenRoom
+from mansion_planner.llm.palette import Palette
+from mansion_planner.program.bearing import bearing_walls
+from mansion_planner.program.building import PlannedBuilding, apart_pairs, hub_name, wanted_pairs
+from mansion_planner.program.filling import fit_areas
+from mansion_planner.program.footprint import sketch_free
+from mansion_planner.program.hall import sketch_hall
+from mansion_planner.program.model import CoreBox, PlannedRoom, Storey, box_area
+from mansion_planner.program.placement import Sketch
+from mansion_planner.program.sketch import capacity, sketch_storey
+
+__all__ = ["refit", "with_cores"]
+
+
+def with_cores(
+    planned: PlannedBuilding, cores: list[CorePlan], method: str, why: str
+) -> PlannedBuilding:
+    """Return the plan with other cores; its sketches then have areas and a graph, but no places."""
+    out = copy.copy(planned)
+    out.program = copy.deepcopy(planned.program)
+    out.program.vertical_connectivity.cores = list(cores)
+    out.program.vertical_connectivity.method = method  # type: ignore[assignment]
+    out.program.vertical_connectivity.justification = why
+    boxes = tuple(CoreBox(c.id, c.type, (c.x[0], c.y[0], c.x[1], c.y[1])) for c in cores)
+    out.massing = replace(planned.massing, cores=boxes)
+    return out
+
+
+def refit(
+    planned: PlannedBuilding, floors: list[ChosenFloor], palette: Palette, *, placed: bool = True
+) -> PlannedBuilding:
+    """Return the plan of other rooms within the same outlines and cores.
+
+    Parameters
+    ----------
+    planned : PlannedBuilding
+        Left as it is.
+    floors : list of ChosenFloor
+        One for each storey, ascending.
+    placed : bool
+        Whether the sketch may give rooms places; not where the cores have moved.
+    """
+    out = copy.copy(planned)
+    out.decisions = copy.copy(planned.decisions)
+    out.decisions.trace = list(planned.decisions.trace)
+    out.decisions.downgrades = list(planned.decisions.downgrades)
+    out.program = copy.deepcopy(planned.program)
+    out.storeys = [_storey(s, f) for s, f in zip(planned.storeys, floors)]
+    out.sketches = {}
+    by_index = {storey.index: storey for storey in out.storeys}
+    for storey in out.storeys:
+        if storey.copy is None:
+            out.sketches[storey.index] = _sketch(out, storey, placed)
+    for storey in out.storeys:
+        if storey.copy is not None:
+            storey.rooms, storey.hub = by_index[storey.copy].rooms, by_index[storey.copy].hub
+            out.sketches[storey.index] = out.sketches[storey.copy]
+    walls = bearing_walls([out.sketches[s.index] for s in out.storeys], out.frame)
+    chosen = {floor.index: floor for floor in floors}
+    for floor, storey in zip(out.program.floors, out.storeys):
+        source = chosen[storey.copy if storey.copy is not None else storey.index]
+        _fill(floor, storey, out, source, palette)
+        floor.structural_walls = list(walls)
+    return out
+
+
+def _storey(storey: Storey, floor: ChosenFloor) -> Storey:
+    rooms = {room.id: _planned(room) for room in floor.rooms}
+    tops = []
+    for room in floor.rooms:
+        if room.suite_of in rooms:
+            rooms[room.suite_of].suite.append(rooms[room.id])
+        else:
+            tops.append(rooms[room.id])
+    return replace(storey, hub=floor.hub.kind, rooms=tops, copy=floor.copy)
+
+
+def _planned(room: ChosenRoom) -> PlannedRoom:
+    least = room.area if room.fixed else min(room.kind.least, room.area)
+    most = room.area if room.fixed else max(room.kind.most, room.area)
+    return PlannedRoom(
+        id=room.id, kind=room.kind, area=room.area, least=least, most=most, fixed=room.fixed,
+        stated=room.fixed, notes=room.notes,
+    )  # fmt: skip
+
+
+def _sketch(planned: PlannedBuilding, storey: Storey, placed: bool) -> Sketch:
+    massing, decisions = planned.massing, planned.decisions
+    hub = hub_name(storey)
+    if decisions.free_form or not placed:
+        cores = sum(box_area(core.box) for core in massing.cores)
+        free = planned.envelopes[storey.index].area - cores
+        fit_areas(storey.rooms, 0.84 * free)
+        return sketch_free(storey, hub, free)
+    room = capacity(massing, storey)
+    if massing.hall:
+        asked = sum(r.gross for r in storey.rooms)
+        share = max(storey.hub.usual, 0.38 * room)
+        fit_areas(storey.rooms, min(room - share, max(asked, 0.45 * room)))
+        return sketch_hall(massing, storey, hub, wanted_pairs(decisions))
+    fit_areas(storey.rooms, room)
+    return sketch_storey(massing, storey, hub, wanted_pairs(decisions))
+
+
+def _fill(
+    floor: FloorProgram,
+    storey: Storey,
+    planned: PlannedBuilding,
+    chosen: ChosenFloor,
+    palette: Palette,
+) -> None:
+    """Write the rooms, with the areas that they have in the sketch, and what that leaves in reserve."""
+    sketch, gross = planned.sketches[storey.index], floor.gross_floor_area
+    left = gross - sum(placement.area for placement in sketch.rooms)
+    reserve = min(max(0.12 * gross, min(0.25 * gross, left - 0.5 * storey.hub.least)), left - 1.0)
+    given = {room.id: room for room in chosen.rooms}
+    beside = _wished(planned, storey, sketch)
+    floor.rooms = [
+        _room(chosen.hub, hub_name(storey), max(left - reserve, 1.0), palette, "circulation hub")
+    ]
+    floor.rooms[0].open_relation = "open"
+    for placement in sketch.rooms:
+        room = given[placement.room.id]
+        entry = _room(room, room.id, placement.area, palette, room.notes)
+        entry.adjacent_to = beside.get(room.id, [])
+        floor.rooms.append(entry)
+    total = sum(room.area_estimate for room in floor.rooms)
+    floor.area_summary = AreaSummary(
+        sum_rooms=round(total, 2),
+        reserve_ratio=round(1.0 - total / gross, 4),
+        fits_within_gfa=total <= gross,
+        notes="the reserve holds cores, corridors and the rest of the hub",
+    )
+    floor.copy = storey.copy
+    floor.requirement = chosen.requirement or floor.requirement
+
+
+def _room(room: ChosenRoom, name: str, area: float, palette: Palette, notes: str) -> RoomProgram:
+    floor, wall = palette.materials(room.kind.name, room.floor_material, room.wall_material)
+    return RoomProgram(
+        id=name, area_estimate=round(area, 2), room_type=room.kind.name, floor_material=floor,
+        wall_material=wall, open_relation="open" if room.kind.open else "door", notes=notes,
+    )  # fmt: skip
+
+
+def _wished(planned: PlannedBuilding, storey: Storey, sketch: Sketch) -> dict[str, list[str]]:
+    """Return the neighbours that the brief wishes and the floor can give, by room id."""
+    beside: dict[str, list[str]] = {}
+    apart = apart_pairs(planned.decisions, storey, sketch)
+    for fact in planned.decisions.facts.adjacent:
+        firsts = [p.room.id for p in sketch.rooms if p.room.kind.name == fact.first]
+        seconds = [p.room.id for p in sketch.rooms if p.room.kind.name == fact.second]
+        pair = next(((a, b) for a in firsts for b in seconds if a != b), None)
+        if pair is not None and fact not in apart:
+            beside.setdefault(pair[0], []).append(pair[1])
+    return beside

@@ -1,0 +1,242 @@
+"""The room graph of a floor by a model (Fig. 24): read, checked by the rules, its areas made to add up."""
+
+import msgspec
+
+from mansion_llm import Fault
+from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.layout import FloorProblem, ProblemCore, ProblemNode
+from mansion_msgs_py.program import FloorProgram
+from mansion_msgs_py.topology import Edge, EdgeKind, FloorTopology, NodeKind, TopologyNode
+from mansion_planner.llm.answers import NodeAnswer, TopologyAnswer
+from mansion_planner.llm.cleaning import clean_id, clean_text, room_kind
+from mansion_planner.llm.context import Context
+from mansion_planner.llm.graph_rules import access_promoted, graph_faults
+from mansion_planner.llm.palette import Palette
+from mansion_planner.llm.topology_prompt import free_region, topology_prompt
+from mansion_planner.program.building import PlannedBuilding
+from mansion_planner.solver.zones import resolve_zones
+
+__all__ = ["plan_model_topology"]
+
+_KINDS: dict[str, NodeKind] = {
+    "main": "main", "entities": "Entities", "entity": "Entities", "room": "Entities", "area": "area",
+    "stair": "stair", "elevator": "elevator",
+}  # fmt: skip
+
+
+def plan_model_topology(
+    context: Context, planned: PlannedBuilding, offline: FloorTopology, palette: Palette
+) -> FloorTopology | None:
+    """Return the model's room graph of a floor, or ``None`` where the offline one is to stay.
+
+    Parameters
+    ----------
+    offline : FloorTopology
+        The graph of the sketch of the same rooms.
+    """
+    piece = f"topology/F{offline.floor}"
+    if not context.client.wants("topology"):
+        context.from_rules(piece)
+        return None
+    floor = next(f for f in planned.program.floors if f.index == offline.floor)
+    reader = _Reader(context, planned, floor, offline, palette)
+    prompt = topology_prompt(context, planned, floor, palette)
+    answer = context.client.ask(prompt, TopologyAnswer, reader.faults)
+    if answer.value is None or not answer.good:
+        context.from_rules(piece, answer.reason)
+        return None
+    context.from_model(piece)
+    return reader.topology(answer.value, [])
+
+
+class _Reader:
+    """Reads answers for one floor."""
+
+    def __init__(
+        self,
+        context: Context,
+        planned: PlannedBuilding,
+        floor: FloorProgram,
+        offline: FloorTopology,
+        palette: Palette,
+    ) -> None:
+        self.context, self.planned, self.floor, self.palette = context, planned, floor, palette
+        self.cores = {n.id: n for n in offline.nodes if n.type in ("stair", "elevator")}
+        self.building_id = offline.building_id
+        self.free = float(free_region(floor, planned).area)
+        self.rooms = {room.id: room for room in floor.rooms}
+
+    def faults(self, answer: TopologyAnswer) -> list[Fault]:
+        """Return what is wrong with an answer."""
+        out: list[str] = []
+        topology = self.topology(answer, out)
+        ids = {node.id for node in topology.nodes}
+        out += [
+            f"the {core.type} {name} is missing"
+            for name, core in self.cores.items()
+            if name not in ids
+        ]
+        out += [f"the room {name} is missing" for name in self.rooms if name not in ids]
+        out += graph_faults(topology, self.context.knowledge) + self._hub_faults(topology)
+        if not out:
+            out += self._zone_faults(topology) + self._wish_faults(topology)
+        return [Fault(text) for text in out]
+
+    def topology(self, answer: TopologyAnswer, faults: list[str]) -> FloorTopology:
+        """Return an answer as a room graph; what could not be read is added to `faults`."""
+        nodes = [n for entry in answer.nodes if (n := self._node(entry, faults)) is not None]
+        edges: list[Edge] = []
+        seen: dict[frozenset[str], int] = {}
+        for edge in answer.edges:
+            source, target = clean_id(edge.source), clean_id(edge.target)
+            kind: EdgeKind | None = {"access": "access", "adjacent": "adjacent"}.get(edge.kind)  # type: ignore[assignment]
+            if not source or not target or kind is None:
+                faults.append(
+                    f"an edge needs two node ids and a kind of access or adjacent, not {clean_text(edge.kind, 20)!r}"
+                )
+                continue
+            pair = frozenset((source, target))
+            if pair not in seen:
+                seen[pair] = len(edges)
+                edges.append(Edge(source=source, target=target, kind=kind))
+            elif kind == "access":
+                edges[seen[pair]] = Edge(source=source, target=target, kind=kind)
+        topology = FloorTopology(
+            nodes=nodes or [self._hub_alone()],
+            edges=edges,
+            building_id=self.building_id,
+            floor=self.floor.index,
+        )
+        return self._with_areas(access_promoted(topology))
+
+    def _hub_alone(self) -> TopologyNode:
+        hub = self.floor.rooms[0]
+        return TopologyNode(id=hub.id, type="main", area=self.free, room_type=hub.room_type)
+
+    def _node(self, entry: NodeAnswer, faults: list[str]) -> TopologyNode | None:
+        name, kind = clean_id(entry.id), _KINDS.get(entry.type.lower())
+        if not name:
+            faults.append(
+                f"{clean_text(entry.id, 40)!r} is no id of the rooms, stairs and elevators"
+            )
+            return None
+        if kind is None:
+            faults.append(
+                f"{name}: the type {clean_text(entry.type, 20)!r} is none of main, Entities, area, stair, elevator"
+            )
+            return None
+        if name in self.cores:
+            if kind != self.cores[name].type:
+                faults.append(f"{name} is of type {self.cores[name].type}")
+            return self.cores[name]
+        if kind in ("stair", "elevator"):
+            faults.append(f"there is no {kind} {name}")
+            return None
+        if not 0.0 < entry.area < 1e5:
+            faults.append(
+                f"{name}: area is {entry.area:g}; a positive number of square metres is needed"
+            )
+            return None
+        room = self.rooms.get(name)
+        room_type = room.room_type if room else room_kind(name, self.context.knowledge, {}).name
+        if (
+            room is None
+            and kind != "area"
+            and self.context.knowledge.room(room_type).zone != "circulation"
+        ):
+            faults.append(
+                f"{name} is not in the list of rooms; only corridors and area zones may be added"
+            )
+        if (
+            room is not None
+            and not 0.6 * room.area_estimate <= entry.area
+            and name != self.floor.rooms[0].id
+        ):
+            faults.append(
+                f"{name} has {entry.area:g} m2 and should have about {room.area_estimate:g}"
+            )
+        floor, wall = entry.floor_material, entry.wall_material
+        if not floor and room is not None:
+            floor, wall = room.floor_material, room.wall_material
+        floor, wall = self.palette.materials(room_type, floor, wall)
+        opens = "open" if kind == "main" or entry.open_relation == "open" else "door"
+        return TopologyNode(
+            id=name, type=kind, area=float(entry.area), floor_material=floor, wall_material=wall,
+            open_relation="open" if opens == "open" else "door", room_type=room_type,
+        )  # fmt: skip
+
+    def _with_areas(self, topology: FloorTopology) -> FloorTopology:
+        """Let the areas add up to the free area: rooms as in the program, the rest to hub and corridors."""
+        zones = self._zones(topology)
+        rooms = [n for n in topology.nodes if n.id not in self.cores and n.id not in zones]
+        around = [
+            n
+            for n in rooms
+            if self.context.knowledge.room(n.room_type).zone == "circulation" or n.type == "main"
+        ]
+        inner = [n for n in rooms if n not in around]
+        areas = {
+            n.id: self.rooms[n.id].area_estimate if n.id in self.rooms else n.area for n in inner
+        }
+        left = self.free - sum(areas.values())
+        least = 0.08 * self.free if around else 0.0
+        if inner and left < least:
+            scale = (self.free - least) / sum(areas.values())
+            areas = {name: area * scale for name, area in areas.items()}
+            left = least
+        share = left / sum(n.area for n in around) if around else 0.0
+        areas |= {n.id: max(n.area * share, 0.5) for n in around}
+        nodes = []
+        for node in topology.nodes:
+            area = areas.get(node.id, node.area)
+            nodes.append(msgspec.structs.replace(node, area=round(area, 3)))
+        return msgspec.structs.replace(topology, nodes=nodes)
+
+    def _problem(self, topology: FloorTopology) -> FloorProblem:
+        cores = [
+            ProblemCore(
+                id=c.id, type=c.type, polygon=[(c.x[0], c.y[0]), (c.x[1], c.y[0]), (c.x[1], c.y[1])]
+            )
+            for c in self.planned.program.vertical_connectivity.cores
+        ]
+        nodes = [ProblemNode(id=n.id, type=n.type, area=n.area) for n in topology.nodes]
+        return FloorProblem(
+            boundary=self.floor.outline, nodes=nodes, edges=topology.edges, cores=cores
+        )
+
+    def _zones(self, topology: FloorTopology) -> set[str]:
+        """Return the area zones, which are divided completely and vanish."""
+        if not any(node.type == "area" for node in topology.nodes):
+            return set()
+        try:
+            return set(resolve_zones(self._problem(topology), set(self.cores))[1])
+        except MansionError:
+            return set()
+
+    def _hub_faults(self, topology: FloorTopology) -> list[str]:
+        """Another space than the program's hub may be main only where it dominates the floor."""
+        hub = self.floor.rooms[0]
+        main = next((node for node in topology.nodes if node.type == "main"), None)
+        if main is None or main.id == hub.id:
+            return []
+        if main.id in self.rooms and self.rooms[main.id].area_estimate > 1.5 * hub.area_estimate:
+            return []
+        return [f"main must be {hub.id}: {main.id} does not dominate the floor"]
+
+    def _zone_faults(self, topology: FloorTopology) -> list[str]:
+        zones = self._zones(topology)
+        return [
+            f"{name} is a room of the program; as an area zone with rooms hanging on it, it would vanish"
+            for name in self.rooms
+            if name in zones
+        ]
+
+    def _wish_faults(self, topology: FloorTopology) -> list[str]:
+        """Return the wished neighbours without an edge."""
+        pairs = {frozenset((edge.source, edge.target)) for edge in topology.edges}
+        return [
+            f"the brief wants {room.id} beside {other}: they need an edge"
+            for room in self.floor.rooms
+            for other in room.adjacent_to
+            if frozenset((room.id, other)) not in pairs
+        ]

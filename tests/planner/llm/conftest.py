@@ -1,0 +1,40 @@
+"""The misbehaving server, and an architect that answers the planner's prompts."""
+
+import importlib.util
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+
+def _load(name: str, file: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(name, file)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="session")
+def chat() -> ModuleType:
+    """Return the module of the chat server."""
+    return _load("chat_server", Path(__file__).parents[2] / "llm" / "chat_server.py")
+
+
+@pytest.fixture(scope="session")
+def architect() -> ModuleType:
+    """Return the module that answers prompts."""
+    return _load("architect", Path(__file__).with_name("architect.py"))
+
+
+@pytest.fixture(autouse=True)
+def no_settings_of_the_user(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Keep the tester's own endpoint and key out of the tests."""
+    import os
+
+    for name in list(os.environ):
+        if name.startswith(("MANSION_LLM_", "OPENAI_")) or name.lower().endswith("_proxy"):
+            monkeypatch.delenv(name)
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
