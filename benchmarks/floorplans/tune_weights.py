@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_planner.solver import EnergyWeights, SolverOptions
 from mansion_planner.solver.files import solve_timed

@@ -96,5 +96,5 @@ class SolverOptions:
     adjacent_wall: float = 0.3
     seeded: SearchWeights = field(default_factory=SearchWeights)
     unseeded: SearchWeights = field(
-        default_factory=lambda: SearchWeights(area=1.2, corner=0.22, compact=0.6)
+        default_factory=lambda: SearchWeights(area=1.5, corner=0.25, compact=0.6, wall=0.1)
     )

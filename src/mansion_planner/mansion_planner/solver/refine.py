@@ -56,7 +56,7 @@ def make_goal(model: FloorModel, options: SolverOptions, left_out: Iterable[Link
             np.where(known, np.where(hub, 0.5, 1.0), 0.0),
             model.min_widths,
             np.where(hub, 0.2, 1.0),
-            np.where(hub, 0.5, 1.0),
+            np.where(hub, 0.5 if mostly_seeded(model) else 1.0, 1.0),
             np.where(known | hub, 0.0, 1.0),
         ],
         axis=1,

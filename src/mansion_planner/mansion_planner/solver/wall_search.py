@@ -156,7 +156,7 @@ class WallSearch:
             self.goal,
             state,
             boxes,
-            self.budget.take(wanted * (1 + attempt // 2)),
+            self.budget.take(wanted if attempt < 4 else 2 * wanted),
             (0.15 if attempt == 0 else 0.3) if cool else 0.6,
             0.005 if cool else 0.01,
             4,
