@@ -328,6 +328,8 @@ class FloorScene(msgspec.Struct, kw_only=True):
         Of the finished floor above the ground; from floor to floor. Metres.
     outline, holes : Ring, list of Ring
         Inner face of the outer wall.
+    building_type : str
+        What the building is, ``office``; what pictures are titled with.
     downgrades : list of Downgrade
         Openings that differ from what the room graph asked, and why.
     revision : int
@@ -354,6 +356,7 @@ class FloorScene(msgspec.Struct, kw_only=True):
     structural_walls: list[Segment] = []
     discarded: list[Discard] = []
     downgrades: list[Downgrade] = []
+    building_type: str = ""
     style: str = ""
     seed: int = 0
     revision: int = 1

@@ -115,6 +115,7 @@ def _scene(
         structural_walls=list(program.structural_walls),
         discarded=discarded,
         downgrades=structure.downgrades,
+        building_type=request.building_type,
         style=request.style,
         seed=request.seed,
     )

@@ -26,6 +26,9 @@ def check_house_files(folder: Path, building: Building) -> Iterator[Fault]:
         except ValueError as error:
             yield Fault("HOUSE", name, f"is no JSON: {error}")
             continue
+        if not isinstance(house, dict):
+            yield Fault("HOUSE", name, "is no JSON object")
+            continue
         yield from check_houses(name, house)
 
 
@@ -49,9 +52,6 @@ def check_houses(
     from mansion_scene.export.thor_check import validate_house
 
     known = {asset.asset_id for asset in load_catalogue().assets.values() if asset.asset_id}
-    if not isinstance(house, dict):
-        yield Fault("HOUSE", where, "is no JSON object")
-        return
     for fault in validate_house(house, known):
         if fault.kind == "reach":
             note(f"AI2-THOR, {where}: {fault.where}: {fault.message}")

@@ -3,13 +3,21 @@
 from collections.abc import Sequence
 
 from mansion_msgs_py.scene import FloorScene
+from mansion_scene.catalogue import Catalogue
 from mansion_scene.export.gltf import write_glb
 from mansion_scene.export.meshes import building_models, floor_model
+from mansion_scene.export.model import Model
 
 __all__ = ["building_glb", "floor_glb"]
 
 
-def building_glb(scenes: Sequence[FloorScene], *, ceilings: bool = True) -> bytes:
+def building_glb(
+    scenes: Sequence[FloorScene],
+    *,
+    ceilings: bool = True,
+    catalogue: Catalogue | None = None,
+    models: Sequence[Model] | None = None,
+) -> bytes:
     """Write all floors with stairs, shafts, doors, windows and objects as one binary glTF scene.
 
     Parameters
@@ -18,6 +26,10 @@ def building_glb(scenes: Sequence[FloorScene], *, ceilings: bool = True) -> byte
         In any order.
     ceilings : bool
         With ceilings and roof, as a robot sees it; without them, for a look from above.
+    catalogue : Catalogue, optional
+        Where the assets are, when they are not all in the shipped one.
+    models : sequence of Model, optional
+        Of these floors, lowest first, where `building_models` has made them already.
 
     Returns
     -------
@@ -26,9 +38,15 @@ def building_glb(scenes: Sequence[FloorScene], *, ceilings: bool = True) -> byte
         ``F2/meeting_room_1/office_chair_3``.
     """
     name = scenes[0].building_id if scenes else "building"
-    return write_glb(building_models(scenes, ceilings=ceilings), name)
+    if models is None:
+        models = building_models(scenes, ceilings=ceilings, catalogue=catalogue)
+    return write_glb(models, name)
 
 
-def floor_glb(scene: FloorScene, *, ceilings: bool = True) -> bytes:
+def floor_glb(
+    scene: FloorScene, *, ceilings: bool = True, catalogue: Catalogue | None = None
+) -> bytes:
     """Write one floor as binary glTF, its finished floor at its elevation; see `building_glb`."""
-    return write_glb([floor_model(scene, ceilings=ceilings)], scene.building_id)
+    return write_glb(
+        [floor_model(scene, ceilings=ceilings, catalogue=catalogue)], scene.building_id
+    )

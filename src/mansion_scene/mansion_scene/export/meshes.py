@@ -44,14 +44,16 @@ def floor_model(
     return model
 
 
-def building_models(scenes: Sequence[FloorScene], *, ceilings: bool = True) -> list[Model]:
+def building_models(
+    scenes: Sequence[FloorScene], *, ceilings: bool = True, catalogue: Catalogue | None = None
+) -> list[Model]:
     """Make the models of all floors, lowest first; lifts wait on the lowest floor that is above ground."""
     ordered = sorted(scenes, key=lambda scene: scene.floor)
     ground = next((s.floor for s in ordered if s.floor >= 1), ordered[-1].floor if ordered else 1)
     models = []
     for scene in ordered:
         here = frozenset(core.id for core in scene.cores) if scene.floor == ground else frozenset()
-        model = floor_model(scene, ceilings=ceilings, cabins=here)
+        model = floor_model(scene, ceilings=ceilings, cabins=here, catalogue=catalogue)
         if ceilings and scene is ordered[-1]:
             add_roof(model, scene)
         models.append(model)

@@ -3,34 +3,53 @@
 import io
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
-
 from mansion_msgs_py.scene import FloorScene
-from mansion_scene.export.meshes import building_models, floor_model
-from mansion_scene.export.model import Node
+from mansion_scene.export.cutaway import cut_open, quarter_turns, shell
+from mansion_scene.export.meshes import building_models
+from mansion_scene.export.model import Model
 from mansion_scene.export.plan.palette import INK
 from mansion_scene.export.plan.raster import load_font
-from mansion_scene.export.triangles import Triangles, flatten
+from mansion_scene.export.titles import building_title, floor_name
+from mansion_scene.export.triangles import Triangles, bounds, project
 from mansion_scene.export.zbuffer import View, render
 
 if TYPE_CHECKING:
     from PIL.Image import Image
+    from PIL.ImageDraw import ImageDraw
 
-__all__ = ["cutaway", "overview_png"]
+__all__ = ["overview_png"]
 
-CUT = 1.5
-"""Height at which walls are cut open, metres."""
-
-WIDTH = 1800
+WIDTH = 1600
 PAPER = (0.965, 0.968, 0.974)
-CAP = np.array([0.23, 0.25, 0.28])
 SUPERSAMPLING = 2
+OUTSIDE = 0.36
+"""Share of the width for the picture from outside."""
+
+MOST_COLUMNS = 6
+FROM_ABOVE = View(azimuth=-72.0, elevation=54.0)
+FROM_STREET = View(azimuth=-58.0, elevation=26.0)
 
 
-def overview_png(scenes: Sequence[FloorScene], width: int = WIDTH) -> bytes:
+@dataclass(frozen=True, slots=True)
+class _Sheet:
+    """Columns of the floors' grid, its left edge, and a cell's size without caption; pixels."""
+
+    columns: int
+    left: int
+    cell: tuple[int, int]
+    head: int
+    foot: int
+
+    def height(self, floors: int) -> int:
+        return self.head + -(-floors // self.columns) * (self.cell[1] + self.foot)
+
+
+def overview_png(
+    scenes: Sequence[FloorScene], width: int = WIDTH, models: Sequence[Model] | None = None
+) -> bytes:
     """Draw a building from outside, and beside it each floor with its walls cut open.
 
     Parameters
@@ -38,6 +57,8 @@ def overview_png(scenes: Sequence[FloorScene], width: int = WIDTH) -> bytes:
     scenes : sequence of FloorScene
     width : int
         Of the picture, pixels.
+    models : sequence of Model, optional
+        Of the same floors, lowest first, with ceilings, where they are made already.
 
     Returns
     -------
@@ -47,111 +68,92 @@ def overview_png(scenes: Sequence[FloorScene], width: int = WIDTH) -> bytes:
     from PIL import Image, ImageDraw
 
     ordered = sorted(scenes, key=lambda scene: scene.floor)
-    columns = _columns(len(ordered) + 1)
-    cell = width // columns
-    pictures = [("", exterior(ordered, cell))] if ordered else []
-    pictures += [(_caption(scene), cutaway(scene, cell)) for scene in ordered]
-    head, foot = round(0.05 * width), round(0.026 * width)
-    rows = -(-len(pictures) // columns)
-    tall = max((picture.height for _, picture in pictures), default=cell)
-    sheet = Image.new("RGB", (width, head + rows * (tall + foot)), _rgb(PAPER))
+    models = models if models is not None else building_models(ordered)
+    turns = quarter_turns(ordered)
+    floors = [cut_open(model, scene, turns) for model, scene in zip(models, ordered)]
+    layout = _layout(floors, width)
+    sheet = Image.new("RGB", (width, max(layout.height(len(floors)), layout.head)), _rgb(PAPER))
     pen = ImageDraw.Draw(sheet)
-    for k, (caption, picture) in enumerate(pictures):
-        x, y = (k % columns) * cell, head + (k // columns) * (tall + foot)
-        sheet.paste(picture, (x + (cell - picture.width) // 2, y + (tall - picture.height) // 2))
+    _title(pen, building_title(ordered), layout.head, width)
+    if ordered:
+        room = (layout.left, sheet.height - layout.head)
+        picture = _picture(shell(models, ordered, turns), room, FROM_STREET)
+        at = (room[0] - picture.width) // 2, layout.head + (room[1] - picture.height) // 2
+        sheet.paste(picture, at)
+    for k, (scene, triangles) in enumerate(zip(ordered, floors)):
+        picture = _picture(triangles, layout.cell, FROM_ABOVE)
+        x = layout.left + (k % layout.columns) * layout.cell[0]
+        y = layout.head + (k // layout.columns) * (layout.cell[1] + layout.foot)
+        slack = layout.cell[0] - picture.width, layout.cell[1] - picture.height
+        sheet.paste(picture, (x + slack[0] // 2, y + slack[1] // 2))
         pen.text(
-            (x + cell // 2, y + tall + foot // 3),
-            caption,
-            font=load_font(round(0.4 * foot), False),
+            (x + layout.cell[0] // 2, y + layout.cell[1] + layout.foot // 3),
+            _caption(scene),
+            font=load_font(max(8, min(round(0.0095 * width), layout.cell[0] // 24)), False),
             fill=INK["muted"],
             anchor="mm",
         )
-    title = ordered[0].building_id.replace("_", " ") if ordered else ""
-    pen.text(
-        (round(0.02 * width), head // 2),
-        title,
-        font=load_font(round(0.42 * head), True),
-        fill=INK["text"],
-        anchor="lm",
-    )
     buffer = io.BytesIO()
-    sheet.save(buffer, format="PNG", compress_level=6)
+    sheet.save(buffer, format="PNG", compress_level=4)
     return buffer.getvalue()
 
 
-def cutaway(scene: FloorScene, width: int) -> "Image":
-    """Draw one floor from above with its walls cut at `CUT`, at most `width` pixels wide."""
-    model = floor_model(scene, ceilings=False)
-    solid = flatten(model, lambda node: node.group != "objects")
-    movable = flatten(model, lambda node: node.group == "objects" and _low(node))
-    return _picture(
-        Triangles.join([_cut(solid), movable]), width, View(azimuth=-68.0, elevation=54.0)
+def _layout(floors: Sequence[Triangles], width: int) -> _Sheet:
+    """Choose the fewest columns with which the floors' pictures are no taller than three quarters of the width."""
+    head, foot, left = round(0.045 * width), round(0.024 * width), round(OUTSIDE * width)
+    sizes = [_size(floor, FROM_ABOVE) for floor in floors if len(floor.alpha)] or [(1.0, 1.0)]
+    across, tall = max(w for w, _ in sizes), max(h for _, h in sizes)
+    for columns in range(1, MOST_COLUMNS + 1):
+        cell_width = (width - left) // columns
+        cell = (cell_width, round(cell_width * tall / across))
+        sheet = _Sheet(columns, left, cell, head, foot)
+        if sheet.height(len(floors)) <= 0.75 * width:
+            return sheet
+    rows = -(-len(floors) // MOST_COLUMNS)
+    return _Sheet(
+        MOST_COLUMNS, left, (cell_width, max(cell[1] // rows, cell_width // 3)), head, foot
     )
 
 
-def exterior(scenes: Sequence[FloorScene], width: int) -> "Image":
-    """Draw the building from outside, roof and all."""
-    parts = []
-    for model in building_models(scenes):
-        shell = flatten(model, lambda node: node.group != "objects")
-        lift = np.array([0.0, 0.0, model.elevation])
-        parts.append(Triangles(shell.corners + lift, shell.colors, shell.alpha))
-    return _picture(Triangles.join(parts), width, View(azimuth=-58.0, elevation=26.0))
+def _size(triangles: Triangles, view: View) -> tuple[float, float]:
+    """Width and height of what is seen, metres of the picture's plane."""
+    low, high = bounds(project(triangles.corners, view.axes()))
+    extent = high - low
+    return max(float(extent[0]), 0.1), max(float(extent[1]), 0.1)
 
 
-def _columns(count: int) -> int:
-    return count if count <= 3 else math.ceil(math.sqrt(count))
+def _picture(triangles: Triangles, room: tuple[int, int], view: View) -> "Image":
+    """Draw triangles as large as fits `room`, less a margin."""
+    from PIL import Image
+
+    across, tall = _size(triangles, view)
+    scale = 0.93 * min(room[0] / across, room[1] / tall) * SUPERSAMPLING
+    pixels = render(triangles, View(view.azimuth, view.elevation, scale), PAPER)
+    return Image.fromarray(pixels).reduce(SUPERSAMPLING)
+
+
+def _title(pen: "ImageDraw", title: str, head: int, width: int) -> None:
+    """Write the title, smaller where it would run out of the picture."""
+    size = 0.5 * head
+    length = load_font(round(size), True).getlength(title)
+    size *= min(1.0, 0.94 * width / max(length, 1.0))
+    pen.text(
+        (round(0.02 * width), round(0.55 * head)),
+        title,
+        font=load_font(max(8, math.floor(size)), True),
+        fill=INK["text"],
+        anchor="lm",
+    )
 
 
 def _caption(scene: FloorScene) -> str:
     rooms = sum(room.kind not in ("stair", "elevator") for room in scene.rooms)
     area = sum(room.area for room in scene.rooms if room.kind not in ("stair", "elevator"))
-    return f"Floor {scene.label}: {rooms} rooms, {area:.0f} m², {len(scene.objects)} objects"
-
-
-def _low(node: Node) -> bool:
-    return node.position[2] < CUT + 0.4
-
-
-def _cut(triangles: Triangles) -> Triangles:
-    """Cut upright bodies at `CUT`: flatten what rises above, drop what begins above."""
-    heights = triangles.corners[..., 2]
-    keep = heights.min(1) < CUT - 1e-6
-    corners, colors = triangles.corners[keep].copy(), triangles.colors[keep].copy()
-    above = corners[..., 2] > CUT
-    corners[..., 2] = np.minimum(corners[..., 2], CUT)
-    capped = Triangles(corners, colors, triangles.alpha[keep])
-    flat = ~keep & (heights.max(1) - heights.min(1) < 1e-6)
-    lids = triangles.corners[flat].copy()
-    # A box's lid lies above the cut: bring it down to close the box, unless the box began above, too.
-    closed = _over_kept(lids, corners[above.any(1)])
-    lids = lids[closed]
-    lids[..., 2] = CUT
-    return Triangles.join(
-        [capped, Triangles(lids, np.tile(CAP, (len(lids), 1)), np.ones(len(lids)))]
+    name = floor_name(scene)
+    return (
+        f"{name[0].upper()}{name[1:]}: {rooms} room{'s' * (rooms != 1)}, {area:.0f} m², "
+        f"{len(scene.objects)} objects"
     )
-
-
-def _over_kept(
-    lids: npt.NDArray[np.float64], sides: npt.NDArray[np.float64]
-) -> npt.NDArray[np.bool_]:
-    """Tell which lids have all their corners on sides that reach below the cut."""
-    if not len(lids) or not len(sides):
-        return np.zeros(len(lids), dtype=bool)
-    known = {tuple(point) for point in np.round(sides[..., :2].reshape(-1, 2), 4).tolist()}
-    points = np.round(lids[..., :2], 4).tolist()
-    return np.array([all(tuple(point) in known for point in lid) for lid in points], dtype=bool)
-
-
-def _picture(triangles: Triangles, width: int, view: View) -> "Image":
-    from PIL import Image
-
-    axes = view.axes()
-    seen = triangles.corners.reshape(-1, 3) @ axes.T
-    extent = seen.max(0) - seen.min(0)
-    scale = min(0.94 * width / extent[0], 0.8 * width / extent[1]) * SUPERSAMPLING
-    pixels = render(triangles, View(view.azimuth, view.elevation, float(scale)), PAPER)
-    return Image.fromarray(pixels).reduce(SUPERSAMPLING)
 
 
 def _rgb(color: tuple[float, float, float]) -> tuple[int, int, int]:

@@ -9,7 +9,7 @@ import numpy.typing as npt
 from mansion_geometry.compiled import kernel
 from mansion_scene.export.model import Mesh, Model, Node
 
-__all__ = ["Triangles", "flatten", "placed"]
+__all__ = ["Triangles", "bounds", "flatten", "placed", "project"]
 
 Floats = npt.NDArray[np.float64]
 
@@ -112,3 +112,30 @@ def _place_instances(
                 corners[at, corner, 2] = source[k, corner, 2] * sz + poses[i, 5]
             origin[at] = k
             at += 1
+
+
+@kernel
+def project(
+    corners: npt.NDArray[np.float64], axes: npt.NDArray[np.float64]
+) -> npt.NDArray[np.float64]:
+    """Return corners, shape (n, 3, 3), along the rows of `axes`."""
+    out = np.empty_like(corners)
+    for k in range(len(corners)):
+        for corner in range(3):
+            x, y, z = corners[k, corner, 0], corners[k, corner, 1], corners[k, corner, 2]
+            for axis in range(3):
+                out[k, corner, axis] = x * axes[axis, 0] + y * axes[axis, 1] + z * axes[axis, 2]
+    return out
+
+
+@kernel
+def bounds(corners: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    """Return the lowest and the highest coordinates of corners, shape (n, 3, 3), as rows."""
+    out = np.empty((2, 3))
+    out[0], out[1] = np.inf, -np.inf
+    for k in range(len(corners)):
+        for corner in range(3):
+            for axis in range(3):
+                out[0, axis] = min(out[0, axis], corners[k, corner, axis])
+                out[1, axis] = max(out[1, axis], corners[k, corner, axis])
+    return out

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from mansion_geometry.compiled import kernel
 from mansion_scene.export.shading import blend_glass, shade_pixels
-from mansion_scene.export.triangles import Triangles
+from mansion_scene.export.triangles import Triangles, bounds, project
 
 __all__ = ["View", "render"]
 
@@ -111,9 +111,8 @@ def render(
         Just large enough for the triangles, first row on top.
     """
     axes = view.axes()
-    pixels = triangles.corners @ axes.T
-    low = pixels.min(axis=(0, 1))
-    high = pixels.max(axis=(0, 1))
+    pixels = project(triangles.corners, axes)
+    low, high = bounds(pixels)
     pixels[..., 0] = (pixels[..., 0] - low[0]) * view.scale + _BORDER
     pixels[..., 1] = (high[1] - pixels[..., 1]) * view.scale + _BORDER
     width = int(np.ceil((high[0] - low[0]) * view.scale)) + 2 * _BORDER
@@ -130,11 +129,11 @@ def render(
         [low[0] - (_BORDER - 0.5) / view.scale, high[1] + (_BORDER - 0.5) / view.scale]
     )
     turn = axes @ LIGHT.T
-    shadow, corner, cell = _shadow_map(triangles.corners @ LIGHT.T, opaque)
+    shadow, corner, cell = _shadow_map(project(triangles.corners, LIGHT), opaque)
     shade_pixels(
         depth,
         index,
-        _lighting(triangles, axes[2]),
+        _lighting(triangles.corners, axes[2], SUN, LIGHT),
         triangles.colors,
         shadow,
         (float(corner[0]), float(corner[1]), cell),
@@ -150,27 +149,35 @@ def render(
     return np.asarray(np.clip(image, 0.0, 1.0) * 255.0 + 0.5, dtype=np.uint8)
 
 
-def _lighting(triangles: Triangles, toward: Floats) -> Floats:
+@kernel
+def _lighting(
+    corners: npt.NDArray[np.float64],
+    toward: npt.NDArray[np.float64],
+    sun: npt.NDArray[np.float64],
+    light: npt.NDArray[np.float64],
+) -> npt.NDArray[np.float64]:
     """Return for each triangle: shade without the sun, the sun's part, and a step off the face in the light's axes."""
-    a, b = triangles.corners[:, 1] - triangles.corners[:, 0], triangles.corners[:, 2]
-    b = b - triangles.corners[:, 0]
-    normals = np.empty_like(a)
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        normals[:, i] = a[:, j] * b[:, k] - a[:, k] * b[:, j]
-    lengths = np.sqrt((normals * normals).sum(axis=1))
-    # Both sides of a face are lit as the one that is seen.
-    normals *= (np.sign(normals @ toward) / np.maximum(lengths, 1e-12))[:, None]
-    out = np.empty((len(normals), 5))
-    out[:, 0] = AMBIENT + 0.5 * FILL * normals[:, 2]
-    out[:, 1] = DIRECT * np.clip(normals @ SUN, 0.0, 1.0)
-    # A little way off its face, so that no face shades itself.
-    out[:, 2:] = 0.03 * normals @ LIGHT.T
+    out = np.zeros((len(corners), 5))
+    for k in range(len(corners)):
+        ax, ay, az = corners[k, 1] - corners[k, 0]
+        bx, by, bz = corners[k, 2] - corners[k, 0]
+        x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        length = max(np.sqrt(x * x + y * y + z * z), 1e-12)
+        # Both sides of a face are lit as the one that is seen.
+        if x * toward[0] + y * toward[1] + z * toward[2] < 0.0:
+            length = -length
+        x, y, z = x / length, y / length, z / length
+        out[k, 0] = AMBIENT + 0.5 * FILL * z
+        out[k, 1] = DIRECT * max(x * sun[0] + y * sun[1] + z * sun[2], 0.0)
+        # A little way off its face, so that no face shades itself.
+        for axis in range(3):
+            out[k, 2 + axis] = 0.03 * (x * light[axis, 0] + y * light[axis, 1] + z * light[axis, 2])
     return out
 
 
 def _shadow_map(cast: Floats, opaque: npt.NDArray[np.int64]) -> tuple[Singles, Floats, float]:
     """Return the depths that the sun sees, the place of cell (0, 0), and the length of a cell."""
-    low, high = cast.min(axis=(0, 1)), cast.max(axis=(0, 1))
+    low, high = bounds(cast)
     extent = high - low
     cell = max(SHADOW_CELL, float(extent[:2].max()) / 1600.0)
     cast[..., :2] = (cast[..., :2] - low[:2]) / cell + 2

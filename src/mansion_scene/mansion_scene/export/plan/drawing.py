@@ -11,6 +11,7 @@ from mansion_scene.export.plan.labels import draw_rooms, label_rooms
 from mansion_scene.export.plan.openings import draw_doors, draw_walls, draw_windows
 from mansion_scene.export.plan.palette import INK
 from mansion_scene.export.plan.shapes import Area, Canvas, Label, Line, Shape, circle, rectangle
+from mansion_scene.export.titles import floor_title
 
 __all__ = ["Drawing", "draw_plan"]
 
@@ -70,7 +71,7 @@ def draw_plan(scene: FloorScene) -> Drawing:
         y0 - margin - 2.2 * unit,
         x1 + margin,
         y1 + margin + 1.6 * unit,
-        _name(scene),
+        floor_title(scene),
         tuple(canvases),
     )
 
@@ -96,10 +97,6 @@ def _unit(width: float, height: float) -> float:
     return float(np.clip(max(width, height) / 24.0, 0.5, 3.0))
 
 
-def _name(scene: FloorScene) -> str:
-    return f"{scene.building_id.replace('_', ' ')}, floor {scene.label}"
-
-
 def _heading(scene: FloorScene, x0: float, x1: float, y1: float, unit: float) -> list[Shape]:
     area = sum(room.area for room in scene.rooms if room.kind not in ("stair", "elevator"))
     rooms = sum(room.kind not in ("stair", "elevator") for room in scene.rooms)
@@ -109,12 +106,12 @@ def _heading(scene: FloorScene, x0: float, x1: float, y1: float, unit: float) ->
     )
     # Both lines end before the north arrow.
     width = x1 - x0 - 1.8 * unit
-    title = min(0.72 * unit, width / (0.62 * len(_name(scene))))
+    title = min(0.72 * unit, width / (0.68 * len(floor_title(scene))))
     small = min(0.4 * unit, width / (0.56 * len(facts)))
     return [
         Label(
             (x0, y1 + 1.55 * unit),
-            _name(scene),
+            floor_title(scene),
             title,
             INK["text"],
             "start",
