@@ -8,7 +8,7 @@ import numpy as np
 from mansion_msgs_py.shapes import Point, Size3
 from mansion_scene.catalogue import Surface, Volume
 
-__all__ = ["Shelf", "Spot", "shelves_of"]
+__all__ = ["Shelf", "Spot", "shelves_of", "spot_of"]
 
 _GAP = 0.008
 """Least distance between neighbours, metres."""
@@ -34,6 +34,13 @@ class Shelf:
     carrier : Surface or Volume
     most : float
         Greatest share of the area that things may cover.
+
+    Attributes
+    ----------
+    spots : list of Spot
+        What lies here.
+    overhead : list of (Spot, float)
+        What hangs above, and the height that it leaves free, metres.
     """
 
     def __init__(self, carrier: Surface | Volume, most: float = 0.6) -> None:
@@ -46,13 +53,16 @@ class Shelf:
         else:
             self.z, self.clearance, self.round = carrier.z, carrier.clearance, carrier.round
         self.spots: list[Spot] = []
+        self.overhead: list[tuple[Spot, float]] = []
         self._free = most * carrier.w * carrier.d
         self._cursor = -self.half_w
 
     def at(self, size: Size3, x: float, y: float, turn: float) -> Spot | None:
         """Take the place at (x, y) in the receptacle's frame, or return None where it is not free."""
-        spot = _spot(size, x, y, turn)
+        spot = spot_of(size, x, y, turn)
         if size[2] > self.clearance - 0.005 or not self._holds(spot) or self._hits(spot):
+            return None
+        if any(size[2] > room - 0.005 and _meet(spot, other) for other, room in self.overhead):
             return None
         area = 4 * spot.half_w * spot.half_d
         if area > self._free + 1e-9 and self.spots:
@@ -66,17 +76,17 @@ class Shelf:
         for _ in range(_TRIES):
             a, b, c = rng.random(3)
             turn = (2 * c - 1) * turns
-            probe = _spot(size, 0.0, 0.0, turn)
+            probe = spot_of(size, 0.0, 0.0, turn)
             rx, ry = self.half_w - probe.half_w, self.half_d - probe.half_d
             if rx < 0 or ry < 0:
                 turn += 90.0
-                probe = _spot(size, 0.0, 0.0, turn)
+                probe = spot_of(size, 0.0, 0.0, turn)
                 rx, ry = self.half_w - probe.half_w, self.half_d - probe.half_d
                 if rx < 0 or ry < 0:
                     turn = (
                         0.0 if size[0] <= 2 * self.half_w and size[1] <= 2 * self.half_d else 90.0
                     )
-                    probe = _spot(size, 0.0, 0.0, turn)
+                    probe = spot_of(size, 0.0, 0.0, turn)
                     rx, ry = self.half_w - probe.half_w, self.half_d - probe.half_d
             if rx < 0 or ry < 0:
                 return None
@@ -104,18 +114,26 @@ class Shelf:
         return dx + spot.half_w <= self.half_w + 1e-6 and dy + spot.half_d <= self.half_d + 1e-6
 
     def _hits(self, spot: Spot) -> bool:
-        return any(
-            abs(spot.x - other.x) < spot.half_w + other.half_w + _GAP
-            and abs(spot.y - other.y) < spot.half_d + other.half_d + _GAP
-            for other in self.spots
-        )
+        return any(_meet(spot, other) for other in self.spots)
+
+    def hang_over(self, spot: Spot, room: float) -> None:
+        """Note something above the surface that leaves `room` metres of height below it."""
+        self.overhead.append((spot, room))
 
     def point(self, u: float, v: float) -> Point:
         """Return the point at (u, v) in [0, 1] from the left back corner."""
         return self.x + (2 * u - 1) * self.half_w, self.y + (2 * v - 1) * self.half_d
 
 
-def _spot(size: Size3, x: float, y: float, turn: float) -> Spot:
+def _meet(spot: Spot, other: Spot) -> bool:
+    return (
+        abs(spot.x - other.x) < spot.half_w + other.half_w + _GAP
+        and abs(spot.y - other.y) < spot.half_d + other.half_d + _GAP
+    )
+
+
+def spot_of(size: Size3, x: float, y: float, turn: float) -> Spot:
+    """Return the spot that a thing of this size takes, turned by `turn` degrees."""
     angle = math.radians(turn)
     c, s = abs(math.cos(angle)), abs(math.sin(angle))
     return Spot(x, y, turn, (c * size[0] + s * size[1]) / 2, (s * size[0] + c * size[1]) / 2)

@@ -70,5 +70,7 @@ def decorate_room(
         rng,
     )
     carriers = [*placed, *(o for o in hung if o.receptacle)]
-    small = small_objects(catalogue, furnishing.small, carriers, ids, room_id, seed)
+    small = small_objects(
+        catalogue, furnishing.small, carriers, ids, room_id, seed, [*hung, *lamps]
+    )
     return [*carpets, *hung, *lamps, *small]

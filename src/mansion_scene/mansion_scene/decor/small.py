@@ -10,7 +10,7 @@ from mansion_msgs_py.scene import SceneObject
 from mansion_scene.catalogue import Asset, Catalogue
 from mansion_scene.catalogue.records import Arrangement, Scatter, Slot
 from mansion_scene.decor.frames import Ids, scene_object, to_floor, to_local
-from mansion_scene.decor.packing import Shelf, Spot, shelves_of
+from mansion_scene.decor.packing import Shelf, Spot, shelves_of, spot_of
 
 __all__ = ["small_objects"]
 
@@ -39,6 +39,7 @@ def small_objects(
     ids: Ids,
     room_id: str,
     seed: int,
+    hung: Sequence[SceneObject] = (),
 ) -> list[SceneObject]:
     """Return the small objects of a room.
 
@@ -48,6 +49,8 @@ def small_objects(
         In order of preference; the first that names a receptacle's category is used.
     placed : sequence of SceneObject
         Receptacles and chairs, from the floor and from the walls.
+    hung : sequence of SceneObject
+        What hangs on walls and from ceilings, under which less height is left.
 
     Notes
     -----
@@ -63,6 +66,7 @@ def small_objects(
         rng = item_generator(seed, "small", obj.id)
         if rng.random() < arrangement.p:
             table = _Table(catalogue, obj, asset, rng, ids, room_id)
+            table.hang(hung)
             table.lay(arrangement, seats)
             out += table.objects
     return out
@@ -85,6 +89,21 @@ class _Table:
         self.shelves = shelves_of(asset.surfaces, asset.volumes)
         self.objects: list[SceneObject] = []
         self.chosen: dict[str, Asset] = {}
+
+    def hang(self, hung: Sequence[SceneObject]) -> None:
+        """Note what hangs over this receptacle."""
+        reach = math.hypot(self.obj.size[0], self.obj.size[1]) / 2
+        for other in hung:
+            away = math.dist(other.position[:2], self.obj.position[:2])
+            if other.id == self.obj.id or away > reach + math.hypot(*other.size[:2]) / 2:
+                continue
+            x, y = to_local(self.obj, other.position)
+            spot = spot_of(other.size, x, y, other.rotation - self.obj.rotation)
+            foot = other.position[2] - other.size[2] / 2
+            for shelf in self.shelves:
+                level = self.obj.position[2] + shelf.z
+                if not shelf.inside and other.position[2] + other.size[2] / 2 > level:
+                    shelf.hang_over(spot, foot - level)
 
     def lay(self, arrangement: Arrangement, seats: Sequence[SceneObject]) -> None:
         """Lay slots, then places before chairs, then the rest."""
