@@ -1,0 +1,68 @@
+"""Every Python example of the pages runs, and every command that they show exists with its options.
+
+An example that needs what no test machine has is preceded by ``<!-- not run: REASON -->``.
+"""
+
+import re
+import shlex
+from pathlib import Path
+
+import click
+import pytest
+import typer.main
+
+from mansion_bringup.cli.app import app
+
+ROOT = Path(__file__).parents[2]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+BLOCK = re.compile(r"(<!-- not run: [^>]+-->\s*)?```python\n(.*?)```", re.DOTALL)
+COMMAND = re.compile(r"^\s*(?:\$ )?(?:\./)?mansion ((?!.*…)[a-z].*)$", re.MULTILINE)
+LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
+
+
+def examples() -> list[tuple[str, str]]:
+    found = []
+    for page in PAGES:
+        code = [block for excuse, block in BLOCK.findall(page.read_text()) if not excuse]
+        if code:
+            found.append((page.name, "\n".join(code)))
+    return found
+
+
+def commands() -> list[tuple[str, str]]:
+    return [
+        (page.name, line.split("   #")[0].rstrip(" &\\"))
+        for page in PAGES
+        for line in COMMAND.findall(page.read_text())
+    ]
+
+
+@pytest.mark.parametrize(("page", "code"), examples(), ids=[name for name, _ in examples()])
+def test_the_python_examples_of_a_page_run_in_order(page: str, code: str, workplace: Path) -> None:
+    exec(compile(code, page, "exec"), {"__name__": "__main__"})
+
+
+@pytest.mark.parametrize(("page", "line"), commands())
+def test_a_command_that_a_page_shows_exists(page: str, line: str) -> None:
+    words = shlex.split(line)
+    context = click.Context(typer.main.get_command(app))
+    command: click.Command = context.command
+    while isinstance(command, click.Group):
+        name = words.pop(0)
+        found = command.get_command(context, name)
+        assert found is not None, f"{page}: there is no command {name!r} in: mansion {line}"
+        command = found
+    try:
+        command.make_context(command.name, words)
+    except (click.BadParameter, click.exceptions.Exit) as error:
+        assert not isinstance(error, click.NoSuchOption)
+    except click.UsageError as error:
+        pytest.fail(f"{page}: mansion {line}: {error.format_message()}")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_lead_to_files(page: Path) -> None:
+    missing = [
+        target for target in LINK.findall(page.read_text()) if not (page.parent / target).exists()
+    ]
+    assert missing == []
