@@ -1,0 +1,125 @@
+"""Furniture on the floor of a room: a free place at the walls first, clear of doors and of other furniture."""
+
+import math
+from collections.abc import Iterator
+
+from shapely import LineString, Polygon, STRtree
+from shapely.prepared import prep
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import SceneObject, SceneRoom
+from mansion_msgs_py.shapes import Point
+from mansion_scene.catalogue import Asset
+from mansion_scene.decor.frames import footprint, room_polygon, scene_object, wall_edges
+from mansion_scene.editing.state import SceneState
+
+__all__ = ["free_floor_places", "place_on_floor"]
+
+DOOR_DEPTH = 0.75
+"""Depth of the area before a door that stays clear, metres."""
+
+FRONT = 0.65
+"""Free depth before the front of furniture, for a robot to stand in, metres."""
+
+LOW = 0.03
+STEP = 0.25
+BACK_GAP = 0.01
+
+
+def place_on_floor(state: SceneState, asset: Asset, floor: int, room: SceneRoom) -> SceneObject:
+    """Put a new piece of furniture on the floor of a room.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` for what does not stand on floors, and where the room has no free place.
+    """
+    if asset.mount in ("wall", "ceiling"):
+        raise MansionError(
+            ErrorCode.INFEASIBLE, f"a {asset.name} hangs on a {asset.mount}, not on the floor"
+        )
+    new = scene_object(
+        asset,
+        state.new_id(floor, room.id, asset.category),
+        room.id,
+        (0.0, 0.0, asset.size[2] / 2),
+        0.0,
+        mount="floor",
+    )
+    for x, y, rotation in free_floor_places(state, floor, room, new):
+        placed = scene_object(
+            asset, new.id, room.id, (x, y, asset.size[2] / 2), rotation, mount="floor"
+        )
+        state.add(floor, placed)
+        return placed
+    w, d, _ = asset.size
+    raise MansionError(
+        ErrorCode.INFEASIBLE,
+        f"no free place for a {asset.name} of {w:.2f} x {d:.2f} m in {room.id}; remove something first",
+    )
+
+
+def free_floor_places(
+    state: SceneState, floor: int, room: SceneRoom, thing: SceneObject
+) -> Iterator[tuple[float, float, float]]:
+    """Yield places (x, y, rotation) on the floor of a room: with the back to a wall first, then amid the room."""
+    area = room_polygon(room.net_polygon, room.net_holes)
+    inner = prep(area.buffer(1e-4))
+    scene = state.scenes[floor]
+    others = [
+        footprint(item.position, item.size, item.rotation)
+        for item in scene.objects
+        if item.id != thing.id
+        and item.room == room.id
+        and item.parent is None
+        and item.size[2] > LOW
+        and item.position[2] - item.size[2] / 2 < thing.size[2] + 0.02
+    ]
+    doors = [
+        LineString(door.segment).buffer(DOOR_DEPTH, cap_style="flat")
+        for door in scene.doors
+        if room.id in door.rooms
+    ]
+    furniture = STRtree(others)
+    kept_clear = STRtree(doors)
+    w, d, _ = thing.size
+    for x, y, rotation in _poses(room, area, w, d):
+        body = footprint((x, y), (w + 0.02, d), rotation)
+        if not inner.covers(footprint((x, y), (w, d), rotation)):
+            continue
+        turn = math.radians(rotation)
+        ahead = (d + FRONT) / 2
+        before = footprint(
+            (x - math.sin(turn) * ahead, y + math.cos(turn) * ahead), (w, FRONT), rotation
+        )
+        if furniture.query(body, predicate="intersects").size:
+            continue
+        if kept_clear.query(body, predicate="intersects").size:
+            continue
+        if furniture.query(before, predicate="intersects").size or not inner.covers(before):
+            continue
+        yield x, y, rotation
+
+
+def _poses(
+    room: SceneRoom, area: Polygon, w: float, d: float
+) -> Iterator[tuple[float, float, float]]:
+    for wall in wall_edges(room.net_polygon, room.net_holes):
+        if wall.length < w:
+            continue
+        count = int((wall.length - w) / STEP)
+        slack = wall.length - w
+        offsets = [slack * k / max(1, count) for k in range(count + 1)]
+        for offset in offsets:
+            x, y = wall.point(offset + w / 2, d / 2 + BACK_GAP)
+            yield x, y, wall.rotation
+    x0, y0, x1, y1 = area.bounds
+    turn = wall_edges(room.net_polygon)[0].rotation if len(room.net_polygon) > 2 else 0.0
+    center: Point = (area.centroid.x, area.centroid.y)
+    points = [
+        (x0 + STEP * i, y0 + STEP * j)
+        for i in range(int((x1 - x0) / STEP) + 1)
+        for j in range(int((y1 - y0) / STEP) + 1)
+    ]
+    for x, y in sorted(points, key=lambda p: (round(math.dist(p, center), 6), p)):
+        yield x, y, turn
