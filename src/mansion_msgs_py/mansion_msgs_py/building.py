@@ -7,6 +7,7 @@ import msgspec
 from mansion_msgs_py.program import BuildingProgram, CorePlan, Downgrade
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.shapes import Identifier
+from mansion_msgs_py.usage import LlmUsage
 
 __all__ = ["Building", "BuildingReport", "FloorEntry", "FloorReport", "LoadBuilding"]
 
@@ -54,7 +55,15 @@ class FloorReport(msgspec.Struct, kw_only=True):
 
 
 class BuildingReport(msgspec.Struct, kw_only=True):
-    """The content of ``report.json``; the only file of a building that holds times."""
+    """The content of ``report.json``; the only file of a building that holds times.
+
+    Attributes
+    ----------
+    sources : dict of str to str
+        With the planner ``llm``: which piece came from the model, which from the rules, and why.
+    llm : LlmUsage, optional
+        Answers, tokens, time and cost.
+    """
 
     building_id: Identifier
     floors: list[FloorReport]
@@ -62,11 +71,24 @@ class BuildingReport(msgspec.Struct, kw_only=True):
     seconds: dict[str, float]
     warnings: list[str] = []
     sources: dict[str, str] = {}
+    llm: LlmUsage | None = None
     schema_version: Literal[1] = 1
 
 
 class LoadBuilding(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
-    """Arguments of the ``load_building`` service: the folder that ``mansion build`` wrote."""
+    """Arguments of the ``load_building`` service: the folder that ``mansion build`` wrote.
+
+    Attributes
+    ----------
+    session : str
+        Which robot; the one default robot when absent.
+    world : str
+        Sessions that load the same folder under the same name share objects, doors and lifts.
+    reset : bool
+        Begin anew: everything back where the scenes have it, the robot at the spawn pose.
+    """
 
     path: str
     session: str = ""
+    world: str = "shared"
+    reset: bool = False

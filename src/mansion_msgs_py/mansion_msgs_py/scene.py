@@ -7,6 +7,7 @@ import msgspec
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.shapes import Area, Identifier, Length, Point3, Ring, Segment, Size3
 from mansion_msgs_py.topology import NodeKind
+from mansion_msgs_py.usage import LlmUsage
 
 __all__ = [
     "Box3",
@@ -332,6 +333,10 @@ class FloorScene(msgspec.Struct, kw_only=True):
         What the building is, ``office``; what pictures are titled with.
     downgrades : list of Downgrade
         Openings that differ from what the room graph asked, and why.
+    sources : dict of str to str
+        ``objects/ROOM`` to ``llm`` or ``rules: REASON``; empty where the rules choose the furniture.
+    llm : LlmUsage, optional
+        What a language model's choice took; without what differs from run to run.
     revision : int
         Raised by one with each edit.
     """
@@ -359,5 +364,7 @@ class FloorScene(msgspec.Struct, kw_only=True):
     building_type: str = ""
     style: str = ""
     seed: int = 0
+    sources: dict[str, str] = {}
+    llm: LlmUsage | None = None
     revision: int = 1
     schema_version: Literal[1] = 1

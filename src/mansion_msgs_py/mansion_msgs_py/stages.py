@@ -1,5 +1,7 @@
 """Arguments and replies of the stage services that the building director calls (Algorithm 1)."""
 
+from typing import Literal
+
 import msgspec
 
 from mansion_msgs_py.building import Building
@@ -38,6 +40,8 @@ class FurnishRequest(msgspec.Struct, kw_only=True):
     ----------
     floors : list of int
         All floor numbers of the building, ascending; the cores serve them.
+    planner : {"rules", "llm"}
+        Who chooses the furniture; a model is told the building's `description`.
     """
 
     building_id: str
@@ -50,6 +54,8 @@ class FurnishRequest(msgspec.Struct, kw_only=True):
     building_type: str = ""
     style: str = ""
     seed: int = 0
+    planner: Literal["rules", "llm"] = "rules"
+    description: str = ""
 
 
 class BuildJob(BuildRequest, kw_only=True, forbid_unknown_fields=True):

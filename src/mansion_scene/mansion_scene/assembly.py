@@ -13,6 +13,7 @@ from mansion_scene.structure.regions import ring_points
 
 if TYPE_CHECKING:
     from mansion_scene.catalogue import Catalogue
+    from mansion_scene.llm.chooser import ModelChooser
 
 __all__ = ["ProgressReport", "furnish_floor"]
 
@@ -51,12 +52,23 @@ def furnish_floor(
     try:
         report("walls and openings", 0.0)
         structure = build_structure(request)
-        objects, discarded = _contents(request, structure, report, catalogue)
+        chooser = _chooser(request, catalogue)
+        objects, discarded = _contents(request, structure, report, catalogue, chooser)
         scene = _scene(request, structure, objects, discarded)
+        if chooser is not None:
+            scene.sources, scene.llm = chooser.sources, chooser.usage
     except MansionError as error:
         raise error.at_stage("furnish_floor") from error
     report("furnished", 1.0)
     return scene
+
+
+def _chooser(request: FurnishRequest, catalogue: "Catalogue | None") -> "ModelChooser | None":
+    if request.planner != "llm":
+        return None
+    from mansion_scene.llm.chooser import ModelChooser
+
+    return ModelChooser.of_request(request, catalogue)
 
 
 def _contents(
@@ -64,12 +76,13 @@ def _contents(
     structure: FloorStructure,
     report: ProgressReport,
     catalogue: "Catalogue | None",
+    chooser: "ModelChooser | None",
 ) -> tuple[list[SceneObject], list[Discard]]:
     # The placement solver compiles its kernels when it is imported.
     from mansion_scene.room_contents import RoomFurnisher
 
     furnisher = RoomFurnisher(
-        structure, seed=request.seed, style=request.style, catalogue=catalogue
+        structure, seed=request.seed, style=request.style, catalogue=catalogue, chooser=chooser
     )
     objects: list[SceneObject] = []
     discarded: list[Discard] = []

@@ -1,5 +1,7 @@
 """Objects of a room: what the catalogue asks for, the placer places and the decorator adds (lines 12 and 13)."""
 
+from collections.abc import Callable, Sequence
+
 import msgspec
 import shapely
 from shapely.geometry import LineString, Polygon
@@ -14,13 +16,17 @@ from mansion_scene.catalogue import (
     furnish_request,
     load_catalogue,
 )
+from mansion_scene.catalogue.records import Item
 from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.placement import place_room
 from mansion_scene.spawn import footprint
 from mansion_scene.structure import FloorStructure
 from mansion_scene.structure.dimensions import DOOR_HEIGHT
 
-__all__ = ["RoomFurnisher", "room_openings"]
+__all__ = ["ItemChooser", "RoomFurnisher", "room_openings"]
+
+ItemChooser = Callable[[SceneRoom, float, tuple[float, float]], Sequence[Item] | None]
+"""From a room, its net area and the sides of its bounding rectangle to its floor objects."""
 
 _DOORWAY = 0.8  # metres before a door that stay free
 _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
@@ -67,6 +73,8 @@ class RoomFurnisher:
         Of the building; rooms of one style and seed prefer the same assets.
     catalogue : Catalogue, optional
         The package's own when absent.
+    chooser : callable, optional
+        Gives a room's floor objects; the room type's own list where it is absent or returns ``None``.
     """
 
     def __init__(
@@ -76,10 +84,12 @@ class RoomFurnisher:
         seed: int,
         style: str = "",
         catalogue: Catalogue | None = None,
+        chooser: ItemChooser | None = None,
     ) -> None:
         self._structure = structure
         self._seed = seed
         self._style = style
+        self._chooser = chooser
         self._catalogue = catalogue if catalogue is not None else load_catalogue()
 
     def furnish(self, room: SceneRoom) -> tuple[list[SceneObject], list[Discard]]:
@@ -94,6 +104,9 @@ class RoomFurnisher:
             style=self._style,
             room_id=room.id,
             extent=(x1 - x0, y1 - y0),
+            items=None
+            if self._chooser is None
+            else self._chooser(room, net.area, (x1 - x0, y1 - y0)),
         )
         doors, windows = room_openings(self._structure, room)
         result = place_room(

@@ -11,6 +11,7 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import PlanReply
 from mansion_msgs_py.topology import FloorTopology
+from mansion_msgs_py.usage import total_usage
 
 __all__ = ["building_index", "building_report"]
 
@@ -70,8 +71,18 @@ def building_report(
         floors=floors,
         downgrades=downgrades,
         seconds={name: round(value, 4) for name, value in seconds.items()},
+        sources=_sources(plan, scenes),
+        llm=total_usage([u for u in (plan.llm, *(scene.llm for scene in scenes)) if u is not None]),
         warnings=[f"floor {lay.floor}: {text}" for lay in layouts for text in lay.messages],
     )
+
+
+def _sources(plan: PlanReply, scenes: Sequence[FloorScene]) -> dict[str, str]:
+    """Return where each piece came from, in the order of the stages."""
+    found = dict(plan.sources)
+    for scene in scenes:
+        found |= scene.sources
+    return found
 
 
 def _floor_report(topology: FloorTopology, layout: FloorLayout, scene: FloorScene) -> FloorReport:

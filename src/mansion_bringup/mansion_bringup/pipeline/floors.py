@@ -67,5 +67,7 @@ def furnish(stages: Stages, plan: PlanReply, layout: FloorLayout, index: int) ->
         building_type=program.building_type,
         style=program.style,
         seed=program.seed,
+        planner="llm" if plan.llm is not None else "rules",
+        description=program.description if plan.llm is not None else "",
     )
     return at_stage(f"furnish_floor (floor {floor.index})", lambda: stages.furnish(request))

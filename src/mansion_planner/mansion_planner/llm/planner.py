@@ -1,5 +1,7 @@
 """Lines 1 to 7 of Algorithm 1 with a language model: each piece by the model where its answer holds, else by rules."""
 
+import dataclasses
+
 import msgspec
 
 from mansion_llm import LlmClient
@@ -64,13 +66,13 @@ def plan_with_model(
     palette = choose_palette(context, reference)
     planned, moved = plan_model_program(context, reference, palette)
     if moved:
-        planned = _kept_cores(context, reference, planned, palette, request.seed)
+        planned, moved = _kept_cores(context, reference, planned, palette, request.seed)
     topologies: dict[int, FloorTopology] = {}
     problems: dict[int, FloorProblem] = {}
     for storey in planned.storeys:
         source = storey.index if storey.copy is None else storey.copy
         if storey.copy is None:
-            topology, problem = _floor(context, planned, storey, palette, request.seed)
+            topology, problem = _floor(context, planned, storey, palette, request.seed, moved)
         else:
             topology = msgspec.structs.replace(topologies[source], floor=storey.index)
             plan_id = f"{building_id}/F{storey.index}"
@@ -99,8 +101,11 @@ def _kept_cores(
     moved: PlannedBuilding,
     palette: Palette,
     seed: int,
-) -> PlannedBuilding:
-    """Return the plan with the model's cores if every floor can be laid out around them, else with the rules' cores."""
+) -> tuple[PlannedBuilding, bool]:
+    """Return the plan with the model's cores if every floor can be laid out around them, else with the rules' cores.
+
+    The second value tells whether the cores are the model's.
+    """
     for storey in moved.storeys:
         if storey.copy is not None:
             continue
@@ -115,18 +120,59 @@ def _kept_cores(
                 chosen_of_storey(s, f.rooms[0].area_estimate)
                 for s, f in zip(moved.storeys, moved.program.floors)
             ]
-            return refit(reference, floors, palette)
-    return moved
+            return refit(reference, floors, palette), False
+    return moved, True
+
+
+def _regrouped(
+    planned: PlannedBuilding, storey: Storey, graph: FloorTopology, palette: Palette, moved: bool
+) -> PlannedBuilding:
+    """Return the plan with the storey sketched anew as the graph groups its rooms: suites behind their room."""
+    rooms = {room.id for top in storey.rooms for room in top.each()}
+    parents = _parents(graph)
+    floors = []
+    for other, program in zip(planned.storeys, planned.program.floors):
+        floor = chosen_of_storey(other, program.rooms[0].area_estimate)
+        if other.index == storey.index:
+            grouped = (
+                dataclasses.replace(r, suite_of=parents[r.id] if parents.get(r.id) in rooms else "")
+                for r in floor.rooms
+            )
+            floor = dataclasses.replace(floor, rooms=tuple(grouped))
+        floors.append(floor)
+    return refit(planned, floors, palette, placed=not moved)
+
+
+def _parents(graph: FloorTopology) -> dict[str, str]:
+    """Return the node that each is reached from, breadth first from the hub along access edges."""
+    hub = next(node.id for node in graph.nodes if node.type == "main")
+    parents: dict[str, str] = {}
+    queue = [hub]
+    while queue:
+        current = queue.pop(0)
+        for edge in graph.edges:
+            if edge.kind == "access" and current in (edge.source, edge.target):
+                other = edge.target if edge.source == current else edge.source
+                if other != hub and other not in parents:
+                    parents[other] = current
+                    queue.append(other)
+    return parents
 
 
 def _floor(
-    context: Context, planned: PlannedBuilding, storey: Storey, palette: Palette, seed: int
+    context: Context,
+    planned: PlannedBuilding,
+    storey: Storey,
+    palette: Palette,
+    seed: int,
+    moved: bool,
 ) -> tuple[FloorTopology, FloorProblem]:
     """Return a floor's graph and problem: the model's where the solver can realise them."""
     offline = floor_topology(planned, storey, context.knowledge)
     own = plan_model_topology(context, planned, offline, palette)
     topology = own or offline
-    plain = floor_problem(planned, storey, topology, seed)
+    sketched = planned if own is None else _regrouped(planned, storey, own, palette, moved)
+    plain = floor_problem(sketched, storey, topology, seed)
     requirement = next(f.requirement for f in planned.program.floors if f.index == storey.index)
     boxes = collect_seeds(context, plain, requirement)
     attempts = [(topology, _with_seeds(plain, boxes), True)] if boxes else []

@@ -25,8 +25,8 @@ LEAST_INSIDE = 0.5
 _RULES = """\
 Rules: one box for each room of the list and for no other; x_min < x_max and y_min < y_max; inside the parent's outline
 as far as possible; boxes hardly overlap; their areas follow the wished shares; rooms that are to be connected lie
-beside each other, and rooms with an edge to something that is placed already lie towards it; leave the way to stairs and
-elevators free."""
+beside each other, and rooms with an edge to something that is placed already lie towards it; leave the way to stairs
+and elevators free."""
 
 
 def seed_prompt(

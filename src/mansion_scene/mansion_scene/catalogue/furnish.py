@@ -1,5 +1,7 @@
 """From a room type and an area to wish lists: which objects, how many, with what constraints."""
 
+from collections.abc import Sequence
+
 import msgspec
 import numpy as np
 
@@ -32,6 +34,7 @@ def furnish_request(
     style: str = "",
     room_id: str = "",
     extent: tuple[float, float] | None = None,
+    items: Sequence[Item] | None = None,
 ) -> RoomFurnishing:
     """Return what a room is to be furnished with.
 
@@ -45,6 +48,8 @@ def furnish_request(
         Of the building: rooms of one style and seed prefer the same variants.
     extent : (float, float), optional
         Sides of the room's bounding rectangle, metres; matrices and long objects then fit it.
+    items : sequence of Item, optional
+        Floor objects in the place of the room type's own list.
 
     Notes
     -----
@@ -52,6 +57,8 @@ def furnish_request(
     below 12 m2; what does not fit the share gets fewer copies, or a smaller asset, or is left out.
     """
     card = catalogue.room_program(room_type)
+    if items is not None:
+        card = msgspec.structs.replace(card, floor=tuple(items))
     rng = item_generator(seed, "furnish", room_id, card.room_type)
     draft = _Draft(catalogue, card, area, extent, rng, _Style(seed, style))
     for item in card.floor:
