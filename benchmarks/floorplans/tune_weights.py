@@ -2,9 +2,9 @@
 
     python benchmarks/floorplans/tune_weights.py PROBLEMS.json [--samples 24] [--folds 4] [-o weights.json]
 
-Weight vectors are drawn from the simplex; each is tried with the cut rounds alone (no wall search), because only there the
-energy decides. The plans are split into folds: the best vector of all folds but one is scored on the one left out, which
-shows how much of the gain carries over to unseen plans.
+Weight vectors are drawn from the simplex; each is tried with the cut rounds alone (no wall search), because only there
+the energy decides. The plans are split into folds: the best vector of all folds but one is scored on the one left out,
+which shows how much of the gain carries over to unseen plans.
 """
 
 import argparse

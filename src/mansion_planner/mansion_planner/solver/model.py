@@ -185,6 +185,14 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
         for wall in problem.structural_walls
         if np.hypot(wall[1][0] - wall[0][0], wall[1][1] - wall[0][1]) > 1e-6
     )
+    slanted = sum(
+        bool(np.min(np.abs(np.diff(shapely.get_coordinates(wall), axis=0))) > 1e-3)
+        for wall in walls
+    )
+    if slanted:
+        messages.append(
+            f"{slanted} structural walls do not run along the building's directions and were ignored"
+        )
     return FloorModel(
         problem,
         tuple(rooms),

@@ -86,7 +86,7 @@ class SolverOptions:
     radius_growth: float = 1.25
     energy: EnergyWeights = field(default_factory=EnergyWeights)
     wall_search: bool = True
-    round_candidates: int = 3000
+    round_candidates: int = 1500
     seeded_proposals: int = 600
     proposals: int = 700
     attempts: int = 8
@@ -96,5 +96,5 @@ class SolverOptions:
     adjacent_wall: float = 0.3
     seeded: SearchWeights = field(default_factory=SearchWeights)
     unseeded: SearchWeights = field(
-        default_factory=lambda: SearchWeights(area=1.5, corner=0.25, compact=0.6, wall=0.1)
+        default_factory=lambda: SearchWeights(area=2.0, corner=0.3, compact=0.7, wall=0.1)
     )

@@ -188,7 +188,7 @@ class WallSearch:
         return Partition(grid, state.labels.copy(), energy)
 
     def _refined(self, partition: Partition) -> Partition:
-        """Move the walls to their places on finer grids, by descent."""
+        """Move the walls to their places on finer grids: by descent, or almost so where no seed says where."""
         for offsets in FINE_LEVELS if self.rooms < MANY_ROOMS else LEAN_LEVELS:
             grid, labels = refined_grid(self.model, self.major, partition, offsets)
             state = make_state(labels, self.rooms, self.total)
@@ -198,8 +198,8 @@ class WallSearch:
                 state,
                 NO_BOXES,
                 self.budget.take(400 * self.rooms),
-                0.0,
-                0.0,
+                0.0 if self.seeded else 0.03,
+                0.0 if self.seeded else 0.002,
                 4,
                 0.0,
                 0.0,
