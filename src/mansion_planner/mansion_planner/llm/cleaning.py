@@ -17,6 +17,19 @@ _DRY_ONLY = re.compile(
 _WATERPROOF = re.compile(
     r"(?i)\b(tiles?|tiled|vinyl|ceramic|porcelain|stone|resin|epoxy|rubber|-look|look)\b"
 )
+_PASSAGES = frozenset(
+    {
+        "corridor",
+        "hallway",
+        "passage",
+        "passageway",
+        "landing",
+        "vestibule",
+        "foyer",
+        "wing",
+        "circulation",
+    }
+)
 _CORE = re.compile(r"^(stair|stairs|staircase|stairwell|elevator|lift|core|shaft)(_|$)")
 
 
@@ -62,6 +75,8 @@ def is_core_name(name: str) -> bool:
 def room_kind(name: str, knowledge: KnowledgeBase, known: dict[str, str]) -> RoomType:
     """Return the type of a room id: numbers dropped, then by name, synonym or likeness.
 
+    What is called a passage in any way (``east_corridor``) is a corridor.
+
     Parameters
     ----------
     known : dict
@@ -71,4 +86,6 @@ def room_kind(name: str, knowledge: KnowledgeBase, known: dict[str, str]) -> Roo
     for candidate in (name, base):
         if candidate in known:
             return knowledge.room(known[candidate])
+    if base not in knowledge.rooms and _PASSAGES & set(base.split("_")):
+        return knowledge.room("corridor")
     return knowledge.room(similar_room_type(base, knowledge))

@@ -67,8 +67,9 @@ def _place_faults(cores: list[CoreAnswer], planned: PlannedBuilding) -> list[str
         name = f"the {core.type} at x={list(core.x)}, y={list(core.y)}"
         values = (*core.x, *core.y)
         box = shapely.box(core.x[0], core.y[0], core.x[1], core.y[1])
-        if any(v != round(v) for v in values) or min(values) < 0:
+        if not all(0 <= v <= 1000 and v == round(v) for v in values):
             out.append(f"{name} needs non-negative integer coordinates")
+            continue
         size = (core.x[1] - core.x[0], core.y[1] - core.y[0])
         if size not in sizes[core.type]:
             accepted = " or ".join(f"{w:g} x {d:g}" for w, d in sizes[core.type])
@@ -102,8 +103,10 @@ def _in_corner(box: Polygon, outline: Polygon, others: Polygon) -> bool:
     return any((outer[a] and backed[b]) or (backed[a] and outer[b]) for a in (0, 2) for b in (1, 3))
 
 
-def _covered(line: shapely.LineString, boundary: shapely.Geometry) -> bool:
-    return bool(line.intersection(boundary.buffer(1e-6)).length >= 0.95 * line.length)
+def _covered(line: shapely.LineString, boundary: shapely.Geometry | None) -> bool:
+    return boundary is not None and bool(
+        line.intersection(boundary.buffer(1e-6)).length >= 0.95 * line.length
+    )
 
 
 def same_cores(cores: list[CoreAnswer], given: list[CorePlan]) -> bool:

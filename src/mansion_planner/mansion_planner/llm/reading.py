@@ -43,6 +43,9 @@ def read_floor(
     if not rooms or not answer.rooms or clean_id(answer.rooms[0].id) != rooms[0].id:
         faults.append("rooms must begin with the circulation hub")
         return None, [Fault(f"floor {answer.index}: {text}", piece) for text in faults]
+    own = next(storey for storey in planned.storeys if storey.index == answer.index)
+    if len(rooms) < 2 and own.rooms:
+        faults.append("a floor needs rooms besides its hub")
     if len(rooms) > MOST_ROOMS:
         faults.append(f"{len(rooms)} rooms are too many; at most {MOST_ROOMS}")
     ids = [room.id for room in rooms]
