@@ -12,19 +12,45 @@ from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.skills import (
+    Control,
+    ControlArgs,
+    DoorArgs,
     GoToLandmarkArgs,
+    Landmarks,
     Loaded,
+    LookArgs,
+    MoveAheadArgs,
+    MoveToArgs,
+    NearObjectArgs,
+    ObjectArgs,
+    PlaceArgs,
+    RotateArgs,
+    Route,
+    RouteArgs,
+    SessionArgs,
     TakeStairsArgs,
     UseElevatorArgs,
+    VisibleArgs,
+    VisibleObjects,
     WhereAmI,
 )
 from mansion_msgs_py.stages import BuildJob, BuildReply, FurnishRequest, PlanReply
-from mansion_msgs_py.world import LiftState, Progress, RobotState, SkillResult
+from mansion_msgs_py.world import (
+    LiftRequest,
+    LiftState,
+    Progress,
+    RobotState,
+    SkillProgress,
+    SkillResult,
+    WorldEvent,
+)
 
 __all__ = [
     "DEFAULT_NAMESPACE",
     "JSON_CALL",
     "LATCHED",
+    "LATEST",
+    "SENSOR",
     "SERVICES",
     "STREAM",
     "STRING",
@@ -61,6 +87,12 @@ LATCHED: Final = Qos(depth=64, durability="transient_local")
 """For results that a late joiner must get: one sample a floor, 64 floors."""
 
 STREAM: Final = Qos(depth=10)
+
+LATEST: Final = Qos(depth=1, durability="transient_local")
+"""For states of which a late joiner needs the last one only, ``/map`` among them (as Nav2's map_server does it)."""
+
+SENSOR: Final = Qos(depth=5, reliability="best_effort")
+"""rclpy's ``qos_profile_sensor_data``."""
 
 
 @dataclass(frozen=True)
@@ -114,9 +146,90 @@ TOPICS: tuple[TopicInterface, ...] = (
     ),
     TopicInterface("progress", "building_director", "How far a job is.", Progress),
     TopicInterface(
-        "robot_state", "skill_server", "Where a robot is, after each skill.", RobotState
+        "robot_state", "skill_server", "Where a robot is, after each change.", RobotState
     ),
-    TopicInterface("lift_state", "skill_server", "Each lift, once a second.", LiftState),
+    TopicInterface(
+        "lift_state", "skill_server", "Each lift, once a second and on change.", LiftState
+    ),
+    TopicInterface(
+        "lift_requests",
+        "skill_server",
+        "Ask for a lift or end a session, as Open-RMF does (read by the node).",
+        LiftRequest,
+    ),
+    TopicInterface("skill_progress", "skill_server", "How far a running skill is.", SkillProgress),
+    TopicInterface("world_events", "skill_server", "What each skill changed.", WorldEvent),
+    TopicInterface(
+        "robot_pose",
+        "skill_server",
+        "The robot in `map`.",
+        type="geometry_msgs/msg/PoseStamped",
+        qos=LATEST,
+    ),
+    TopicInterface(
+        "landmarks",
+        "skill_server",
+        "Poses of this floor's landmarks, in the order of `skills/list_landmarks`.",
+        type="geometry_msgs/msg/PoseArray",
+        qos=LATEST,
+    ),
+    TopicInterface(
+        "markers",
+        "skill_server",
+        "Rooms, doors, objects and robots of this floor.",
+        type="visualization_msgs/msg/MarkerArray",
+        qos=LATEST,
+    ),
+    TopicInterface(
+        "path",
+        "skill_server",
+        "The way of the last motion.",
+        type="nav_msgs/msg/Path",
+        qos=LATEST,
+    ),
+    TopicInterface(
+        "/map",
+        "skill_server",
+        "Occupancy of this floor, 0.05 m; `origin.z` is its elevation.",
+        type="nav_msgs/msg/OccupancyGrid",
+        qos=LATEST,
+    ),
+    TopicInterface(
+        "/tf",
+        "skill_server",
+        "`map` -> `odom` -> `base_link`.",
+        type="tf2_msgs/msg/TFMessage",
+        qos=Qos(depth=100),
+    ),
+    TopicInterface(
+        "/tf_static",
+        "skill_server",
+        "`map` -> `floor_k`, `base_link` -> `base_scan`.",
+        type="tf2_msgs/msg/TFMessage",
+        qos=LATEST,
+    ),
+    TopicInterface("/odom", "skill_server", "Odometry.", type="nav_msgs/msg/Odometry", qos=STREAM),
+    TopicInterface(
+        "/scan",
+        "skill_server",
+        "A 2D laser, 360 rays, 10 Hz while someone listens.",
+        type="sensor_msgs/msg/LaserScan",
+        qos=SENSOR,
+    ),
+    TopicInterface(
+        "/cmd_vel",
+        "skill_server",
+        "Drives the robot: forward and turning speed (read by the node).",
+        type="geometry_msgs/msg/Twist",
+        qos=STREAM,
+    ),
+    TopicInterface(
+        "/clock",
+        "skill_server",
+        "The world's clock, with the parameter `publish_clock`.",
+        type="rosgraph_msgs/msg/Clock",
+        qos=Qos(depth=1, reliability="best_effort"),
+    ),
 )
 
 SERVICES: tuple[ServiceInterface, ...] = (
@@ -191,11 +304,171 @@ SERVICES: tuple[ServiceInterface, ...] = (
         '{"landmark": "elevator"}',
     ),
     ServiceInterface(
+        "skills/move_to",
+        "skill_server",
+        "Go to a point of this floor.",
+        MoveToArgs,
+        SkillResult,
+        '{"x": 3.0, "y": 2.5, "yaw": 90}',
+    ),
+    ServiceInterface(
+        "skills/go_near_object",
+        "skill_server",
+        "Go to where an object can be reached and face it.",
+        NearObjectArgs,
+        SkillResult,
+        '{"object": "F1/lobby/mug_1"}',
+    ),
+    ServiceInterface(
+        "skills/move_ahead",
+        "skill_server",
+        "Go straight ahead, or back.",
+        MoveAheadArgs,
+        SkillResult,
+        '{"distance": 0.5}',
+    ),
+    ServiceInterface(
+        "skills/rotate",
+        "skill_server",
+        "Turn on the spot, counter-clockwise.",
+        RotateArgs,
+        SkillResult,
+        '{"degrees": 90}',
+    ),
+    ServiceInterface(
+        "skills/look_up",
+        "skill_server",
+        "Tilt the camera up.",
+        LookArgs,
+        SkillResult,
+        '{"degrees": 30}',
+    ),
+    ServiceInterface(
+        "skills/look_down",
+        "skill_server",
+        "Tilt the camera down.",
+        LookArgs,
+        SkillResult,
+        '{"degrees": 30}',
+    ),
+    ServiceInterface(
+        "skills/open_door",
+        "skill_server",
+        "Open a door.",
+        DoorArgs,
+        SkillResult,
+        '{"door": "F1/door_2"}',
+    ),
+    ServiceInterface(
+        "skills/close_door",
+        "skill_server",
+        "Close a door.",
+        DoorArgs,
+        SkillResult,
+        '{"door": "F1/door_2"}',
+    ),
+    ServiceInterface(
+        "skills/open_object",
+        "skill_server",
+        "Open an object.",
+        ObjectArgs,
+        SkillResult,
+        '{"object": "F1/kitchen/fridge_1"}',
+    ),
+    ServiceInterface(
+        "skills/close_object",
+        "skill_server",
+        "Close an object.",
+        ObjectArgs,
+        SkillResult,
+        '{"object": "F1/kitchen/fridge_1"}',
+    ),
+    ServiceInterface(
+        "skills/pick_up",
+        "skill_server",
+        "Take an object into the hand.",
+        ObjectArgs,
+        SkillResult,
+        '{"object": "F1/lobby/mug_1"}',
+    ),
+    ServiceInterface(
+        "skills/place",
+        "skill_server",
+        "Put what is held on, in or in front of something.",
+        PlaceArgs,
+        SkillResult,
+        '{"target": "F1/lobby/table_1", "relation": "on"}',
+    ),
+    ServiceInterface(
+        "skills/toggle_on",
+        "skill_server",
+        "Switch an object on.",
+        ObjectArgs,
+        SkillResult,
+        '{"object": "F1/lobby/floor_lamp_1"}',
+    ),
+    ServiceInterface(
+        "skills/toggle_off",
+        "skill_server",
+        "Switch an object off.",
+        ObjectArgs,
+        SkillResult,
+        '{"object": "F1/lobby/floor_lamp_1"}',
+    ),
+    ServiceInterface(
         "skills/where_am_i",
         "skill_server",
         "Floor, room, pose and held object.",
         None,
         WhereAmI,
+    ),
+    ServiceInterface(
+        "skills/list_landmarks",
+        "skill_server",
+        "Rooms and cores of this floor.",
+        SessionArgs,
+        Landmarks,
+        "{}",
+    ),
+    ServiceInterface(
+        "skills/list_visible",
+        "skill_server",
+        "What the robot sees from where it stands.",
+        VisibleArgs,
+        VisibleObjects,
+        '{"distance": 3.0}',
+    ),
+    ServiceInterface(
+        "skills/plan_route",
+        "skill_server",
+        "The way to a room, core or object of any floor, leg by leg.",
+        RouteArgs,
+        Route,
+        '{"target": "F3/office_1"}',
+    ),
+    ServiceInterface(
+        "skills/cancel",
+        "skill_server",
+        "End the session's running skill; the robot stops where it is.",
+        SessionArgs,
+        SkillResult,
+        "{}",
+    ),
+    ServiceInterface(
+        "skills/take_control",
+        "skill_server",
+        "Become the only driver of a session.",
+        ControlArgs,
+        Control,
+        '{"client": "me"}',
+    ),
+    ServiceInterface(
+        "skills/release_control",
+        "skill_server",
+        "Let others drive again; needs the token.",
+        ControlArgs,
+        Control,
+        '{"token": "..."}',
     ),
 )
 

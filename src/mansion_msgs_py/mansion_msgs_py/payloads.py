@@ -10,15 +10,40 @@ from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.skills import (
+    Control,
+    ControlArgs,
+    DoorArgs,
     GoToLandmarkArgs,
+    Landmarks,
     Loaded,
+    LookArgs,
+    MoveAheadArgs,
+    MoveToArgs,
+    NearObjectArgs,
+    ObjectArgs,
+    PlaceArgs,
+    RotateArgs,
+    Route,
+    RouteArgs,
+    SessionArgs,
     TakeStairsArgs,
     UseElevatorArgs,
+    VisibleArgs,
+    VisibleObjects,
     WhereAmI,
 )
 from mansion_msgs_py.stages import BuildJob, BuildReply, FurnishRequest, PlanReply
 from mansion_msgs_py.topology import FloorTopology, SeedPlan
-from mansion_msgs_py.world import LiftState, Progress, RobotState, SkillResult, WorldState
+from mansion_msgs_py.world import (
+    LiftRequest,
+    LiftState,
+    Progress,
+    RobotState,
+    SkillProgress,
+    SkillResult,
+    WorldEvent,
+    WorldState,
+)
 
 __all__ = ["PAYLOADS", "payload_type"]
 
@@ -42,14 +67,33 @@ PAYLOADS: dict[str, type[Any]] = {
         BuildingReport,
         LoadBuilding,
         Loaded,
-        UseElevatorArgs,
-        TakeStairsArgs,
+        Control,
+        ControlArgs,
+        DoorArgs,
         GoToLandmarkArgs,
+        Landmarks,
+        LookArgs,
+        MoveAheadArgs,
+        MoveToArgs,
+        NearObjectArgs,
+        ObjectArgs,
+        PlaceArgs,
+        RotateArgs,
+        Route,
+        RouteArgs,
+        SessionArgs,
+        TakeStairsArgs,
+        UseElevatorArgs,
+        VisibleArgs,
+        VisibleObjects,
         WhereAmI,
         RobotState,
+        LiftRequest,
         LiftState,
         WorldState,
+        WorldEvent,
         SkillResult,
+        SkillProgress,
         Progress,
         ErrorReply,
     )

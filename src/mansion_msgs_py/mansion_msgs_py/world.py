@@ -8,16 +8,22 @@ import msgspec
 from mansion_msgs_py.shapes import Point3
 
 __all__ = [
+    "LiftCall",
     "LiftDoor",
+    "LiftMode",
     "LiftMotion",
+    "LiftRequest",
+    "LiftRequestType",
     "LiftState",
     "ObjectState",
     "Pose2D",
     "Progress",
     "RobotState",
     "SkillChange",
+    "SkillProgress",
     "SkillResult",
     "SkillStatus",
+    "WorldEvent",
     "WorldState",
 ]
 
@@ -59,6 +65,53 @@ class LiftMotion(IntEnum):
     UP = 1
     DOWN = 2
     UNKNOWN = 3
+
+
+class LiftMode(IntEnum):
+    """Modes as numbered by Open-RMF's ``rmf_lift_msgs/LiftState``."""
+
+    UNKNOWN = 0
+    HUMAN = 1
+    AGV = 2
+    FIRE = 3
+    OFFLINE = 4
+    EMERGENCY = 5
+
+
+class LiftRequestType(IntEnum):
+    """Request types as numbered by Open-RMF's ``rmf_lift_msgs/LiftRequest``."""
+
+    END_SESSION = 0
+    AGV_MODE = 1
+    HUMAN_MODE = 2
+
+
+class LiftRequest(msgspec.Struct, kw_only=True):
+    """Ask for a lift, or let it go; field names and numbers are those of ``rmf_lift_msgs/LiftRequest``.
+
+    Attributes
+    ----------
+    destination_floor : str
+        Floor label, or number where no label says the same.
+    door_state : LiftDoor
+        How the doors shall be on arrival; only ``OPEN`` and ``CLOSED`` can be asked.
+    """
+
+    lift_name: str
+    session_id: str
+    request_type: LiftRequestType = LiftRequestType.AGV_MODE
+    destination_floor: str = ""
+    door_state: LiftDoor = LiftDoor.OPEN
+    request_time: float = 0.0
+
+
+class LiftCall(msgspec.Struct, kw_only=True, frozen=True):
+    """A call that waits for its turn."""
+
+    session: str
+    floor: int
+    door: LiftDoor = LiftDoor.OPEN
+    mode: LiftMode = LiftMode.AGV
 
 
 class LiftState(msgspec.Struct, kw_only=True):
@@ -126,7 +179,15 @@ class SkillResult(msgspec.Struct, kw_only=True):
 
 
 class ObjectState(msgspec.Struct, kw_only=True):
-    """Where an object is now: on a floor, or held (``floor`` and ``position`` are then ``None``)."""
+    """Where an object is now: on a floor, or held (`floor` is then ``None``).
+
+    Attributes
+    ----------
+    position : Point3, optional
+        Centre of its box in the floor's frame; of what a held thing carries, in the frame of its `parent`.
+    mount : str, optional
+        What carries it (see `SceneObject.mount`); as in the scene when absent.
+    """
 
     id: str
     floor: int | None = None
@@ -135,14 +196,22 @@ class ObjectState(msgspec.Struct, kw_only=True):
     rotation: float = 0.0
     parent: str | None = None
     held_by: str | None = None
+    mount: str | None = None
     states: dict[str, bool | float | str] = {}
 
 
 class WorldState(msgspec.Struct, kw_only=True):
     """The overlay of a running session: everything that differs from the scenes on disk.
 
+    Sessions that share a building write the whole of what they share, each after its own skills: of several overlays
+    of one world, that with the highest `step` counts for all but `robot`.
+
     Attributes
     ----------
+    world : str
+        Name of the world that the session shares.
+    queues : dict
+        Lift id to the calls that wait behind the session that holds it.
     revisions : dict
         Scene revision of each floor (as a decimal string) that the overlay rests on.
     objects : list of ObjectState
@@ -161,8 +230,45 @@ class WorldState(msgspec.Struct, kw_only=True):
     doors: dict[str, bool] = {}
     calls: dict[str, int] = {}
     revisions: dict[str, int] = {}
+    queues: dict[str, list[LiftCall]] = {}
+    world: str = "shared"
     time: float = 0.0
     step: int = 0
+    schema_version: Literal[1] = 1
+
+
+class SkillProgress(msgspec.Struct, kw_only=True):
+    """How far a running skill is.
+
+    Attributes
+    ----------
+    fraction : float
+        Of its way, 0 to 1.
+    time : float
+        Seconds on the world's clock.
+    """
+
+    session: str
+    skill: str
+    message: str
+    fraction: float
+    pose: Pose2D | None = None
+    floor: int | None = None
+    time: float = 0.0
+    building_id: str = ""
+    schema_version: Literal[1] = 1
+
+
+class WorldEvent(msgspec.Struct, kw_only=True):
+    """What one finished skill changed."""
+
+    step: int
+    time: float
+    session: str
+    skill: str
+    changed: list[SkillChange]
+    building_id: str = ""
+    world: str = ""
     schema_version: Literal[1] = 1
 
 

@@ -56,16 +56,21 @@ class LoadedBuilding:
         """Return what a lift button says for the floor."""
         return self._entries[floor].label
 
-    def floor_number(self, value: int | str) -> int | None:
+    def floor_number(self, value: object) -> int | None:
         """Return the floor that a number or an unambiguous label names, or ``None``."""
-        if isinstance(value, int):
+        if isinstance(value, float) and value.is_integer() and abs(value) < 1e6:
+            value = int(value)
+        if isinstance(value, int) and not isinstance(value, bool):
             return value if value in self._entries else None
-        labelled = [f for f, e in self._entries.items() if e.label.casefold() == value.casefold()]
+        if not isinstance(value, str):
+            return None
+        text = value.strip().casefold()
+        labelled = [f for f, e in self._entries.items() if e.label.casefold() == text]
         if len(labelled) == 1:
             return labelled[0]
-        number = value.strip().lstrip("-")
-        if not labelled and number.isdecimal() and len(number) < 9:
-            return self.floor_number(int(value))
+        digits = text.removeprefix("-")
+        if not labelled and digits.isdecimal() and digits.isascii() and len(digits) < 9:
+            return self.floor_number(int(text))
         return None
 
     def _read_scene(self, floor: int) -> FloorScene:

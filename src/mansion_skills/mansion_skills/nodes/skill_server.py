@@ -1,39 +1,54 @@
-"""``skill_server``: the skills as services, one world for each session."""
+"""``skill_server``: the skills as services, the robots' topics, and the lifts."""
 
-import threading
 from collections.abc import Callable, Sequence
-from pathlib import Path
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor
-from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.node import Node
+from rosgraph_msgs.msg import Clock
 
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.codec import to_builtins
-from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.interfaces import ServiceInterface, service, topic
 from mansion_msgs_py.nodes.run import run_node
-from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
-from mansion_msgs_py.skills import LandmarkInfo, Loaded, SessionArgs
-from mansion_msgs_py.world import SkillResult, SkillStatus
-from mansion_skills.building import LoadedBuilding
-from mansion_skills.skills.between_floors import call_elevator, take_stairs, use_elevator
-from mansion_skills.skills.places import go_to_landmark, where_am_i
-from mansion_skills.world.overlay import DEFAULT_SESSION, load_overlay, overlay_path, save_overlay
-from mansion_skills.world.world import World
+from mansion_msgs_py.nodes.shell import (
+    JsonPublisher,
+    add_json_service,
+    add_json_subscription,
+    qos_profile,
+)
+from mansion_msgs_py.skills import Loaded, SessionArgs
+from mansion_msgs_py.world import LiftRequest, SkillProgress, SkillResult, SkillStatus, WorldEvent
+from mansion_skills.engine import Engine
+from mansion_skills.engine.driving import drive_for
+from mansion_skills.engine.pace import Pace
+from mansion_skills.engine.seat import Seat
+from mansion_skills.nodes.robot_stack import PERIOD, RobotStack
+from mansion_skills.skills.registry import SKILLS
+from mansion_skills.world.overlay import DEFAULT_SESSION
+from mansion_skills.world.world import ROBOT_RADIUS
 
 __all__ = ["SkillServer", "main"]
 
-Skill = Callable[[World, Any], Any]
+THREADS = 12
+"""Enough for a full queue of skills beside cancel, questions and timers."""
 
-SKILLS: dict[str, Skill] = {
-    "skills/call_elevator": call_elevator,
-    "skills/use_elevator": use_elevator,
-    "skills/take_stairs": take_stairs,
-    "skills/go_to_landmark": go_to_landmark,
-    "skills/where_am_i": where_am_i,
-}
+PARAMETERS: tuple[tuple[str, Any, str], ...] = (
+    ("building", "", "folder of a building to load at start"),
+    ("session", "", "session that loads it; the default robot when empty"),
+    ("motion", "fast", "fast: skills complete at once; realtime: they take their time"),
+    (
+        "real_time_factor",
+        1.0,
+        "seconds of the world for a second on the wall, with realtime motion",
+    ),
+    ("robot_radius", ROBOT_RADIUS, "metres"),
+    ("durable", True, "sync every save to the disk"),
+    ("robot_stack", True, "publish map, frames, odometry, scan and markers"),
+    ("publish_clock", False, "publish the world's clock on /clock"),
+)
 
 
 class SkillServer(Node):
@@ -41,69 +56,176 @@ class SkillServer(Node):
 
     def __init__(self) -> None:
         super().__init__("skill_server")
-        self.declare_parameter(
-            "building", "", ParameterDescriptor(description="folder of a building to load at start")
-        )
-        self._worlds: dict[str, World] = {}
-        self._lock = threading.Lock()
+        for name, default, text in PARAMETERS:
+            self.declare_parameter(name, default, ParameterDescriptor(description=text))
+        value = {name: self.get_parameter(name).value for name, _, _ in PARAMETERS}
+        if value["motion"] not in ("fast", "realtime"):
+            raise ValueError(f"motion {value['motion']!r}: fast or realtime is accepted")
         self._robot_state = JsonPublisher(self, topic("robot_state"))
         self._lift_state = JsonPublisher(self, topic("lift_state"))
-        group = ReentrantCallbackGroup()
-        add_json_service(self, service("load_building"), self.load, callback_group=group)
-        for name, skill in SKILLS.items():
-            add_json_service(self, service(name), self._runner(skill), callback_group=group)
-        self.create_timer(1.0, self._publish_lifts)
-        folder = self.get_parameter("building").value
-        if folder:
-            self.load(LoadBuilding(path=folder))
+        self._progress = JsonPublisher(self, topic("skill_progress"))
+        self._events = JsonPublisher(self, topic("world_events"))
+        self._world_clock = self._clock_publisher() if value["publish_clock"] else None
+        self.engine = Engine(
+            Pace(realtime=value["motion"] == "realtime", factor=value["real_time_factor"]),
+            radius=value["robot_radius"],
+            durable=value["durable"],
+            changed=self._changed,
+            progress=self._report,
+        )
+        self._with_stack = value["robot_stack"]
+        self._stacks: dict[str, RobotStack] = {}
+        self._group = ReentrantCallbackGroup()
+        self._served: set[str] = set()
+        self._json("load_building", self.load)
+        self._serve_skills("")
+        self._json("skills/cancel", self.engine.cancel)
+        self._json("skills/take_control", self.engine.take_control)
+        self._json("skills/release_control", self.engine.release_control)
+        add_json_subscription(
+            self, topic("lift_requests"), self._lift_request, callback_group=self._group
+        )
+        self.create_timer(1.0, self._publish_lifts, MutuallyExclusiveCallbackGroup())
+        self._last = self.get_clock().now().nanoseconds
+        self.create_timer(PERIOD / 2, self._drive, MutuallyExclusiveCallbackGroup())
+        self._odd = False
+        self.create_timer(0.5, self._publish_markers, MutuallyExclusiveCallbackGroup())
+        if value["building"]:
+            self.load(LoadBuilding(path=value["building"], session=value["session"]))
+
+    def _clock_publisher(self) -> Any:
+        entry = topic("/clock")
+        return self.create_publisher(Clock, entry.name, qos_profile(entry.qos))
+
+    def _json(self, name: str, handler: Callable[[Any], Any], prefix: str = "") -> None:
+        entry = service(name)
+        if prefix:
+            entry = ServiceInterface(
+                f"{prefix}/{name}",
+                entry.node,
+                entry.description,
+                entry.arguments,
+                entry.reply,
+            )
+        add_json_service(self, entry, handler, callback_group=self._group)
+
+    def _serve_skills(self, session: str) -> None:
+        """Serve all skills; below a session's name they are that session's."""
+        for name in SKILLS:
+            self._json(f"skills/{name}", self._runner(name, session), session)
+        if session:
+            self._json("skills/cancel", self._bound(self.engine.cancel, session), session)
 
     def load(self, arguments: LoadBuilding) -> Loaded:
         """Put the session's robot into a building, where a former run of the session left it."""
-        session = arguments.session or DEFAULT_SESSION
-        building = LoadedBuilding(Path(arguments.path).expanduser())
-        earlier = load_overlay(overlay_path(building.path, session))
-        world = World(building, session, earlier)
-        with self._lock:
-            self._worlds[session] = world
-        self._robot_state.publish(world.robot)
-        return Loaded(
-            building_id=building.building_id,
-            floors=building.floors,
-            labels=[building.label(floor) for floor in building.floors],
-            state=world.robot,
-            landmarks=[
-                LandmarkInfo(name=entry.name, kind=entry.kind, floor=entry.floor, pose=entry.pose)
-                for entry in world.landmarks
-            ],
-            session=session,
-        )
+        loaded = self.engine.load(arguments)
+        session = loaded.session
+        if session != DEFAULT_SESSION and session not in self._served:
+            self._served.add(session)
+            self._serve_skills(session)
+        seat = self.engine.seat(session)
+        if self._with_stack:
+            former = self._stacks.pop(session, None)
+            if former is not None:
+                former.close()
+            self._stacks[session] = RobotStack(self, seat, self._group)
+        with seat.shared.lock:
+            self._show(seat)
+            self._publish_world_lifts(seat)
+        return loaded
 
-    def _runner(self, skill: Skill) -> Callable[[Any], Any]:
+    def _runner(self, name: str, session: str) -> Callable[[Any], Any]:
+        def run(arguments: Any) -> Any:
+            return _reply(
+                self.engine.run(name, arguments if arguments is not None else SessionArgs())
+            )
+
+        return self._bound(run, session) if session else run
+
+    @staticmethod
+    def _bound(call: Callable[[Any], Any], session: str) -> Callable[[Any], Any]:
         def run(arguments: Any) -> Any:
             known = arguments if arguments is not None else SessionArgs()
-            session = known.session or DEFAULT_SESSION
-            with self._lock:
-                world = self._worlds.get(session)
-                if world is None:
-                    raise MansionError(
-                        ErrorCode.NOT_LOADED,
-                        f"session {session!r} has no building; call load_building first",
-                    )
-                result = skill(world, known)
-                if isinstance(result, SkillResult) and result.status is SkillStatus.SUCCESS:
-                    world.step += 1
-                    save_overlay(overlay_path(world.building.path, session), world.state())
-            self._robot_state.publish(world.robot)
-            return _reply(result)
+            known.session = session
+            return call(known)
 
         return run
 
+    def _changed(self, seat: Seat, event: WorldEvent) -> None:
+        self._events.publish(event)
+        self._show(seat)
+        self._publish_changed_lifts(seat)
+
+    def _show(self, seat: Seat) -> None:
+        self._robot_state.publish(seat.world.robot_state(seat.robot))
+        stack = self._stacks.get(seat.session)
+        if stack is not None:
+            stack.publish_all()
+        for other in list(self._stacks.values()):
+            if other is not stack and other.seat.shared is seat.shared:
+                other.follow(seat.robot.floor)
+
+    def _report(self, progress: SkillProgress) -> None:
+        self._progress.publish(progress)
+        seat = self.engine.seat(progress.session)
+        self._publish_changed_lifts(seat)
+        stack = self._stacks.get(progress.session)
+        if stack is not None and self.engine.pace.realtime:
+            stack.publish_pose()
+
+    def _publish_changed_lifts(self, seat: Seat) -> None:
+        changes, seat.world.lift_changes = seat.world.lift_changes, []
+        for state in changes:
+            self._lift_state.publish(state)
+
+    def _publish_world_lifts(self, seat: Seat) -> None:
+        for state in seat.world.lift_states():
+            self._lift_state.publish(state)
+
     def _publish_lifts(self) -> None:
-        with self._lock:
-            worlds = list(self._worlds.values())
-        for world in worlds:
-            for lift in world.lifts.values():
-                self._lift_state.publish(lift.state(world.building.building_id, world.time))
+        for shared in self.engine.worlds:
+            with shared.lock:
+                states = shared.world.lift_states()
+            for state in states:
+                self._lift_state.publish(state)
+
+    def _publish_markers(self) -> None:
+        for stack in list(self._stacks.values()):
+            with stack.seat.shared.lock:
+                stack.publish_markers()
+
+    def _lift_request(self, request: LiftRequest) -> None:
+        try:
+            self.engine.request_lift(request)
+        except MansionError as error:
+            self.get_logger().warning(f"lift_requests: {error}")
+        for seat in self.engine.seats:
+            with seat.shared.lock:
+                self._publish_changed_lifts(seat)
+                self._publish_world_lifts(seat)
+
+    def _drive(self) -> None:
+        """Twenty times a second: drive as commanded, publish poses, and every other time scans."""
+        now = self.get_clock().now().nanoseconds
+        seconds, self._last = min(max((now - self._last) * 1e-9, 0.0), 0.5), now
+        self.engine.tick()
+        self._odd = not self._odd
+        for stack in list(self._stacks.values()):
+            seat = stack.seat
+            with seat.shared.lock:
+                moved = drive_for(seat, stack.drive, seconds, now * 1e-9)
+                if not moved and stack.drive.moved:
+                    stack.drive.moved = False
+                    seat.save()
+                    self._robot_state.publish(seat.world.robot_state(seat.robot))
+                stack.publish_pose()
+                if self._odd:
+                    stack.publish_scan()
+        if self._world_clock is not None and (worlds := self.engine.worlds):
+            nanoseconds = int(worlds[0].world.time * 1e9)
+            message = Clock()
+            message.clock.sec, message.clock.nanosec = divmod(nanoseconds, 10**9)
+            self._world_clock.publish(message)
 
 
 def _reply(result: Any) -> Any:
@@ -118,7 +240,7 @@ def _reply(result: Any) -> Any:
 
 def main(args: Sequence[str] | None = None) -> None:
     """Run the node."""
-    run_node(SkillServer, args)
+    run_node(SkillServer, args, threads=THREADS)
 
 
 if __name__ == "__main__":

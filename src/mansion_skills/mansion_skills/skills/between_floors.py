@@ -1,12 +1,16 @@
 """CallElevator, UseElevator and TakeStairs, as in their skill cards (section F.1)."""
 
+from collections.abc import Generator
+
 from mansion_msgs_py.scene import SceneCore
 from mansion_msgs_py.skills import SessionArgs, TakeStairsArgs, UseElevatorArgs
-from mansion_msgs_py.world import SkillChange, SkillResult, SkillStatus
-from mansion_skills.skills.outcome import done, refused
+from mansion_msgs_py.world import LiftCall, SkillChange, SkillResult, SkillStatus
+from mansion_skills.skills.outcome import Run, Step, done, invalid, refused, unmet
+from mansion_skills.world.lift import Lift
+from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
-__all__ = ["NEAR_ENTRANCE", "call_elevator", "take_stairs", "use_elevator"]
+__all__ = ["NEAR_ENTRANCE", "STAIR_SPEED", "call_elevator", "take_stairs", "use_elevator"]
 
 NEAR_ENTRANCE = 1.0
 """How near to a core's entrance pose the robot must stand, metres."""
@@ -16,103 +20,165 @@ DIRECTIONS = {"Up": 1, "Down": -1}
 STAIR_SPEED = 0.25
 """Metres of height a second on stairs."""
 
+PATIENCE = 120.0
+"""Seconds that a robot waits for a lift that another session holds, in real time."""
 
-def call_elevator(world: World, arguments: SessionArgs) -> SkillResult:
+
+def call_elevator(world: World, robot: RobotBody, arguments: SessionArgs, realtime: bool) -> Run:
     """Bring the lift beside the robot to its floor and open its doors."""
     name = "CallElevator"
-    core = world.core_near("elevator", NEAR_ENTRANCE)
+    core = world.core_near(robot, "elevator", NEAR_ENTRANCE)
     if core is None:
-        return _not_at(world, name, "elevator")
+        return _not_at(world, robot, name, "elevator")
     lift = world.lifts[core.id]
     before = lift.floor
-    world.time += lift.travel(world.floor, world.session)
-    world.calls[core.id] = world.floor
+    _let_go_of_others(world, robot, core.id)
+    rank = lift.call(LiftCall(session=robot.session, floor=robot.floor))
+    waited = 0.0
+    while rank > 0 and realtime and waited < PATIENCE:
+        yield Step(1.0, 0.0, f"waiting for {core.id}, number {rank} in the queue")
+        waited += 1.0
+        _drop_idle_holder(world, lift)
+        rank = lift.place_of(robot.session)
+    if rank > 0:
+        text = (
+            f"{core.id} is held by session {lift.session!r}; the call is number {rank} in its queue"
+        )
+        wish = "CallElevator again when that session has ended"
+        result = unmet(world, robot, name, text, wish)
+        result.changed.append(SkillChange(what=f"{core.id}.queue", after=rank))
+        return result
+    robot.call = core.id
+    yield from _until_open(lift, robot.floor, realtime, f"{core.id} comes")
+    if not lift.is_open_at(robot.floor):
+        return _taken_away(world, robot, name, core.id)
     return done(
         world,
+        robot,
         name,
-        f"{core.id} is on floor {world.floor} with its doors open",
-        SkillChange(what=f"{core.id}.floor", before=before, after=world.floor),
+        f"{core.id} is on floor {robot.floor} with its doors open",
+        SkillChange(what=f"{core.id}.floor", before=before, after=robot.floor),
         elevator=core.id,
         floors=sorted(lift.elevations),
         labels=[lift.labels[floor] for floor in sorted(lift.elevations)],
     )
 
 
-def use_elevator(world: World, arguments: UseElevatorArgs) -> SkillResult:
+def _let_go_of_others(world: World, robot: RobotBody, wanted: str) -> None:
+    """End the robot's hold on other lifts, and the hold on this one of a robot that has walked away."""
+    for name in sorted(world.lifts):
+        if name != wanted:
+            world.lifts[name].release(robot.session)
+    _drop_idle_holder(world, world.lifts[wanted])
+
+
+def _drop_idle_holder(world: World, lift: Lift) -> None:
+    holder = world.robots.get(lift.session)
+    if holder is None:
+        if lift.session in world.absent:
+            lift.release(lift.session)
+        return
+    core = world.core_near(holder, "elevator", NEAR_ENTRANCE)
+    if core is None or core.id != lift.name:
+        lift.release(holder.session)
+        holder.call = None
+
+
+def _until_open(
+    lift: Lift, floor: int, realtime: bool, message: str
+) -> Generator[Step, None, None]:
+    """Let time pass until the lift stands open at a floor, or rests elsewhere because its session was ended."""
+    whole = max(lift.seconds_to_rest(), 1e-9)
+    while not lift.is_open_at(floor):
+        left = lift.seconds_to_rest()
+        if left <= 0.0:
+            return
+        step = min(left, 0.5) if realtime else left
+        yield Step(max(step, 1e-3), 1.0 - left / whole, message)
+
+
+def use_elevator(world: World, robot: RobotBody, arguments: UseElevatorArgs, realtime: bool) -> Run:
     """Ride the called lift to another floor; what the robot holds goes with it."""
     name = "UseElevator"
     target = world.building.floor_number(arguments.target_floor)
     if target is None:
-        return _no_floor(world, name, arguments.target_floor)
-    if target == world.floor:
+        text = f"there is no floor {arguments.target_floor!r}"
+        return invalid(world, robot, name, text, f"one of {world.building.floors}")
+    if target == robot.floor:
         text = f"the robot is on floor {target} already"
-        return refused(world, name, SkillStatus.INVALID_ACTION, text, "another target_floor")
-    core = world.core_near("elevator", NEAR_ENTRANCE)
+        return invalid(world, robot, name, text, "another target_floor")
+    core = world.core_near(robot, "elevator", NEAR_ENTRANCE)
     if core is None:
-        return _not_at(world, name, "elevator")
+        return _not_at(world, robot, name, "elevator")
     lift = world.lifts[core.id]
     if target not in lift.elevations:
         text = f"{core.id} serves floors {sorted(lift.elevations)}, not {target}"
-        return refused(world, name, SkillStatus.INVALID_ACTION, text, "a floor that it serves")
-    if world.calls.get(core.id) != world.floor or not lift.is_open_at(world.floor):
-        text = f"{core.id} has not been called to floor {world.floor}"
-        return refused(world, name, SkillStatus.PRECONDITION_FAILURE, text, "CallElevator first")
-    before = world.floor
-    world.time += lift.travel(target, world.session)
-    world.update_floor(target - before, core.id)
-    del world.calls[core.id]
-    lift.release()
+        return invalid(world, robot, name, text, "a floor that it serves")
+    called = robot.call == core.id and lift.session == robot.session
+    if not called or not lift.is_open_at(robot.floor):
+        text = f"{core.id} has not been called to floor {robot.floor}"
+        return unmet(world, robot, name, text, "CallElevator first")
+    before = robot.floor
+    lift.call(LiftCall(session=robot.session, floor=target))
+    yield from _until_open(lift, target, realtime, f"riding to floor {target}")
+    if not lift.is_open_at(target):
+        return _taken_away(world, robot, name, core.id)
+    world.update_floor(robot, target - before, core.id)
+    robot.call = None
+    lift.release(robot.session)
     return done(
         world,
+        robot,
         name,
         f"arrived on floor {target}",
         SkillChange(what="floor", before=before, after=target),
     )
 
 
-def take_stairs(world: World, arguments: TakeStairsArgs) -> SkillResult:
+def take_stairs(world: World, robot: RobotBody, arguments: TakeStairsArgs, realtime: bool) -> Run:
     """Walk one floor up or down."""
     name = "TakeStairs"
-    step = DIRECTIONS.get(arguments.direction)
+    wanted = arguments.direction
+    step = DIRECTIONS.get(wanted) if isinstance(wanted, str) else None
     if step is None:
-        text = f"there is no direction {arguments.direction!r}"
-        return refused(world, name, SkillStatus.INVALID_ACTION, text, "direction Up or Down")
-    core = world.core_near("stair", NEAR_ENTRANCE)
+        return invalid(
+            world, robot, name, f"there is no direction {wanted!r}", "direction Up or Down"
+        )
+    core = world.core_near(robot, "stair", NEAR_ENTRANCE)
     if core is None:
-        return _not_at(world, name, "stairs")
-    if world.floor + step not in core.floors:
-        text = f"{core.id} does not lead {arguments.direction.lower()} from floor {world.floor}"
-        return refused(world, name, SkillStatus.PRECONDITION_FAILURE, text, _other_way(world, core))
-    before = world.floor
-    rise = world.building.entry(before + step).elevation - world.building.entry(before).elevation
-    world.update_floor(step, core.id)
-    world.time += abs(rise) / STAIR_SPEED
-    after = world.floor
+        return _not_at(world, robot, name, "stairs")
+    before = robot.floor
+    if before + step not in core.floors:
+        text = f"{core.id} does not lead {str(wanted).lower()} from floor {before}"
+        status = SkillStatus.PRECONDITION_FAILURE
+        return refused(world, robot, name, status, text, _other_way(before, core))
+    entry = world.building.entry
+    rise = abs(entry(before + step).elevation - entry(before).elevation)
+    yield Step(rise / STAIR_SPEED, 0.0, f"on {core.id}")
+    world.update_floor(robot, step, core.id)
     return done(
         world,
+        robot,
         name,
-        f"arrived on floor {after}",
-        SkillChange(what="floor", before=before, after=after),
+        f"arrived on floor {robot.floor}",
+        SkillChange(what="floor", before=before, after=robot.floor),
     )
 
 
-def _other_way(world: World, core: SceneCore) -> str:
-    open_ways = [way for way, step in DIRECTIONS.items() if world.floor + step in core.floors]
+def _taken_away(world: World, robot: RobotBody, name: str, lift: str) -> SkillResult:
+    robot.call = None
+    text = f"the session that held {lift} was ended by a lift request"
+    return refused(world, robot, name, SkillStatus.EXECUTION_FAILURE, text, "CallElevator again")
+
+
+def _other_way(floor: int, core: SceneCore) -> str:
+    open_ways = [way for way, step in DIRECTIONS.items() if floor + step in core.floors]
     return f"direction {' or '.join(open_ways)}" if open_ways else "another stair"
 
 
-def _not_at(world: World, name: str, what: str) -> SkillResult:
+def _not_at(world: World, robot: RobotBody, name: str, what: str) -> SkillResult:
     text = f"the robot is not within {NEAR_ENTRANCE:g} m of the entrance of {what}"
-    wish = f"GoToLandmark {what}" if _has(world, what) else f"a floor that has {what}"
-    return refused(world, name, SkillStatus.PRECONDITION_FAILURE, text, wish)
-
-
-def _has(world: World, what: str) -> bool:
     kind = "elevator" if what == "elevator" else "stair"
-    return any(core.type == kind for core in world.scene.cores)
-
-
-def _no_floor(world: World, name: str, value: int | str) -> SkillResult:
-    text = f"there is no floor {value!r}"
-    wish = f"one of {world.building.floors}"
-    return refused(world, name, SkillStatus.INVALID_ACTION, text, wish)
+    here = any(core.type == kind for core in world.view(robot.floor).scene.cores)
+    wish = f"GoToLandmark {what}" if here else f"a floor that has {what}"
+    return unmet(world, robot, name, text, wish)

@@ -1,14 +1,38 @@
-"""Results of skills."""
+"""Results of skills, and the steps in which long ones run."""
 
-from typing import Any
+from collections.abc import Generator
+from dataclasses import dataclass
+from math import isfinite
+from typing import Any, TypeAlias
 
 from mansion_msgs_py.world import SkillChange, SkillResult, SkillStatus
+from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
-__all__ = ["done", "refused"]
+__all__ = ["Run", "Step", "done", "invalid", "number", "refused", "unmet"]
 
 
-def done(world: World, skill: str, message: str, *changes: SkillChange, **data: Any) -> SkillResult:
+@dataclass(frozen=True)
+class Step:
+    """A stretch of time in a running skill: the world's clock has to go on by `seconds` before it continues."""
+
+    seconds: float
+    fraction: float
+    message: str
+
+
+Run: TypeAlias = Generator[Step, None, SkillResult]
+"""A running skill; between its steps it can be cancelled, and the world is whole at each of them."""
+
+
+def done(
+    world: World,
+    robot: RobotBody,
+    skill: str,
+    message: str,
+    *changes: SkillChange,
+    **data: Any,
+) -> SkillResult:
     """Return a success with what changed."""
     return SkillResult(
         skill=skill,
@@ -16,13 +40,19 @@ def done(world: World, skill: str, message: str, *changes: SkillChange, **data: 
         message=message,
         changed=list(changes),
         data=data,
-        state=world.robot,
-        session=world.session,
+        state=world.robot_state(robot),
+        session=robot.session,
     )
 
 
 def refused(
-    world: World, skill: str, status: SkillStatus, message: str, satisfied_by: str
+    world: World,
+    robot: RobotBody,
+    skill: str,
+    status: SkillStatus,
+    message: str,
+    satisfied_by: str,
+    **data: Any,
 ) -> SkillResult:
     """Return a refusal with what would satisfy the skill; the world is as it was."""
     return SkillResult(
@@ -30,6 +60,30 @@ def refused(
         status=status,
         message=message,
         satisfied_by=satisfied_by,
-        state=world.robot,
-        session=world.session,
+        data=data,
+        state=world.robot_state(robot),
+        session=robot.session,
     )
+
+
+def invalid(
+    world: World, robot: RobotBody, skill: str, message: str, satisfied_by: str
+) -> SkillResult:
+    """Return ``INVALID_ACTION``: what was asked can never be done."""
+    return refused(world, robot, skill, SkillStatus.INVALID_ACTION, message, satisfied_by)
+
+
+def unmet(
+    world: World, robot: RobotBody, skill: str, message: str, satisfied_by: str
+) -> SkillResult:
+    """Return ``PRECONDITION_FAILURE``: it could be done in another situation."""
+    return refused(world, robot, skill, SkillStatus.PRECONDITION_FAILURE, message, satisfied_by)
+
+
+def number(value: object, limit: float = 1e6) -> float | None:
+    """Return a JSON value as a number between -limit and limit, or ``None``."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    if not isfinite(value) or abs(value) > limit:
+        return None
+    return float(value)

@@ -4,19 +4,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from math import dist
 
-from shapely import Point, Polygon, box
-from shapely.affinity import rotate
-from shapely.geometry.base import BaseGeometry
-from shapely.ops import polylabel, unary_union
+import numpy as np
 
-from mansion_geometry.rings import largest_polygon
-from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.world import Pose2D
+from mansion_skills.navigation.floor_map import FloorMap
+from mansion_skills.navigation.search import NO_CELL, best_cells, clearance, region_of
 
-__all__ = ["Landmark", "floor_landmarks", "landmark_named", "room_at"]
+__all__ = ["Landmark", "floor_landmarks", "landmark_named"]
 
-ROBOT_RADIUS = 0.20
-WALKABLE_HEIGHT = 0.03
 GENERIC = {"elevator": "elevator", "lift": "elevator", "stairs": "stair", "stair": "stair"}
 
 
@@ -30,33 +25,35 @@ class Landmark:
     pose: Pose2D
 
 
-def floor_landmarks(scene: FloorScene) -> list[Landmark]:
-    """Return the cores and rooms of a floor, each with a pose where a robot can stand."""
+def floor_landmarks(grid: FloorMap) -> list[Landmark]:
+    """Return the cores and rooms of a floor, each with a pose where a robot can stand.
+
+    A room's pose is its point with the most free space around, among those that can be reached from the floor's
+    cores or its spawn pose.
+    """
+    scene = grid.scene
     found = [
         Landmark(core.id, core.type, scene.floor, Pose2D(x=x, y=y, yaw=yaw))
         for core in scene.cores
         for x, y, yaw in [core.entrance]
     ]
-    by_room: dict[str, list[SceneObject]] = {}
-    for thing in scene.objects:
-        by_room.setdefault(thing.room, []).append(thing)
-    rooms = [room for room in scene.rooms if room.kind not in ("stair", "elevator")]
-    return found + [_room_landmark(scene.floor, room, by_room.get(room.id, [])) for room in rooms]
-
-
-def _room_landmark(floor: int, room: SceneRoom, things: Iterable[SceneObject]) -> Landmark:
-    inside = Polygon(room.net_polygon, room.net_holes)
-    standing = [_footprint(t) for t in things if t.mount == "floor" and t.size[2] > WALKABLE_HEIGHT]
-    free = inside.difference(unary_union(standing)).buffer(-ROBOT_RADIUS)
-    place = free if not free.is_empty else inside
-    spot = polylabel(largest_polygon(place), 0.1)
-    return Landmark(room.id, "room", floor, Pose2D(x=round(spot.x, 3), y=round(spot.y, 3)))
-
-
-def _footprint(thing: SceneObject) -> BaseGeometry:
-    x, y, _ = thing.position
-    w, d, _ = thing.size
-    return rotate(box(x - w / 2, y - d / 2, x + w / 2, y + d / 2), thing.rotation)
+    distance = clearance(grid.blocked)
+    reached = np.zeros_like(grid.blocked)
+    starts = [(core.entrance[0], core.entrance[1]) for core in scene.cores]
+    starts += [(scene.spawn.x, scene.spawn.y)] if scene.spawn else []
+    for x, y in starts:
+        row, column = grid.frame.cell(x, y)
+        if grid.frame.holds(row, column) and not reached[row, column]:
+            reached |= region_of(grid.blocked, row, column)
+    cells = best_cells(grid.rooms, distance, reached, len(scene.rooms))
+    for number, room in enumerate(scene.rooms, start=1):
+        cell = int(cells[number])
+        if room.kind in ("stair", "elevator") or cell == NO_CELL:
+            continue
+        x, y = grid.frame.center(cell // grid.frame.columns, cell % grid.frame.columns)
+        pose = Pose2D(x=round(x, 3), y=round(y, 3))
+        found.append(Landmark(room.id, "room", scene.floor, pose))
+    return found
 
 
 def landmark_named(
@@ -71,12 +68,3 @@ def landmark_named(
     kind = GENERIC.get(wanted)
     cores = [entry for entry in known if entry.kind == kind]
     return min(cores, key=lambda c: dist(position, (c.pose.x, c.pose.y)), default=None)
-
-
-def room_at(scene: FloorScene, x: float, y: float) -> str | None:
-    """Return the id of the room that holds the point, or ``None``."""
-    point = Point(x, y)
-    for room in scene.rooms:
-        if Polygon(room.polygon, room.holes).covers(point):
-            return room.id
-    return None

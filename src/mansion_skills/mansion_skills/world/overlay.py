@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import tempfile
 from pathlib import Path
 
@@ -9,38 +10,61 @@ from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.world import WorldState
 
-__all__ = ["load_overlay", "overlay_path", "save_overlay"]
+__all__ = [
+    "DEFAULT_SESSION",
+    "check_session",
+    "forget_overlay",
+    "load_overlay",
+    "overlay_path",
+    "save_overlay",
+    "world_overlays",
+]
 
 DEFAULT_SESSION = "default"
-_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,63}")
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}")
 
 
-def overlay_path(building: Path, session: str) -> Path:
-    """Return where a session's overlay lives.
+def check_session(session: str) -> str:
+    """Return the name of a session, ``default`` for an empty one.
 
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` for a session name that cannot be a folder's.
+        ``INVALID_PAYLOAD`` for a name that can be no folder's or no ROS namespace's.
     """
-    if not _NAME.fullmatch(session):
+    name = session or DEFAULT_SESSION
+    if not _NAME.fullmatch(name):
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD,
-            f"session {session!r}: use letters, digits, '_', '-' and '.', 64 at most",
+            f"session {name!r}: use a letter, then letters, digits and '_', 64 at most",
             path="$.session",
         )
-    return building / "state" / session / "world.json"
+    return name
 
 
-def save_overlay(path: Path, state: WorldState) -> None:
-    """Write the overlay whole, or leave the former one: synced to disk before it takes the name."""
+def overlay_path(building: Path, session: str) -> Path:
+    """Return where a session's overlay lives (see `check_session`)."""
+    return building / "state" / check_session(session) / "world.json"
+
+
+def save_overlay(path: Path, state: WorldState, *, durable: bool = True) -> None:
+    """Write the overlay whole, or leave the former one: complete before it takes the name.
+
+    Parameters
+    ----------
+    path : Path
+    state : WorldState
+    durable : bool
+        Sync to the disk first, so that it also outlives a loss of power; a killed process loses nothing either way.
+    """
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, name = tempfile.mkstemp(prefix=".world.", dir=path.parent)
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(encode_bytes(state))
-            stream.flush()
-            os.fsync(stream.fileno())
+            if durable:
+                stream.flush()
+                os.fsync(stream.fileno())
         Path(name).replace(path)
     except BaseException:
         Path(name).unlink(missing_ok=True)
@@ -48,8 +72,25 @@ def save_overlay(path: Path, state: WorldState) -> None:
 
 
 def load_overlay(path: Path) -> WorldState | None:
-    """Return the overlay of a former run, or ``None``."""
+    """Return the overlay of a former run, or ``None``; remains of an interrupted write are removed."""
+    for remains in sorted(path.parent.glob(".world.*")):
+        remains.unlink(missing_ok=True)
     try:
         return decode(WorldState, path.read_bytes())
     except FileNotFoundError:
         return None
+
+
+def world_overlays(building: Path, world: str) -> list[WorldState]:
+    """Return the overlays of all sessions that share a world, in the order of their names."""
+    found = []
+    for path in sorted((building / "state").glob("*/world.json")):
+        state = load_overlay(path)
+        if state is not None and state.world == world:
+            found.append(state)
+    return found
+
+
+def forget_overlay(path: Path) -> None:
+    """Remove a session's overlay."""
+    shutil.rmtree(path.parent, ignore_errors=True)

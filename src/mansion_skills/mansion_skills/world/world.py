@@ -1,133 +1,214 @@
-"""The world of one session: a loaded building, the robot in it, the lifts, and what has moved."""
+"""The world of a loaded building: its objects, doors and lifts, and the robots in it."""
 
+from collections.abc import Iterable
 from math import dist
 
-from mansion_msgs_py.scene import FloorScene, SceneCore
-from mansion_msgs_py.world import LiftDoor, ObjectState, Pose2D, RobotState, WorldState
-from mansion_skills.building import LoadedBuilding
-from mansion_skills.world.landmarks import Landmark, floor_landmarks, room_at
-from mansion_skills.world.lift import Lift
+import numpy as np
+import numpy.typing as npt
 
-__all__ = ["World"]
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import SceneCore
+from mansion_msgs_py.shapes import Point
+from mansion_msgs_py.world import LiftState, Pose2D, RobotState, WorldState
+from mansion_skills.building import LoadedBuilding
+from mansion_skills.navigation.routes import RouteGraph
+from mansion_skills.navigation.search import NO_CELL, nearest_free
+from mansion_skills.world.floor_view import FloorView
+from mansion_skills.world.lift import Lift
+from mansion_skills.world.objects import ObjectTable
+from mansion_skills.world.robot_body import RobotBody
+
+__all__ = ["ROBOT_RADIUS", "World"]
+
+ROBOT_RADIUS = 0.20
+"""Metres; the scenes are furnished for it."""
+
+GIVING_WAY = 1.5
+"""How far beside a standard pose a robot stands where another one is in the way, metres."""
 
 
 class World:
-    """All that a skill reads and changes.
+    """All that skills read and change.
 
     Parameters
     ----------
     building : LoadedBuilding
-    session : str
-    earlier : WorldState, optional
-        The overlay that a former run of the session left.
+    name : str
+        Of the world; sessions of the same name share it.
+    radius : float
+        Of the robots, metres.
+
+    Attributes
+    ----------
+    doors : dict
+        Door id to whether it stands open, for doors that are not as in their scene.
+    time : float
+        Seconds on the world's clock.
+    step : int
+        Number of finished skills that changed something.
+    absent : set of str
+        Sessions of this world whose robots are not loaded now.
+    routes : RouteGraph, optional
+        Of the building, once somebody asked for a route.
+    lift_changes : list of LiftState
+        What lifts did since somebody last emptied the list.
     """
 
     def __init__(
-        self, building: LoadedBuilding, session: str, earlier: WorldState | None = None
+        self, building: LoadedBuilding, name: str = "shared", radius: float = ROBOT_RADIUS
     ) -> None:
         self.building = building
-        self.session = session
+        self.name = name
+        self.radius = radius
         self.time = 0.0
         self.step = 0
-        self.calls: dict[str, int] = {}
-        self.objects: dict[str, ObjectState] = {}
-        self.lifts = {
-            core.id: Lift(
-                name=core.id,
-                elevations={floor: building.entry(floor).elevation for floor in core.floors},
-                labels={floor: building.label(floor) for floor in core.floors},
-                floor=core.floors[0],
-            )
-            for core in self._all_cores()
-            if core.type == "elevator"
-        }
-        ground = 1 if 1 in building.floors else building.floors[0]
-        self._enter(ground)
-        spawn = self.scene.spawn
-        pose = Pose2D(x=spawn.x, y=spawn.y, yaw=spawn.yaw) if spawn else self.landmarks[0].pose
-        self.robot = self._robot(pose, held=None)
-        if earlier is not None:
-            self._restore(earlier)
+        self.doors: dict[str, bool] = {}
+        self.robots: dict[str, RobotBody] = {}
+        self.absent: set[str] = set()
+        self.lift_changes: list[LiftState] = []
+        self.routes: RouteGraph | None = None
+        self.objects = ObjectTable(building.scene(floor) for floor in building.floors)
+        self._views: dict[int, FloorView] = {}
+        self.lifts = {core.id: self._lift(core) for core in self._cores("elevator")}
 
-    def _all_cores(self) -> list[SceneCore]:
+    def _cores(self, kind: str) -> list[SceneCore]:
         found: dict[str, SceneCore] = {}
         for floor in self.building.floors:
             for core in self.building.scene(floor).cores:
-                found.setdefault(core.id, core)
+                if core.type == kind:
+                    found.setdefault(core.id, core)
         return [found[name] for name in sorted(found)]
 
-    def _enter(self, floor: int) -> None:
-        """Load a floor and rebuild its landmarks (skill card UseElevator, steps 2 and 3)."""
-        self.floor = floor
-        self.scene: FloorScene = self.building.scene(floor)
-        self.landmarks: list[Landmark] = floor_landmarks(self.scene)
+    def _lift(self, core: SceneCore) -> Lift:
+        elevations = {floor: self.building.entry(floor).elevation for floor in core.floors}
+        return Lift(
+            name=core.id,
+            elevations=elevations,
+            labels={floor: self.building.label(floor) for floor in core.floors},
+            position=elevations[core.floors[0]],
+        )
 
-    def _robot(self, pose: Pose2D, held: str | None) -> RobotState:
+    def view(self, floor: int) -> FloorView:
+        """Return a floor, loaded when it is first needed."""
+        if floor not in self._views:
+            scene = self.building.scene(floor)
+            self._views[floor] = FloorView(scene, self.objects, self.doors, self.radius)
+        return self._views[floor]
+
+    def refresh(self, floor: int) -> None:
+        """Bring a floor's grids up to date after a door or a standing object changed."""
+        if floor in self._views:
+            self._views[floor].refresh(self.doors)
+
+    def reload(self) -> None:
+        """Forget the loaded floors, after objects and doors were restored."""
+        self._views.clear()
+
+    def add_robot(self, session: str) -> RobotBody:
+        """Put a session's robot at the spawn pose, or return the one that is there already."""
+        if session in self.robots:
+            return self.robots[session]
+        self.absent.discard(session)
+        floors = self.building.floors
+        floor = 1 if 1 in floors else floors[0]
+        view = self.view(floor)
+        spawn = view.scene.spawn
+        if spawn is None and not view.landmarks:
+            raise MansionError(
+                ErrorCode.NOT_FOUND, f"floor {floor} has neither a spawn pose nor a landmark"
+            )
+        pose = Pose2D(x=spawn.x, y=spawn.y, yaw=spawn.yaw) if spawn else view.landmarks[0].pose
+        self.robots[session] = RobotBody(
+            session, floor, self._beside(session, floor, pose), self.radius
+        )
+        return self.robots[session]
+
+    def robot_state(self, robot: RobotBody) -> RobotState:
+        """Return a robot's state as a payload."""
         return RobotState(
-            session=self.session,
-            floor=self.floor,
-            label=self.building.label(self.floor),
-            pose=pose,
-            room=room_at(self.scene, pose.x, pose.y),
-            held=held,
+            session=robot.session,
+            floor=robot.floor,
+            label=self.building.label(robot.floor),
+            pose=robot.pose,
+            room=self.view(robot.floor).map.room_at(robot.pose.x, robot.pose.y),
+            held=self.objects.held_by(robot.session),
+            pitch=robot.pitch,
             building_id=self.building.building_id,
         )
 
-    def move_robot(self, pose: Pose2D) -> None:
-        """Put the robot at a pose of the current floor."""
-        self.robot = self._robot(pose, self.robot.held)
+    def others(self, session: str, floor: int) -> list[Point]:
+        """Return where the other robots of a floor stand."""
+        return [
+            robot.place
+            for name, robot in self.robots.items()
+            if name != session and robot.floor == floor
+        ]
 
-    def distance_to(self, x: float, y: float) -> float:
-        """Metres from the robot to a point of the current floor."""
-        return dist((self.robot.pose.x, self.robot.pose.y), (x, y))
+    def blocked_for(self, session: str, floor: int) -> npt.NDArray[np.bool_]:
+        """Return where the centre of a session's robot cannot be: walls, closed doors, objects, other robots."""
+        discs: Iterable[tuple[Point, float]] = [
+            (place, 2 * self.radius) for place in self.others(session, floor)
+        ]
+        return self.view(floor).map.blocked_with(discs)
 
-    def core_near(self, kind: str, reach: float) -> SceneCore | None:
+    def core_near(self, robot: RobotBody, kind: str, reach: float) -> SceneCore | None:
         """Return the nearest core of `kind` whose entrance is within `reach` metres of the robot."""
-        cores = [core for core in self.scene.cores if core.type == kind]
-        nearest = min(cores, key=lambda core: self.distance_to(*core.entrance[:2]), default=None)
-        if nearest is None or self.distance_to(*nearest.entrance[:2]) > reach:
-            return None
-        return nearest
+        cores = [core for core in self.view(robot.floor).scene.cores if core.type == kind]
+        away = {core.id: dist(robot.place, core.entrance[:2]) for core in cores}
+        nearest = min(cores, key=lambda core: away[core.id], default=None)
+        return nearest if nearest is not None and away[nearest.id] <= reach else None
 
-    def update_floor(self, floor_delta: int, core_id: str) -> None:
-        """Take the robot to another floor: the four steps of the UseElevator card.
+    def update_floor(self, robot: RobotBody, floor_delta: int, core_id: str) -> None:
+        """Take a robot to another floor: the four steps of the UseElevator card.
 
-        What it holds leaves this floor and enters the other with it, the other floor is loaded, its landmarks are
-        rebuilt, and the robot stands at the core's standard pose there, facing outward.
+        What it holds leaves this floor and enters the other with it (it is in the hand all the while), the other
+        floor is loaded with its landmarks, and the robot stands at the core's standard pose there, facing outward.
         """
-        held = self.robot.held
-        self._enter(self.floor + floor_delta)
-        core = next(core for core in self.scene.cores if core.id == core_id)
+        floor = robot.floor + floor_delta
+        core = next(core for core in self.view(floor).scene.cores if core.id == core_id)
         x, y, yaw = core.entrance
-        self.robot = self._robot(Pose2D(x=x, y=y, yaw=yaw), held)
+        pose = self._beside(robot.session, floor, Pose2D(x=x, y=y, yaw=yaw))
+        robot.floor, robot.pose, robot.path = floor, pose, []
 
-    def state(self) -> WorldState:
-        """Return the overlay: everything that differs from the scenes on disk."""
+    def _beside(self, session: str, floor: int, pose: Pose2D) -> Pose2D:
+        """Return the pose, or the next free one when another robot stands there."""
+        if all(
+            dist((pose.x, pose.y), place) >= 2 * self.radius
+            for place in self.others(session, floor)
+        ):
+            return pose
+        frame = self.view(floor).map.frame
+        row, column = frame.cell(pose.x, pose.y)
+        reach = int(GIVING_WAY / frame.resolution)
+        cell = int(nearest_free(self.blocked_for(session, floor), row, column, reach))
+        if cell == NO_CELL:
+            return pose
+        x, y = frame.center(cell // frame.columns, cell % frame.columns)
+        return Pose2D(x=x, y=y, yaw=pose.yaw)
+
+    def advance(self, seconds: float) -> None:
+        """Let time pass: lifts move and open their doors."""
+        for lift in self.lifts.values():
+            self.lift_changes += lift.advance(seconds, self.time, self.building.building_id)
+        self.time += seconds
+
+    def lift_states(self) -> list[LiftState]:
+        """Return every lift's state now."""
+        return [lift.state(self.building.building_id, self.time) for lift in self.lifts.values()]
+
+    def state(self, robot: RobotBody) -> WorldState:
+        """Return a session's overlay: its robot, and all that differs from the scenes on disk."""
         return WorldState(
             building_id=self.building.building_id,
-            session=self.session,
-            robot=self.robot,
-            lifts=[
-                lift.state(self.building.building_id, self.time) for lift in self.lifts.values()
-            ],
-            objects=list(self.objects.values()),
-            calls=dict(self.calls),
+            session=robot.session,
+            world=self.name,
+            robot=self.robot_state(robot),
+            lifts=self.lift_states(),
+            queues={name: lift.queue for name, lift in self.lifts.items() if lift.queue},
+            objects=list(self.objects.changed.values()),
+            doors=dict(self.doors),
+            calls={robot.call: robot.floor} if robot.call is not None else {},
             revisions={str(f): self.building.scene(f).revision for f in self.building.floors},
             time=self.time,
             step=self.step,
         )
-
-    def _restore(self, earlier: WorldState) -> None:
-        self._enter(earlier.robot.floor)
-        self.robot = self._robot(earlier.robot.pose, earlier.robot.held)
-        self.calls = dict(earlier.calls)
-        self.objects = {thing.id: thing for thing in earlier.objects}
-        self.time, self.step = earlier.time, earlier.step
-        for saved in earlier.lifts:
-            lift = self.lifts.get(saved.lift_name)
-            if lift is not None:
-                lift.floor = next(
-                    f for f, text in lift.labels.items() if text == saved.current_floor
-                )
-                lift.door = LiftDoor(saved.door_state)
-                lift.session = saved.session_id

@@ -1,0 +1,1 @@
+"""Where a robot can go: occupancy grids, paths on a floor, routes between floors, and what a laser sees."""

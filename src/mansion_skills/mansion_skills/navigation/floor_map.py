@@ -1,0 +1,219 @@
+"""The grids of one floor: what stands where, where the robot's centre may be, what blocks the view."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from math import hypot
+
+import numpy as np
+import numpy.typing as npt
+
+from mansion_msgs_py.scene import Door, FloorScene
+from mansion_msgs_py.shapes import Point, Point3, Ring, Size3
+from mansion_skills.navigation.raster import GridFrame, fill_box, fill_ring
+from mansion_skills.navigation.search import inflate, stamp_disc
+
+__all__ = [
+    "CLEARANCE",
+    "FLAT",
+    "FREE",
+    "LEAFLESS",
+    "OCCUPIED",
+    "RESOLUTION",
+    "UNKNOWN",
+    "Body",
+    "FloorMap",
+    "is_walkway",
+]
+
+RESOLUTION = 0.05
+MARGIN = 0.5
+"""Unknown metres around the building, as in the floor's ``map.yaml``."""
+
+CLEARANCE = 1.5
+"""Height of the robot: what hangs higher is no obstacle, metres."""
+
+FLAT = 0.05
+"""What is lower is driven over, metres."""
+
+EYE_LEVEL = 1.4
+"""What is taller blocks the view, metres."""
+
+FREE, OCCUPIED, UNKNOWN = 0, 100, -1
+"""Values of ``nav_msgs/OccupancyGrid``."""
+
+LEAFLESS = ("open", "doorway", "frame")
+"""Kinds of doors that cannot be closed."""
+
+SEE_THROUGH = ("glazed",)
+_INSIDE, _OUTSIDE = 0, -1
+_WALL = -1
+_CLEAR = 0
+_PASSAGE_DEPTH = 0.14
+"""Half depth of a passage through a wall without a thickness of its own, metres."""
+
+
+@dataclass(frozen=True)
+class Body:
+    """An object as the map sees it; `number` is its label in the view grid, 1 or more."""
+
+    id: str
+    position: Point3
+    size: Size3
+    rotation: float
+    carried: bool
+    number: int
+
+    @property
+    def bottom(self) -> float:
+        """Height of its lower side, metres."""
+        return self.position[2] - self.size[2] / 2
+
+    @property
+    def top(self) -> float:
+        """Height of its upper side, metres."""
+        return self.position[2] + self.size[2] / 2
+
+
+def is_walkway(door: Door, cores: Iterable[str]) -> bool:
+    """Whether a robot can drive through a door when it stands open: not into a shaft, not outside."""
+    return None not in door.rooms and not set(cores).intersection(str(name) for name in door.rooms)
+
+
+class FloorMap:
+    """Grids of one floor, updated when a door or a standing object changes.
+
+    Parameters
+    ----------
+    scene : FloorScene
+    radius : float
+        Of the robot, metres.
+
+    Attributes
+    ----------
+    rooms : array of int16
+        Number of the room (1 for the first of the scene) that each cell belongs to; 0 is none.
+    occupied, blocked : array of bool
+        Cells with an obstacle, and cells where the robot's centre cannot be.
+    version : int
+        Counts the updates.
+    view : array of int16
+        What ends a line of sight: 0 nothing, -1 a wall or a closed door, else a body's number.
+    """
+
+    def __init__(self, scene: FloorScene, radius: float) -> None:
+        self.scene = scene
+        self.radius = radius
+        points: Ring = [*scene.outline, *(p for room in scene.rooms for p in room.polygon)]
+        points += [p for wall in scene.walls for p in wall.segment]
+        points += [p for core in scene.cores for p in core.polygon]
+        self.frame = GridFrame.around(points, MARGIN, RESOLUTION)
+        shape = (self.frame.rows, self.frame.columns)
+        self._outside = self._outdoors(shape)
+        self.rooms = np.zeros(shape, dtype=np.int16)
+        self._bare = np.full(shape, _WALL, dtype=np.int16)
+        self._fill_rooms()
+        self._thickness = {wall.id: wall.thickness for wall in scene.walls}
+        self._cores = [core.id for core in scene.cores]
+        self.version = 0
+        self.view: npt.NDArray[np.int16] = self._bare
+        self.occupied: npt.NDArray[np.bool_] = self._bare != _CLEAR
+        self.blocked: npt.NDArray[np.bool_] = self.occupied
+
+    def _outdoors(self, shape: tuple[int, int]) -> npt.NDArray[np.bool_]:
+        marks = np.full(shape, _OUTSIDE, dtype=np.int16)
+        fill_ring(marks, self.frame, self.scene.outline, _INSIDE)
+        for hole in self.scene.holes:
+            fill_ring(marks, self.frame, hole, _OUTSIDE)
+        for wall in self.scene.walls:
+            (ax, ay), (bx, by) = wall.segment
+            size = (hypot(bx - ax, by - ay) + wall.thickness, wall.thickness)
+            angle = float(np.degrees(np.arctan2(by - ay, bx - ax)))
+            middle = ((ax + bx) / 2, (ay + by) / 2)
+            fill_box(marks, self.frame, middle, size, angle, _INSIDE)
+        outdoors: npt.NDArray[np.bool_] = marks == _OUTSIDE
+        return outdoors
+
+    def _fill_rooms(self) -> None:
+        for number, room in enumerate(self.scene.rooms, start=1):
+            fill_ring(self.rooms, self.frame, room.polygon, number)
+            if room.kind in ("stair", "elevator"):
+                continue
+            fill_ring(self._bare, self.frame, room.net_polygon, _CLEAR)
+            for hole in room.net_holes:
+                fill_ring(self._bare, self.frame, hole, _WALL)
+        for core in self.scene.cores:
+            fill_ring(self._bare, self.frame, core.polygon, _WALL)
+
+    def update(self, bodies: Iterable[Body], is_open: Mapping[str, bool]) -> None:
+        """Put the doors and bodies of this moment into the grids.
+
+        Parameters
+        ----------
+        bodies : iterable of Body
+        is_open : mapping
+            Door id to whether it stands open now, for every door of the floor.
+        """
+        solid = self._bare.copy()
+        view = self._bare.copy()
+        for door in self.scene.doors:
+            self._cut(door, is_open[door.id], solid, view)
+        for body in bodies:
+            if body.carried or body.bottom >= CLEARANCE or body.top <= FLAT:
+                continue
+            place = (body.position[0], body.position[1])
+            footprint = (body.size[0], body.size[1])
+            fill_box(solid, self.frame, place, footprint, body.rotation, body.number)
+            if body.top > EYE_LEVEL:
+                fill_box(view, self.frame, place, footprint, body.rotation, body.number, _CLEAR)
+        self.version += 1
+        self.view = view
+        self.occupied = solid != _CLEAR
+        self.blocked = inflate(self.occupied, self.radius / RESOLUTION)
+
+    def _cut(
+        self,
+        door: Door,
+        is_open: bool,
+        solid: npt.NDArray[np.int16],
+        view: npt.NDArray[np.int16],
+    ) -> None:
+        if not is_walkway(door, self._cores):
+            return
+        passable = is_open or door.kind in LEAFLESS
+        (ax, ay), (bx, by) = door.segment
+        depth = max(self._thickness.get(door.wall, 0.0) / 2 + RESOLUTION, _PASSAGE_DEPTH)
+        size = (hypot(bx - ax, by - ay), 2 * depth)
+        angle = float(np.degrees(np.arctan2(by - ay, bx - ax)))
+        middle = ((ax + bx) / 2, (ay + by) / 2)
+        if passable:
+            fill_box(solid, self.frame, middle, size, angle, _CLEAR, _WALL)
+        if passable or door.kind in SEE_THROUGH:
+            fill_box(view, self.frame, middle, size, angle, _CLEAR, _WALL)
+
+    def room_at(self, x: float, y: float) -> str | None:
+        """Return the id of the room that holds a point, or ``None``."""
+        row, column = self.frame.cell(x, y)
+        number = int(self.rooms[row, column]) if self.frame.holds(row, column) else 0
+        return self.scene.rooms[number - 1].id if number else None
+
+    def is_free(self, x: float, y: float) -> bool:
+        """Whether the robot's centre can be at a point."""
+        row, column = self.frame.cell(x, y)
+        return self.frame.holds(row, column) and not self.blocked[row, column]
+
+    def blocked_with(self, discs: Iterable[tuple[Point, float]]) -> npt.NDArray[np.bool_]:
+        """Return `blocked` with further discs (centre, and radius for the robot's centre; metres)."""
+        discs = list(discs)
+        if not discs:
+            return self.blocked
+        mask = self.blocked.copy()
+        for (x, y), radius in discs:
+            row = (y - self.frame.y0) / RESOLUTION - 0.5
+            stamp_disc(mask, row, (x - self.frame.x0) / RESOLUTION - 0.5, radius / RESOLUTION)
+        return mask
+
+    def occupancy(self) -> npt.NDArray[np.int8]:
+        """Return the values of ``nav_msgs/OccupancyGrid``, shape (rows, columns)."""
+        data = np.where(self.occupied, OCCUPIED, FREE).astype(np.int8)
+        data[self._outside] = UNKNOWN
+        return data
