@@ -3,17 +3,24 @@
 import logging
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Generic, TypeVar
 
 from mansion_llm.accounting import Meter
 from mansion_llm.extraction import json_candidates
 from mansion_llm.prompt import Message, Prompt, request_digest
 from mansion_llm.settings import LlmSettings, load_settings
-from mansion_llm.store import AnswerStore, CacheFolder, Recorder, Recording, StoredAnswer
+from mansion_llm.store import (
+    AnswerStore,
+    CacheFolder,
+    Recorder,
+    Recording,
+    RunSettings,
+    StoredAnswer,
+)
 from mansion_llm.structured import Mode, answer_schema, response_format, weaker_mode
 from mansion_llm.transport import ChatReply, ChatTransport, OpenAITransport, TransportError
-from mansion_msgs_py.codec import decode
+from mansion_msgs_py.codec import decode, to_builtins
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.usage import LlmUsage
 
@@ -94,13 +101,15 @@ class LlmClient:
         self._sleep, self._clock = sleep, clock
         self._stores: list[AnswerStore] = []
         recording = Recording(settings.replay) if settings.replay is not None else None
+        if recording is not None and recording.run is not None:
+            settings = self.settings = replace(settings, **to_builtins(recording.run))
         self._replay = recording
         self.model = recording.model if recording is not None else settings.model
         if recording is not None:
             self._stores.append(recording)
         elif settings.cache is not None:
-            self._stores.append(CacheFolder(settings.cache))
-        self._recorder = Recorder(settings.record) if settings.record is not None else None
+            self._stores.append(CacheFolder(settings.cache / f"temperature_{settings.temperature}"))
+        self._recorder = _recorder(settings)
         self._transport = transport
         if transport is None and recording is None:
             self._transport = OpenAITransport(settings)
@@ -170,7 +179,7 @@ class LlmClient:
         return best
 
     def _complete(self, name: str, messages: list[Message], schema: dict[str, Any]) -> ChatReply:
-        digest = request_digest(self.model, messages, schema, str(self.settings.temperature))
+        digest = request_digest(self.model, messages, schema)
         for store in self._stores:
             found = store.get(digest)
             if found is not None:
@@ -263,6 +272,18 @@ class LlmClient:
         if error.retry_after is not None:
             wait = max(wait, error.retry_after)
         return min(wait, LONGEST_WAIT)
+
+
+def _recorder(settings: LlmSettings) -> Recorder | None:
+    if settings.record is None:
+        return None
+    run = RunSettings(
+        pieces=settings.pieces,
+        repairs=settings.repairs,
+        input_price=settings.input_price,
+        output_price=settings.output_price,
+    )
+    return Recorder(settings.record, run)
 
 
 def _read(reply: ChatReply, kind: type[T], array_field: str) -> tuple[T | None, list[Fault]]:

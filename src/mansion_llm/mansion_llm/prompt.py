@@ -7,7 +7,7 @@ import zlib
 from dataclasses import dataclass
 from typing import Any, Literal
 
-__all__ = ["Message", "Prompt", "picture_digest", "quoted_data"]
+__all__ = ["Message", "Prompt", "picture_digest", "quoted_data", "request_digest"]
 
 
 @dataclass(frozen=True)
@@ -55,12 +55,10 @@ def quoted_data(label: str, text: str) -> str:
     return f"<{label}>\n{text.replace('</', '< /')}\n</{label}>"
 
 
-def request_digest(
-    model: str, messages: list[Message], schema: dict[str, Any], settings: str
-) -> str:
-    """Return the digest of everything that an answer depends on; neither key nor address are part of it."""
+def request_digest(model: str, messages: list[Message], schema: dict[str, Any]) -> str:
+    """Return the digest of a question to a model; neither key nor address are part of it."""
     talk = [[m.role, m.text, [picture_digest(p) for p in m.pictures]] for m in messages]
-    text = json.dumps([model, talk, schema, settings], sort_keys=True, ensure_ascii=False)
+    text = json.dumps([model, talk, schema], sort_keys=True, ensure_ascii=False)
     return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
 
 

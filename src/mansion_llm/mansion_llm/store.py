@@ -9,7 +9,7 @@ import msgspec
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["AnswerStore", "CacheFolder", "Recorder", "Recording", "StoredAnswer"]
+__all__ = ["AnswerStore", "CacheFolder", "Recorder", "Recording", "RunSettings", "StoredAnswer"]
 
 
 class StoredAnswer(msgspec.Struct, kw_only=True):
@@ -70,12 +70,22 @@ class CacheFolder:
         partial.replace(file)
 
 
+class RunSettings(msgspec.Struct, kw_only=True):
+    """What a replay must share with the run that was recorded: the first line of a recording."""
+
+    pieces: tuple[str, ...]
+    repairs: int
+    input_price: float
+    output_price: float
+
+
 class Recorder:
     """Appends each answer to a file, one JSON line an answer; several processes may share the file."""
 
-    def __init__(self, file: Path) -> None:
+    def __init__(self, file: Path, run: RunSettings) -> None:
         self._file = file
         file.parent.mkdir(parents=True, exist_ok=True)
+        self._append(msgspec.json.encode(run))
 
     def get(self, digest: str) -> StoredAnswer | None:
         """A recorder knows no answers."""
@@ -83,16 +93,23 @@ class Recorder:
 
     def put(self, answer: StoredAnswer) -> None:
         """Append one line in one write."""
-        line = msgspec.json.encode(answer) + b"\n"
+        self._append(msgspec.json.encode(answer))
+
+    def _append(self, line: bytes) -> None:
         handle = os.open(self._file, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
         try:
-            os.write(handle, line)
+            os.write(handle, line + b"\n")
         finally:
             os.close(handle)
 
 
 class Recording:
     """A recorded file; what it does not hold is not asked elsewhere.
+
+    Attributes
+    ----------
+    run : RunSettings, optional
+        Of the recorded run.
 
     Raises
     ------
@@ -105,11 +122,15 @@ class Recording:
             lines = file.read_bytes().splitlines()
         except OSError:
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no recording {file}") from None
+        self.run: RunSettings | None = None
         self._answers: dict[str, StoredAnswer] = {}
         for number, line in enumerate(lines, start=1):
             if not line.strip():
                 continue
             try:
+                if line.startswith(b'{"pieces"'):
+                    self.run = self.run or msgspec.json.decode(line, type=RunSettings)
+                    continue
                 answer = msgspec.json.decode(line, type=StoredAnswer)
             except (msgspec.MsgspecError, UnicodeError) as error:
                 raise MansionError(
