@@ -14,7 +14,7 @@ from mansion_scene.catalogue import Asset, Catalogue
 from mansion_scene.decor.frames import room_polygon
 from mansion_scene.editing.vocabulary import Vocabulary, vocabulary_of
 
-__all__ = ["FloorIndex", "SceneState"]
+__all__ = ["FloorIndex", "SceneState", "changed", "inverse"]
 
 
 class FloorIndex:
@@ -157,20 +157,21 @@ class SceneState:
 
     def add(self, floor: int, item: SceneObject) -> None:
         """Append an object."""
-        self._do(
+        self.apply(
             ObjectChange(floor=floor, index=len(self.scenes[floor].objects), after=item),
         )
 
     def remove(self, floor: int, item: SceneObject) -> None:
         """Take an object away."""
-        self._do(ObjectChange(floor=floor, index=self.index(floor).at[item.id], before=item))
+        self.apply(ObjectChange(floor=floor, index=self.index(floor).at[item.id], before=item))
 
     def replace(self, floor: int, item: SceneObject, by: SceneObject) -> None:
         """Put `by` where `item` was."""
         at = self.index(floor).at[item.id]
-        self._do(ObjectChange(floor=floor, index=at, before=item, after=by))
+        self.apply(ObjectChange(floor=floor, index=at, before=item, after=by))
 
-    def _do(self, change: ObjectChange) -> None:
+    def apply(self, change: ObjectChange) -> None:
+        """Do one change and remember it."""
         self.scenes[change.floor] = changed(self.scenes[change.floor], change)
         self._indexes.pop(change.floor, None)
         self.pending.append(change)
