@@ -1,5 +1,6 @@
 """Read the data files of the catalogue, our own and those of user folders."""
 
+import os
 from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -20,7 +21,7 @@ from mansion_scene.catalogue.records import (
 )
 from mansion_scene.catalogue.surfaces import surfaces_of
 
-__all__ = ["DATA", "load_catalogue"]
+__all__ = ["DATA", "FOLDERS", "load_catalogue"]
 
 DATA = Path(__file__).parent / "data"
 
@@ -31,14 +32,20 @@ class _ThorTable(msgspec.Struct, kw_only=True):
     types: dict[str, list[tuple[str, float, float, float, str]]]
 
 
-def load_catalogue(extra: Sequence[Path] = ()) -> Catalogue:
+FOLDERS = "MANSION_CATALOGUE"
+"""Environment variable with folders of a user's assets and room types, separated as in ``PATH``."""
+
+
+def load_catalogue(extra: Sequence[Path] | None = None) -> Catalogue:
     """Return the catalogue, with the assets and room types of user folders added.
 
     Parameters
     ----------
     extra : sequence of Path
         Folders with ``assets/*.json`` (one `AssetRecord` each, its GLB beside it), ``rooms/*.json`` (one `RoomRecord`
-        each) and ``arrangements/*.json`` (one `Arrangement` each). A record replaces ours of the same name.
+        each) and ``arrangements/*.json`` (one `Arrangement` each). A record replaces ours of the same name. Those named
+        by the environment variable ``MANSION_CATALOGUE`` when it is left out, so that every stage and export sees the
+        same assets.
 
     Raises
     ------
@@ -49,6 +56,8 @@ def load_catalogue(extra: Sequence[Path] = ()) -> Catalogue:
     -----
     Cached for each tuple of folders; a catalogue is not written to.
     """
+    if extra is None:
+        extra = [Path(name) for name in os.environ.get(FOLDERS, "").split(os.pathsep) if name]
     return _load(tuple(Path(folder).resolve() for folder in extra))
 
 

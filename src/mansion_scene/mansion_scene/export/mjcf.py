@@ -7,6 +7,7 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from mansion_msgs_py.scene import FloorScene, SceneObject, Wall
+from mansion_scene.catalogue import Catalogue
 from mansion_scene.export.appearance import surface_material
 from mansion_scene.export.colliders import collision_box, ground_boxes
 from mansion_scene.export.meshes import floor_model
@@ -39,7 +40,11 @@ class MjcfExport:
 
 
 def floor_mjcf(
-    scene: FloorScene, mesh_dir: str = "../../meshes", *, free_pickupables: bool = False
+    scene: FloorScene,
+    mesh_dir: str = "../../meshes",
+    *,
+    free_pickupables: bool = False,
+    catalogue: Catalogue | None = None,
 ) -> MjcfExport:
     """Make the MuJoCo model of a floor, its finished floor at z = 0.
 
@@ -51,13 +56,15 @@ def floor_mjcf(
     free_pickupables : bool
         Give what can be picked up a free joint; else everything is fixed to the world, and a body is moved by writing
         its ``body_pos``.
+    catalogue : Catalogue, optional
+        Where the assets are, when they are not all in the shipped one.
 
     Returns
     -------
     MjcfExport
         Bodies carry our ids. Geom groups: 0 structure, 1 objects, 2 ceilings, 3 collision boxes (not drawn).
     """
-    model = floor_model(scene)
+    model = floor_model(scene, catalogue=catalogue)
     writer = _Writer()
     items = {item.id: item for item in scene.objects}
     for wall, boxes in _wall_boxes(scene):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from mansion_msgs_py.scene import FloorScene
+from mansion_scene.catalogue import Catalogue
 from mansion_scene.export.cutaway import cut_open, quarter_turns, shell
 from mansion_scene.export.meshes import building_models
 from mansion_scene.export.model import Model
@@ -48,7 +49,11 @@ class _Sheet:
 
 
 def overview_png(
-    scenes: Sequence[FloorScene], width: int = WIDTH, models: Sequence[Model] | None = None
+    scenes: Sequence[FloorScene],
+    width: int = WIDTH,
+    *,
+    catalogue: Catalogue | None = None,
+    models: Sequence[Model] | None = None,
 ) -> bytes:
     """Draw a building from outside, and beside it each floor with its walls cut open.
 
@@ -57,6 +62,8 @@ def overview_png(
     scenes : sequence of FloorScene
     width : int
         Of the picture, pixels.
+    catalogue : Catalogue, optional
+        Where the assets are, when they are not all in the shipped one.
     models : sequence of Model, optional
         Of the same floors, lowest first, with ceilings, where they are made already.
 
@@ -68,7 +75,8 @@ def overview_png(
     from PIL import Image, ImageDraw
 
     ordered = sorted(scenes, key=lambda scene: scene.floor)
-    models = models if models is not None else building_models(ordered)
+    if models is None:
+        models = building_models(ordered, catalogue=catalogue)
     turns = quarter_turns(ordered)
     floors = [cut_open(model, scene, turns) for model, scene in zip(models, ordered)]
     layout = _layout(floors, width)

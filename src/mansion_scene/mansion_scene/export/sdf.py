@@ -7,6 +7,7 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from mansion_msgs_py.scene import FloorScene
+from mansion_scene.catalogue import Catalogue
 from mansion_scene.export.colliders import collision_box, ground_boxes
 from mansion_scene.export.meshes import building_models
 from mansion_scene.export.model import Material, Mesh, Model, Node
@@ -32,7 +33,9 @@ class SdfExport:
     meshes: dict[str, bytes]
 
 
-def world_sdf(scenes: Sequence[FloorScene], mesh_dir: str = "meshes") -> SdfExport:
+def world_sdf(
+    scenes: Sequence[FloorScene], mesh_dir: str = "meshes", catalogue: Catalogue | None = None
+) -> SdfExport:
     """Make a Gazebo world of all floors.
 
     Parameters
@@ -40,6 +43,8 @@ def world_sdf(scenes: Sequence[FloorScene], mesh_dir: str = "meshes") -> SdfExpo
     scenes : sequence of FloorScene
     mesh_dir : str
         Folder of the meshes, seen from the world file.
+    catalogue : Catalogue, optional
+        Where the assets are, when they are not all in the shipped one.
 
     Returns
     -------
@@ -51,7 +56,7 @@ def world_sdf(scenes: Sequence[FloorScene], mesh_dir: str = "meshes") -> SdfExpo
     ordered = sorted(scenes, key=lambda scene: scene.floor)
     models = [
         _model(model, scene, mesh_dir, files)
-        for model, scene in zip(building_models(ordered), ordered)
+        for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered)
     ]
     name = ordered[0].building_id if ordered else "building"
     return SdfExport(_world(name, models), dict(sorted(files.items())))

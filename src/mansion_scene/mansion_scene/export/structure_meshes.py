@@ -12,6 +12,7 @@ from mansion_scene.export.model import Material, Model, Node, Surface
 from mansion_scene.export.plan.labels import room_title
 from mansion_scene.export.solids import Box, WallBodies
 from mansion_scene.export.solids3d import boxes_surface, polygon_surface
+from mansion_scene.structure.facade_materials import DEFAULT_FACADE, facade_of
 
 __all__ = ["add_ceilings", "add_floors", "add_roof", "add_walls", "slab_polygon"]
 
@@ -32,7 +33,7 @@ def add_walls(model: Model, scene: FloorScene) -> None:
 def _wall(wall: Wall, boxes: Sequence[Box]) -> list[Surface]:
     left = surface_material(wall.left_material, "wall")
     right = surface_material(
-        wall.right_material or ("facade_render" if wall.exterior else ""), "wall"
+        wall.right_material or (DEFAULT_FACADE if wall.exterior else ""), "wall"
     )
     body = boxes_surface(boxes, named("white_drywall"))
     faces = body.faces.reshape(-1, 12, 3)
@@ -135,6 +136,6 @@ def add_roof(model: Model, scene: FloorScene) -> None:
         Node(name, name, "ceiling"),
         [
             *_parts(slab, top, top + 0.25, named("polished_concrete")),
-            *_parts(ring, top + 0.25, top + 0.6, named("facade_render")),
+            *_parts(ring, top + 0.25, top + 0.6, surface_material(facade_of(scene), "wall")),
         ],
     )

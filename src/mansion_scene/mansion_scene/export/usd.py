@@ -10,6 +10,7 @@ import numpy as np
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
+from mansion_scene.catalogue import Catalogue
 from mansion_scene.export.appearance import linear
 from mansion_scene.export.meshes import building_models
 from mansion_scene.export.model import Material, Mesh, Model, Node
@@ -17,12 +18,14 @@ from mansion_scene.export.model import Material, Mesh, Model, Node
 __all__ = ["building_usd"]
 
 
-def building_usd(scenes: Sequence[FloorScene]) -> bytes:
+def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = None) -> bytes:
     """Make a USD stage of all floors, in the binary crate format (``.usdc``), z up, metres.
 
     Parameters
     ----------
     scenes : sequence of FloorScene
+    catalogue : Catalogue, optional
+        Where the assets are, when they are not all in the shipped one.
 
     Returns
     -------
@@ -52,7 +55,7 @@ def building_usd(scenes: Sequence[FloorScene]) -> bytes:
     if ordered:
         root.GetPrim().SetDisplayName(ordered[0].building_id)
     writer = _Writer(stage)
-    for model in building_models(ordered):
+    for model in building_models(ordered, catalogue=catalogue):
         writer.floor(model)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "building.usdc"

@@ -39,7 +39,7 @@ class ObjectPlacer(Node):
     def furnish(self, request: FurnishRequest) -> FloorScene:
         """Furnish one floor and publish its scene."""
         folders = self.get_parameter("catalogue_folders").value or []
-        catalogue = load_catalogue([Path(folder) for folder in folders if folder])
+        catalogue = load_catalogue([Path(folder) for folder in folders if folder] or None)
         scene = furnish_floor(request, catalogue=catalogue)
         self._scenes.publish(scene)
         self.get_logger().info(

@@ -14,6 +14,7 @@ from mansion_scene.structure.access import plan_access, shared_stretches
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
 from mansion_scene.structure.entrance import entrance_room, is_residential, place_entrance
+from mansion_scene.structure.facade_materials import facade_material
 from mansion_scene.structure.interiors import Partition, partition_floor
 from mansion_scene.structure.openings import (
     make_frontages,
@@ -104,7 +105,8 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
         lambda opening: other_places(opening, shared, frontages),
     )
     rooms = scene_rooms(request, floor, partition, ceiling)
-    walls = number_walls(floor, partition.walls, {room.id: room for room in rooms}, ceiling)
+    facade = facade_material(request.building_type, request.seed)
+    walls = number_walls(floor, partition.walls, {room.id: room for room in rooms}, ceiling, facade)
     windows = place_windows(floor, partition.walls, openings, ceiling)
     doors = number_doors(floor, walls, openings, ceiling)
     return FloorStructure(

@@ -11,6 +11,7 @@ from mansion_scene.structure.dimensions import (
     INTERIOR_THICKNESS,
     PARAPET_HEIGHT,
 )
+from mansion_scene.structure.facade_materials import DEFAULT_FACADE
 from mansion_scene.structure.openings import Opening
 from mansion_scene.structure.regions import FloorRegions, ring_points
 from mansion_scene.structure.room_classes import is_class
@@ -19,7 +20,6 @@ from mansion_scene.structure.windows import WindowOpening
 
 __all__ = ["number_doors", "number_walls", "number_windows"]
 
-_FACADE = "facade_render"
 _CORE_WALL = "raw_concrete"
 
 
@@ -76,6 +76,7 @@ def number_walls(
     stretches: Sequence[Stretch],
     rooms: Mapping[str, SceneRoom],
     ceiling: float,
+    facade: str = DEFAULT_FACADE,
 ) -> list[tuple[Stretch, Wall]]:
     """Return each stretch with its wall; ids count in the floor's order.
 
@@ -98,7 +99,7 @@ def number_walls(
                     left=stretch.left,
                     right=stretch.right,
                     left_material=_face(stretch.left, rooms),
-                    right_material=_FACADE if stretch.exterior else _face(stretch.right, rooms),
+                    right_material=facade if stretch.exterior else _face(stretch.right, rooms),
                 ),
             )
         )

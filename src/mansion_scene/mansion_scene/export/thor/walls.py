@@ -16,6 +16,7 @@ from mansion_scene.export.boundary import Stretch, stretches
 from mansion_scene.export.frames import thor_point
 from mansion_scene.export.thor.hole_assets import DOORFRAMES, DOORWAYS, WINDOWS, nearest
 from mansion_scene.export.thor.materials import wall_material
+from mansion_scene.structure.facade_materials import DEFAULT_FACADE, facade_of
 
 __all__ = ["Structure", "build_structure"]
 
@@ -37,12 +38,15 @@ class Structure:
         Rooms between which a wall is missing; they share light.
     misplaced : list of str
         Ids of openings for which no wall was found.
+    facade : str
+        Material of the outer walls' outer faces.
     """
 
     walls: list[Json] = field(default_factory=list)
     doors: list[Json] = field(default_factory=list)
     windows: list[Json] = field(default_factory=list)
     neighbours: list[tuple[str, str]] = field(default_factory=list)
+    facade: str = DEFAULT_FACADE
     merged: list[tuple[str, str]] = field(default_factory=list)
     misplaced: list[str] = field(default_factory=list)
 
@@ -63,7 +67,7 @@ def build_structure(scene: FloorScene, height: float) -> Structure:
         Of all walls, metres: AI2-THOR hangs one ceiling over the house.
     """
     rooms = {room.id: room for room in scene.rooms if room.kind not in ("stair", "elevator")}
-    made = Structure()
+    made = Structure(facade=facade_of(scene))
     waiting: list[Door | Window] = [*scene.doors, *scene.windows]
     for stretch in stretches({key: [room.polygon, *room.holes] for key, room in rooms.items()}):
         other = stretch.neighbour
@@ -168,7 +172,7 @@ def _add_piece(
             a,
             b,
             height,
-            other.wall_material if other else "facade_render",
+            other.wall_material if other else made.facade,
             gone,
         ),
     ]
