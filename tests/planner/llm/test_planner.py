@@ -297,6 +297,68 @@ def test_moved_cores_are_used_where_every_floor_can_be_laid_out(run: Run) -> Non
         assert "cannot be laid out" in reply.sources["cores"]
 
 
+def test_numbers_that_the_brief_leaves_open_are_the_models(run: Run) -> None:
+    def spoil(piece: str, answer: Any, count: int) -> Any:
+        return answer | {
+            "floors": 3,
+            "floor_area": 240.0,
+            "building_type": "library_building",
+            "style": "modern",
+        }
+
+    reply = run(spoil, brief="somewhere to read", pieces=("numbers",))
+    program = reply.program
+    assert len(program.floors) == 3 and (program.building_type, program.style) == (
+        "library_building",
+        "modern",
+    )
+    assert sum(f.gross_floor_area for f in program.floors) == pytest.approx(3 * 240, rel=0.1)
+    assert "language model" in program.trace[0].effect
+    assert not any("as stated" in entry.effect for entry in program.trace)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"floors": 40},
+        {"floors": -1},
+        {"floor_area": 1e7},
+        {"style": "x"},
+        {"building_type": "moon"},
+    ],
+)
+def test_numbers_out_of_bounds_are_not_taken(run: Run, wrong: dict[str, Any]) -> None:
+    reply = run(
+        lambda piece, answer, count: answer | wrong, brief="somewhere to read", pieces=("numbers",)
+    )
+    assert reply.sources["numbers"].startswith("rules: ")
+
+
+def test_numbers_that_the_brief_states_are_kept(run: Run) -> None:
+    reply = run(
+        lambda piece, answer, count: answer | {"floors": 7, "building_type": "hospital"},
+        pieces=("numbers",),
+    )
+    assert len(reply.program.floors) == 2 and reply.program.building_type == "house"
+
+
+def test_the_program_and_the_rounds_come_with_pictures(run: Run) -> None:
+    reply = run(record=run.tape)
+    with run.chat.ChatServer(run.chat.in_turn(run.chat.Reply("no"))) as server:
+        values: dict[str, Any] = {"base_url": server.url, "model": "m", "repairs": 0}
+        client = LlmClient(LlmSettings(**values), sleep=lambda seconds: None)
+        plan_with_model(
+            BuildRequest(description=BRIEF, planner="llm"), default_knowledge(), "b", client
+        )
+        pictured = {
+            run.architect.piece_of(request)
+            for request in server.requests
+            if isinstance(request["messages"][1]["content"], list)
+        }
+    assert pictured == {"program", "seeds"}
+    assert reply.sources["program/F1"] == "llm"
+
+
 def test_without_an_endpoint_the_planner_says_what_to_set() -> None:
     with pytest.raises(MansionError, match="MANSION_LLM_BASE_URL") as error:
         plan_building(BuildRequest(description=BRIEF, planner="llm"))

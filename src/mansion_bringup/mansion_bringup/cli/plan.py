@@ -9,6 +9,7 @@ from mansion_bringup.cli.build import planner_name, request_from_options
 from mansion_bringup.cli.console import out, print_json
 from mansion_msgs_py.program import BuildingProgram, FloorProgram
 from mansion_msgs_py.request import identified
+from mansion_msgs_py.stages import PlanReply
 
 __all__ = ["register"]
 
@@ -41,11 +42,28 @@ def plan(
     request = request_from_options(
         description, floors, area, floor_area, footprint, seed, planner_name(planner)
     )
-    program = LocalStages().plan(identified(request)).program
+    reply = LocalStages().plan(identified(request))
     if as_json:
-        print_json(program)
+        print_json(reply.program)
         return
-    _print_program(program)
+    _print_program(reply.program)
+    _print_sources(reply)
+
+
+def _print_sources(reply: PlanReply) -> None:
+    """Say which pieces a language model planned, and what that took."""
+    if reply.llm is None:
+        return
+    out.print("[bold]who planned what[/bold]")
+    for piece, source in reply.sources.items():
+        out.print(f"  {piece}: {source}", markup=False, highlight=False)
+    usage = reply.llm
+    out.print(
+        f"  {usage.answers} answers of {usage.model}, {usage.input_tokens} + {usage.output_tokens} tokens, "
+        f"{usage.seconds:.1f} s, cost {usage.cost:g}",
+        markup=False,
+        highlight=False,
+    )
 
 
 def _print_program(program: BuildingProgram) -> None:
