@@ -26,7 +26,7 @@ from mansion_skills.engine.performing import catch_up, perform
 from mansion_skills.engine.seat import Seat, SharedWorld
 from mansion_skills.skills.asking import landmark_infos
 from mansion_skills.skills.registry import Skill, skill_named
-from mansion_skills.world.overlay import check_session
+from mansion_skills.world.overlay import check_session, overlay_path
 from mansion_skills.world.world import ROBOT_RADIUS
 
 __all__ = ["Engine"]
@@ -107,8 +107,19 @@ class Engine:
             self._leave(session)
             self._worlds[key] = shared
             self._seats[session] = seat = Seat(session, shared, robot, self._durable)
-        with shared.lock:
-            return self._loaded(seat, notes)
+            with shared.lock:
+                if others:
+                    self._keep_apart(shared)
+                return self._loaded(seat, notes)
+
+    def _keep_apart(self, shared: SharedWorld) -> None:
+        """Save robots that share a world and have done nothing yet, so that each comes back to its own place."""
+        for name, seat in sorted(self._seats.items()):
+            if (
+                seat.shared is shared
+                and not overlay_path(shared.world.building.path, name).exists()
+            ):
+                seat.save()
 
     def _others(self, session: str, key: tuple[Path, str]) -> list[str]:
         shared = self._worlds.get(key)

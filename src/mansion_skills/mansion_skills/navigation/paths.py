@@ -71,9 +71,9 @@ def find_path(
         points[0] = start
         points = points if len(points) > 1 else [start, end]
         points[-1] = end
-        return _rounded(blocked, frame, _straightened(blocked, frame, points))
+        return _smoothed(blocked, frame, points)
     points[-1] = end
-    return [start, *_rounded(blocked, frame, _straightened(blocked, frame, points))]
+    return [start, *_smoothed(blocked, frame, points)]
 
 
 def free_run(blocked: Mask, frame: GridFrame, start: Point, angle: float, reach: float) -> float:
@@ -108,6 +108,15 @@ def _snapped(blocked: Mask, frame: GridFrame, point: Point, reach: float) -> int
         return row * frame.columns + column
     found = int(nearest_free(blocked, row, column, int(reach / frame.resolution)))
     return None if found == NO_CELL else found
+
+
+def _smoothed(blocked: Mask, frame: GridFrame, points: list[Point]) -> list[Point]:
+    """Straighten a path and round its corners, as far as every part of the result is free."""
+    straight = _straightened(blocked, frame, points)
+    for path in (_rounded(blocked, frame, straight), straight):
+        if all(is_clear(blocked, frame, a, b) for a, b in pairwise(path)):
+            return path
+    return points
 
 
 def _straightened(blocked: Mask, frame: GridFrame, points: list[Point]) -> list[Point]:

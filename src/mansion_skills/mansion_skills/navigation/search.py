@@ -201,15 +201,29 @@ def astar(blocked: Mask, start: int, goal: int) -> Ints:
 
 @kernel
 def line_is_free(blocked: Mask, r0: float, c0: float, r1: float, c1: float) -> bool:
-    """Whether a segment, in cell coordinates (a cell's centre at +0.5), stays on free cells."""
+    """Whether a segment, in cell coordinates (a cell's centre at +0.5), crosses free cells only.
+
+    Notes
+    -----
+    Amanatides and Woo, A Fast Voxel Traversal Algorithm for Ray Tracing, 1987.
+    """
     rows, columns = blocked.shape
-    steps = math.ceil(max(abs(r1 - r0), abs(c1 - c0)) * 4) + 1
-    for i in range(steps + 1):
-        t = i / steps
-        r, c = math.floor(r0 + t * (r1 - r0)), math.floor(c0 + t * (c1 - c0))
+    r, c = math.floor(r0), math.floor(c0)
+    end_r, end_c = math.floor(r1), math.floor(c1)
+    dr, dc = r1 - r0, c1 - c0
+    step_r, step_c = (1 if dr > 0 else -1), (1 if dc > 0 else -1)
+    delta_r = abs(1.0 / dr) if abs(dr) > 1e-12 else 1e18
+    delta_c = abs(1.0 / dc) if abs(dc) > 1e-12 else 1e18
+    next_r = ((r + 1 - r0) if dr > 0 else (r0 - r)) * delta_r
+    next_c = ((c + 1 - c0) if dc > 0 else (c0 - c)) * delta_c
+    for _ in range(abs(end_r - r) + abs(end_c - c) + 1):
         if not (0 <= r < rows and 0 <= c < columns) or blocked[r, c]:
             return False
-    return True
+        if next_r < next_c:
+            r, next_r = r + step_r, next_r + delta_r
+        else:
+            c, next_c = c + step_c, next_c + delta_c
+    return 0 <= end_r < rows and 0 <= end_c < columns and not blocked[end_r, end_c]
 
 
 @kernel

@@ -52,6 +52,7 @@ class Lift:
     session: str = ""
     mode: LiftMode = LiftMode.AGV
     queue: list[LiftCall] = field(default_factory=list)
+    _told: str = "rest"
 
     @property
     def floor(self) -> int:
@@ -159,12 +160,11 @@ class Lift:
         time : float
             The world's clock at the beginning.
         """
-        before = None
         while True:
             phase, whole = self._phase()
-            if phase != before and before is not None:
+            if phase != self._told:
                 yield self.state(building_id, time)
-            before = phase
+            self._told = phase
             if phase == "rest" or seconds <= 0.0:
                 return
             part = min(seconds, whole)
