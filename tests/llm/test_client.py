@@ -190,6 +190,36 @@ def test_structured_output_and_pictures_are_dropped_where_they_are_refused(
     assert isinstance(server.requests[-1]["messages"][1]["content"], str)
 
 
+def test_parameters_that_a_model_refuses_by_name_are_changed(chat: ModuleType) -> None:
+    def script(request: dict[str, Any]) -> Any:
+        if "max_tokens" in request:
+            return chat.Reply(
+                "Unsupported parameter: use 'max_completion_tokens' instead.", status=400
+            )
+        if "temperature" in request:
+            return chat.Reply("Unsupported value: 'temperature' must be 1.", status=400)
+        return good(chat)
+
+    with chat.ChatServer(script) as server:
+        assert client(server, temperature=0.2, max_tokens=500).ask(PROMPT, Shape).good
+    assert server.requests[-1]["max_completion_tokens"] == 500
+    assert server.requests[-1]["response_format"]["type"] == "json_schema"
+
+
+def test_schemas_keep_to_the_strict_subset() -> None:
+    class Box(msgspec.Struct):
+        x: tuple[float, float]
+        inner: Shape | None = None
+
+    schema = answer_schema(Box)
+    text = json.dumps(schema)
+    assert schema["type"] == "object" and schema["required"] == ["x", "inner"]
+    assert schema["additionalProperties"] is False
+    assert "prefixItems" not in text and "default" not in text
+    assert schema["properties"]["x"]["minItems"] == schema["properties"]["x"]["maxItems"] == 2
+    assert schema["$defs"]["Shape"]["required"] == ["floors", "area"]
+
+
 def test_an_answer_cut_at_the_token_limit_is_asked_for_more_briefly(chat: ModuleType) -> None:
     with chat.ChatServer(
         chat.in_turn(chat.Reply('{"floors": ', finish="length"), good(chat))

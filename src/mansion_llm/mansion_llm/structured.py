@@ -12,16 +12,23 @@ _DROPPED = {"title", "default", "examples"}
 
 
 def answer_schema(kind: Any) -> dict[str, Any]:
-    """Return the JSON Schema of an answer in the strict subset: every field required, none added.
+    """Return the JSON Schema of an answer in the strict subset: an object at the root, all fields required, none added.
+
+    Pairs are arrays of two, for few endpoints know ``prefixItems``.
 
     Examples
     --------
     >>> class Pair(msgspec.Struct):
     ...     left: int = 0
-    >>> answer_schema(Pair)["$defs"]["Pair"]["required"]
+    >>> answer_schema(Pair)["required"]
     ['left']
     """
     tidy: dict[str, Any] = _strict(msgspec.json.schema(kind))
+    name = tidy.pop("$ref", "").rsplit("/", 1)[-1]
+    if name in tidy.get("$defs", {}):
+        tidy |= tidy["$defs"].pop(name)
+        if not tidy["$defs"]:
+            del tidy["$defs"]
     return tidy
 
 
@@ -35,6 +42,8 @@ def _strict(value: Any) -> Any:
         out["properties"] = {k: _strict(v) for k, v in value["properties"].items()}
         out["required"] = list(out["properties"])
         out["additionalProperties"] = False
+    if out.get("prefixItems"):
+        out["items"] = out.pop("prefixItems")[0]
     return out
 
 

@@ -80,6 +80,9 @@ class OpenAITransport:
             timeout=settings.timeout,
             max_retries=0,
         )
+        self._tuning: dict[str, Any] = {"max_tokens": settings.max_tokens}
+        if settings.temperature is not None:
+            self._tuning["temperature"] = settings.temperature
 
     def complete(
         self, messages: list[Message], response_format: dict[str, Any] | None
@@ -90,13 +93,16 @@ class OpenAITransport:
             "model": settings.model,
             "messages": [_wire(m) for m in messages],
         }
-        options["max_tokens"] = settings.max_tokens
-        if settings.temperature is not None:
-            options["temperature"] = settings.temperature
         if response_format is not None:
             options["response_format"] = response_format
         try:
-            return _reply(self._client.chat.completions.create(**options), self._clean)
+            while True:
+                try:
+                    completion = self._client.chat.completions.create(**options, **self._tuning)
+                    return _reply(completion, self._clean)
+                except self._openai.BadRequestError as error:
+                    if not self._retuned(str(error)):
+                        raise
         except TransportError:
             raise
         except self._openai.OpenAIError as error:
@@ -105,6 +111,13 @@ class OpenAITransport:
             raise TransportError(
                 "failing", self._clean(f"the endpoint's reply has no answer: {error}")
             ) from None
+
+    def _retuned(self, refusal: str) -> bool:
+        """Rename or drop a parameter that the model refuses by name; tell whether something changed."""
+        if "max_completion_tokens" in refusal and "max_tokens" in self._tuning:
+            self._tuning["max_completion_tokens"] = self._tuning.pop("max_tokens")
+            return True
+        return "temperature" in refusal and self._tuning.pop("temperature", None) is not None
 
     def _clean(self, text: str) -> str:
         return scrub(text, self._settings.api_key)

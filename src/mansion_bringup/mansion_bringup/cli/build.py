@@ -13,7 +13,7 @@ from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest, Footprint
 
-__all__ = ["planner_name", "read_footprint", "register", "request_from_options"]
+__all__ = ["planner_name", "prepare_planner", "read_footprint", "register", "request_from_options"]
 
 
 def register(app: typer.Typer) -> None:
@@ -91,6 +91,8 @@ def build(
     request = request_from_options(
         description, floors, area, floor_area, footprint, seed, planner_name(planner)
     )
+    if not graph:
+        prepare_planner(request)
     if graph:
         result = _through_graph(request, output, timeout, force)
     else:
@@ -108,6 +110,25 @@ def planner_name(name: str) -> Literal["rules", "llm"]:
     raise MansionError(
         ErrorCode.INVALID_PAYLOAD, f"unknown planner {name!r}; use rules or llm", path="$.planner"
     )
+
+
+def prepare_planner(request: BuildRequest) -> None:
+    """See that the planner of a request can work in this process, before anything is begun.
+
+    Raises
+    ------
+    MansionError
+        ``UNAVAILABLE`` when no language model is configured, or its package is missing and cannot be installed.
+    """
+    if request.planner != "llm":
+        return
+    from mansion_bringup.extras import ensure_extra
+    from mansion_llm import load_settings
+
+    settings = load_settings()
+    settings.require_endpoint()
+    if settings.replay is None:
+        ensure_extra("llm")
 
 
 def _through_graph(request: BuildRequest, output: Path, timeout: float, force: bool) -> BuildResult:

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.cli.build import planner_name, request_from_options
+from mansion_bringup.cli.build import planner_name, prepare_planner, request_from_options
 from mansion_bringup.cli.console import out, print_json
 from mansion_msgs_py.program import BuildingProgram, FloorProgram
 from mansion_msgs_py.request import identified
@@ -42,6 +42,7 @@ def plan(
     request = request_from_options(
         description, floors, area, floor_area, footprint, seed, planner_name(planner)
     )
+    prepare_planner(request)
     reply = LocalStages().plan(identified(request))
     if as_json:
         print_json(reply.program)
