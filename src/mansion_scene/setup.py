@@ -37,6 +37,7 @@ setup(
     entry_points={
         "console_scripts": [
             "object_placer = mansion_scene.nodes.object_placer:main",
+            "scene_editor = mansion_scene.nodes.scene_editor:main",
         ],
     },
 )

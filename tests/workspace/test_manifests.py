@@ -56,7 +56,7 @@ ROS_PACKAGES = {
 NODES = {
     "mansion_bringup": ["building_director"],
     "mansion_planner": ["floor_solver", "program_planner"],
-    "mansion_scene": ["object_placer"],
+    "mansion_scene": ["object_placer", "scene_editor"],
     "mansion_skills": ["skill_server"],
 }
 

@@ -3,6 +3,30 @@
 from typing import Any
 
 from mansion_msgs_py.building import Building, BuildingReport, LoadBuilding
+from mansion_msgs_py.editing import (
+    AgentReport,
+    AssetHits,
+    CheckPathArgs,
+    CheckSurfaceArgs,
+    DiffReport,
+    EditorInfo,
+    EditResult,
+    InstructArgs,
+    ListObjectsArgs,
+    MoveObjectArgs,
+    ObjectList,
+    OpenEditorArgs,
+    PathReport,
+    PlaceInContainerArgs,
+    PlaceOnSurfaceArgs,
+    ReceptacleReport,
+    RemoveObjectArgs,
+    SearchAssetsArgs,
+    SearchContentsArgs,
+    SetStateArgs,
+    ToolArgs,
+    Transaction,
+)
 from mansion_msgs_py.errors import ErrorCode, ErrorReply, MansionError
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.placement import PlacementResult, PlacementRoom
@@ -95,6 +119,28 @@ PAYLOADS: dict[str, type[Any]] = {
         SkillResult,
         SkillProgress,
         Progress,
+        AgentReport,
+        AssetHits,
+        CheckPathArgs,
+        CheckSurfaceArgs,
+        DiffReport,
+        EditResult,
+        EditorInfo,
+        InstructArgs,
+        ListObjectsArgs,
+        MoveObjectArgs,
+        ObjectList,
+        OpenEditorArgs,
+        PathReport,
+        PlaceInContainerArgs,
+        PlaceOnSurfaceArgs,
+        ReceptacleReport,
+        RemoveObjectArgs,
+        SearchAssetsArgs,
+        SearchContentsArgs,
+        SetStateArgs,
+        ToolArgs,
+        Transaction,
         ErrorReply,
     )
 }

@@ -2,7 +2,7 @@
 
 import typer
 
-from mansion_bringup.cli import bench, build, export, files, graph, plan, quality, schema
+from mansion_bringup.cli import bench, build, edit, export, files, graph, plan, quality, schema, skill
 
 __all__ = ["app"]
 
@@ -16,5 +16,5 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for module in (build, bench, plan, export, graph, files, schema, quality):
+for module in (build, bench, plan, edit, export, graph, files, schema, quality, skill):
     module.register(app)

@@ -91,8 +91,15 @@ def _floor_number(state: SceneState, word: str) -> int:
     return number
 
 
-def find_rooms(state: SceneState, text: str) -> list[tuple[int, SceneRoom]]:
+def find_rooms(
+    state: SceneState, text: str, on_floor: int | None = None
+) -> list[tuple[int, SceneRoom]]:
     """Return the rooms that a text names, the best fits only: by id, by the end of it, or by words and floor.
+
+    Parameters
+    ----------
+    on_floor : int, optional
+        The floor, where the text does not name one.
 
     Raises
     ------
@@ -103,6 +110,7 @@ def find_rooms(state: SceneState, text: str) -> list[tuple[int, SceneRoom]]:
     if whole is not None:
         return [whole]
     floor, rest = find_floor(state, text)
+    floor = on_floor if floor is None else floor
     rooms = [
         (number, room)
         for number in state.floors

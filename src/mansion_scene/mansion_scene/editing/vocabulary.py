@@ -110,17 +110,11 @@ class Vocabulary:
         wanted = set(words)
         return [c for c in self.categories if wanted and wanted <= set(stems(c.replace("_", " ")))]
 
-    def categories_of(self, text: str) -> list[str]:
-        """Return every category that a noun may mean, the likeliest first; colours and the like are dropped."""
+    def nouns(self, text: str) -> list[str]:
+        """Return the categories that a noun names: by name, synonym or general word, or by the end of the name."""
         words = without_colours(stems(text))
-        out: dict[str, None] = {}
-        for group in (self.exact(words), self.generic(words), self.containing(words)):
-            out.update(dict.fromkeys(group))
-        return list(out)
-
-    def known(self, text: str) -> bool:
-        """Whether a noun is a name or synonym of anything."""
-        return bool(self.categories_of(text))
+        tails = [c for c in self.containing(words) if stems(c.replace("_", " "))[-1] in words]
+        return list(dict.fromkeys((*self.exact(words), *self.generic(words), *tails)))
 
     def rank(self, item: SceneObject, text: str) -> int:
         """Return how well a keyword fits an object.

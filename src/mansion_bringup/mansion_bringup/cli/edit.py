@@ -1,0 +1,125 @@
+"""``mansion edit``: the scene editor's tools and its agent, on a building's folder."""
+
+import getpass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from mansion_bringup.cli.console import err, print_json
+from mansion_bringup.extras import ensure_extra
+from mansion_msgs_py.editing import AgentReport
+from mansion_msgs_py.errors import ErrorCode, MansionError
+
+if TYPE_CHECKING:
+    from mansion_scene.editing.editor import SceneEditor
+
+__all__ = ["open_editor", "register"]
+
+_WRITES = ("PlaceInContainer", "PlaceOnSurface", "MoveObject")
+"""Tools that may need physics."""
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command to `app`."""
+    app.command("edit", no_args_is_help=True)(edit)
+
+
+def edit(
+    building: Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")],
+    what: Annotated[str, typer.Argument(help="An instruction, or the name of a tool.")],
+    arguments: Annotated[str | None, typer.Argument(help="The tool's arguments as JSON.")] = None,
+    planner: Annotated[str, typer.Option(help="Who plans an instruction: rules or llm.")] = "rules",
+    physics: Annotated[
+        str, typer.Option(help="What settles objects: mujoco or static.")
+    ] = "mujoco",
+    who: Annotated[str, typer.Option(help="Name for the log; yours when absent.")] = "",
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Show it, change nothing.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="The agent's report as JSON.")] = False,
+) -> None:
+    """Change what stands in a building, or ask about it; every change is checked before it lands, and can be undone.
+
+    Examples:
+
+      mansion edit out/office "make sure there is a cold cola in the fridge on the second floor"
+
+      mansion edit out/office SearchContents '{"keyword": "fridge"}'
+
+      mansion edit out/office PlaceOnSurface '{"asset_id": "cola_can_1", "receptacle_id": "F1/lobby/coffee_table_1"}'
+
+      mansion edit out/office Undo
+    """
+    from mansion_scene.editing.editor import TOOLS
+
+    is_tool = what in TOOLS
+    if arguments is not None and not is_tool:
+        raise MansionError(
+            ErrorCode.NOT_FOUND, f"there is no tool {what!r}; tools are {', '.join(TOOLS)}"
+        )
+    editor = open_editor(
+        building, physics=physics if not is_tool or what in _WRITES else "static", who=who
+    )
+    editor.autosave = not dry_run
+    if is_tool:
+        print_json(editor.call(what, arguments or "{}"))
+    else:
+        report = _instruct(editor, what, planner)
+        print_json(report) if as_json else _show(report)
+    if not dry_run:
+        refresh(editor)
+    if not is_tool and not report.done:
+        raise typer.Exit(1)
+
+
+def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "SceneEditor":
+    """Return an editor of a folder, with the independent check before each edit.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for no building or no such engine, ``UNAVAILABLE`` when the engine is not installed.
+    """
+    from mansion_bringup.edit_hooks import new_faults
+    from mansion_scene.catalogue import load_catalogue
+    from mansion_scene.editing.editor import SceneEditor
+    from mansion_scene.editing.physics.engines import engine_named
+    from mansion_scene.editing.storage import BuildingStore
+
+    if physics == "mujoco":
+        ensure_extra("sim")
+    store = BuildingStore(building, validator=new_faults, clock=_now)
+    return SceneEditor(store, load_catalogue(), engine_named(physics), who=who or getpass.getuser())
+
+
+def _now() -> str:
+    return datetime.now(UTC).isoformat(timespec="seconds")
+
+
+def _instruct(editor: "SceneEditor", instruction: str, planner: str) -> AgentReport:
+    from mansion_scene.editing.agent.instruct import instruct
+
+    if planner == "llm":
+        ensure_extra("llm")
+    return instruct(editor, instruction, planner)
+
+
+def refresh(editor: "SceneEditor") -> None:
+    """Write anew what is made from the floors that changed."""
+    from mansion_bringup.edit_hooks import building_files, floor_files
+
+    floors = editor.store.refresh(floor_files, building_files)
+    if floors:
+        names = ", ".join(map(str, floors))
+        err.print(f"wrote the files of floor {names} anew", highlight=False)
+
+
+def _show(report: AgentReport) -> None:
+    for step in report.steps:
+        observation: Any = step.observation
+        error = observation.get("error") if isinstance(observation, dict) else None
+        seen = error["message"] if error else observation.get("message", "")
+        typer.echo(f"{step.thought}\n  {step.tool}: {str(seen)[:160]}")
+    typer.echo(report.message)
+    if report.saved:
+        typer.echo(f"edit {report.transaction}: {', '.join(report.object_ids)}")

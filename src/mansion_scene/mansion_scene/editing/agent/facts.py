@@ -1,0 +1,125 @@
+"""What an instruction asks of a building: facts that hold or do not."""
+
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+__all__ = [
+    "AbsentFact",
+    "Fact",
+    "MoveFact",
+    "ObjectFact",
+    "PathFact",
+    "Scope",
+    "StateFact",
+    "Thing",
+]
+
+Relation: TypeAlias = Literal["on", "in", "room"]
+
+
+@dataclass(frozen=True)
+class Scope:
+    """Where: on or in a receptacle, in a room, on a floor; each part may be left open.
+
+    Attributes
+    ----------
+    receptacle : str
+        A noun or an id; empty when only the room or the floor is given.
+    rooms : tuple of str
+        Ids of the rooms that the words may mean; empty for any.
+    """
+
+    relation: Relation = "room"
+    receptacle: str = ""
+    rooms: tuple[str, ...] = ()
+    floor: int | None = None
+
+    def __str__(self) -> str:
+        parts = [f"{self.relation} the {self.receptacle}"] if self.receptacle else []
+        if self.rooms:
+            parts.append(f"in {' or '.join(self.rooms[:4])}")
+        elif self.floor is not None:
+            parts.append(f"on floor {self.floor}")
+        return " ".join(parts) or "in the building"
+
+
+@dataclass(frozen=True)
+class Thing:
+    """A noun with its attributes and how many; `count` 0 is every one."""
+
+    noun: str
+    count: int = 1
+    colour: str = ""
+    cold: bool = False
+
+    def __str__(self) -> str:
+        words = [
+            "every" if self.count == 0 else str(self.count),
+            *(["cold"] if self.cold else []),
+            *([self.colour] if self.colour else []),
+            self.noun,
+        ]
+        return " ".join(words)
+
+
+@dataclass(frozen=True)
+class ObjectFact:
+    """So many things are there."""
+
+    thing: Thing
+    where: Scope = field(default_factory=Scope)
+
+    def __str__(self) -> str:
+        return f"{self.thing} {self.where}"
+
+
+@dataclass(frozen=True)
+class AbsentFact:
+    """Things are gone from there; an empty noun means everything."""
+
+    thing: Thing
+    where: Scope = field(default_factory=Scope)
+
+    def __str__(self) -> str:
+        what = str(self.thing) if self.thing.noun else "everything"
+        return f"gone: {what} {self.where}"
+
+
+@dataclass(frozen=True)
+class MoveFact:
+    """A thing that is there now stands elsewhere."""
+
+    thing: Thing
+    source: Scope
+    target: Scope
+
+    def __str__(self) -> str:
+        return f"{self.thing} {self.source} moved to {self.target}"
+
+
+@dataclass(frozen=True)
+class StateFact:
+    """A thing is open or closed, on or off."""
+
+    thing: Thing
+    where: Scope
+    state: Literal["open", "on"]
+    value: bool
+
+    def __str__(self) -> str:
+        word = {("open", True): "open", ("open", False): "closed", ("on", True): "on"}
+        return f"{self.thing} {self.where} {word.get((self.state, self.value), 'off')}"
+
+
+@dataclass(frozen=True)
+class PathFact:
+    """A way leads from one place to another; from the entrance, and to every room, where left out."""
+
+    start: str = ""
+    end: str = ""
+
+    def __str__(self) -> str:
+        return f"a way from {self.start or 'the entrance'} to {self.end or 'every room'}"
+
+
+Fact: TypeAlias = ObjectFact | AbsentFact | MoveFact | StateFact | PathFact

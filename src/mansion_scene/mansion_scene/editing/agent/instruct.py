@@ -1,0 +1,39 @@
+"""One call for an instruction: the offline policy, or a language model."""
+
+from mansion_msgs_py.editing import AgentReport
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_scene.editing.agent.controller import run_agent
+from mansion_scene.editing.agent.offline import offline_policy
+from mansion_scene.editing.agent.protocol import Policy
+from mansion_scene.editing.editor import SceneEditor
+
+__all__ = ["instruct"]
+
+
+def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> AgentReport:
+    """Carry out an instruction; its edits land together or not at all.
+
+    Parameters
+    ----------
+    planner : {"rules", "llm"}
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` for another planner, ``UNAVAILABLE`` for a model that is not configured, ``CONFLICT`` when
+        edits wait to be saved.
+    """
+    return run_agent(editor, _policy(editor, instruction, planner), instruction)
+
+
+def _policy(editor: SceneEditor, instruction: str, planner: str) -> Policy:
+    if planner == "rules":
+        return offline_policy(editor, instruction)
+    if planner == "llm":
+        from mansion_llm import LlmClient
+        from mansion_scene.editing.agent.model import model_policy
+
+        return model_policy(LlmClient.from_environment(), editor, instruction)
+    raise MansionError(
+        ErrorCode.INVALID_PAYLOAD, f"no planner {planner!r}; use rules or llm", path="$.planner"
+    )

@@ -1,0 +1,106 @@
+"""The offline policy: parse the instruction into facts, check each, provision what is missing, as little as possible."""
+
+from collections.abc import Generator
+
+from mansion_msgs_py.editing import PathReport
+from mansion_scene.editing.agent.facts import (
+    AbsentFact,
+    Fact,
+    MoveFact,
+    ObjectFact,
+    PathFact,
+    StateFact,
+)
+from mansion_scene.editing.agent.looking import find_things
+from mansion_scene.editing.agent.parse import parse_instruction
+from mansion_scene.editing.agent.protocol import Action, Outcome, Policy, Verdict
+from mansion_scene.editing.agent.providing import provide
+from mansion_scene.editing.agent.shifting import take_away, transfer
+from mansion_scene.editing.editor import SceneEditor
+from mansion_scene.editing.state import SceneState
+
+__all__ = ["offline_policy", "satisfy"]
+
+Work = Generator[Action, Outcome, str]
+"""Ends with the reason why a fact does not hold, empty when it does."""
+
+
+def offline_policy(editor: SceneEditor, instruction: str) -> Policy:
+    """Work through the facts of an instruction.
+
+    Parameters
+    ----------
+    editor : SceneEditor
+        Its state names rooms and things; it is only read.
+
+    Raises
+    ------
+    MansionError
+        See `parse_instruction`.
+    """
+    state = editor.state
+    return (yield from satisfy(parse_instruction(state, instruction), state))
+
+
+def satisfy(facts: list[Fact], state: SceneState) -> Policy:
+    """Check facts in order and provision what is missing."""
+    failed = []
+    for fact in facts:
+        reason = yield from _satisfy(fact, state)
+        if reason:
+            failed.append(f"{fact}: {reason}")
+    words = [str(fact) for fact in facts]
+    summary = f"{len(facts) - len(failed)} of {len(facts)} facts hold" + (
+        f"; {'; '.join(failed)}" if failed else ""
+    )
+    return Verdict(summary, words, failed)
+
+
+def _satisfy(fact: Fact, state: SceneState) -> Work:
+    if isinstance(fact, ObjectFact):
+        return (yield from provide(fact, state))
+    if isinstance(fact, PathFact):
+        return (yield from _path(fact))
+    if isinstance(fact, AbsentFact):
+        return (yield from take_away(fact, state))
+    if isinstance(fact, MoveFact):
+        return (yield from transfer(fact, state))
+    return (yield from _switch(fact, state))
+
+
+def _path(fact: PathFact) -> Work:
+    answer = yield Action(f"Is there {fact}?", "CheckPath", {"start": fact.start, "end": fact.end})
+    if answer.error is not None:
+        return str(answer.error)
+    report: PathReport = answer.value
+    return "" if report.reachable else report.message
+
+
+def _switch(fact: StateFact, state: SceneState) -> Work:
+    found = yield from find_things(fact.thing, fact.where, state)
+    if isinstance(found, str):
+        return found
+    if not found:
+        return f"there is no {fact.thing.noun} {fact.where}"
+    able = [
+        i for i in found if ("openable" if fact.state == "open" else "toggleable") in i.properties
+    ]
+    if not able:
+        what = "opens" if fact.state == "open" else "switches"
+        return f"no {fact.thing.noun} {fact.where} {what}"
+    several = fact.thing.count == 0 and fact.thing.noun.endswith("s")
+    wanted = able if several else able[: max(1, fact.thing.count)]
+    as_wished = [i for i in able if bool(i.states.get(fact.state, False)) == fact.value]
+    if not several and len(as_wished) >= max(1, fact.thing.count):
+        return ""
+    for item in wanted:
+        if bool(item.states.get(fact.state, False)) == fact.value:
+            continue
+        answer = yield Action(
+            f"{item.id} is not as asked.",
+            "SetState",
+            {"object_id": item.id, fact.state: fact.value},
+        )
+        if answer.error is not None:
+            return str(answer.error)
+    return ""

@@ -1,0 +1,161 @@
+"""``scene_editor``: the one writer of scenes; the editing tools and the editing agent as services."""
+
+import re
+import threading
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.node import Node
+
+from mansion_msgs_py.editing import AgentReport, EditorInfo, InstructArgs, OpenEditorArgs
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.nodes.run import run_node
+from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
+from mansion_scene.catalogue import load_catalogue
+from mansion_scene.editing.agent.instruct import instruct
+from mansion_scene.editing.editor import TOOLS, SceneEditor
+from mansion_scene.editing.physics.engines import engine_named
+from mansion_scene.editing.storage import BuildingStore
+
+__all__ = ["SceneEditorNode", "main"]
+
+_PARAMETERS = (
+    ("hooks", "mansion_bringup.edit_hooks", "module that checks edits and writes derived files"),
+    ("physics", "mujoco", "engine that settles placed objects: mujoco or static"),
+    ("building", "", "folder to open at the start"),
+)
+
+
+class SceneEditorNode(Node):
+    """Serves ``scene/...`` and publishes each floor that an edit changed."""
+
+    def __init__(self) -> None:
+        super().__init__("scene_editor")
+        for name, value, text in _PARAMETERS:
+            self.declare_parameter(name, value, ParameterDescriptor(description=text))
+        self._editors: dict[str, SceneEditor] = {}
+        self._scenes = JsonPublisher(self, topic("floor_scene"))
+        self._hooks = _load_hooks(str(self.get_parameter("hooks").value))
+        self._behind: dict[str, BuildingStore] = {}
+        self._wake = threading.Event()
+        threading.Thread(target=self._derive, name="derive", daemon=True).start()
+        group = MutuallyExclusiveCallbackGroup()
+        add_json_service(self, service("scene/open"), self.open, callback_group=group)
+        add_json_service(self, service("scene/instruct"), self.instruct, callback_group=group)
+        for tool in TOOLS:
+            name = f"scene/{_snake(tool)}"
+            add_json_service(self, service(name), self._tool(tool), callback_group=group)
+        if folder := str(self.get_parameter("building").value):
+            self.open(OpenEditorArgs(path=folder))
+
+    def open(self, args: OpenEditorArgs) -> EditorInfo:
+        """Open a building under a name."""
+        validator = getattr(self._hooks, "new_faults", None)
+        store = BuildingStore(Path(args.path), validator=validator, clock=self._time)
+        engine = engine_named(str(self.get_parameter("physics").value))
+        editor = SceneEditor(
+            store,
+            load_catalogue(),
+            engine,
+            who=args.who or args.editor or "scene_editor",
+            autosave=args.autosave,
+        )
+        self._editors[args.editor] = editor
+        self._finish(store)
+        entries = store.index.floors
+        return EditorInfo(
+            building_id=store.index.building_id,
+            floors=[entry.floor for entry in entries],
+            labels=[entry.label for entry in entries],
+            revisions={str(f): scene.revision for f, scene in editor.state.scenes.items()},
+            editor=args.editor,
+            who=editor.who,
+            autosave=args.autosave,
+        )
+
+    def instruct(self, args: InstructArgs) -> AgentReport:
+        """Carry out an instruction."""
+        editor = self._editor(args.editor)
+        report = instruct(editor, args.instruction, args.planner)
+        if report.saved:
+            self._landed(editor, [])
+        return report
+
+    def _tool(self, tool: str) -> Callable[[Any], Any]:
+        def call(args: Any) -> Any:
+            editor = self._editor(args.editor)
+            reply = editor.call(tool, args)
+            if getattr(reply, "transaction", None) is not None:
+                self._landed(editor, [int(floor) for floor in reply.revisions])
+            return reply
+
+        return call
+
+    def _editor(self, name: str) -> SceneEditor:
+        if name not in self._editors:
+            raise MansionError(
+                ErrorCode.NOT_LOADED,
+                f"no building is open as {name!r}; call scene/open with its folder first",
+                path="$.editor",
+            )
+        return self._editors[name]
+
+    def _landed(self, editor: SceneEditor, floors: Sequence[int]) -> None:
+        for floor in floors or editor.store.log()[-1].revisions:
+            self._scenes.publish(editor.state.scenes[int(floor)])
+        self._finish(editor.store)
+
+    def _finish(self, store: BuildingStore) -> None:
+        """Have the files that are made from scenes written, after the reply."""
+        if hasattr(self._hooks, "floor_files"):
+            self._behind[str(store.folder.resolve())] = store
+            self._wake.set()
+
+    def _derive(self) -> None:
+        while True:
+            self._wake.wait()
+            self._wake.clear()
+            for folder in list(self._behind):
+                store = self._behind.pop(folder)
+                try:
+                    floors = store.refresh(self._hooks.floor_files, self._hooks.building_files)
+                except (MansionError, OSError) as error:
+                    self.get_logger().error(f"{folder}: derived files are behind: {error}")
+                else:
+                    if floors:
+                        self.get_logger().info(f"{folder}: wrote the files of floors {floors}")
+
+    def _time(self) -> str:
+        seconds = self.get_clock().now().nanoseconds // 1_000_000_000
+        from datetime import UTC, datetime
+
+        return datetime.fromtimestamp(seconds, UTC).isoformat()
+
+
+def _snake(name: str) -> str:
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
+
+
+def _load_hooks(name: str) -> ModuleType:
+    try:
+        return import_module(name)
+    except ImportError as error:
+        raise MansionError(
+            ErrorCode.UNAVAILABLE,
+            f"the parameter hooks names {name!r}, which cannot be imported: {error}",
+        ) from None
+
+
+def main(args: Sequence[str] | None = None) -> None:
+    """Run the node."""
+    run_node(SceneEditorNode, args)
+
+
+if __name__ == "__main__":
+    main()
