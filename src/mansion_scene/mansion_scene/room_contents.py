@@ -3,7 +3,6 @@
 from collections.abc import Callable, Sequence
 
 import msgspec
-import shapely
 from shapely.geometry import LineString, Polygon
 
 from mansion_geometry.randomness import item_seed
@@ -17,18 +16,16 @@ from mansion_scene.catalogue import (
     load_catalogue,
 )
 from mansion_scene.catalogue.records import Item
+from mansion_scene.clearance import clear_of_ways
 from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.placement import place_room
-from mansion_scene.spawn import footprint
 from mansion_scene.structure import FloorStructure
-from mansion_scene.structure.dimensions import DOOR_HEIGHT
 
 __all__ = ["ItemChooser", "RoomFurnisher", "room_openings"]
 
 ItemChooser = Callable[[SceneRoom, float, tuple[float, float]], Sequence[Item] | None]
 """From a room, its net area and the sides of its bounding rectangle to its floor objects."""
 
-_DOORWAY = 0.8  # metres before a door that stay free
 _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
 
@@ -129,7 +126,7 @@ class RoomFurnisher:
             net_polygon=room.net_polygon,
             net_holes=room.net_holes,
             ceiling_height=room.ceiling_height,
-            doors=[door for door in self._structure.doors if room.id in door.rooms],
+            doors=[_with_panels(door) for door in self._structure.doors if room.id in door.rooms],
             windows=[window for window in self._structure.windows if window.room == room.id],
             placed=placed,
             seed=self._seed,
@@ -138,25 +135,7 @@ class RoomFurnisher:
             Discard(room=room.id, name=lost.name, count=lost.count, reason=lost.reason)
             for lost in result.discarded
         ]
-        return [*placed, *_off_doorways(small, net, doors)], left
-
-
-def _off_doorways(
-    objects: list[SceneObject], net: Polygon, doors: list[PlacementOpening]
-) -> list[SceneObject]:
-    """Leave out what hangs low on a side wall beside a door, where one walks and the leaf swings."""
-    ways = shapely.union_all(
-        [LineString(door.segment).buffer(_DOORWAY, cap_style="flat") for door in doors]
-    ).intersection(net)
-    shapely.prepare(ways)
-    dropped = {
-        item.id
-        for item in objects
-        if item.mount == "wall"
-        and item.position[2] - item.size[2] / 2 < DOOR_HEIGHT
-        and footprint(item).intersection(ways).area > 1e-4
-    }
-    return [item for item in objects if item.id not in dropped and item.parent not in dropped]
+        return [*placed, *clear_of_ways(small, placed, net, doors)], left
 
 
 def _with_panels(door: Door) -> Door:

@@ -53,9 +53,12 @@ def cut_open(model: Model, scene: FloorScene, turns: int = 0) -> Triangles:
 
 
 def shell(models: Sequence[Model], scenes: Sequence[FloorScene], turns: int = 0) -> Triangles:
-    """Return what is seen of a building from outside, and the floors behind its windows."""
+    """Return what is seen of a building above the ground, and the floors behind its windows."""
     parts = []
+    buried = all(scene.floor < 1 for scene in scenes)
     for model, scene in zip(models, scenes):
+        if scene.floor < 1 and not buried:
+            continue
         outer = {wall.id for wall in scene.walls if wall.exterior}
         inner = {wall.id for wall in scene.walls} - outer
         inner |= {door.id for door in scene.doors if None not in door.rooms}

@@ -144,6 +144,7 @@ ROOM_CLASSES: Final[dict[str, frozenset[str]]] = {
             "mri",
         ]
     ),
+    "cooking": frozenset(["kitchen", "kitchenette", "kitchens", "scullery"]),
     "living": frozenset(
         ["living", "kitchen", "dining", "family", "breakfast", "kitchenette", "den"]
     ),

@@ -42,6 +42,8 @@ _KINDS: tuple[tuple[str, WindowKind | None], ...] = (
     ("outdoor", None),
     ("store", None),
     ("wet", WindowKind(0.6, 0.5, 1.6, 1.5, "hung")),
+    # Worktops, sinks and stoves stand below.
+    ("cooking", WindowKind(1.5, 1.1, 1.15, 0.9, "hung")),
     ("assembly", WindowKind(2.4, 1.9, 0.6, 0.8)),
     ("office", WindowKind(1.8, 1.5, 0.85, 0.7)),
     ("teaching", WindowKind(1.8, 1.5, 0.9, 0.5)),

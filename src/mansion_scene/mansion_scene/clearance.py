@@ -1,0 +1,99 @@
+"""What hangs on walls stays out of doorways and of the ways to doors and furniture."""
+
+from collections.abc import Sequence
+
+import shapely
+from shapely.geometry import LineString, Polygon
+from shapely.geometry.base import BaseGeometry
+
+from mansion_msgs_py.placement import PlacementOpening
+from mansion_msgs_py.scene import SceneObject
+from mansion_scene.spawn import footprint
+from mansion_scene.structure.dimensions import DOOR_HEIGHT
+
+__all__ = ["clear_of_ways"]
+
+_DOORWAY = 0.8  # metres before a door that stay free
+_RADIUS, _REACH = 0.19, 0.50  # of the robot's body, and how near its centre must come to a thing
+_ROBOT_HEIGHT, _FLAT = 1.5, 0.03
+_THIN = 0.05  # what hangs closer to its wall stops nobody
+
+
+def clear_of_ways(
+    hung: Sequence[SceneObject],
+    standing: Sequence[SceneObject],
+    net: Polygon,
+    doors: Sequence[PlacementOpening],
+) -> list[SceneObject]:
+    """Leave out what hangs low beside a door, or cuts a door or furniture off, with all that lies on it.
+
+    Parameters
+    ----------
+    hung : sequence of SceneObject
+        What decorates a room; only what is mounted on walls can be left out.
+    standing : sequence of SceneObject
+        Its furniture.
+    net : Polygon
+        The room between the faces of its walls.
+    doors : sequence of PlacementOpening
+        On its boundary.
+    """
+    dropped = _in_doorways(hung, net, doors)
+    deep = [item for item in hung if item.id not in dropped and _in_the_way(item)]
+    if deep:
+        dropped |= _cutting_off(deep, standing, net, doors)
+    return [item for item in hung if item.id not in dropped and item.parent not in dropped]
+
+
+def _in_the_way(item: SceneObject) -> bool:
+    low = item.position[2] - item.size[2] / 2
+    return item.mount == "wall" and low < _ROBOT_HEIGHT and item.size[1] > _THIN
+
+
+def _in_doorways(
+    hung: Sequence[SceneObject], net: Polygon, doors: Sequence[PlacementOpening]
+) -> set[str]:
+    ways = shapely.union_all(
+        [LineString(door.segment).buffer(_DOORWAY, cap_style="flat") for door in doors]
+    ).intersection(net)
+    shapely.prepare(ways)
+    return {
+        item.id
+        for item in hung
+        if item.mount == "wall"
+        and item.position[2] - item.size[2] / 2 < DOOR_HEIGHT
+        and footprint(item).intersection(ways).area > 1e-4
+    }
+
+
+def _cutting_off(
+    deep: Sequence[SceneObject],
+    standing: Sequence[SceneObject],
+    net: Polygon,
+    doors: Sequence[PlacementOpening],
+) -> set[str]:
+    """Return what must go so that everything that can be reached without all of it can be reached."""
+    solid = [footprint(item) for item in standing if item.size[2] > _FLAT]
+    goals = [*solid, *(LineString(door.segment) for door in doors)]
+    free = net.difference(shapely.union_all(solid))
+    wanted = _reached(free, goals)
+    shapes = {item.id: footprint(item) for item in deep}
+    dropped: set[str] = set()
+    while len(dropped) < len(shapes):
+        left = {name: shape for name, shape in shapes.items() if name not in dropped}
+        reached = _reached(free.difference(shapely.union_all(list(left.values()))), goals)
+        lost = next((k for k, ok in enumerate(reached) if wanted[k] and not ok), None)
+        if lost is None:
+            break
+        dropped.add(min(left, key=lambda name: (left[name].distance(goals[lost]), name)))
+    return dropped
+
+
+def _reached(free: BaseGeometry, goals: Sequence[BaseGeometry]) -> list[bool]:
+    """Tell which goals the robot comes near to on the largest piece of floor that its centre can move in."""
+    walk = free.buffer(-_RADIUS, quad_segs=4)
+    pieces = shapely.get_parts(walk)
+    if not len(pieces):
+        return [False] * len(goals)
+    largest = max(pieces, key=lambda piece: float(piece.area))
+    return [bool(near) for near in shapely.distance(largest, list(goals)) <= _REACH]
