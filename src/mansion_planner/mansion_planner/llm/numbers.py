@@ -163,7 +163,7 @@ def _retell(trace: list[TraceEntry], answer: NumbersAnswer, left: _Open) -> None
         text
         for is_open, text in (
             (left.building, answer.building_type.replace("_", " ")),
-            (left.floors, f"{answer.floors} storeys"),
+            (left.floors, f"{answer.floors} storey{'s' if answer.floors > 1 else ''}"),
             (left.area, f"{answer.floor_area:.0f} m2 a storey"),
             (left.style, f"style {answer.style}"),
         )

@@ -95,9 +95,8 @@ def seed_faults(answer: SeedsAnswer, request: SeedRequest) -> list[Fault]:
         text = _box_fault(entry, parts)
         shape = box(entry.x[0], entry.y[0], entry.x[1], entry.y[1])
         for other, placed in kept:
-            if not text and shape.intersection(placed).area > MOST_OVERLAP * min(
-                shape.area, placed.area
-            ):
+            shared = shape.intersection(placed).area if other != name and not text else 0.0
+            if shared > MOST_OVERLAP * min(shape.area, placed.area):
                 text = f"the boxes of {name} and {other} overlap too much"
         if text:
             faults.append(Fault(text, name))
