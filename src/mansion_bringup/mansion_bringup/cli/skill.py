@@ -1,0 +1,90 @@
+"""``mansion skill``: run a skill through the running graph, or in this process."""
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from mansion_bringup.cli.console import print_json
+from mansion_msgs_py.codec import decode, encode
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
+from mansion_msgs_py.world import SkillResult, SkillStatus
+
+__all__ = ["register"]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command to `app`."""
+    app.command("skill", no_args_is_help=True)(skill)
+
+
+def skill(
+    name: Annotated[str, typer.Argument(help="CallElevator or call_elevator; `list` lists them.")],
+    arguments: Annotated[str, typer.Argument(help="JSON object.")] = "{}",
+    building: Annotated[
+        Path | None,
+        typer.Option("--building", "-b", help="Run in this process, on this building folder."),
+    ] = None,
+    session: Annotated[str, typer.Option("--session", "-s", help="Which robot.")] = "",
+    reset: Annotated[bool, typer.Option(help="With --building: begin anew.")] = False,
+    namespace: Annotated[str, typer.Option("--namespace", "-n")] = DEFAULT_NAMESPACE,
+) -> None:
+    """Run one skill and print its result as JSON; exit status 1 when it does not succeed.
+
+    Examples:
+
+      mansion skill GoToLandmark '{"landmark": "elevator"}'
+
+      mansion skill CallElevator --building out/office
+
+      mansion skill list
+    """
+    from mansion_skills.skills.registry import SKILLS, skill_named
+
+    if name == "list":
+        print_json({key: entry.name for key, entry in SKILLS.items()})
+        return
+    found = skill_named(name)
+    if found is None:
+        known = ", ".join(entry.name for entry in SKILLS.values())
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no skill {name!r}; known are {known}")
+    fields: dict[str, Any] = decode(dict[str, Any], arguments)
+    if session:
+        fields["session"] = session
+    if building is not None:
+        _finish(_in_process(building, found.name, fields, reset))
+    else:
+        _finish(_through_graph(namespace, found.service, fields))
+
+
+def _in_process(building: Path, name: str, fields: dict[str, Any], reset: bool) -> Any:
+    from mansion_skills import Robot
+
+    robot = Robot(building, fields.pop("session", ""), reset=reset)
+    return robot.skill(name, **fields)
+
+
+def _through_graph(namespace: str, service: str, fields: dict[str, Any]) -> Any:
+    from mansion_bringup.client import MansionClient
+    from mansion_msgs_py.interfaces import TRIGGER
+    from mansion_msgs_py.interfaces import service as interface
+
+    with MansionClient(namespace="/" + namespace.strip("/")) as client:
+        name = f"skills/{service}"
+        try:
+            if interface(name).type == TRIGGER:
+                session = fields.pop("session", "")
+                return client.call(f"{session}/{name}" if session else name)
+            return client.call(name, fields)
+        except MansionError as error:
+            if "skill" not in error.info.details:
+                raise
+            return decode(SkillResult, encode(error.info.details))
+
+
+def _finish(result: Any) -> None:
+    """Print a result; a refusal ends with status 1."""
+    print_json(result)
+    if isinstance(result, SkillResult) and result.status is not SkillStatus.SUCCESS:
+        raise typer.Exit(1)
