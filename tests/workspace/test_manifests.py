@@ -45,6 +45,7 @@ ROS_PACKAGES = {
     "nav_msgs",
     "rcl_interfaces",
     "rclpy",
+    "rosgraph_msgs",
     "ros2launch",
     "sensor_msgs",
     "std_msgs",
