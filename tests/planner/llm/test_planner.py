@@ -110,6 +110,7 @@ def test_good_answers_are_used(run: Run) -> None:
     ):
         assert sources[piece] == "llm"
     assert all(value.startswith("llm") for value in sources.values())
+    assert reply.program.reasoning == "plain"
     assert reply.llm is not None and reply.llm.answers == len(run.asked)
     nodes = [
         node for topology in reply.topologies for node in topology.nodes if node.type == "Entities"

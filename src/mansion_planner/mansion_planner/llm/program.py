@@ -6,6 +6,7 @@ from mansion_llm import Fault
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.llm.answers import FloorAnswer, ProgramAnswer
 from mansion_planner.llm.chosen import ChosenFloor, ChosenRoom, chosen_of_storey
+from mansion_planner.llm.cleaning import clean_text
 from mansion_planner.llm.context import Context
 from mansion_planner.llm.cores import core_faults, cores_of, same_cores
 from mansion_planner.llm.palette import Palette
@@ -65,7 +66,10 @@ def plan_model_program(
                 reference, cores_of(cores), cores.method, cores.justification[:240]
             )
             moved = True
-    return refit(planned, floors, palette, placed=not moved), moved
+    fitted = refit(planned, floors, palette, placed=not moved)
+    if len(reader.replaced) < len(floors):
+        fitted.program.reasoning = clean_text(answer.value.reasoning) or fitted.program.reasoning
+    return fitted, moved
 
 
 class _Reader:
