@@ -16,7 +16,7 @@ __all__ = ["clear_of_ways"]
 _DOORWAY = 0.8  # metres before a door that stay free
 _RADIUS, _REACH = 0.19, 0.50  # of the robot's body, and how near its centre must come to a thing
 _ROBOT_HEIGHT, _FLAT = 1.5, 0.03
-_THIN = 0.05  # what hangs closer to its wall stops nobody
+_THIN = 0.02  # what hangs closer to its wall stops nobody
 
 
 def clear_of_ways(

@@ -144,6 +144,9 @@ ROOM_CLASSES: Final[dict[str, frozenset[str]]] = {
             "mri",
         ]
     ),
+    "dark": frozenset(
+        ["cinema", "theater", "theatre", "screening", "projection", "darkroom", "imax"]
+    ),
     "cooking": frozenset(["kitchen", "kitchenette", "kitchens", "scullery"]),
     "living": frozenset(
         ["living", "kitchen", "dining", "family", "breakfast", "kitchenette", "den"]

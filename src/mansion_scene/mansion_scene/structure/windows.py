@@ -41,6 +41,7 @@ class WindowOpening:
 _KINDS: tuple[tuple[str, WindowKind | None], ...] = (
     ("outdoor", None),
     ("store", None),
+    ("dark", None),
     ("wet", WindowKind(0.6, 0.5, 1.6, 1.5, "hung")),
     # Worktops, sinks and stoves stand below.
     ("cooking", WindowKind(1.5, 1.1, 1.15, 0.9, "hung")),
