@@ -69,19 +69,18 @@ class Engine:
         self._progress = progress or (lambda payload: None)
         self._worlds: dict[tuple[Path, str], SharedWorld] = {}
         self._seats: dict[str, Seat] = {}
+        # Taken before a world's lock and never while one is held: looking up a session takes none.
         self._guard = threading.RLock()
 
     @property
     def seats(self) -> list[Seat]:
         """The sessions that have a building."""
-        with self._guard:
-            return list(self._seats.values())
+        return list(self._seats.values())
 
     @property
     def worlds(self) -> list[SharedWorld]:
         """The worlds that are open."""
-        with self._guard:
-            return list(self._worlds.values())
+        return list(self._worlds.values())
 
     def load(self, arguments: LoadBuilding) -> Loaded:
         """Put a session's robot into a building, where a former run of the session left it.
@@ -164,8 +163,7 @@ class Engine:
             ``NOT_LOADED`` when it has no building.
         """
         name = check_session(session)
-        with self._guard:
-            seat = self._seats.get(name)
+        seat = self._seats.get(name)
         if seat is None:
             raise MansionError(
                 ErrorCode.NOT_LOADED,

@@ -22,6 +22,7 @@ from mansion_skills.skills.seeing import (
     closed_carrier,
     in_sight,
     reach_to,
+    sight_points,
 )
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
@@ -137,13 +138,14 @@ def _places_near(world: World, robot: RobotBody, state: ObjectState) -> list[Poi
     half = (kind.size[0] ** 2 + kind.size[1] ** 2) ** 0.5 / 2
     shut = closed_carrier(world, state)
     seen = state if shut is None else world.objects.state(shut)
+    points = sight_points(seen, world.objects.kinds[seen.id])
     for point in _candidates(world, robot, center, COMFORT * REACH + half):
         there = msgspec.structs.replace(robot.pose, x=point[0], y=point[1])
         body = RobotBody(robot.session, robot.floor, there, robot.radius)
         if reach_to(body, state, kind) > COMFORT * REACH:
             continue
         body.pose.yaw = degrees(atan2(center[1] - point[1], center[0] - point[0]))
-        visible = in_sight(world, robot.floor, point, seen)
+        visible = in_sight(world, robot.floor, point, seen, points)
         if any(abs(body.bearing(spot)) < VIEW_ANGLE / 2 - 1.0 for spot in visible):
             return [point]
     return []

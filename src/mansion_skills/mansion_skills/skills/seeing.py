@@ -1,5 +1,6 @@
 """What a robot sees and what it can reach from where it stands."""
 
+from collections.abc import Iterator
 from math import atan2, degrees, dist
 
 import numpy as np
@@ -23,6 +24,7 @@ __all__ = [
     "in_sight",
     "is_visible",
     "reach_to",
+    "sight_points",
 ]
 
 REACH = 1.5
@@ -58,8 +60,10 @@ def closed_carrier(world: World, state: ObjectState) -> str | None:
     return None
 
 
-def in_sight(world: World, floor: int, place: Point, state: ObjectState) -> list[Point]:
-    """Return those of an object's centre and corners that a straight line from `place` meets unhindered."""
+def in_sight(
+    world: World, floor: int, place: Point, state: ObjectState, points: list[Point]
+) -> Iterator[Point]:
+    """Yield those of an object's `points` that a straight line from `place` meets unhindered."""
     view = world.view(floor)
     frame = view.map.frame
     labels = []
@@ -68,23 +72,17 @@ def in_sight(world: World, floor: int, place: Point, state: ObjectState) -> list
         labels.append(view.numbers.get(entry.id, 0))
         entry = world.objects.state(entry.parent) if entry.parent is not None else None
     ours = np.array(labels, dtype=np.int16)
-    assert state.position is not None
-    points = [(state.position[0], state.position[1])]
-    points += corners(state, world.objects.kinds[state.id], 0.9)
     r0, c0 = (place[1] - frame.y0) / RESOLUTION, (place[0] - frame.x0) / RESOLUTION
-    return [
-        (x, y)
-        for x, y in points
-        if sees(
-            view.map.view,
-            r0,
-            c0,
-            (y - frame.y0) / RESOLUTION,
-            (x - frame.x0) / RESOLUTION,
-            _THIN,
-            ours,
-        )
-    ]
+    for x, y in points:
+        r1, c1 = (y - frame.y0) / RESOLUTION, (x - frame.x0) / RESOLUTION
+        if sees(view.map.view, r0, c0, r1, c1, _THIN, ours):
+            yield x, y
+
+
+def sight_points(state: ObjectState, kind: SceneObject) -> list[Point]:
+    """Return the points by which an object is seen: its centre and, a little inside, its corners."""
+    assert state.position is not None
+    return [(state.position[0], state.position[1]), *corners(state, kind, 0.9)]
 
 
 def is_visible(
@@ -94,13 +92,14 @@ def is_visible(
     kind = world.objects.kinds[state.id]
     if state.floor != robot.floor or state.position is None:
         return False
-    if reach_to(robot, state, kind) > distance or closed_carrier(world, state) is not None:
+    if dist(robot.place, state.position[:2]) > distance + kind.size[0] + kind.size[1]:
         return False
-    points = [(state.position[0], state.position[1]), *corners(state, kind, 0.9)]
-    if not any(_in_picture(robot, point, state, kind) for point in points):
+    points = [p for p in sight_points(state, kind) if _in_picture(robot, p, state, kind)]
+    if not points or reach_to(robot, state, kind) > distance:
         return False
-    seen = in_sight(world, robot.floor, robot.place, state)
-    return any(_in_picture(robot, point, state, kind) for point in seen)
+    if closed_carrier(world, state) is not None:
+        return False
+    return any(True for _ in in_sight(world, robot.floor, robot.place, state, points))
 
 
 def _in_picture(robot: RobotBody, point: Point, state: ObjectState, kind: SceneObject) -> bool:
