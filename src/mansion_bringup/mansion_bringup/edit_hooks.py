@@ -1,4 +1,4 @@
-"""What the scene editor leaves to the whole: the independent check before an edit, and the files made from scenes after."""
+"""What the scene editor leaves to others: the independent check before an edit, the files made from scenes after."""
 
 import hashlib
 from collections import OrderedDict

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import msgspec
 
-from mansion_msgs_py.building import Building
+from mansion_msgs_py.building import FloorEntry
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.editing import ObjectChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -24,6 +24,13 @@ __all__ = ["BuildingStore", "Validator"]
 Scenes = Mapping[int, FloorScene]
 Validator = Callable[[Scenes, Scenes], Sequence[str]]
 """Gets the floors before and after, and returns the faults that are new."""
+
+
+class BuildingIndex(msgspec.Struct, kw_only=True):
+    """What of ``building.json`` an editor needs."""
+
+    building_id: str
+    floors: list[FloorEntry]
 
 
 class BuildingStore:
@@ -53,7 +60,7 @@ class BuildingStore:
         self.folder = folder
         self._validator = validator
         self._clock = clock
-        self.index = decode(Building, self._read(folder / "building.json"))
+        self.index = decode(BuildingIndex, self._read(folder / "building.json"))
         self._edits = folder / "edits"
         self.lock_file = self._edits / "lock"
         if (self._edits / "pending.json").exists():

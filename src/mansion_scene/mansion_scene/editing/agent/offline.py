@@ -1,4 +1,4 @@
-"""The offline policy: parse the instruction into facts, check each, provision what is missing, as little as possible."""
+"""The offline policy: parse an instruction into facts, check each, provision what is missing and no more."""
 
 from collections.abc import Generator
 

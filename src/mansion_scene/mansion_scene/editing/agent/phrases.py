@@ -164,6 +164,23 @@ def _receptacle(state: SceneState, name: str) -> str:
     raise unknown(name)
 
 
+def _object_id(state: SceneState, name: str) -> str:
+    """Return an id that is or may have been an object's."""
+    for floor in state.floors:
+        scene = state.scenes[floor]
+        fixed = [item.id for item in (*scene.walls, *scene.doors)]
+        fixed += [item.id for item in (*scene.windows, *scene.rooms)]
+        for part in (*fixed, *(core.id for core in scene.cores)):
+            if part == name:
+                raise MansionError(
+                    ErrorCode.INFEASIBLE,
+                    f"{name} is part of the building itself; the editor changes objects alone",
+                )
+    if state.room(name.rsplit("/", 1)[0]) is None:
+        raise unknown(name)
+    return name
+
+
 def read_thing(state: SceneState, text: str) -> Thing:
     """Read a noun with number, colour and coldness.
 
@@ -175,7 +192,7 @@ def read_thing(state: SceneState, text: str) -> Thing:
     bare = text.strip(" ,.;!?\"'")
     if "/" in bare:
         name = bare.split()[-1]
-        return Thing(name[0].upper() + name[1:], 0)
+        return Thing(_object_id(state, name[0].upper() + name[1:]), 0)
     count, colour, cold = 0, "", False
     words = bare.lower().split()
     kept: list[str] = []

@@ -4,6 +4,7 @@ from collections import deque
 from collections.abc import Mapping
 
 import numpy as np
+import numpy.typing as npt
 
 from mansion_msgs_py.editing import CheckPathArgs, PathReport, PathStep
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -137,7 +138,7 @@ def blocked_doors(state: SceneState, floor: int) -> list[str]:
     return [door.id for door in state.scenes[floor].doors if _is_blocked(door, obstacles)]
 
 
-def _is_blocked(door: Door, obstacles: np.ndarray) -> bool:
+def _is_blocked(door: Door, obstacles: npt.NDArray[np.float64]) -> bool:
     (ax, ay), (bx, by) = door.segment
     length = float(np.hypot(bx - ax, by - ay))
     if length < 1e-6:

@@ -66,10 +66,10 @@ def list_objects(state: SceneState, args: ListObjectsArgs) -> ObjectList:
         found = find_rooms(state, args.room)
         if not found:
             raise MansionError(ErrorCode.NOT_FOUND, f"no room {args.room[:120]!r}", path="$.room")
-        rooms = {room.id for _, room in found}
+        rooms = sorted({room.id for _, room in found})
     wanted = args.id or args.keyword
     if wanted:
-        pairs = matching_objects(state, wanted, rooms and sorted(rooms))
+        pairs = matching_objects(state, wanted, rooms)
     else:
         pairs = [p for p in state.objects() if rooms is None or p[1].room in rooms]
     shown = [object_info(state, floor, item) for floor, item in pairs[: args.limit]]
