@@ -11,6 +11,9 @@ from mansion_skills.skills.registry import Skill
 
 __all__ = ["catch_up", "perform"]
 
+LONG = 1.0
+"""Seconds of the world from which a step is reported although it is gone at once."""
+
 
 def perform(
     seat: Seat,
@@ -49,20 +52,10 @@ def perform(
 def _pass(
     seat: Seat, skill: Skill, step: Step, pace: Pace, report: Callable[[SkillProgress], None]
 ) -> None:
-    """Let a step's time pass."""
-    world, robot = seat.world, seat.robot
-    report(
-        SkillProgress(
-            session=seat.session,
-            skill=skill.name,
-            message=step.message,
-            fraction=round(min(max(step.fraction, 0.0), 1.0), 4),
-            pose=robot.pose,
-            floor=robot.floor,
-            time=round(world.time, 6),
-            building_id=world.building.building_id,
-        )
-    )
+    """Let a step's time pass, and report it unless it is short and gone at once."""
+    world = seat.world
+    if pace.realtime or step.seconds >= LONG:
+        report(_progress(seat, skill, step))
     if not pace.realtime:
         world.advance(step.seconds)
         return
@@ -72,6 +65,20 @@ def _pass(
     finally:
         seat.shared.lock.acquire()
     catch_up(seat.shared, pace)
+
+
+def _progress(seat: Seat, skill: Skill, step: Step) -> SkillProgress:
+    world, robot = seat.world, seat.robot
+    return SkillProgress(
+        session=seat.session,
+        skill=skill.name,
+        message=step.message,
+        fraction=round(min(max(step.fraction, 0.0), 1.0), 4),
+        pose=robot.pose,
+        floor=robot.floor,
+        time=round(world.time, 6),
+        building_id=world.building.building_id,
+    )
 
 
 def _cancelled(seat: Seat, skill: Skill, before: object) -> SkillResult:

@@ -49,6 +49,7 @@ class RobotStack:
         self._floor: int | None = None
         self._mapped: tuple[int, int] | None = None
         self._viewers = 0
+        self._shown: list[tuple[float, float]] | None = None
         self._stale_markers = True
         self._pose = self._make(PoseStamped, "robot_pose")
         self._landmarks = self._make(PoseArray, "landmarks")
@@ -101,7 +102,7 @@ class RobotStack:
         return self.seat.world.building.entry(self.seat.robot.floor).elevation
 
     def publish_all(self) -> None:
-        """Publish everything that a change may have touched; the caller holds the world's lock."""
+        """Publish what a change has touched, but the pose, which goes out 20 times a second; the world is locked."""
         stamp = self._node.get_clock().now().to_msg()
         robot = self.seat.robot
         if self._floor is None:
@@ -111,6 +112,12 @@ class RobotStack:
             self._publish_landmarks(stamp)
         self._publish_map(stamp)
         self._stale_markers = True
+        if self._shown is not robot.path:
+            self._publish_path(stamp)
+
+    def _publish_path(self, stamp: object) -> None:
+        robot = self.seat.robot
+        self._shown = robot.path
         path = Path()
         path.header.frame_id, path.header.stamp = "map", stamp
         for x, y in robot.path:
@@ -119,7 +126,6 @@ class RobotStack:
             point.pose = pose(Pose2D(x=x, y=y), self._elevation())
             path.poses.append(point)
         self._path.publish(path)
-        self.publish_pose()
 
     def follow(self, floor: int) -> None:
         """Publish the map when another robot changed something on this one's floor."""
