@@ -18,6 +18,7 @@ from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 from rclpy.node import Node
 from std_msgs.msg import String
 
+from mansion_bringup.discovery import stay_on_this_machine
 from mansion_msgs_py import interfaces
 from mansion_msgs_py.codec import decode_reply, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -36,7 +37,7 @@ _numbers = itertools.count(1)
 
 
 class MansionClient:
-    """Calls the services of one graph.
+    """Calls the services of one graph, on this machine unless the environment's ROS 2 variables say otherwise.
 
     Parameters
     ----------
@@ -63,6 +64,7 @@ class MansionClient:
         namespace: str = interfaces.DEFAULT_NAMESPACE,
         timeout: float = 600.0,
     ) -> None:
+        stay_on_this_machine()
         self.timeout = timeout
         self._context = Context()
         rclpy.init(context=self._context, args=[], domain_id=domain_id)

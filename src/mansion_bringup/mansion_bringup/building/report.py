@@ -30,12 +30,17 @@ def building_index(
         seed=request.seed,
         versions={"mansion": __version__},
         checks={
-            "rooms": sum(len(scene.rooms) for scene in scenes),
+            "rooms": sum(_rooms(scene) for scene in scenes),
             "doors": sum(len(scene.doors) for scene in scenes),
             "objects": sum(len(scene.objects) for scene in scenes),
         },
         files={"report": "report.json", "model": "building.glb", "picture": "building.png"},
     )
+
+
+def _rooms(scene: FloorScene) -> int:
+    """How many rooms a floor has, its cores left out."""
+    return sum(room.kind not in ("stair", "elevator") for room in scene.rooms)
 
 
 def _entry(scene: FloorScene) -> FloorEntry:
@@ -46,7 +51,7 @@ def _entry(scene: FloorScene) -> FloorEntry:
         elevation=scene.elevation,
         height=scene.height,
         area=round(sum(room.area for room in scene.rooms), 3),
-        rooms=len(scene.rooms),
+        rooms=_rooms(scene),
         objects=len(scene.objects),
         files={key: f"{folder}/{name}" for key, name in FLOOR_FILES.items()},
     )

@@ -52,7 +52,7 @@ class Workspace:
             self._lock = (self.partial / "lock").open("w")
         except OSError as error:
             raise MansionError(
-                ErrorCode.NOT_FOUND, f"cannot write to {self.partial}: {error.strerror}"
+                ErrorCode.UNAVAILABLE, f"cannot write to {self.partial}: {error.strerror}"
             ) from None
         try:
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

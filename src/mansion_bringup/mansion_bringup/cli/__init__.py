@@ -5,6 +5,7 @@ import sys
 from typing import NoReturn
 
 from mansion_bringup.cli.app import app
+from mansion_bringup.discovery import stay_on_this_machine
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["main"]
@@ -15,8 +16,7 @@ EXIT_INFEASIBLE = 2
 
 def main() -> NoReturn:
     """Run the command line; expected failures print one line and end with status 1, an infeasible brief with 2."""
-    if "ROS_LOCALHOST_ONLY" not in os.environ:
-        os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+    stay_on_this_machine()
     try:
         app(prog_name="mansion")
     except MansionError as error:

@@ -2,7 +2,18 @@
 
 import typer
 
-from mansion_bringup.cli import bench, build, edit, export, files, graph, plan, quality, schema, skill
+from mansion_bringup.cli import (
+    bench,
+    build,
+    edit,
+    export,
+    files,
+    graph,
+    plan,
+    quality,
+    schema,
+    skill,
+)
 
 __all__ = ["app"]
 

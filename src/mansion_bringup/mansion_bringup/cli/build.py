@@ -15,6 +15,8 @@ from mansion_msgs_py.request import BuildRequest, Footprint
 
 __all__ = ["planner_name", "prepare_planner", "read_footprint", "register", "request_from_options"]
 
+EXIT_INTERRUPTED = 130
+
 
 def register(app: typer.Typer) -> None:
     """Add the command to `app`."""
@@ -65,16 +67,23 @@ def read_footprint(path: Path) -> Footprint:
 def build(
     description: Annotated[str, typer.Argument(help="The brief, in English.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder to write.")],
-    floors: Annotated[int | None, typer.Option(min=1, help="Number of floors.")] = None,
-    area: Annotated[float | None, typer.Option(help="Gross area of the building, m2.")] = None,
-    floor_area: Annotated[float | None, typer.Option(help="Gross area of a floor, m2.")] = None,
+    floors: Annotated[int | None, typer.Option(min=1, max=100, help="Number of floors.")] = None,
+    area: Annotated[
+        float | None, typer.Option(min=1, help="Gross area of the building, m2.")
+    ] = None,
+    floor_area: Annotated[
+        float | None, typer.Option(min=1, help="Gross area of a floor, m2.")
+    ] = None,
     footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same building.")] = 0,
     planner: Annotated[str, typer.Option(help="rules or llm.")] = "rules",
     graph: Annotated[bool, typer.Option("--graph", help="Build through the node graph.")] = False,
     jobs: Annotated[int, typer.Option(min=0, help="Floors in work at once; 0: all cores.")] = 0,
     timeout: Annotated[float, typer.Option(min=1, help="Seconds, for --graph.")] = 900.0,
-    force: Annotated[bool, typer.Option("--force", help="Replace even with state.")] = False,
+    force: Annotated[
+        bool,
+        typer.Option("--force", help="Replace a building even if robots have left state in it."),
+    ] = False,
 ) -> None:
     """Build a furnished building from one sentence.
 
@@ -91,18 +100,28 @@ def build(
     request = request_from_options(
         description, floors, area, floor_area, footprint, seed, planner_name(planner)
     )
-    if not graph:
-        prepare_planner(request)
-    if graph:
-        result = _through_graph(request, output, timeout, force)
-    else:
-        workers = jobs or min(os.cpu_count() or 1, 8)
-        with progress_bar() as report:
-            result = build_building(request, output, jobs=workers, report=report, force=force)
+    if (output / "building.json").is_file():
+        err.print(f"{output} holds a building: it is replaced when this one is done")
+    try:
+        if graph:
+            result = _through_graph(request, output, timeout, force)
+        else:
+            result = _in_processes(request, output, jobs, force)
+    except KeyboardInterrupt:
+        err.print("interrupted; the same command goes on from the floors that are done")
+        raise typer.Exit(EXIT_INTERRUPTED) from None
     _print_summary(result)
 
 
+def _in_processes(request: BuildRequest, output: Path, jobs: int, force: bool) -> BuildResult:
+    prepare_planner(request)
+    workers = jobs or min(os.cpu_count() or 1, 8)
+    with progress_bar() as report:
+        return build_building(request, output, jobs=workers, report=report, force=force)
+
+
 def planner_name(name: str) -> Literal["rules", "llm"]:
+    """Return the planner of that name, or refuse it."""
     if name == "rules":
         return "rules"
     if name == "llm":

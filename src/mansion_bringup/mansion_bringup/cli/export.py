@@ -116,7 +116,7 @@ def export(
         write_atomic(target / name, data)
     size = sum(len(data) for data in files.values()) / 1e6
     err.print(f"wrote {len(files)} files, {size:.1f} MB, to {target}", highlight=False)
-    for name in list(files)[:8]:
+    for name in [name for name in files if not name.startswith("meshes/")]:
         typer.echo(str(target / name))
 
 

@@ -21,9 +21,13 @@ def register(app: typer.Typer) -> None:
 
 def plan(
     description: Annotated[str, typer.Argument(help="The brief, in English.")],
-    floors: Annotated[int | None, typer.Option(min=1)] = None,
-    area: Annotated[float | None, typer.Option(help="Gross area of the building, m2.")] = None,
-    floor_area: Annotated[float | None, typer.Option(help="Gross area of a floor, m2.")] = None,
+    floors: Annotated[int | None, typer.Option(min=1, max=100)] = None,
+    area: Annotated[
+        float | None, typer.Option(min=1, help="Gross area of the building, m2.")
+    ] = None,
+    floor_area: Annotated[
+        float | None, typer.Option(min=1, help="Gross area of a floor, m2.")
+    ] = None,
     footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
     seed: Annotated[int, typer.Option(min=0)] = 0,
     planner: Annotated[str, typer.Option(help="rules or llm.")] = "rules",

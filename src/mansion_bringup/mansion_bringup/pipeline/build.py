@@ -133,8 +133,11 @@ def _plan(job: _Job, workspace: Workspace) -> PlanReply:
     job.timed("plan_program", time.perf_counter() - started)
     floors = plan.program.floors
     job.total = 3 + len(steps.distinct_floors(plan)) + len(floors)
-    rooms = sum(len(floor.rooms) for floor in floors)
-    job.step("plan_program", f"{len(floors)} floors, {rooms} rooms", done=1)
+    rooms = sum(
+        node.type in ("main", "Entities") for graph in plan.topologies for node in graph.nodes
+    )
+    storeys = f"{len(floors)} floor{'s' if len(floors) != 1 else ''}"
+    job.step("plan_program", f"{storeys}, {rooms} rooms", done=1)
     return plan
 
 

@@ -8,7 +8,7 @@ import signal
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
 from types import TracebackType
 from typing import Any, TypeVar
 
@@ -54,6 +54,9 @@ class Crew:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
+        if isinstance(error, KeyboardInterrupt) and self.remote is None:
+            for child in active_children():
+                child.terminate()
         self.pool.shutdown(wait=True, cancel_futures=error is not None)
 
     def furnish(self, task: Callable[..., T], *arguments: Any) -> "Future[T]":
