@@ -71,7 +71,6 @@ def test_clearing_a_receptacle_leaves_it(open_editor: EditorFactory) -> None:
 
 def test_moving_takes_along_what_is_carried(open_editor: EditorFactory) -> None:
     editor = open_editor()
-    _, table = editor.state.get(TABLE)
     editor.call("MoveObject", {"object_id": TABLE, "x": 8.5, "y": 3.2, "rotation": 90})
     _, moved = editor.state.get(TABLE)
     _, mug = editor.state.get("F1/kitchen/mug_1")

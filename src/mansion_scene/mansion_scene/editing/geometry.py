@@ -67,7 +67,8 @@ def contents(index: FloorIndex, receptacle: SceneObject, asset: Asset | None) ->
     Notes
     -----
     What rests on a seat, a mattress or a top below the container's highest point is not inside it; what stands on one
-    of its shelves is, as the card has it, and lies on it too. Furniture that stands below a table top on the floor is inside only where one of the container's inner boxes holds it.
+    of its shelves is, as the card has it, and lies on it too. Furniture that stands below a table top on the floor is
+    inside only where one of the container's inner boxes holds it.
     """
     low = receptacle.position[2] - receptacle.size[2] / 2
     high = receptacle.position[2] + receptacle.size[2] / 2

@@ -120,7 +120,7 @@ def _by_height(ledges: Sequence[Ledge], receptacle: SceneObject) -> list[Ledge]:
 def _obstacles(
     index: FloorIndex, receptacle: SceneObject, skip: set[str]
 ) -> npt.NDArray[np.float64]:
-    """Objects near a receptacle in its frame: x, y, half extents along its axes, lower and upper end above its centre."""
+    """Objects near a receptacle in its frame: x, y, half extents along its axes, lower and upper end."""
     ancestors = set(skip)
     above = receptacle.parent
     while above is not None and above not in ancestors and above in index.at:

@@ -24,6 +24,7 @@ _ORDINALS = [
     "eleventh",
     "twelfth",
 ]
+_TO = r"\b(?:on |at |of |from |to |in )?(?:the )?"
 _FLOOR_WORDS = r"(?:floor|storey|story|level)"
 
 
@@ -37,15 +38,15 @@ def find_floor(state: SceneState, text: str) -> tuple[int | None, str]:
 
     Notes
     -----
-    Ordinals count from the entrance floor: the second floor is number 2. The ground floor is 1, the top floor the highest.
+    Ordinals count from the entrance floor: the second floor is number 2; the ground floor is 1.
     """
     low = text.lower()
     ordinal = "|".join(_ORDINALS)
     patterns = (
-        rf"\b(?:on |at |of |from |to |in )?(?:the )?(?:{_FLOOR_WORDS} )?(?P<word>{ordinal}|ground|top|\d+(?:st|nd|rd|th)) {_FLOOR_WORDS}\b",
-        rf"\b(?:on |at |of |from |to |in )?(?:the )?{_FLOOR_WORDS} (?P<word>-?\d+|{'|'.join(_NUMBERS)})\b",
+        rf"{_TO}(?:{_FLOOR_WORDS} )?(?P<word>{ordinal}|ground|top|\d+(?:st|nd|rd|th)) {_FLOOR_WORDS}\b",
+        rf"{_TO}{_FLOOR_WORDS} (?P<word>-?\d+|{'|'.join(_NUMBERS)})\b",
         rf"\b(?:on|at) the (?P<word>{ordinal}|\d+(?:st|nd|rd|th))\b",
-        r"\b(?:on |at |of |from |to |in )?(?:the )?(?P<word>basement)\b",
+        rf"{_TO}(?P<word>basement)\b",
     )
     for pattern in patterns:
         match = re.search(pattern, low)

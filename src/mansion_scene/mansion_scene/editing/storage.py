@@ -1,7 +1,7 @@
 """A building on disk and its edits: transactions that land whole, a log, undo and redo.
 
-``DIR/edits/log.jsonl`` holds one `Transaction` a line. A transaction is written to ``pending.json`` first, then into the
-scenes, then into the log; whoever takes the lock next finishes what a killed process left.
+``DIR/edits/log.jsonl`` holds one `Transaction` a line. A transaction is written to ``pending.json`` first, then into
+the scenes, then into the log; whoever takes the lock next finishes what a killed process left.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence

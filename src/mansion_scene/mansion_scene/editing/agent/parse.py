@@ -23,9 +23,12 @@ __all__ = ["MOST_CLAUSES", "parse_instruction"]
 MOST_CLAUSES: Final = 24
 
 _THERE = r"(?:that )?(?:there )?(?:is|are|be|exists|exist|should be|must be|has to be|have to be|needs to be|will be)"
+_SEE = r"(?:please )?(?:make sure|ensure|check|verify|see|provide|confirm)?(?: that)?"
 _VERBS: Final[tuple[tuple[str, str], ...]] = (
-    ("path", r"(?:(?:please )?(?:make sure|ensure|check|verify|see|provide|confirm)?(?: that)?(?: there (?:is|are|should be|must be))?(?: also)? ?)(?:a |an |the )?(?:clear |free |open )?(?:way|path|route|access|connection)\b"),
-    ("path", r"(?:please )?(?:make sure|ensure|check|verify|confirm)?(?: that)? ?(?:the |a )?(?:robot|one|you|people|someone|anyone) (?:can|could|is able to|should be able to) (?:get|go|walk|drive|reach|travel|move)\b"),
+    ("path", rf"{_SEE}(?: there (?:is|are|should be|must be))?(?: also)? ?"
+        r"(?:a |an |the )?(?:clear |free |open )?(?:way|path|route|access|connection)\b"),
+    ("path", rf"{_SEE} ?(?:the |a )?(?:robot|one|you|people|someone|anyone) "
+        r"(?:can|could|is able to|should be able to) (?:get|go|walk|drive|reach|travel|move)\b"),
     ("absent", r"(?:please )?(?:make sure|ensure) (?:that )?(?:there (?:is|are)) (?:no|not any|none of)\b"),
     ("absent", r"there (?:should|must) (?:be no|not be any)\b"),
     ("absent", r"(?:please )?(?:remove|delete|take away|get rid of|throw away|discard|take)\b"),
@@ -101,7 +104,8 @@ def _clauses(text: str) -> list[tuple[str, str]]:
 def _not_understood(text: str) -> MansionError:
     return MansionError(
         ErrorCode.INVALID_PAYLOAD,
-        f'not understood: {text[:120]!r}; say what is to be there ("make sure there is a cola in the fridge on floor 2"), '
+        f"not understood: {text[:120]!r}; say what is to be there "
+        '("make sure there is a cola in the fridge on floor 2"), '
         'to be gone ("remove the pens from the table"), moved, opened, closed, switched, or reached',
         path="$.instruction",
     )

@@ -128,7 +128,7 @@ def _of(state: SceneState, name: str, floor: int | None) -> tuple[str, tuple[str
 
 
 def _rooms(state: SceneState, name: str, floor: int | None) -> tuple[str, ...] | None:
-    """Return the rooms that a name means, None where it names none; a thing of that name goes before a part of a name."""
+    """Return the rooms that a name means, None for none; a thing of that name goes before a part of a room's."""
     upper = name[0].upper() + name[1:] if name else name
     whole = state.room(upper)
     if whole is not None:
