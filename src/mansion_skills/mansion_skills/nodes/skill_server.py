@@ -77,7 +77,6 @@ class SkillServer(Node):
         self._stacks: dict[str, RobotStack] = {}
         self._group = ReentrantCallbackGroup()
         self._served: set[str] = set()
-        self._json("load_building", self.load)
         self._serve_skills("")
         self._json("skills/cancel", self.engine.cancel)
         self._json("skills/take_control", self.engine.take_control)
@@ -90,6 +89,8 @@ class SkillServer(Node):
         self.create_timer(PERIOD / 2, self._drive, MutuallyExclusiveCallbackGroup())
         self._odd = False
         self.create_timer(0.5, self._publish_markers, MutuallyExclusiveCallbackGroup())
+        # Last, because who starts the node takes this service for the sign that all of it is there.
+        self._json("load_building", self.load)
         if value["building"]:
             self.load(LoadBuilding(path=value["building"], session=value["session"]))
 
