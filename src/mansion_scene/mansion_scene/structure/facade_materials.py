@@ -10,7 +10,7 @@ DEFAULT_FACADE = "facade_render"
 _DWELLING = ("red_brick", "white_render", "sand_render", "timber_cladding", "facade_render")
 _CIVIC = ("sandstone", "red_brick", "stone_cladding", "white_render")
 _HEALTH = ("white_render", "facade_render", "concrete_panels")
-_WORK = ("concrete_panels", "facade_render", "stone_cladding", "dark_brick")
+_WORK = ("concrete_panels", "facade_render", "white_render", "dark_brick")
 _INDUSTRY = ("metal_panels", "concrete_panels", "dark_brick")
 _HOSPITALITY = ("sand_render", "facade_render", "dark_brick", "white_render")
 

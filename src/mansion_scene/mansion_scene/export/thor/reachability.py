@@ -129,9 +129,10 @@ def _steps(
     up = np.zeros_like(near)
     grid_x, grid_z = np.meshgrid(xs, zs)
     for ax, az, bx, bz in _solid_parts(house):
-        columns = (xs > min(ax, bx) - 2 * GRID) & (xs < max(ax, bx) + 2 * GRID)
-        rows = (zs > min(az, bz) - 2 * GRID) & (zs < max(az, bz) + 2 * GRID)
-        window = np.ix_(rows, columns)
+        margin = 2 * GRID
+        columns = slice(*np.searchsorted(xs, (min(ax, bx) - margin, max(ax, bx) + margin)))
+        rows = slice(*np.searchsorted(zs, (min(az, bz) - margin, max(az, bz) + margin)))
+        window = (rows, columns)
         x, z = grid_x[window], grid_z[window]
         for target, dx, dz in ((near, 0.0, 0.0), (right, GRID, 0.0), (up, 0.0, GRID)):
             distance = _distance(x, z, dx, dz, (ax, az, bx, bz))
