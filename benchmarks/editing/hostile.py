@@ -25,7 +25,7 @@ from mansion_scene.editing.agent.controller import run_agent
 from mansion_scene.editing.agent.instruct import instruct
 from mansion_scene.editing.agent.protocol import Action, Policy, Verdict
 
-PATHS = ["../../etc/passwd", "/etc/shadow", "..\\..\\windows", "file:///etc/hosts", "~/.ssh/id_rsa", "F1/../../building.json",
+PATHS = ["../../etc/passwd", "/etc/shadow", "..\\..\\windows", "file:///etc/hosts", "~/.ssh/id_rsa", "F1/../../building.json",  # noqa: E501
          "%2e%2e%2fetc", "\x00null", "$(rm -rf /)", "`id`"]  # fmt: skip
 TEXTS = [
     "put {p} on the table", "remove {p}", "make sure there is a mug in {p}",

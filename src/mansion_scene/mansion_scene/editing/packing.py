@@ -22,11 +22,11 @@ HAND = 0.05
 """Distance to neighbours that leaves room for a hand, metres."""
 
 HEADROOM = 0.01
-STEP = 0.03
+STEP = 0.02
 """Least distance between places that are tried, metres."""
 
 EDGE = 0.01
-MOST_ROWS = 24
+MOST_ROWS = 80
 
 
 class Ledge(NamedTuple):

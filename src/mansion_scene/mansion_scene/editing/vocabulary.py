@@ -94,9 +94,8 @@ class Vocabulary:
                 self._synonyms.setdefault(stems(synonym), {})[category] = None
 
     def exact(self, words: tuple[str, ...]) -> list[str]:
-        """Return the categories called exactly so, by name first, then by synonym."""
-        names = self._names.get(words, {})
-        return [*names, *(c for c in self._synonyms.get(words, {}) if c not in names)]
+        """Return the categories called exactly so; by synonym where none has the name itself."""
+        return list(self._names.get(words) or self._synonyms.get(words, {}))
 
     def generic(self, words: tuple[str, ...]) -> list[str]:
         """Return the categories of which a general word (``table``) is the last part."""
