@@ -20,6 +20,12 @@ def _placement() -> None:
     compile_kernels()
 
 
+def _navigation() -> None:
+    from mansion_skills.navigation.warming import warm as compile_kernels
+
+    compile_kernels()
+
+
 def _pictures() -> None:
     import numpy as np
 
@@ -41,12 +47,12 @@ def _pictures() -> None:
     write_glb([model], "warm")
 
 
-WARMERS: tuple[Callable[[], None], ...] = (_solver, _placement, _pictures)
+WARMERS: tuple[Callable[[], None], ...] = (_solver, _placement, _navigation, _pictures)
 """The longest first, so that two processes end together."""
 
 
 def warm() -> None:
-    """Compile the kernels of the floor solver, the placer and the pictures, on all cores."""
+    """Compile the kernels of the floor solver, the placer, navigation and the pictures, on all cores."""
     workers = min(len(WARMERS), cpu_count() or 1)
     with ProcessPoolExecutor(workers, mp_context=get_context("fork")) as pool:
         for done in [pool.submit(work) for work in WARMERS]:

@@ -1,0 +1,32 @@
+"""Compile the navigation kernels once, so that a first robot does not wait."""
+
+import numpy as np
+
+from mansion_msgs_py.scene import FloorScene, SceneRoom
+from mansion_skills.navigation.floor_map import Body, FloorMap
+from mansion_skills.navigation.paths import find_path, free_run
+from mansion_skills.navigation.search import best_cells, cast_rays, clearance, region_of, sees
+
+__all__ = ["warm"]
+
+SQUARE = [(0.0, 0.0), (3.0, 0.0), (3.0, 3.0), (0.0, 3.0)]
+
+
+def warm() -> None:
+    """Load the kernels from the disk cache, or compile and cache them."""
+    room = SceneRoom(
+        id="F1/room", room_type="room", kind="main", polygon=SQUARE, net_polygon=SQUARE, area=9.0
+    )
+    scene = FloorScene(
+        building_id="warm", floor=1, floors=1, label="G", elevation=0.0, height=3.0,
+        outline=SQUARE, rooms=[room], walls=[], doors=[],
+    )  # fmt: skip
+    floor = FloorMap(scene, 0.2)
+    body = Body("F1/room/box_1", (1.5, 1.5, 0.2), (0.3, 0.3, 0.4), 0.0, False, 1)
+    floor.update([body], {})
+    find_path(floor.blocked, floor.frame, (0.5, 0.5), (2.5, 2.5))
+    free_run(floor.blocked, floor.frame, (0.5, 0.5), 0.0, 1.0)
+    reached = region_of(floor.blocked, *floor.frame.cell(0.5, 0.5))
+    best_cells(floor.rooms, clearance(floor.blocked), reached, 1)
+    cast_rays(floor.occupied, 20.0, 20.0, np.array([0.0, 1.0]), 50.0)
+    sees(floor.view, 20.0, 20.0, 30.0, 30.0, 1.0, np.array([1], dtype=np.int16))
