@@ -16,6 +16,8 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_planner.knowledge import default_knowledge
 from mansion_planner.plan import plan_building
+from mansion_planner.program.blocks import widened
+from mansion_planner.solver import solve_floor
 
 CORPUS = json.loads((Path(__file__).parents[2] / "briefs" / "briefs.json").read_text())
 BRIEFS = [e["brief"] for e in CORPUS if not any(f.startswith("error=") for f in e["facts"])]
@@ -170,3 +172,17 @@ def test_briefs_that_cannot_be_met_are_refused_with_both_places(
     assert f"error={caught.value.code}" in entry["facts"]
     if caught.value.code == "CONTRADICTION":
         assert caught.value.info.details["first"] and caught.value.info.details["second"]
+
+
+@pytest.mark.parametrize("brief", ["a small flat", "a small flat for two", "2 bed flat"])
+def test_the_layout_of_a_flat_is_its_sketch_with_every_door_on_the_living_room(brief: str) -> None:
+    for seed in range(10):
+        reply = plan_building(BuildRequest(description=brief, seed=seed))
+        layout = solve_floor(reply.problems[0])
+        assert layout.rounds[0].method == "planned", seed
+        assert all(edge.source == "living_room" for edge in reply.problems[0].edges), seed
+
+
+def test_rooms_too_narrow_for_a_door_take_width_from_those_that_have_it() -> None:
+    assert widened([0.7, 4.3], [1.3, 1.3]) == pytest.approx([1.3, 3.7])
+    assert widened([0.7, 1.0], [1.3, 1.3]) == [0.7, 1.0]

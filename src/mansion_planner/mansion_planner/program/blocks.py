@@ -7,10 +7,29 @@ from dataclasses import dataclass, field
 
 from mansion_planner.program.model import Box, PlannedRoom
 
-__all__ = ["Block", "front_depth", "group_blocks", "lay_block"]
+__all__ = ["Block", "front_depth", "group_blocks", "lay_block", "widened"]
 
 DOOR = 1.5
 """Least contact of a room with what it is reached from, with a margin over the 1.20 m of a door, metres."""
+
+
+LEAST_FRONT = 1.3
+"""Least stretch of corridor, or of its host's wall, that a room gets, metres."""
+
+
+def widened(widths: list[float], least: list[float]) -> list[float]:
+    """Raise widths to their least; those that have more to spare give it, in proportion.
+
+    The sum stays; widths that cannot all have their least stay as they are.
+    """
+    need = sum(max(low - width, 0.0) for width, low in zip(widths, least))
+    spare = sum(max(width - low, 0.0) for width, low in zip(widths, least))
+    if need <= 0.0 or spare <= need:
+        return widths
+    return [
+        low if width < low else width - (width - low) * need / spare
+        for width, low in zip(widths, least)
+    ]
 
 
 @dataclass
@@ -22,10 +41,13 @@ class Block:
     host : PlannedRoom
     smalls : list of PlannedRoom
         Rooms too small for the band's depth, also reached from the corridor.
+    least : float
+        Metres of front that its place asks for.
     """
 
     host: PlannedRoom
     smalls: list[PlannedRoom] = field(default_factory=list)
+    least: float = 0.0
 
     @property
     def gross(self) -> float:
@@ -36,6 +58,11 @@ class Block:
     def fixed(self) -> bool:
         """Whether its width must not be scaled."""
         return self.host.fixed
+
+    @property
+    def least_width(self) -> float:
+        """Metres of corridor that its rooms need at least."""
+        return max(self.least, LEAST_FRONT * (1 + len(self.smalls)))
 
     def fronts(self) -> list[PlannedRoom]:
         """Return the rooms that touch the corridor."""
@@ -105,9 +132,11 @@ def lay_block(block: Block, width: float, depth: float) -> list[tuple[PlannedRoo
     placed: list[tuple[PlannedRoom, list[Box]]] = []
     x = 0.0
     corner_boxes: list[Box] = []
-    for room in block.smalls:
+    for number, room in enumerate(block.smalls):
         high = front_depth(room.area * scale, depth)
-        wide = room.area * scale / high
+        after = LEAST_FRONT * (len(block.smalls) - number)
+        wide = min(max(room.area * scale / high, LEAST_FRONT), max(width - x - after, 0.5))
+        high = min(high, max(room.area * scale / wide, 1.2))
         corner_boxes.append((x, 0.0, x + wide, high))
         placed.append((room, [(x, 0.0, x + wide, high)]))
         x += wide
@@ -164,12 +193,18 @@ def _lay_columns(
             columns[0 if sums[0] <= sums[1] else 1].append(child)
     placed: list[tuple[PlannedRoom, list[Box]]] = []
     wide = [sum(room.gross for room in column) * scale / depth for column in columns]
+    least = [LEAST_FRONT if column else 0.0 for column in columns]
+    wide = widened([*wide, width - sum(wide)], [*least, LEAST_FRONT])[:2]
     placed.append((host, [(wide[0], 0.0, width - wide[1], depth)]))
     for number, column in enumerate(columns):
         x0, x1 = (0.0, wide[0]) if number == 0 else (width - wide[1], width)
         y = 0.0
-        for child in sorted(column, key=lambda room: (not room.kind.wet, room.id)):
-            high = child.gross * scale / (x1 - x0)
+        ordered = sorted(column, key=lambda room: (not room.kind.wet, room.id))
+        whole = sum(child.gross for child in ordered) or 1.0
+        rises = widened(
+            [depth * child.gross / whole for child in ordered], [LEAST_FRONT] * len(ordered)
+        )
+        for child, high in zip(ordered, rises):
             placed.append((child, [(x0, y, x1, y + high)]))
             y += high
     return placed

@@ -34,7 +34,7 @@ from mansion_planner.program.massing import (
 )
 from mansion_planner.program.materials import materials_of
 from mansion_planner.program.model import Massing, Storey, box_area
-from mansion_planner.program.placement import Sketch, touching
+from mansion_planner.program.placement import Sketch, short_edges, touching
 from mansion_planner.program.sizes import storey_area, typical_room
 from mansion_planner.program.sketch import capacity, sketch_storey
 from mansion_planner.program.vertical import vertical_method
@@ -121,9 +121,9 @@ def _best_layout(
     allocation: Allocation,
     knowledge: KnowledgeBase,
 ) -> _Layout:
-    """Lay the building out; when neighbours that the brief wishes stay apart, try other proportions."""
+    """Lay the building out; when rooms lack a door's wall or wished neighbours stay apart, try other proportions."""
     best: tuple[int, _Layout] | None = None
-    attempts = 6 if decisions.facts.adjacent and decisions.outline is None else 1
+    attempts = 6 if decisions.outline is None and not decisions.free_form else 1
     for attempt in range(attempts):
         growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
         generator = item_generator(decisions.seed, "massing", attempt)
@@ -136,9 +136,11 @@ def _best_layout(
             generator,
         )
         apart = sum(len(apart_pairs(decisions, s, layout[2][s.index])) for s in storeys)
-        if best is None or apart < best[0]:
-            best = (apart, layout)
-        if apart == 0:
+        short = sum(len(short_edges(layout[2][s.index])) for s in storeys if s.copy is None)
+        missed = apart + short
+        if best is None or missed < best[0]:
+            best = (missed, layout)
+        if missed == 0:
             break
     assert best is not None
     return best[1]

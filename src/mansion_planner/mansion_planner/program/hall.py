@@ -1,11 +1,31 @@
 """Sketch a storey whose hub is its main room: a living room, a sales floor, a restaurant; the other rooms line it."""
 
-from mansion_planner.program.blocks import Block, group_blocks, lay_block
-from mansion_planner.program.model import Box, CoreBox, Massing, Storey
-from mansion_planner.program.placement import Corridor, Placement, Sketch
+from dataclasses import dataclass
+
+from mansion_planner.program.blocks import Block, group_blocks, lay_block, widened
+from mansion_planner.program.model import Box, CoreBox, Massing, PlannedRoom, Storey
+from mansion_planner.program.placement import DOOR_WALL, Corridor, Placement, Sketch, short_edges
 from mansion_planner.program.segments import Segment, bring_together, front_order
 
 __all__ = ["sketch_hall"]
+
+MOST_DIVIDED = 5
+"""Rooms whose every division between the two sides is tried."""
+
+
+@dataclass(frozen=True)
+class _Arrangement:
+    """Which blocks line the north side (by number, or as many as it takes), and how far the east column reaches.
+
+    Attributes
+    ----------
+    north : tuple of int, optional
+    under : bool
+        The column ends below the north row, which takes the whole length.
+    """
+
+    north: tuple[int, ...] | None = None
+    under: bool = False
 
 
 def sketch_hall(
@@ -13,58 +33,133 @@ def sketch_hall(
 ) -> Sketch:
     """Line the north side of the hub with rooms, then its far side when the north is full.
 
-    The band's depth follows from the rooms, so that the hub gets what they leave.
+    The band's depth follows from the rooms, so that the hub gets what they leave. Where a room would share too little
+    wall with the hub, the other ways to divide the rooms between the two sides are tried.
     """
+    best = _arranged(massing, storey, hub_id, pairs, _Arrangement())
+    short = len(short_edges(best))
+    if not short:
+        return best
+    price = (short, float("inf"))
+    for arrangement in _others(len(storey.rooms)):
+        sketch = _arranged(massing, storey, hub_id, pairs, arrangement)
+        found = (len(short_edges(sketch)), _ill_shape(sketch))
+        if found < price:
+            best, price = sketch, found
+    return best
+
+
+def _others(rooms: int) -> list[_Arrangement]:
+    """List ways to divide up to `MOST_DIVIDED` rooms: all of them; of more, those that cut their order in two."""
+    if rooms <= MOST_DIVIDED:
+        groups = [tuple(n for n in range(rooms) if bits >> n & 1) for bits in range(1, 1 << rooms)]
+    else:
+        groups = [tuple(range(n)) for n in range(1, rooms + 1)]
+        groups += [tuple(range(n, rooms)) for n in range(1, rooms)]
+    return [_Arrangement(group, under) for under in (True, False) for group in groups]
+
+
+def _ill_shape(sketch: Sketch) -> float:
+    """Sum of how far the rooms and the hub are from a well-proportioned rectangle of at least 2.8 m."""
+    total = 0.0
+    for boxes in [p.boxes for p in sketch.rooms] + [c.boxes[:1] for c in sketch.corridors]:
+        wide = max(b[2] for b in boxes) - min(b[0] for b in boxes)
+        high = max(b[3] for b in boxes) - min(b[1] for b in boxes)
+        if min(wide, high) <= 0.01:
+            return float("inf")
+        total += max(max(wide, high) / min(wide, high) - 1.4, 0.0)
+        if wide * high > 8.0:
+            total += max(2.8 - min(wide, high), 0.0)
+    return total
+
+
+def _arranged(
+    massing: Massing,
+    storey: Storey,
+    hub_id: str,
+    pairs: list[tuple[str, str]],
+    arrangement: _Arrangement,
+) -> Sketch:
     length = massing.length - storey.setback + storey.extension
     depth = massing.depth
     stairs = [core for core in massing.cores if core.type == "stair"]
-    lifts = [core for core in massing.cores if core.type == "elevator"]
     begin = max((core.box[2] for core in stairs), default=0.0)
     rooms = front_order(storey.rooms)
-    total = sum(room.gross for room in rooms)
-    band = _band_depth(total, length - begin, depth, [room.gross for room in rooms], stairs)
-    blocks = group_blocks(rooms, band, pairs)
-    north, east = _split(blocks, band, length - begin)
+    if arrangement.north is None:
+        total = sum(room.gross for room in rooms)
+        band = _band_depth(total, length - begin, depth, [room.gross for room in rooms], stairs)
+        north, east = _split(group_blocks(rooms, band, pairs), band, length - begin)
+    else:
+        chosen = [rooms[n] for n in arrangement.north]
+        rest = [room for n, room in enumerate(rooms) if n not in arrangement.north]
+        band = sum(room.gross for room in chosen) / (length - begin)
+        band = min(max(band, 3.0 if stairs else 2.4), 0.6 * depth)
+        slim = any(room.area / band < 1.5 for room in chosen)
+        north = group_blocks(chosen, band, pairs) if slim else [Block(room) for room in chosen]
+        east = [Block(room) for room in rest]
     for first, second in pairs:
         bring_together([Segment("main", True, 0.0, 1.0, 0.0, band, blocks=north)], first, second)
-    column = sum(block.gross for block in east) / depth
+    area = sum(block.gross for block in east)
+    under = arrangement.under and bool(east)
+    if under and north:
+        north[-1].least = area / (depth - band) + DOOR_WALL + 0.1
+    column = area / depth
+    end = length if under else length - column
     placements: list[Placement] = []
-    segment = Segment("main", True, begin, length - column, depth - band, band, blocks=north)
-    _place(segment, massing, hub_id, placements)
-    if north and sum(block.gross for block in north) < 0.97 * segment.length * band:
-        band = sum(block.gross for block in north) / segment.length
-        placements.clear()
-        segment = Segment("main", True, begin, length - column, depth - band, band, blocks=north)
-        _place(segment, massing, hub_id, placements)
-    y = 0.0
-    high = sum(block.gross for block in east) or 1.0
-    for block in east:
-        rise = depth * block.gross / high
-        for room, boxes in lay_block(block, rise, column):
-            parent = (
-                hub_id
-                if room is block.host or any(room is s for s in block.smalls)
-                else block.host.id
-            )
-            world: list[Box] = [
-                (length - column + b[1], y + b[0], length - column + b[3], y + b[2]) for b in boxes
-            ]
-            placements.append(Placement(room, world, parent))
-        y += rise
-    hub_boxes: list[Box] = [(0.0, 0.0, length - column, depth - band)]
-    floor = min((core.box[1] for core in stairs), default=depth)
-    if stairs and floor > depth - band:
-        hub_boxes.append((0.0, depth - band, begin, floor))
-    if not north:
-        hub_boxes[0] = (0.0, 0.0, length - column, depth - band if stairs else depth)
-    if lifts:
-        edge, top = max(core.box[2] for core in lifts), max(core.box[3] for core in lifts)
-        x0, _, x1, y1 = hub_boxes[0]
-        hub_boxes[:1] = [(x0, top, x1, y1), (edge, 0.0, x1, top)]
-    hub = Corridor(hub_id, hub_boxes)
+    if north and sum(block.gross for block in north) < 0.97 * (end - begin) * band:
+        band = max(sum(block.gross for block in north) / (end - begin), 3.0 if stairs else 0.0)
+    _place(
+        Segment("main", True, begin, end, depth - band, band, blocks=north),
+        massing, hub_id, placements,
+    )  # fmt: skip
+    reach = depth - band if under else depth
+    column = area / reach
+    _place_column(east, (length - column, reach, column), hub_id, placements)
+    hub = Corridor(hub_id, _hub_boxes(massing, begin, length - column, band, bool(north)))
     sketch = Sketch([hub], placements)
-    sketch.core_parent = {core.id: hub_id for core in (*stairs, *lifts)}
+    sketch.core_parent = {core.id: hub_id for core in massing.cores}
     return sketch
+
+
+def _place_column(
+    east: list[Block], place: tuple[float, float, float], hub_id: str, placements: list[Placement]
+) -> None:
+    """Stack blocks from the south along the hub's far side; `place` is where it begins, its reach and its width."""
+    x0, reach, column = place
+    high = sum(block.gross for block in east) or 1.0
+    rises = widened(
+        [reach * block.gross / high for block in east], [block.least_width for block in east]
+    )
+    y = 0.0
+    for block, rise in zip(east, rises):
+        for room, boxes in lay_block(block, rise, column):
+            world: list[Box] = [(x0 + b[1], y + b[0], x0 + b[3], y + b[2]) for b in boxes]
+            placements.append(Placement(room, world, _parent(block, room, hub_id)))
+        y += rise
+
+
+def _hub_boxes(massing: Massing, begin: float, end: float, band: float, lined: bool) -> list[Box]:
+    """Return what the rooms leave to the hub, around the cores."""
+    depth = massing.depth
+    stairs = [core.box for core in massing.cores if core.type == "stair"]
+    lifts = [core.box for core in massing.cores if core.type == "elevator"]
+    boxes: list[Box] = [(0.0, 0.0, end, depth - band)]
+    floor = min((box[1] for box in stairs), default=depth)
+    if stairs and floor > depth - band:
+        boxes.append((0.0, depth - band, begin, floor))
+    if not lined:
+        boxes[0] = (0.0, 0.0, end, depth - band if stairs else depth)
+    if lifts:
+        edge, top = max(box[2] for box in lifts), max(box[3] for box in lifts)
+        x0, _, x1, y1 = boxes[0]
+        boxes[:1] = [(x0, top, x1, y1), (edge, 0.0, x1, top)]
+    return boxes
+
+
+def _parent(block: Block, room: PlannedRoom, hub_id: str) -> str:
+    if any(room is front for front in block.fronts()):
+        return hub_id
+    return next((p.id for p in block.host.each() if any(c is room for c in p.suite)), hub_id)
 
 
 def _band_depth(
@@ -97,8 +192,10 @@ def _split(blocks: list[Block], band: float, length: float) -> tuple[list[Block]
 def _place(segment: Segment, massing: Massing, hub_id: str, placements: list[Placement]) -> None:
     for block, x0, x1 in segment.laid():
         for room, boxes in lay_block(block, x1 - x0, segment.depth):
-            fronts = [block.host, *block.smalls]
-            parent = hub_id if any(room is front for front in fronts) else block.host.id
             placements.append(
-                Placement(room, [segment.world(box, x0, massing) for box in boxes], parent)
+                Placement(
+                    room,
+                    [segment.world(box, x0, massing) for box in boxes],
+                    _parent(block, room, hub_id),
+                )
             )

@@ -4,7 +4,21 @@ from dataclasses import dataclass, field
 
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Storey, box_area
 
-__all__ = ["Corridor", "Placement", "Sketch", "far_stair", "lobby_length", "pocket", "touching"]
+__all__ = [
+    "DOOR_WALL",
+    "Corridor",
+    "Placement",
+    "Sketch",
+    "far_stair",
+    "lobby_length",
+    "pocket",
+    "shared_wall",
+    "short_edges",
+    "touching",
+]
+
+DOOR_WALL = 1.22
+"""Least straight wall that a sketch gives an access edge: the solver's 1.20 m and what rounding takes, metres."""
 
 
 @dataclass
@@ -87,3 +101,39 @@ def touching(first: Placement, second: Placement) -> bool:
             if (abs(wide) < 1e-6 and high >= 0.5) or (abs(high) < 1e-6 and wide >= 0.5):
                 return True
     return False
+
+
+def shared_wall(first: list[Box], second: list[Box]) -> float:
+    """Return the longest straight wall that two sets of boxes share, metres."""
+    spans: dict[tuple[bool, float], list[tuple[float, float]]] = {}
+    for a in first:
+        for b in second:
+            wide = (max(a[0], b[0]), min(a[2], b[2]))
+            high = (max(a[1], b[1]), min(a[3], b[3]))
+            if abs(high[1] - high[0]) < 1e-6 < wide[1] - wide[0]:
+                spans.setdefault((True, round(high[0], 4)), []).append(wide)
+            elif abs(wide[1] - wide[0]) < 1e-6 < high[1] - high[0]:
+                spans.setdefault((False, round(wide[0], 4)), []).append(high)
+    return max((_longest_run(line) for line in spans.values()), default=0.0)
+
+
+def _longest_run(spans: list[tuple[float, float]]) -> float:
+    best, begin, end = 0.0, 0.0, float("-inf")
+    for low, high in sorted(spans):
+        if low > end + 1e-6:
+            begin, end = low, high
+        end = max(end, high)
+        best = max(best, end - begin)
+    return best
+
+
+def short_edges(sketch: Sketch) -> list[tuple[str, str]]:
+    """Return the access edges of a sketch, as (parent, room), whose rooms share less wall than a door needs."""
+    places = {corridor.id: corridor.boxes for corridor in sketch.corridors}
+    places |= {placement.room.id: placement.boxes for placement in sketch.rooms}
+    edges = [(corridor.parent, corridor.id) for corridor in sketch.corridors if corridor.parent]
+    edges += [(placement.parent, placement.room.id) for placement in sketch.rooms]
+    return [
+        (parent, name) for parent, name in edges
+        if places[name] and shared_wall(places.get(parent, []), places[name]) < DOOR_WALL
+    ]  # fmt: skip

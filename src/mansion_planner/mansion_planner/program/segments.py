@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from mansion_planner.program.blocks import Block
+from mansion_planner.program.blocks import Block, widened
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
 
 __all__ = ["Segment", "bring_together", "fill_segments", "front_order"]
@@ -51,9 +51,13 @@ class Segment:
         spare = self.length - fixed
         keep = loose > 0 and 0.6 * loose <= spare <= 2.5 * loose
         everyone = self.length / sum(wishes)
+        widths = [
+            wish * (everyone if not keep else 1.0 if block.fixed else spare / loose)
+            for wish, block in zip(wishes, self.blocks)
+        ]
+        widths = widened(widths, [block.least_width for block in self.blocks])
         placed, x = [], self.begin
-        for wish, block in zip(wishes, self.blocks):
-            width = wish * (everyone if not keep else 1.0 if block.fixed else spare / loose)
+        for width, block in zip(widths, self.blocks):
             placed.append((block, x, x + width))
             x += width
         return placed
