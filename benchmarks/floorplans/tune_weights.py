@@ -22,13 +22,12 @@ NAMES = ("ratio", "seed", "corner", "wall")
 
 
 def merit(problem: TrueProblem, weights: EnergyWeights) -> float:
-    """Return a plan's merit: IoU, less half the area error, less the share of unmet edges."""
+    """Return a plan's merit: IoU, less the area error, less the share of unmet edges."""
     options = SolverOptions(wall_search=False, retries=3, energy=weights)
     score = score_plan(problem, solve_timed(problem, options))
     asked = score.access[1] + score.adjacent[1]
     unmet = asked - score.access[0] - score.adjacent[0]
-    corners = 0.02 * score.corners / max(1, score.present)
-    return score.macro - 0.5 * score.area_error / score.rooms - unmet / max(1, asked) - corners
+    return score.macro - score.area_error / score.rooms - unmet / max(1, asked)
 
 
 def main() -> None:

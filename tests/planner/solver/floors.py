@@ -132,13 +132,16 @@ def problems(draw: st.DrawFn) -> FloorProblem:
             max_size=10,
         )
     )
-    point = st.tuples(st.floats(0.0, 12.0), st.floats(0.0, 12.0))
+    at, reach = st.floats(0.0, 12.0), st.floats(0.0, 12.0)
+    point = st.tuples(at, reach)
+    upright = st.builds(lambda x, a, b: ((x, a), (x, b)), at, reach, reach)
+    walls = st.one_of(upright, upright, upright, st.tuples(point, point))
     return FloorProblem(
         boundary=draw(outlines()),
         holes=draw(st.lists(small_boxes(), max_size=1)),
         cores=cores,
         fixed_rooms=fixed,
-        structural_walls=draw(st.lists(st.tuples(point, point), max_size=2)),
+        structural_walls=draw(st.lists(walls, max_size=2)),
         nodes=nodes,
         edges=edges,
         seed=draw(st.integers(0, 5)),

@@ -9,11 +9,11 @@ import pytest
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.topology import Edge
 from mansion_planner.solver import SolverOptions
-from mansion_planner.solver.cutting import base_radii, sample_batch
 from mansion_planner.solver.growth import FREE, OTHER, clean, grow
 from mansion_planner.solver.model import make_model
 from mansion_planner.solver.polygons import trace
 from mansion_planner.solver.rounds import build_cut_rounds, subtree_areas
+from mansion_planner.solver.sampling import base_radii, sample_batch
 from mansion_planner.solver.scoring import candidate_energy
 
 sys.path.insert(0, str(Path(__file__).parent))

@@ -132,6 +132,19 @@ def test_no_room_straddles_a_structural_wall() -> None:
         assert line.intersection(shape.buffer(-0.02)).length < 0.05
 
 
+def test_a_slanted_structural_wall_inside_is_refused_with_its_place() -> None:
+    problem = msgspec.structs.replace(flat(), structural_walls=[((1.0, 1.0), (5.0, 4.0))])
+    with pytest.raises(MansionError) as caught:
+        solve_floor(problem)
+    assert caught.value.info.path == "$.structural_walls[0]"
+
+
+def test_a_floor_whose_rooms_are_all_usable_says_so() -> None:
+    layout = solve_floor(office())
+    assert layout.checks["usable"] == layout.checks["rooms"]
+    assert layout.checks["straddled"] == 0.0
+
+
 def test_fixed_rooms_come_back_unchanged_and_count_for_edges() -> None:
     problem = flat()
     problem.fixed_rooms = [FixedRoom(id="shop", polygon=box(6, 6, 8, 8))]

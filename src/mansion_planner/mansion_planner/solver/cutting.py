@@ -13,6 +13,7 @@ from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.polygons import layout_room, shape_of_cells
 from mansion_planner.solver.preview import render_preview
 from mansion_planner.solver.rounds import CutRound, build_cut_rounds, subtree_areas
+from mansion_planner.solver.sampling import base_radii, repelled_batch, sample_batch
 from mansion_planner.solver.scoring import grow_batch
 from mansion_planner.solver.seeding import (
     SeedCallback,
@@ -22,7 +23,7 @@ from mansion_planner.solver.seeding import (
 )
 from mansion_planner.solver.state import CX, CY, Floats, Goal, Ints
 
-__all__ = ["RoundsResult", "base_radii", "run_rounds", "sample_batch"]
+__all__ = ["RoundsResult", "run_rounds"]
 
 
 @dataclass(frozen=True)
@@ -49,68 +50,6 @@ class RoundsResult:
     history: list[Ints]
 
 
-def base_radii(shares: Floats, options: SolverOptions) -> Floats:
-    """Return ``R_r^(0) = r_base + k a_r / |Omega(p_t)|`` in grid cells."""
-    return options.base_radius + options.radius_gain * shares
-
-
-def sample_batch(
-    seeds: Floats, radii: Floats, size: int, separation: float, rng: np.random.Generator
-) -> Floats:
-    """Draw perturbed seeds uniformly from the discs around `seeds`; the first candidate is unperturbed.
-
-    Seeds closer than `separation` are drawn again, up to eight times, then kept as they are.
-
-    Returns
-    -------
-    (size, children, 2) array
-    """
-    count = len(seeds)
-
-    def draw(number: int) -> Floats:
-        angle = rng.uniform(0.0, 2.0 * np.pi, (number, count))
-        reach = radii * np.sqrt(rng.uniform(0.0, 1.0, (number, count)))
-        step = np.stack([reach * np.cos(angle), reach * np.sin(angle)], axis=-1)
-        return np.asarray(seeds + step)
-
-    batch = draw(size)
-    batch[0] = seeds
-    for _ in range(8):
-        close = _too_close(batch, separation)
-        close[0] = False
-        if not close.any():
-            break
-        batch[close] = draw(int(close.sum()))
-    return batch
-
-
-def _too_close(batch: Floats, separation: float) -> "np.ndarray[tuple[int], np.dtype[np.bool_]]":
-    gap = np.linalg.norm(batch[:, :, None] - batch[:, None, :], axis=-1)
-    k = np.arange(batch.shape[1])
-    gap[:, k, k] = np.inf
-    return np.asarray(gap.min(axis=(1, 2), initial=np.inf) < separation)
-
-
-def _repelled(cells: Floats, targets: Floats, size: int, rng: np.random.Generator) -> Floats:
-    """Draw seeds uniformly in the region, larger rooms first, each away from those before it (the fallback)."""
-    order = np.argsort(-targets, kind="stable")
-    batch = np.empty((size, len(targets), 2))
-    reach = 0.5 * np.sqrt(targets)
-    for b in range(size):
-        done: list[int] = []
-        for k in order.tolist():
-            point = cells[rng.integers(len(cells))]
-            for _ in range(12):
-                if all(
-                    np.hypot(*(point - batch[b, m])) >= 0.8 * (reach[k] + reach[m]) for m in done
-                ):
-                    break
-                point = cells[rng.integers(len(cells))]
-            batch[b, k] = point
-            done.append(k)
-    return batch
-
-
 class _Rounds:
     """State of the rounds of one floor."""
 
@@ -123,6 +62,7 @@ class _Rounds:
         budget: Budget,
         rng: np.random.Generator,
         callback: SeedCallback | None,
+        root: str,
     ) -> None:
         self.model, self.goal, self.grid, self.options = model, goal, grid, options
         self.budget, self.rng, self.callback = budget, rng, callback
@@ -132,8 +72,8 @@ class _Rounds:
             self.index[zone] = self.outside + 1 + k
         self.side = np.zeros(self.outside + 1 + len(model.zones), np.int64)
         self.side[: len(goal.side)] = goal.side
-        self.labels = np.where(grid.base < 0, self.index[model.hub], grid.base)
-        self.placed = {model.hub, *(o.id for o in model.obstacles)}
+        self.labels = np.where(grid.base < 0, self.index[root], grid.base)
+        self.placed = {root, *(o.id for o in model.obstacles)}
         self.seeds: dict[str, tuple[float, float]] = {}
         self.energy = 0.0
         self.records: list[CutRoundRecord] = []
@@ -165,7 +105,7 @@ class _Rounds:
             if size == 0:
                 break
             if fallback:
-                batch = _repelled(cells, targets, size, self.rng)
+                batch = repelled_batch(cells, targets, size, self.rng)
             else:
                 gamma = self.options.radius_growth**j
                 batch = sample_batch(seeds, gamma * radii, size, self.spacing, self.rng)
@@ -299,14 +239,15 @@ def run_rounds(
     budget: Budget,
     rng: np.random.Generator,
     callback: SeedCallback | None = None,
+    root: str | None = None,
 ) -> RoundsResult:
-    """Run all cut rounds of a floor on one grid.
+    """Run all cut rounds of a floor on one grid, from the hub or from another room as `root`.
 
     A round that finds no candidate passing the topology predicate keeps the one with the fewest open links.
     """
-    rounds = build_cut_rounds(model)
+    rounds = build_cut_rounds(model, root)
     areas = subtree_areas(model, rounds)
-    state = _Rounds(model, goal, grid, options, budget, rng, callback)
+    state = _Rounds(model, goal, grid, options, budget, rng, callback, root or model.hub)
     for cut in rounds:
         state.cut(cut, areas)
     return RoundsResult(state.labels, state.records, state.seeds, state.energy, state.history)

@@ -1,16 +1,14 @@
 """From the best partition to the FloorLayout payload."""
 
-from shapely.geometry import MultiPolygon, Polygon
-
 from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.layout import FloorLayout, LayoutRoom, RealisedEdge, UnmetEdge
 from mansion_planner.solver.cutting import RoundsResult
 from mansion_planner.solver.feasibility import Relaxed
+from mansion_planner.solver.measured import Measured
 from mansion_planner.solver.model import FloorModel
 from mansion_planner.solver.options import SolverOptions
-from mansion_planner.solver.polygons import layout_room, room_shapes, turned_back
-from mansion_planner.solver.refine import Partition
-from mansion_planner.solver.verify import judge
+from mansion_planner.solver.polygons import layout_room, turned_back
+from mansion_planner.solver.verify import MOST_STRADDLED, Verdict, figures_of
 
 __all__ = ["finish"]
 
@@ -37,17 +35,27 @@ def _reason(
     return f"{what}, {need:g} m are needed; {used} candidate layouts were looked at"
 
 
+def _messages(verdict: Verdict) -> list[str]:
+    """Return what is wrong with shapes and structural walls, in words."""
+    lines = [f"{name}: {reason}" for name, reason in verdict.shape_faults.items()]
+    lines += [
+        f"structural wall {k} lies inside rooms for {length:.2f} m"
+        for k, length in enumerate(verdict.straddled)
+        if length > MOST_STRADDLED
+    ]
+    return lines
+
+
 def finish(
     model: FloorModel,
-    partition: Partition,
+    measured: Measured,
     options: SolverOptions,
     rounds: RoundsResult,
     relaxed: list[Relaxed],
     used: int,
 ) -> FloorLayout:
     """Return the layout of the best partition, measured on its final polygons."""
-    shapes: list[Polygon | MultiPolygon] = room_shapes(model, partition.grid, partition.labels)
-    verdict = judge(model, shapes, options)
+    shapes, verdict = measured.shapes, measured.verdict
     rooms = [
         layout_room(room.id, max(polygon_parts(shape), key=lambda p: p.area), model.angle)
         for room, shape in zip(model.rooms, shapes)
@@ -73,10 +81,10 @@ def finish(
         rounds=rounds.records,
         hub=model.hub,
         area_scale=round(model.area_scale, 6),
-        scores={"energy": round(partition.energy, 6), "rounds": round(rounds.energy, 6)},
-        checks={name: round(value, 9) for name, value in verdict.checks.items()}
+        scores={"energy": round(measured.partition.energy, 6), "rounds": round(rounds.energy, 6)},
+        checks={name: round(value, 9) for name, value in figures_of(model, shapes, verdict).items()}
         | {"candidates": float(used)},
-        messages=list(model.messages),
+        messages=[*model.messages, *_messages(verdict)],
         building_id=model.problem.building_id,
         floor=model.problem.floor,
     )

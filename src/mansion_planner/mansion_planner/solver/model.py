@@ -18,6 +18,7 @@ __all__ = ["FloorModel", "Obstacle", "make_model"]
 
 SIDES = {"north": 1, "east": 2, "south": 3, "west": 4}
 LEAST_AREA = 1e-3
+WALL_OFFSET = 0.05
 
 
 @dataclass(frozen=True)
@@ -103,6 +104,40 @@ def _obstacles(problem: FloorProblem, angle: float) -> list[Obstacle]:
     return found
 
 
+def _walls(
+    problem: FloorProblem, region: Polygon | MultiPolygon, angle: float
+) -> tuple[LineString, ...]:
+    """Return the structural walls, straightened where they are nearly parallel to the building's directions.
+
+    Raises
+    ------
+    MansionError
+        For a slanted wall inside the free region: inner walls of a layout are never slanted.
+    """
+    found = []
+    inside = region.buffer(-WALL_OFFSET)
+    for k, wall in enumerate(problem.structural_walls):
+        line = LineString(rotated(wall, angle))
+        if not np.isfinite(shapely.get_coordinates(line)).all():
+            raise _refuse("coordinates must be finite numbers", f"$.structural_walls[{k}]")
+        (x0, y0), (x1, y1) = line.coords
+        if line.length < 1e-6 or inside.intersection(line).length < WALL_OFFSET:
+            continue
+        if abs(y1 - y0) <= WALL_OFFSET:
+            line = LineString([(x0, (y0 + y1) / 2), (x1, (y0 + y1) / 2)])
+        elif abs(x1 - x0) <= WALL_OFFSET:
+            line = LineString([((x0 + x1) / 2, y0), ((x0 + x1) / 2, y1)])
+        else:
+            raise _refuse(
+                "a structural wall inside the free region must run along one of the building's two main "
+                f"directions ({np.degrees(-angle):.1f} degrees and at right angles to it), because rooms "
+                "get no slanted walls inside",
+                f"$.structural_walls[{k}]",
+            )
+        found.append(line)
+    return tuple(found)
+
+
 def _targets(rooms: list[ProblemNode], free: float) -> tuple[NDArray[np.float64], float]:
     """Scale the areas to the free region; rooms without an area share what the others leave."""
     given = sum(room.area or 0.0 for room in rooms)
@@ -180,19 +215,7 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
     if abs(scale - 1.0) > 0.01:
         messages.append(f"node areas were scaled by {scale:.3f} to fill the free region")
     seeds, extents = _seeds(problem, rooms, angle)
-    walls = tuple(
-        LineString(rotated(wall, angle))
-        for wall in problem.structural_walls
-        if np.hypot(wall[1][0] - wall[0][0], wall[1][1] - wall[0][1]) > 1e-6
-    )
-    slanted = sum(
-        bool(np.min(np.abs(np.diff(shapely.get_coordinates(wall), axis=0))) > 1e-3)
-        for wall in walls
-    )
-    if slanted:
-        messages.append(
-            f"{slanted} structural walls do not run along the building's directions and were ignored"
-        )
+    walls = _walls(problem, region, angle)
     return FloorModel(
         problem,
         tuple(rooms),

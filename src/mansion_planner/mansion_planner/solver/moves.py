@@ -3,7 +3,7 @@
 import numpy as np
 
 from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.state import HB, TARGET, VB, Bools, Floats, Ints, paint
+from mansion_planner.solver.state import COUNT, HB, SIZE, TARGET, VB, Bools, Floats, Ints, paint
 
 __all__ = [
     "draw",
@@ -14,6 +14,12 @@ __all__ = [
     "undo",
     "uniform",
 ]
+
+MOST_SWAPPED = 2.0
+"""Ratio of areas up to which rooms change places."""
+
+MOST_TAKEN = 0.6
+"""Share of another room's cells that a rectangle may take."""
 
 
 @kernel
@@ -169,13 +175,14 @@ def swap_rooms(
     straddle: Floats,
     changes: Ints,
     rng: Ints,
-    rooms: int,
+    rooms: Floats,
 ) -> int:
-    """Let two random rooms change places; return the number of records."""
-    a = draw(rng) % rooms
-    b = draw(rng) % rooms
+    """Let two random rooms of similar area change places; return the number of records."""
+    a = draw(rng) % rooms.shape[0]
+    b = draw(rng) % rooms.shape[0]
     made = 0
-    if a == b:
+    s, t = stats[a, SIZE], stats[b, SIZE]
+    if a == b or max(s, t) > MOST_SWAPPED * min(s, t):
         return 0
     rows, columns = labels.shape
     for j in range(1, rows - 1):
@@ -289,6 +296,22 @@ def _heir(geometry: Floats, free: Bools, labels: Ints, j: int, i: int) -> int:
 
 
 @kernel
+def _buries(
+    free: Bools, labels: Ints, stats: Floats, r: int, j0: int, j1: int, i0: int, i1: int
+) -> bool:
+    """Tell whether a rectangle of room `r` would take most of another room's cells."""
+    lost = np.zeros(stats.shape[0])
+    for j in range(j0, j1):
+        for i in range(i0, i1):
+            if free[j, i]:
+                lost[labels[j, i]] += 1.0
+    for k in range(stats.shape[0]):
+        if k != r and lost[k] > MOST_TAKEN * stats[k, COUNT]:
+            return True
+    return False
+
+
+@kernel
 def place_rectangle(
     geometry: Floats,
     near: Ints,
@@ -307,6 +330,8 @@ def place_rectangle(
     """Set room `r` to the cells of a rectangle; its old ground goes to whoever it touches."""
     made = 0
     rows, columns = labels.shape
+    if _buries(free, labels, stats, r, j0, j1, i0, i1):
+        return 0
     for j in range(j0, j1):
         for i in range(i0, i1):
             if free[j, i] and labels[j, i] != r:

@@ -51,6 +51,15 @@ DETOUR = 1.12
 """Compactness (perimeter / 4 sqrt(area)) up to which a room's proportions cost nothing: a rectangle of 1 : 2.6."""
 
 
+LARGE = 6.0
+"""Area, m2, from which narrow places cost the same in rooms of any size."""
+
+PINCH = 0.1
+"""Share of a room's area that a pinch counts as narrow, at least; twice this where nothing is left."""
+
+MOST_NOTCHES = 256
+
+
 @kernel
 def room_energy(
     rooms: Floats, w: Floats, stats: Floats, contact: Floats, straddle: Floats
@@ -122,7 +131,7 @@ def thin_energy(rooms: Floats, w: Floats, thin: Floats) -> float:
     """Return the part of the energy that places narrower than the minimum width cause."""
     energy = 0.0
     for r in range(rooms.shape[0]):
-        energy += w[W_THIN] * thin[r] / rooms[r, TARGET]
+        energy += w[W_THIN] * thin[r] / min(LARGE, rooms[r, TARGET])
     return energy
 
 
@@ -140,6 +149,42 @@ def _flush(run: Floats, side: Ints, a: int, b: int, where: int, length: float) -
 
 
 @kernel
+def _notch(sw: int, nw: int, se: int, ne: int, rooms: int) -> int:
+    """Return the quarter (0 NE, 1 SW, 2 NW, 3 SE) that is cut out of a room around a vertex, or -1."""
+    if sw == nw == se != ne and sw < rooms:
+        return 0
+    if nw == se == ne != sw and ne < rooms:
+        return 1
+    if sw == se == ne != nw and ne < rooms:
+        return 2
+    if sw == nw == ne != se and sw < rooms:
+        return 3
+    return -1
+
+
+@kernel
+def _add_pinches(
+    xs: Floats, ys: Floats, rooms: Floats, notches: Ints, made: int, thin: Floats
+) -> None:
+    """Add to `thin` where opposite notches of a room (rows: room, quarter, line, line) leave too narrow a neck."""
+    for p in range(made):
+        quarter = notches[p, 1]
+        if quarter == 1 or quarter == 3:
+            continue
+        r = notches[p, 0]
+        for q in range(made):
+            if notches[q, 0] != r or notches[q, 1] != quarter + 1:
+                continue
+            across = xs[notches[p, 2]] - xs[notches[q, 2]]
+            if quarter == 2:
+                across = -across
+            along = ys[notches[p, 3]] - ys[notches[q, 3]]
+            neck = max(across, along) / rooms[r, MIN_WIDTH]
+            if min(across, along) > -1e-6 and neck < 1.0 - 1e-6:
+                thin[r] += min(LARGE, rooms[r, TARGET]) * (PINCH + PINCH * (1.0 - neck))
+
+
+@kernel
 def scan_runs(
     xs: Floats,
     ys: Floats,
@@ -153,6 +198,9 @@ def scan_runs(
 ) -> None:
     """Find the longest straight wall of each pair of labels, and each room's area narrower than its minimum width.
 
+    To that area the one that would make those places wide enough is added, so that a sliver is not cheap, and
+    something for each pinch.
+
     Parameters
     ----------
     width : (rows, columns) array
@@ -162,6 +210,8 @@ def scan_runs(
     n = rooms.shape[0]
     run[:, :] = 0.0
     thin[:] = 0.0
+    notches = np.empty((MOST_NOTCHES, 4), np.int64)
+    made = 0
     for j in range(1, rows - 1):
         begin = 0
         previous = labels[j, 0]
@@ -170,7 +220,10 @@ def scan_runs(
             if x != previous:
                 if previous < n:
                     span = xs[i] - xs[begin]
-                    narrow = span < rooms[previous, MIN_WIDTH] - 1e-6
+                    missing = rooms[previous, MIN_WIDTH] - span
+                    narrow = missing > 1e-6
+                    if narrow:
+                        thin[previous] += missing * (ys[j + 1] - ys[j])
                     for k in range(begin, i):
                         width[j, k] = 1.0 if narrow else 0.0
                 begin = i
@@ -182,6 +235,11 @@ def scan_runs(
             if x != a or y != b:
                 if a != b:
                     _flush(run, side, a, b, 1, length)
+                quarter = _notch(a, b, x, y, n)
+                if quarter >= 0 and made < MOST_NOTCHES:
+                    notches[made, 0] = y if quarter == 1 or quarter == 2 else a
+                    notches[made, 1], notches[made, 2], notches[made, 3] = quarter, i, j + 1
+                    made += 1
                 a, b, length = x, y, 0.0
             length += geometry[j, i, HB]
     for i in range(columns - 1):
@@ -194,13 +252,17 @@ def scan_runs(
                     _flush(run, side, a, b, 2, length)
                 if x != a:
                     if a < n:
-                        narrow = ys[j] - ys[begin] < rooms[a, MIN_WIDTH] - 1e-6
+                        missing = rooms[a, MIN_WIDTH] - (ys[j] - ys[begin])
+                        narrow = missing > 1e-6
+                        if narrow:
+                            thin[a] += missing * (xs[i + 1] - xs[i])
                         for k in range(begin, j):
                             if narrow or width[k, i] > 0.5:
                                 thin[a] += geometry[k, i, AREA]
                     begin = j
                 a, b, length = x, y, 0.0
             length += geometry[j, i, VB]
+    _add_pinches(xs, ys, rooms, notches, made, thin)
 
 
 @kernel

@@ -28,7 +28,7 @@ class SearchWeights:
     access, adjacent
         Edges that are not realised.
     thin
-        Share of a room narrower than its minimum width.
+        Narrow places and pinches, as a share of the room's area (of 6 m2 in larger rooms).
     apart
         Metres of wall between rooms without an edge (only where the graph states neighbourhoods).
     straddle
@@ -94,7 +94,7 @@ class SolverOptions:
     spacing: float = 0.4
     min_width: float = 1.2
     adjacent_wall: float = 0.3
-    seeded: SearchWeights = field(default_factory=SearchWeights)
+    seeded: SearchWeights = field(default_factory=lambda: SearchWeights(thin=0.7))
     unseeded: SearchWeights = field(
-        default_factory=lambda: SearchWeights(area=2.0, corner=0.3, compact=0.7, wall=0.1)
+        default_factory=lambda: SearchWeights(area=2.0, corner=0.3, compact=0.7, thin=3.0, wall=0.1)
     )

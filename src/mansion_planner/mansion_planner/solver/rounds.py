@@ -21,16 +21,22 @@ def _order(model: FloorModel) -> list[str]:
     return [room.id for room in model.rooms] + list(model.zones)
 
 
-def build_cut_rounds(model: FloorModel) -> list[CutRound]:
+def build_cut_rounds(model: FloorModel, root: str | None = None) -> list[CutRound]:
     """Return the rounds, grouped by depth and parent; vertical cores and fixed rooms take no part.
 
-    No child comes before its parent. Rooms that no edge reaches join the hub's round.
+    No child comes before its parent. Rooms that no edge reaches join the first room's round.
+
+    Parameters
+    ----------
+    root : str, optional
+        Room to start from instead of the hub.
     """
+    root = root or model.hub
     barred = {o.id for o in model.obstacles}
     order = _order(model)
-    parent = breadth_first_parents(model.graph, model.hub, order, barred)
+    parent = breadth_first_parents(model.graph, root, order, barred)
     rounds: list[CutRound] = []
-    queue = [model.hub]
+    queue = [root]
     while queue:
         current = queue.pop(0)
         children = tuple(name for name in order if parent.get(name) == current)

@@ -159,7 +159,7 @@ def anneal(
         heat *= ratio
         u = uniform(rng)
         if u < swaps:
-            made = swap_rooms(geometry, near, labels, stats, contact, straddle, changes, rng, n)
+            made = swap_rooms(geometry, near, labels, stats, contact, straddle, changes, rng, rooms)
         elif u < swaps + jumps:
             if boxes.shape[0] > 0:
                 box[:] = boxes[draw(rng) % boxes.shape[0]]

@@ -87,30 +87,29 @@ def plan_seeds(
     if fixed.all():
         return seeds
     spread = max(0.5, float(np.sqrt(np.prod(np.ptp(cells, axis=0) + 0.5) / len(seeds))))
-    best, best_cost = seeds, np.inf
-    for _ in range(DRAWS):
-        trial = np.where(fixed[:, None], seeds, cells[rng.integers(len(cells), size=len(seeds))])
-        cost = _plan_cost(model, cut, trial, placed, spread)
-        if cost < best_cost:
-            best, best_cost = trial, cost
+    draws = cells[rng.integers(len(cells), size=(DRAWS, len(seeds)))]
+    trials = np.where(fixed[None, :, None], seeds, draws)
+    best: Floats = trials[int(np.argmin(_plan_costs(model, cut, trials, placed, spread)))]
     return best
 
 
-def _plan_cost(
+def _plan_costs(
     model: FloorModel,
     cut: CutRound,
-    seeds: Floats,
+    trials: Floats,
     placed: dict[str, tuple[float, float]],
     spread: float,
-) -> float:
-    gap = np.linalg.norm(seeds[:, None] - seeds[None, :], axis=-1)
-    cost = float(np.maximum(0.0, spread - gap[np.triu_indices(len(seeds), 1)]).sum())
-    at = {name: seeds[k] for k, name in enumerate(cut.children)}
+) -> Floats:
+    """Return the cost of each trial, an array (draws, children, 2) of seeds."""
+    a, b = np.triu_indices(trials.shape[1], 1)
+    gap = np.linalg.norm(trials[:, a] - trials[:, b], axis=-1)
+    cost: Floats = np.maximum(0.0, spread - gap).sum(axis=1)
+    at = {name: trials[:, k] for k, name in enumerate(cut.children)}
     for name in cut.children:
         for other in model.graph[name]:
             where = at.get(other)
             if where is None and other in placed and other != cut.parent:
                 where = np.array(placed[other])
             if where is not None:
-                cost += 0.3 * float(np.linalg.norm(at[name] - where))
+                cost += 0.3 * np.linalg.norm(at[name] - where, axis=-1)
     return cost

@@ -11,6 +11,7 @@ from mansion_planner.solver.cutting import RoundsResult, run_rounds
 from mansion_planner.solver.feasibility import relaxed_links
 from mansion_planner.solver.finish import finish
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
+from mansion_planner.solver.measured import Measured, measure
 from mansion_planner.solver.model import FloorModel, make_model
 from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.planned import planned_partition, planned_rounds
@@ -35,13 +36,13 @@ def _coarse_grid(model: FloorModel, major: tuple[Floats, Floats], options: Solve
 
 
 def _without_search(
-    model: FloorModel, goal: Goal, grid: Grid, rounds: RoundsResult
-) -> Partition | None:
+    model: FloorModel, goal: Goal, grid: Grid, rounds: RoundsResult, options: SolverOptions
+) -> Measured | None:
     """Return the cut rounds' own layout, what they left open filled."""
     labels = rounds.labels.copy()
     if not flood(labels, grid.cells, goal, goal.rooms[:, SEED_X : SEED_Y + 1].copy()):
         return None
-    return Partition(grid, labels, rounds.energy)
+    return measure(model, Partition(grid, labels, rounds.energy), options)
 
 
 def solve_floor(
@@ -93,9 +94,9 @@ def solve_floor(
     major = major_lines(model)
     planned = planned_partition(model, major) if options.wall_search else None
     if planned is not None:
-        layout = finish(model, planned, options, planned_rounds(model, planned), relaxed, 1)
-        if layout.topology_satisfied and layout.checks["one_piece"] == len(model.rooms):
-            return layout
+        measured = measure(model, planned, options)
+        if all(edge.satisfied for edge in measured.verdict.edges) and measured.faultless:
+            return finish(model, measured, options, planned_rounds(model, planned), relaxed, 1)
     grid = _coarse_grid(model, major, options)
     budget = Budget(options.candidates)
     rng = np.random.default_rng(item_seed(problem.seed, "floor", problem.plan_id))
@@ -106,9 +107,10 @@ def solve_floor(
     rounds = run_rounds(model, goal, grid, options, round_budget, rng, seed_callback)
     budget.take(round_budget.used)
     if options.wall_search:
-        best = WallSearch(model, goal, grid, major, options, budget, rng).run(rounds, planned)
+        search = WallSearch(model, goal, grid, major, options, budget, rng)
+        best, rounds = search.run(rounds, planned)
     else:
-        best = _without_search(model, goal, grid, rounds)
+        best = _without_search(model, goal, grid, rounds, options)
     if best is None:
         raise MansionError(
             ErrorCode.INFEASIBLE,

@@ -1,5 +1,6 @@
 """What a finished layout is worth, measured on its final polygons."""
 
+from collections.abc import Container
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,19 +20,41 @@ from mansion_geometry.shared_walls import (
 from mansion_msgs_py.layout import RealisedEdge
 from mansion_planner.solver.model import FloorModel, Obstacle
 from mansion_planner.solver.options import SolverOptions
+from mansion_planner.solver.usable import shape_faults, straddled_lengths
 
-__all__ = ["Verdict", "judge", "on_side", "realise_edges"]
+__all__ = ["MOST_STRADDLED", "Verdict", "figures_of", "judge", "on_side", "realise_edges"]
 
 SLACK = 1e-3
 GAP = 1e-3
 
+MOST_STRADDLED = 0.05
+"""Metres of a structural wall that may lie inside rooms."""
+
 
 @dataclass(frozen=True)
 class Verdict:
-    """Edges as realised, and figures of the whole layout."""
+    """Edges as realised, and what else is wrong with a layout.
+
+    Attributes
+    ----------
+    broken : int
+        Rooms that are not one piece.
+    shape_faults : dict
+        Rooms that are too narrow or pinched, and why.
+    straddled : list of float
+        Metres of each structural wall that lie inside rooms.
+    """
 
     edges: list[RealisedEdge]
-    checks: dict[str, float]
+    broken: int
+    shape_faults: dict[str, str]
+    straddled: list[float]
+
+    def faults(self, asked: Container[tuple[str, str]]) -> tuple[int, int]:
+        """Return the number of open links among `asked`, broken rooms and straddled walls, and that of bad shapes."""
+        links = sum(not e.satisfied and (e.source, e.target) in asked for e in self.edges)
+        walls = sum(length > MOST_STRADDLED for length in self.straddled)
+        return links + self.broken + walls, len(self.shape_faults)
 
 
 def on_side(wall: SharedWall, obstacle: Obstacle) -> bool:
@@ -91,8 +114,20 @@ def realise_edges(
 def judge(
     model: FloorModel, shapes: list[Polygon | MultiPolygon], options: SolverOptions
 ) -> Verdict:
-    """Return the realised edges and the figures of a layout given in the model's frame."""
-    edges = realise_edges(model, shapes, options)
+    """Measure a layout given in the model's frame."""
+    return Verdict(
+        realise_edges(model, shapes, options),
+        sum(len(polygon_parts(shape)) != 1 for shape in shapes),
+        shape_faults(model, shapes),
+        straddled_lengths(model, shapes),
+    )
+
+
+def figures_of(
+    model: FloorModel, shapes: list[Polygon | MultiPolygon], verdict: Verdict
+) -> dict[str, float]:
+    """Return the figures of a judged layout."""
+    edges = verdict.edges
     free = float(model.region.area)
     areas = np.array([shape.area for shape in shapes])
     whole: BaseGeometry = shapely.union_all(shapes)
@@ -103,9 +138,11 @@ def judge(
         for part in polygon_parts(shape):
             for line in (part.exterior, *part.interiors):
                 corners += len(corner_points(shapely.get_coordinates(line)[:-1]))
-    checks = {
+    return {
         "rooms": float(len(shapes)),
-        "one_piece": float(sum(len(polygon_parts(s)) == 1 for s in shapes)),
+        "one_piece": float(len(shapes) - verdict.broken),
+        "usable": float(len(shapes) - len(verdict.shape_faults)),
+        "straddled": sum(verdict.straddled),
         "area_error": float(np.mean(np.abs(areas - model.targets) / model.targets)),
         "coverage": float(whole.intersection(model.region).area) / free,
         "overlap": max(0.0, float(areas.sum() - whole.area)) / free,
@@ -114,4 +151,3 @@ def judge(
         "adjacent": float(np.mean(adjacent)) if adjacent else 1.0,
         "corners": corners / len(shapes),
     }
-    return Verdict(edges, checks)

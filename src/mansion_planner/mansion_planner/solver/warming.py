@@ -2,6 +2,7 @@
 
 from mansion_msgs_py.layout import FloorProblem, ProblemCore, ProblemNode
 from mansion_msgs_py.topology import Edge
+from mansion_planner.solver.options import SolverOptions
 
 __all__ = ["warm"]
 
@@ -23,4 +24,7 @@ def warm() -> None:
         Edge(source="hub", target="lift"),
     ]
     boundary = [(0.0, 0.0), (8.0, 0.0), (8.0, 5.0), (0.0, 5.0)]
-    solve_floor(FloorProblem(boundary=boundary, nodes=nodes, edges=edges, cores=[core]))
+    problem = FloorProblem(boundary=boundary, nodes=nodes, edges=edges, cores=[core])
+    solve_floor(problem)
+    problem.min_access_wall = 4.9
+    solve_floor(problem, options=SolverOptions(seeded_proposals=10, proposals=10, attempts=4))
