@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from mansion_bringup.cli.console import progress_bar
+from mansion_bringup.cli.gallery import gallery
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
@@ -18,6 +19,7 @@ def register(app: typer.Typer) -> None:
     group.command("floorplans", no_args_is_help=True)(floorplans)
     group.command("placement", no_args_is_help=True)(placement)
     group.command("graph")(graph)
+    group.command("gallery")(gallery)
     app.add_typer(group, name="bench")
 
 
