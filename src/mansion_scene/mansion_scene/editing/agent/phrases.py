@@ -168,8 +168,8 @@ def _object_id(state: SceneState, name: str) -> str:
     """Return an id that is or may have been an object's."""
     for floor in state.floors:
         scene = state.scenes[floor]
-        fixed = [item.id for item in (*scene.walls, *scene.doors)]
-        fixed += [item.id for item in (*scene.windows, *scene.rooms)]
+        fixed = [wall.id for wall in scene.walls] + [door.id for door in scene.doors]
+        fixed += [window.id for window in scene.windows] + [room.id for room in scene.rooms]
         for part in (*fixed, *(core.id for core in scene.cores)):
             if part == name:
                 raise MansionError(
