@@ -7,10 +7,11 @@ import hashlib
 
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.codec import encode_bytes
-from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.program import BuildingProgram, Downgrade
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
-from mansion_planner.brief import read_brief
+from mansion_planner.brief import BriefFacts, read_brief
 from mansion_planner.knowledge import KnowledgeBase, default_knowledge
 from mansion_planner.program.building import plan_program
 from mansion_planner.topology.graph import floor_topology
@@ -24,6 +25,21 @@ def building_id_of(request: BuildRequest) -> str:
     if request.building_id is not None:
         return request.building_id
     return "b" + hashlib.sha256(encode_bytes(request)).hexdigest()[:12]
+
+
+def _report_unread(facts: BriefFacts, program: BuildingProgram) -> None:
+    """Record that no word of the brief says what to build."""
+    if any(vars(facts).values()):
+        return
+    kind = program.building_type.replace("_", " ")
+    program.downgrades.append(
+        Downgrade(
+            wish=program.description.strip()[:80],
+            got=f"a {kind}",
+            reason="not understood: no building type, room, number of storeys or area is named",
+            stage="program",
+        )
+    )
 
 
 def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = None) -> PlanReply:
@@ -44,7 +60,8 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
     ------
     MansionError
         ``CONTRADICTION`` for statements that exclude each other (``details`` names both), ``INFEASIBLE`` for what no
-        building can meet, ``INVALID_PAYLOAD`` for a footprint that is no polygon, ``UNAVAILABLE`` when the request
+        building can meet, ``INVALID_PAYLOAD`` for an empty brief
+        or a footprint that is no polygon, ``UNAVAILABLE`` when the request
         wants a language model and none is configured.
 
     Examples
@@ -53,6 +70,12 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
     >>> [floor.index for floor in reply.program.floors]
     [1, 2]
     """
+    if not request.description.strip():
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            'the description is empty; write what to build, such as "a two-storey house with three bedrooms"',
+            path="$.description",
+        ).at_stage("program")
     base = knowledge or default_knowledge()
     building_id = building_id_of(request)
     if request.planner == "llm":
@@ -66,6 +89,7 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
         )
     except MansionError as error:
         raise error.at_stage("program") from None
+    _report_unread(facts, planned.program)
     topologies = [floor_topology(planned, storey, base) for storey in planned.storeys]
     problems = [
         floor_problem(planned, storey, topology, request.seed)

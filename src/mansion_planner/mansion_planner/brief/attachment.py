@@ -36,13 +36,31 @@ def attach_places(
         if building and fact.area is None and (fact.count is None or mention is not None):
             reading.facts.uses.append(UseFact(building, assigned[number], fact.span))
             continue
-        reading.facts.rooms.append(
-            RoomFact(
-                fact.room_type, fact.name, fact.span, fact.count, fact.area,
-                assigned.get(number, ()), fact.each or number in each,
-            )
+        room = RoomFact(
+            fact.room_type, fact.name, fact.span, fact.count, fact.area,
+            assigned.get(number, ()), fact.each or number in each,
         )  # fmt: skip
+        if not _said_before(reading, room):
+            reading.facts.rooms.append(room)
         del last
+
+
+_MORE = ("another", "second", "extra", "additional", "further", "more")
+
+
+def _said_before(reading: Reading, room: RoomFact) -> bool:
+    """Whether an unnumbered room only says again what the brief wants already ("a library ... library")."""
+    before = reading.text[: room.span.start].lower().split()
+    numbered = room.span.words[:1].isdigit() or room.count not in (None, 1)
+    if numbered or (before and before[-1] in _MORE):
+        return False
+    return any(
+        (other.name, other.count, other.area, other.each)
+        == (room.name, room.count, room.area, room.each)
+        and [(r.kind, r.first, r.last) for r in other.floors]
+        == [(r.kind, r.first, r.last) for r in room.floors]
+        for other in reading.facts.rooms
+    )
 
 
 def _use_of(reading: Reading, entry: tuple[int, int, RoomFact]) -> str:

@@ -146,6 +146,8 @@ def _deletions(word: str) -> list[str]:
 def _nearest(word: str, words: frozenset[str]) -> str:
     if word in words or word in GRAMMAR or word in _common() or singular(word) in words:
         return word
+    if word[0] == "f" and "ph" + word[1:] in words:
+        return "ph" + word[1:]
     index = _index(words)
     limit = 2 if len(word) >= 8 else 1
     best, best_distance = word, limit + 1

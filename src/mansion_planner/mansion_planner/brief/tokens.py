@@ -14,6 +14,9 @@ _TOKEN = re.compile(
     r"|(?P<mark>[,.;:()\n&+/?!–—%])"
 )
 
+_TRIPLED = re.compile(r"([a-z])\1{2,}")
+"""No English word has a letter three times in a row."""
+
 _UNITS = {
     "one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "eight": 8,
     "nine": 9, "ten": 10, "eleven": 11, "twelve": 12, "thirteen": 13, "fourteen": 14,
@@ -121,7 +124,7 @@ def _token(match: "re.Match[str]") -> Token:
         return Token("unit", match["unit"], start, end)
     if match["mark"]:
         return Token("mark", match["mark"], start, end)
-    word = match["word"]
+    word = _TRIPLED.sub(r"\1\1", match["word"])
     if word in ORDINALS:
         return Token("ordinal", word, start, end, value=float(ORDINALS[word]))
     if word in _UNITS:

@@ -143,16 +143,27 @@ def _scale(rooms: list[PlannedRoom], factor: float, *, limited: bool) -> None:
             room.area = max(room.area * factor, 1.0)
 
 
+_CIRCULATION = frozenset({"corridor", "wing", "far", "stair", "elevator"})
+
+
 def name_rooms(storey: Storey, hub_id: str) -> None:
-    """Number the rooms of a storey: ``meeting_room_1``; a name that occurs once stays bare."""
+    """Number the rooms of a storey: ``meeting_room_1``; a name that occurs once stays bare.
+
+    No room takes the name of the hub, of a corridor that the sketch adds, or of a core.
+    """
     counts: dict[str, int] = {}
     every = [room for top in storey.rooms for room in top.each()]
     for room in every:
+        if room.id in _CIRCULATION:
+            room.id = f"{room.id}_area"
         counts[room.id] = counts.get(room.id, 0) + 1
-    seen: dict[str, int] = {hub_id: 0}
+    used = {hub_id} | {name for name, count in counts.items() if count == 1 and name != hub_id}
+    seen: dict[str, int] = {}
     for room in every:
         base = room.id
         if counts[base] == 1 and base != hub_id:
             continue
-        seen[base] = seen.get(base, 0) + 1
-        room.id = f"{base}_{seen[base]}"
+        while room.id == base or room.id in used:
+            seen[base] = seen.get(base, 0) + 1
+            room.id = f"{base}_{seen[base]}"
+        used.add(room.id)

@@ -49,11 +49,13 @@ def storey_area(
         if least > decisions.area * 1.02:
             facts = allocation.wanted[fullest.index]
             words = ", ".join(dict.fromkeys(fact.span.words for fact in facts))
+            words = words or f"the rooms of a {fullest.use.name.replace('_', ' ')}"
+            given = decisions.area_span.startswith("$.")
             raise MansionError(
                 ErrorCode.INFEASIBLE,
                 f"{words} on storey {fullest.index} need at least {least:.0f} m2 with stairs and corridors; "
                 f"{decisions.area_span} leaves {decisions.area:.0f} m2",
-                path="$.description",
+                path=decisions.area_span.split()[0] if given else "$.description",
                 details={"first": words, "second": decisions.area_span, "stage": "program"},
             )
         return decisions.area

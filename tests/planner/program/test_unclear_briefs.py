@@ -1,0 +1,50 @@
+"""What becomes of briefs that say nothing, say something twice, or cannot be met."""
+
+import pytest
+
+from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.request import BuildRequest
+from mansion_planner.brief import read_brief
+from mansion_planner.knowledge import default_knowledge
+from mansion_planner.plan import plan_building
+
+
+@pytest.mark.parametrize("brief", ["", "   ", "\n\t"])
+def test_a_blank_brief_is_refused(brief: str) -> None:
+    with pytest.raises(MansionError) as caught:
+        plan_building(BuildRequest(description=brief))
+    assert caught.value.code == "INVALID_PAYLOAD"
+    assert caught.value.info.path == "$.description"
+
+
+def test_a_brief_without_a_known_word_is_built_and_reported() -> None:
+    reply = plan_building(BuildRequest(description="a submarine"))
+    assert [d.reason.startswith("not understood") for d in reply.program.downgrades] == [True]
+
+
+def test_node_ids_differ_when_the_brief_speaks_of_corridors() -> None:
+    brief = "a community centre with corridors and a hall. corridors"
+    for topology in plan_building(BuildRequest(description=brief)).topologies:
+        ids = [node.id for node in topology.nodes]
+        assert len(ids) == len(set(ids))
+
+
+def test_a_room_said_again_is_the_same_room() -> None:
+    def libraries(brief: str) -> int:
+        return sum(r.room_type == "library" for r in read_brief(brief, default_knowledge()).rooms)
+
+    assert libraries("a house with a library, library and library") == 1
+    assert libraries("a house with a library and another library") == 2
+
+
+def test_doubled_letters_and_sounds_are_read() -> None:
+    facts = read_brief("a house with threee bedrooms", default_knowledge())
+    assert [(room.name, room.count) for room in facts.rooms] == [("bedroom", 3)]
+    assert read_brief("a farmacy", default_knowledge()) != read_brief("", default_knowledge())
+
+
+def test_a_floor_area_too_small_is_refused_where_it_was_given() -> None:
+    with pytest.raises(MansionError) as caught:
+        plan_building(BuildRequest(description="a flat", floor_area=3))
+    assert caught.value.info.path == "$.floor_area"
+    assert caught.value.info.message.startswith("the rooms of a flat")
