@@ -48,3 +48,13 @@ def test_a_floor_area_too_small_is_refused_where_it_was_given() -> None:
         plan_building(BuildRequest(description="a flat", floor_area=3))
     assert caught.value.info.path == "$.floor_area"
     assert caught.value.info.message.startswith("the rooms of a flat")
+
+
+def test_what_stands_under_flats_is_on_the_ground_floor() -> None:
+    brief = "museum and a shop under a block of flats, ten floors"
+    program = plan_building(BuildRequest(description=brief)).program
+    kinds = [{room.room_type for room in floor.rooms} for floor in program.floors]
+    assert len(kinds) == 10
+    assert {"gallery", "shop"} <= kinds[0]
+    assert not kinds[0] & {"apartment", "small_apartment"}
+    assert all(k & {"apartment", "small_apartment", "studio_apartment"} for k in kinds[1:])

@@ -6,6 +6,7 @@ from mansion_planner.brief.places import find_places
 from mansion_planner.brief.quantities import read_areas, read_floor_counts, read_occupants
 from mansion_planner.brief.reading import start_reading
 from mansion_planner.brief.rooms import read_rooms
+from mansion_planner.brief.stacking import read_stacking
 from mansion_planner.brief.wishes import (
     read_adjacency,
     read_copies,
@@ -50,6 +51,7 @@ def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
     read_floor_counts(reading)
     places = find_places(reading)
     read_copies(reading, places)
+    read_stacking(reading)
     read_building(reading, places)
     read_style(reading)
     read_areas(reading)
