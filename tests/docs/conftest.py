@@ -21,6 +21,8 @@ def stock(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("pages")
     request = identified(BuildRequest(description="a two-storey clinic", floor_area=160.0))
     build_building(request, folder / "out" / "clinic")
+    office = BuildRequest(description="A four-storey office with a cafeteria on the ground floor")
+    build_building(office, folder / "out" / "office", jobs=2)
     (folder / "my_knowledge").mkdir()
     stages = LocalStages()
     plan = stages.plan(request)
