@@ -58,3 +58,9 @@ def test_what_stands_under_flats_is_on_the_ground_floor() -> None:
     assert {"gallery", "shop"} <= kinds[0]
     assert not kinds[0] & {"apartment", "small_apartment"}
     assert all(k & {"apartment", "small_apartment", "studio_apartment"} for k in kinds[1:])
+
+
+def test_a_bungalow_of_five_storeys_is_reported() -> None:
+    program = plan_building(BuildRequest(description="bungalow with five floors")).program
+    assert len(program.floors) == 5
+    assert [d.wish for d in program.downgrades] == ["bungalow"]

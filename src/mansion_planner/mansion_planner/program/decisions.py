@@ -105,6 +105,13 @@ def decide(
     decisions = Decisions(
         building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace
     )
+    if building.name == "bungalow" and floors > 1:
+        decisions.downgrades.append(
+            Downgrade(
+                wish="bungalow", got=f"a house of {floors} storeys", stage="program",
+                reason="a bungalow has one storey, and the number of storeys is stated",
+            )
+        )  # fmt: skip
     if request.footprint is not None:
         _area_of_footprint(request, decisions)
     else:
