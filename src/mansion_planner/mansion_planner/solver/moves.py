@@ -305,10 +305,8 @@ def _buries(
         for i in range(i0, i1):
             if free[j, i]:
                 lost[labels[j, i]] += 1.0
-    for k in range(stats.shape[0]):
-        if k != r and lost[k] > MOST_TAKEN * stats[k, COUNT]:
-            return True
-    return False
+    lost[r] = 0.0
+    return bool((lost > MOST_TAKEN * stats[:, COUNT]).any())
 
 
 @kernel

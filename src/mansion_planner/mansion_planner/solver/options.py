@@ -7,12 +7,12 @@ __all__ = ["EnergyWeights", "SearchWeights", "SolverOptions"]
 
 @dataclass(frozen=True)
 class EnergyWeights:
-    """Weights **w** of the energy of section C.2; chosen by ``benchmarks/floorplans/tune_weights.py``."""
+    """Weights **w** of the energy of section C.2; from the record of ``benchmarks/floorplans/tune_weights.py``."""
 
-    ratio: float = 0.019
-    seed: float = 0.068
-    corner: float = 0.521
-    wall: float = 0.392
+    ratio: float = 0.516
+    seed: float = 0.027
+    corner: float = 0.258
+    wall: float = 0.198
 
 
 @dataclass(frozen=True)
@@ -96,5 +96,7 @@ class SolverOptions:
     adjacent_wall: float = 0.3
     seeded: SearchWeights = field(default_factory=lambda: SearchWeights(thin=0.7))
     unseeded: SearchWeights = field(
-        default_factory=lambda: SearchWeights(area=2.0, corner=0.3, compact=0.7, thin=3.0, wall=0.1)
+        default_factory=lambda: SearchWeights(
+            area=2.8, corner=0.32, compact=0.7, thin=3.0, wall=0.1
+        )
     )
