@@ -21,7 +21,7 @@ def triangles(asset: Asset) -> tuple[np.ndarray, np.ndarray]:
     """Return the triangles (n, 3, 3) of an asset and their shaded colours (n, 3)."""
     corners, colours = [], []
     for part in mesh(asset):
-        t = part.mesh.vertices[part.mesh.faces]
+        t = part.vertices[part.faces]
         normal = np.cross(t[:, 1] - t[:, 0], t[:, 2] - t[:, 0])
         normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
         shade = 0.5 + 0.5 * np.clip(normal @ LIGHT, 0, 1)

@@ -14,7 +14,7 @@ ONE_OF_EACH = [CATALOGUE.by_category(name)[-1] for name in CATALOGUE.categories]
 
 
 def _vertices(asset: Asset) -> np.ndarray:
-    return np.concatenate([part.mesh.vertices for part in mesh(asset)])
+    return np.concatenate([part.vertices for part in mesh(asset)])
 
 
 def test_every_recipe_that_a_category_names_exists() -> None:
@@ -33,7 +33,7 @@ def test_every_category_has_a_mesh_that_fits_its_box_within_a_millimetre() -> No
 def test_meshes_have_named_parts_known_materials_and_moderate_counts() -> None:
     for asset in ONE_OF_EACH:
         parts = mesh(asset)
-        assert sum(len(part.mesh.faces) for part in parts) <= 6000, asset.key
+        assert sum(len(part.faces) for part in parts) <= 6000, asset.key
         assert all(part.name and part.material.name for part in parts)
         assert len({(part.name, part.material.name) for part in parts}) == len(parts)
 
@@ -51,7 +51,7 @@ def test_collision_boxes_stay_within_the_asset() -> None:
 def test_a_surface_is_where_the_mesh_has_an_upward_face() -> None:
     missing = []
     for asset in ONE_OF_EACH:
-        triangles = np.concatenate([p.mesh.vertices[p.mesh.faces] for p in mesh(asset)])
+        triangles = np.concatenate([p.vertices[p.faces] for p in mesh(asset)])
         for surface in asset.surfaces:
             near = np.abs(triangles[..., 2] - surface.z).max(axis=1) < 0.035
             low, high = triangles[near].min(axis=1), triangles[near].max(axis=1)

@@ -22,12 +22,24 @@ _MOST_BOXES = 24
 """Most collision boxes of one asset."""
 
 
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+
+
 class MeshPart(NamedTuple):
-    """One part of an asset in one material."""
+    """One part of an asset in one material: (n, 3) vertices in metres and (m, 3) faces."""
 
     name: str
-    mesh: "Trimesh"
+    vertices: Floats
+    faces: Ints
     material: PbrMaterial
+
+    @property
+    def mesh(self) -> "Trimesh":
+        """The part as a mesh of trimesh."""
+        from trimesh import Trimesh
+
+        return Trimesh(self.vertices, self.faces, process=False)
 
 
 class _Look(msgspec.Struct, frozen=True):
@@ -46,13 +58,9 @@ def mesh(asset: Asset) -> list[MeshPart]:
     """
     if asset.glb is not None:
         return _from_glb(asset)
-    import trimesh
-
     pieces, _ = _built(_look(asset))
     return [
-        MeshPart(
-            part, trimesh.Trimesh(vertices.copy(), faces.copy(), process=False), material(name)
-        )
+        MeshPart(part, vertices.copy(), faces.copy(), material(name))
         for part, name, vertices, faces in pieces
     ]
 
@@ -79,8 +87,7 @@ def _look(asset: Asset) -> _Look:
     return _Look(msgspec.msgpack.encode(plain))
 
 
-Floats = npt.NDArray[np.float64]
-Pieces = list[tuple[str, str, Floats, npt.NDArray[np.int64]]]
+Pieces = list[tuple[str, str, Floats, Ints]]
 
 
 @lru_cache(maxsize=1024)
@@ -138,8 +145,9 @@ def _from_glb(asset: Asset) -> list[MeshPart]:
     scale = np.array(asset.size) / np.maximum(high - low, 1e-6)
     out = []
     for number, (geometry, p) in enumerate(zip(geometries, points, strict=True)):
-        fitted = trimesh.Trimesh((p - (low + high) / 2) * scale, geometry.faces, process=False)
-        out.append(MeshPart(f"part_{number + 1}", fitted, _glb_material(geometry, asset)))
+        fitted = (p - (low + high) / 2) * scale
+        faces = np.asarray(geometry.faces, dtype=np.int64)
+        out.append(MeshPart(f"part_{number + 1}", fitted, faces, _glb_material(geometry, asset)))
     return out
 
 

@@ -2,7 +2,6 @@
 
 from functools import lru_cache
 
-import numpy as np
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
@@ -77,8 +76,8 @@ def _surfaces(key: str, catalogue: Catalogue, color: str) -> tuple[Surface, ...]
     return tuple(
         Surface(
             _material(part.material, color if part.material.name == asset.material else ""),
-            np.asarray(part.mesh.vertices, dtype=np.float64),
-            np.asarray(part.mesh.faces, dtype=np.int64),
+            part.vertices,
+            part.faces,
         )
         for part in mesh(asset)
     )

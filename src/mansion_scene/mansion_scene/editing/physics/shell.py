@@ -67,8 +67,9 @@ def _heights(
     """Heights within [low, high] at which verticals through the points meet the mesh."""
     found = []
     for part in mesh(asset):
-        corners = np.asarray(part.mesh.vertices)[np.asarray(part.mesh.faces)]
+        corners = part.vertices[part.faces]
         a, b, c = (corners[:, k, :] for k in range(3))
+        area: npt.NDArray[np.float64]
         area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
         flat = np.abs(area) > 1e-12
         a, b, c, area = a[flat], b[flat], c[flat], area[flat]
