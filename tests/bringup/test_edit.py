@@ -1,7 +1,13 @@
 """``mansion edit``'s independent check and the files that follow an edit."""
 
 import msgspec
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
+from mansion_bringup.check.identity import check_identity
+from mansion_bringup.check.objects import check_objects
+from mansion_bringup.check.reach import check_reach
 from mansion_bringup.edit_hooks import new_faults
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 
@@ -36,3 +42,46 @@ def test_an_overlap_is_a_new_fault_and_an_old_one_is_not() -> None:
 def test_what_leaves_its_room_is_refused() -> None:
     inside, outside = _scene(_box("F1/hall/box_1", 2.0)), _scene(_box("F1/hall/box_1", 6.2))
     assert any("stand out of F1/hall" in fault for fault in new_faults({1: inside}, {1: outside}))
+
+
+def _whole_check(scene: FloorScene) -> set[str]:
+    faults = [*check_identity("b", [scene]), *check_objects(scene), *check_reach([scene])]
+    return {str(fault) for fault in faults}
+
+
+def _stacked(rng: np.random.Generator) -> list[SceneObject]:
+    """Return boxes about the hall, some of them on others."""
+    things: list[SceneObject] = []
+    for number in range(int(rng.integers(4, 12))):
+        x, y = (float(v) for v in rng.uniform(0.3, 5.7, 2))
+        thing = msgspec.structs.replace(_box(f"F1/hall/box_{number}", x, y), size=(0.8, 0.8, 1.0))
+        if things and rng.random() < 0.4:
+            carrier = things[int(rng.integers(len(things)))]
+            x, y, z = carrier.position
+            thing = msgspec.structs.replace(
+                thing,
+                size=(0.3, 0.3, 0.2),
+                position=(x, y, z + carrier.size[2] / 2 + 0.1),
+                mount="surface",
+                parent=carrier.id,
+            )
+        things.append(thing)
+    return things
+
+
+@settings(deadline=None, max_examples=60)
+@given(st.integers(0, 10_000))
+def test_judging_what_changed_finds_all_that_the_whole_check_finds(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    things = _stacked(rng)
+    edited = list(things)
+    for _ in range(int(rng.integers(1, 3))):
+        at = int(rng.integers(len(edited)))
+        if rng.random() < 0.3 and len(edited) > 1:
+            edited.pop(at)
+            continue
+        x, y = (float(v) for v in rng.uniform(0.3, 5.7, 2))
+        moved = msgspec.structs.replace(edited[at], position=(x, y, edited[at].position[2]))
+        edited[at] = moved
+    before, after = _scene(*things), _scene(*edited)
+    assert set(new_faults({1: before}, {1: after})) == _whole_check(after) - _whole_check(before)

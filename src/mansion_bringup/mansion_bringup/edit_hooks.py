@@ -1,8 +1,9 @@
 """What the scene editor leaves to others: the independent check before an edit, the files made from scenes after."""
 
 import hashlib
+import math
 from collections import OrderedDict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import msgspec
 
@@ -12,11 +13,13 @@ from mansion_bringup.check.identity import check_identity
 from mansion_bringup.check.objects import check_objects
 from mansion_bringup.check.reach import check_reach
 from mansion_msgs_py.codec import encode_bytes
-from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.scene import FloorScene, SceneObject
 
 __all__ = ["building_files", "floor_files", "new_faults"]
 
 _MOST_REMEMBERED = 64
+_NEAR = 0.05
+"""Slack of the circles that say which objects could touch, metres."""
 
 
 def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]) -> list[str]:
@@ -24,42 +27,80 @@ def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]
 
     Notes
     -----
-    An edit changes objects alone, so that only names, poses and reach can go wrong; and reach only when something
-    that stands on a floor or hangs on a wall changed.
+    An edit changes objects alone, so that only names, poses and reach can go wrong. Faults of names and poses concern
+    one object, an object and what carries it, or two objects that meet: only those that changed and those around them
+    are judged. Reach is judged for the whole building, and only when something that stands on a floor or hangs on a
+    wall changed. What has no fault afterwards has no new one: the state before is looked at only where there is any.
     """
     changed = [floor for floor in after if after[floor] is not before[floor]]
-    known = {str(fault) for fault in _faults(before, changed, after)}
-    found = [str(fault) for fault in _faults(after, changed, before)]
-    return [fault for fault in found if fault not in known]
+    found: list[Fault] = []
+    known: set[str] = set()
+    for floor in changed:
+        names = _concerned(before[floor], after[floor])
+        faults = _object_faults(after[floor], names)
+        found += faults
+        if faults:
+            known |= {str(fault) for fault in _object_faults(before[floor], names)}
+    if any(_obstacles(before[floor]) != _obstacles(after[floor]) for floor in changed):
+        faults = _reach_faults(after)
+        found += faults
+        if faults:
+            known |= {str(fault) for fault in _reach_faults(before)}
+    return [text for text in map(str, found) if text not in known]
 
 
-def _faults(
-    scenes: Mapping[int, FloorScene], changed: Sequence[int], other: Mapping[int, FloorScene]
-) -> list[Fault]:
-    faults = [fault for floor in changed for fault in _remembered("objects", [scenes[floor]])]
-    if any(_obstacles(scenes[floor]) != _obstacles(other[floor]) for floor in changed):
-        faults += _remembered("reach", [scenes[floor] for floor in sorted(scenes)])
-    return faults
+def _concerned(before: FloorScene, after: FloorScene) -> set[str]:
+    """Return the ids of objects whose faults an edit can change, with all that carry them."""
+    old = {thing.id: thing for thing in before.objects}
+    new = {thing.id: thing for thing in after.objects}
+    touched = {name for name in {*old, *new} if old.get(name) != new.get(name)}
+    spots = [thing for side in (old, new) for name in touched if (thing := side.get(name))]
+    names = set(touched)
+    for side in (old, new):
+        near = [
+            thing
+            for thing in side.values()
+            if thing.parent in touched or any(_meet(thing, spot) for spot in spots)
+        ]
+        for thing in near:
+            names.add(thing.id)
+            names.update(_carriers(thing, side))
+    return names
 
 
-_memory: OrderedDict[tuple[str, bytes], list[Fault]] = OrderedDict()
-"""Faults by what was checked: the floor after an edit is the one before the next."""
+def _meet(one: SceneObject, other: SceneObject) -> bool:
+    reach = (math.hypot(*one.size[:2]) + math.hypot(*other.size[:2])) / 2 + _NEAR
+    return math.dist(one.position[:2], other.position[:2]) <= reach
 
 
-def _remembered(kind: str, scenes: Sequence[FloorScene]) -> list[Fault]:
+def _carriers(thing: SceneObject, things: Mapping[str, SceneObject]) -> Iterator[str]:
+    seen = {thing.id}
+    while thing.parent in things and thing.parent not in seen:
+        seen.add(thing.parent)
+        thing = things[thing.parent]
+        yield thing.id
+
+
+def _object_faults(scene: FloorScene, names: set[str]) -> list[Fault]:
+    few = [thing for thing in scene.objects if thing.id in names]
+    part = msgspec.structs.replace(scene, objects=few)
+    return [*check_identity(scene.building_id, [part]), *check_objects(part)]
+
+
+_memory: OrderedDict[bytes, list[Fault]] = OrderedDict()
+"""Faults of reach by what was checked: the building after an edit is the one before the next."""
+
+
+def _reach_faults(scenes: Mapping[int, FloorScene]) -> list[Fault]:
     digest = hashlib.sha256()
-    for scene in scenes:
-        digest.update(encode_bytes(msgspec.structs.replace(scene, revision=0)))
-    key = (kind, digest.digest())
+    for floor in sorted(scenes):
+        digest.update(encode_bytes(msgspec.structs.replace(scenes[floor], revision=0)))
+    key = digest.digest()
     if key not in _memory:
-        _memory[key] = list(check_reach(scenes)) if kind == "reach" else _object_faults(scenes[0])
+        _memory[key] = list(check_reach([scenes[floor] for floor in sorted(scenes)]))
         if len(_memory) > _MOST_REMEMBERED:
             _memory.popitem(last=False)
     return _memory[key]
-
-
-def _object_faults(scene: FloorScene) -> list[Fault]:
-    return [*check_identity(scene.building_id, [scene]), *check_objects(scene)]
 
 
 def _obstacles(scene: FloorScene) -> dict[str, object]:
