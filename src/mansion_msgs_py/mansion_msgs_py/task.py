@@ -12,6 +12,7 @@ __all__ = [
     "Goal",
     "GoalKind",
     "Need",
+    "ProgressScore",
     "SkillCall",
     "Task",
     "TaskKind",
@@ -32,10 +33,10 @@ class GoalKind(StrEnum):
     """What a goal states of the world.
 
     ``object_in_room``: one of `objects` lies in one of `rooms`, out of the hand. ``object_on``, ``object_in``: one of
-    `objects` rests on, or is within, one of `receptacles`. ``object_near``: one of `objects` lies within `distance` of
-    one of `receptacles`. ``robot_near``: the robot stands within `distance` of one of `receptacles` on its floor.
-    ``robot_in_room``: the robot stands in one of `rooms`. ``holding``: it holds one of `objects`. ``open``,
-    ``closed``: one of `receptacles` is. ``seen``: one of `objects` has been in view.
+    `objects` rests on, or is within, one of `receptacles`. ``object_near``: one of `objects` lies, or is held, within
+    `distance` of one of `receptacles`. ``robot_near``: the robot stands within `distance` of one of `receptacles` on
+    its floor. ``robot_in_room``: the robot stands in one of `rooms`. ``holding``: it holds one of `objects`.
+    ``open``, ``closed``: one of `receptacles` is. ``seen``: one of `objects` has been in view.
     """
 
     OBJECT_IN_ROOM = "object_in_room"
@@ -151,6 +152,20 @@ class Task(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     floors_spanned: int = 1
     max_steps: Annotated[int, msgspec.Meta(ge=1, le=10_000)] = 50
     schema_version: Literal[1] = 1
+
+
+class ProgressScore(msgspec.Struct, kw_only=True, frozen=True, forbid_unknown_fields=True):
+    """How far a task is, retrieval and navigation apart (supplement, F.2).
+
+    Attributes
+    ----------
+    retrieval, navigation : float
+        0 to 1: the right object found and taken; the places of the task reached. Success makes both 1.
+    """
+
+    retrieval: float = 0.0
+    navigation: float = 0.0
+    success: bool = False
 
 
 class TaskSet(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
