@@ -2,7 +2,6 @@
 
 from functools import lru_cache
 
-
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_scene.catalogue import Asset, Catalogue, load_catalogue
