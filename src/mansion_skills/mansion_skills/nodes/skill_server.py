@@ -175,9 +175,9 @@ class SkillServer(Node):
             stack.publish_pose()
 
     def _publish_changed_lifts(self, seat: Seat) -> None:
-        changes, seat.world.lift_changes = seat.world.lift_changes, []
-        for state in changes:
-            self._lift_state.publish(state)
+        changes = seat.world.lift_changes
+        while changes:
+            self._lift_state.publish(changes.popleft())
 
     def _publish_world_lifts(self, seat: Seat) -> None:
         for state in seat.world.lift_states():

@@ -1,5 +1,6 @@
 """The world of a loaded building: its objects, doors and lifts, and the robots in it."""
 
+from collections import deque
 from collections.abc import Iterable
 from math import dist
 
@@ -22,6 +23,9 @@ __all__ = ["ROBOT_RADIUS", "World"]
 
 ROBOT_RADIUS = 0.20
 """Metres; the scenes are furnished for it."""
+
+MOST_LIFT_CHANGES = 256
+"""How many changes of lifts wait to be published; a script that publishes nothing keeps no more."""
 
 GIVING_WAY = 1.5
 """How far beside a standard pose a robot stands where another one is in the way, metres."""
@@ -50,8 +54,8 @@ class World:
         Sessions of this world whose robots are not loaded now.
     routes : RouteGraph, optional
         Of the building, once somebody asked for a route.
-    lift_changes : list of LiftState
-        What lifts did since somebody last emptied the list.
+    lift_changes : deque of LiftState
+        What lifts did since somebody last emptied it; the oldest are dropped where nobody does.
     """
 
     def __init__(
@@ -65,7 +69,7 @@ class World:
         self.doors: dict[str, bool] = {}
         self.robots: dict[str, RobotBody] = {}
         self.absent: set[str] = set()
-        self.lift_changes: list[LiftState] = []
+        self.lift_changes: deque[LiftState] = deque(maxlen=MOST_LIFT_CHANGES)
         self.routes: RouteGraph | None = None
         self.objects = ObjectTable(building.scene(floor) for floor in building.floors)
         self._views: dict[int, FloorView] = {}
@@ -189,7 +193,7 @@ class World:
     def advance(self, seconds: float) -> None:
         """Let time pass: lifts move and open their doors."""
         for lift in self.lifts.values():
-            self.lift_changes += lift.advance(seconds, self.time, self.building.building_id)
+            self.lift_changes.extend(lift.advance(seconds, self.time, self.building.building_id))
         self.time += seconds
 
     def lift_states(self) -> list[LiftState]:
