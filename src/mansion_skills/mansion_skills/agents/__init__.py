@@ -1,0 +1,1 @@
+"""Agents that carry out tasks with the skills, behind one interface."""

@@ -1,0 +1,102 @@
+"""What an agent has seen so far: objects, landmarks, places it looked around in, ways that are shut."""
+
+from dataclasses import dataclass, field
+from math import dist
+
+from mansion_msgs_py.skills import LandmarkInfo
+from mansion_skills.agents.interface import Observation, SeenObject
+from mansion_skills.agents.reading import Phrase
+from mansion_skills.agents.words import match_score
+
+__all__ = ["Sighting", "Surroundings", "room_words"]
+
+
+@dataclass(frozen=True)
+class Sighting:
+    """An object, and the floor where it was seen last."""
+
+    thing: SeenObject
+    floor: int
+
+
+@dataclass
+class Surroundings:
+    """The memory of one episode.
+
+    Attributes
+    ----------
+    searched : dict
+        Landmarks that the agent has looked around at.
+    shut : dict
+        Landmarks that it could not get to.
+    """
+
+    searched: dict[str, None] = field(default_factory=dict)
+    shut: dict[str, None] = field(default_factory=dict)
+    _landmarks: dict[int, tuple[LandmarkInfo, ...]] = field(default_factory=dict)
+    _seen: dict[str, Sighting] = field(default_factory=dict)
+
+    def note(self, observation: Observation) -> None:
+        """Remember what an observation shows."""
+        self._landmarks[observation.floor] = observation.landmarks
+        for thing in observation.visible:
+            self._seen[thing.ref] = Sighting(thing, observation.floor)
+
+    def cores(self, floor: int, kind: str) -> list[LandmarkInfo]:
+        """Return the known cores of a kind on a floor."""
+        return [entry for entry in self._landmarks.get(floor, ()) if entry.kind == kind]
+
+    def rooms_to_search(self, observation: Observation, phrase: Phrase) -> list[str]:
+        """Return the rooms of this floor not searched yet: those that the phrase names first, then the nearest."""
+        here = (observation.pose.x, observation.pose.y)
+        rooms = [
+            entry
+            for entry in observation.landmarks
+            if entry.kind == "room" and entry.name not in self.searched | self.shut
+        ]
+        words = (phrase.noun, *phrase.places)
+        ranked = sorted(
+            rooms,
+            key=lambda entry: (
+                -max((match_score(word, room_words(entry.name)) for word in words), default=0),
+                entry.name != observation.room,
+                dist(here, (entry.pose.x, entry.pose.y)),
+                entry.name,
+            ),
+        )
+        return [entry.name for entry in ranked]
+
+    def candidates(self, phrase: Phrase, *, pickupable: bool) -> list[tuple[int, Sighting]]:
+        """Return what may be the thing that a phrase names, the best first, each with its score.
+
+        Every word of the phrase that is confirmed (colour, floor, room or furniture) counts.
+        """
+        found = []
+        for name, sighting in self._seen.items():
+            thing = sighting.thing
+            noun = match_score(phrase.noun, thing.category)
+            if not noun or (pickupable and not thing.pickupable):
+                continue
+            if phrase.floor not in (None, sighting.floor):
+                continue
+            score = noun + 4 * self._confirmed(phrase, thing)
+            found.append((-score, thing.distance, name, sighting))
+        found.sort(key=lambda entry: entry[:3])
+        return [(-score, sighting) for score, _, _, sighting in found]
+
+    def is_certain(self, phrase: Phrase, score: int) -> bool:
+        """Whether a score says that all words of the phrase are confirmed."""
+        return score > 4 * (len(phrase.places) + bool(phrase.color))
+
+    def _confirmed(self, phrase: Phrase, thing: SeenObject) -> int:
+        parent = self._seen.get(thing.parent)
+        names = [room_words(thing.room), thing.parent.rsplit("/", 1)[-1]]
+        names += [parent.thing.category] if parent is not None else []
+        places = sum(any(match_score(word, name) for name in names) for word in phrase.places)
+        return places + bool(phrase.color and phrase.color in thing.color.casefold().split())
+
+
+def room_words(name: str) -> str:
+    """Return a room's or a thing's name without floor and number: "meeting room" of ``F3/meeting_room_1``."""
+    words = name.rsplit("/", 1)[-1].split("_")
+    return " ".join(words[:-1] if len(words) > 1 and words[-1].isdigit() else words)

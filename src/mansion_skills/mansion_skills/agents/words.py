@@ -1,0 +1,92 @@
+"""Words of instructions beside the names of categories and rooms."""
+
+from typing import Final
+
+__all__ = ["COLORS", "match_score", "matches", "singular"]
+
+# fmt: off
+COLORS: Final = frozenset((
+    "red", "orange", "yellow", "green", "blue", "purple", "violet", "pink", "brown", "beige", "black", "white",
+    "gray", "grey", "silver", "gold", "golden", "cream", "turquoise", "teal", "navy", "maroon", "tan", "transparent",
+))
+# fmt: on
+
+_ALIKE: Final = (
+    ("sofa", "couch", "settee"),
+    ("cell phone", "cellphone", "mobile phone", "smartphone", "phone", "mobile"),
+    ("television", "tv", "tv set"),
+    ("restroom", "toilet", "bathroom", "washroom", "wc", "lavatory"),
+    ("fridge", "refrigerator", "freezer"),
+    ("laptop", "notebook computer", "laptop computer"),
+    ("trash can", "garbage can", "waste bin", "bin", "trash bin", "dustbin", "wastebasket"),
+    ("mug", "cup", "coffee cup"),
+    ("cloth", "rag", "towel", "dish cloth", "dishcloth", "cleaning cloth"),
+    ("toolbox", "tool box"),
+    ("wardrobe", "closet"),
+    ("bookshelf", "bookcase", "shelf", "shelves", "shelving unit"),
+    ("lobby", "entrance hall", "foyer", "reception"),
+    ("living room", "lounge"),
+    ("corridor", "hallway", "hall", "passage"),
+    ("drawer", "dresser", "chest of drawers"),
+    ("remote", "remote control"),
+    ("key", "keychain", "key chain"),
+    ("lift", "elevator"),
+)
+_GROUPS: Final = {word: group for group in _ALIKE for word in group}
+
+
+def singular(word: str) -> str:
+    """Return an English noun in the singular, by its ending.
+
+    Examples
+    --------
+    >>> singular("boxes"), singular("shelves"), singular("glass"), singular("keys")
+    ('box', 'shelf', 'glass', 'key')
+    """
+    if word.endswith("ves") and len(word) > 4:
+        return word[:-3] + "f"
+    if word.endswith(("sses", "shes", "ches", "xes")):
+        return word[:-2]
+    if word.endswith("ies") and len(word) > 4:
+        return word[:-3] + "y"
+    if word.endswith("s") and not word.endswith(("ss", "us", "is")) and len(word) > 3:
+        return word[:-1]
+    return word
+
+
+def match_score(noun: str, name: str) -> int:
+    """Return how well a noun names a category or a room: 3 exactly, 2 by its last words or another word, 0 not.
+
+    Examples
+    --------
+    >>> match_score("couch", "sofa"), match_score("table", "dining_table"), match_score("pen", "open_shelf")
+    (3, 2, 0)
+    """
+    wanted, known = _plain(noun), _plain(name)
+    if not wanted or not known:
+        return 0
+    if any(a == b for a in _spellings(wanted) for b in _spellings(known)):
+        return 3
+    for a in _spellings(wanted):
+        for b in _spellings(known):
+            if f" {b}".endswith(f" {a}") or f" {a}".endswith(f" {b}"):
+                return 2
+    return 0
+
+
+def matches(noun: str, name: str) -> bool:
+    """Whether a noun may name a category or a room."""
+    return match_score(noun, name) > 0
+
+
+def _plain(text: str) -> str:
+    words = text.casefold().replace("_", " ").replace("-", " ").split()
+    while words and words[-1].isdigit():
+        words.pop()
+    return " ".join([*words[:-1], singular(words[-1])]) if words else ""
+
+
+def _spellings(text: str) -> tuple[str, ...]:
+    """Return a noun, its joined spelling, and its synonyms."""
+    joined = text.replace(" ", "")
+    return tuple(dict.fromkeys((text, joined, *_GROUPS.get(text, ()))))

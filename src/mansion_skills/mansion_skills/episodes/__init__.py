@@ -1,0 +1,1 @@
+"""Episodes: an agent at a task, judged, logged, repeated and shown."""
