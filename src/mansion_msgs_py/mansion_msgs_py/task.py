@@ -83,7 +83,7 @@ class Need(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     Attributes
     ----------
     noun, color : str
-        The thing ("toolbox", "orange").
+        The thing ("toolbox", "orange"); no noun where the room or the floor itself is meant.
     relation : str
         How it lies with its `receptacle`; ``room`` when only the room or the floor counts.
     receptacle, receptacle_color, room : str
@@ -94,7 +94,7 @@ class Need(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
         ``target`` is what is carried or sought, ``destination`` where it goes, ``other`` the rest.
     """
 
-    noun: str
+    noun: str = ""
     color: str = ""
     relation: Literal["on", "in", "room"] = "room"
     receptacle: str = ""
@@ -130,11 +130,11 @@ class Task(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     needs : list of Need
         What must be there; what `mansion edit --task` provides.
     goals : list of Goal
-        All must hold; empty while the task is not grounded in a building.
+        All must hold; without ids while the task is not grounded in a building.
     oracle : list of SkillCall
         A plan that was run and reached the goals; the proof that it can be done.
     floors_spanned : int
-        Floors that the oracle's way touches.
+        Floors from the lowest to the highest that the oracle's way touches.
     max_steps : int
         Skills that an agent may call.
     """
