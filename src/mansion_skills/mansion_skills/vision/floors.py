@@ -1,0 +1,131 @@
+"""The floors that a camera has loaded: a few of them, the last used ones."""
+
+from collections import OrderedDict
+from dataclasses import dataclass
+from math import atan2, pi, radians, sin, tan
+from pathlib import Path
+
+import numpy as np
+
+from mansion_skills.vision.floor_model import FloorModel
+from mansion_skills.vision.follow import Follower, guests_of
+from mansion_skills.vision.frame import Frame, Intrinsics
+from mansion_skills.vision.model_file import ModelFile
+from mansion_skills.vision.model_writer import camera_model
+from mansion_skills.vision.names import Names
+from mansion_skills.vision.portals import SEE_THROUGH, Portals, Wedge
+from mansion_skills.vision.renderer import Eye, Parts, Renderer
+from mansion_skills.world.robot_body import RobotBody
+from mansion_skills.world.world import World
+
+__all__ = ["KEPT", "Floors"]
+
+KEPT = 3
+"""Floors that stay loaded."""
+
+
+@dataclass
+class _Loaded:
+    model: FloorModel
+    follower: Follower
+    renderer: Renderer
+    portals: Portals
+
+
+class Floors:
+    """Draws any floor of a world; called in the thread that owns the OpenGL context.
+
+    Parameters
+    ----------
+    world : World
+    names : Names
+    width, height : int
+        Of the largest picture, pixels.
+    """
+
+    def __init__(self, world: World, names: Names, width: int, height: int) -> None:
+        self.world = world
+        self._names = names
+        self._size = width, height
+        self._files: dict[int, ModelFile] = {}
+        self._loaded: OrderedDict[int, _Loaded] = OrderedDict()
+
+    def close(self) -> None:
+        """Free all floors."""
+        while self._loaded:
+            self._loaded.popitem()[1].renderer.close()
+
+    def follow(self, floor: int, robot: RobotBody) -> None:
+        """Load a floor when that is needed, and bring it up to date; the caller holds the world's lock."""
+        loaded = self._loaded.get(floor)
+        known = loaded.model.bodies if loaded is not None else self._file(floor).bodies
+        guests = guests_of(self.world, floor, known)
+        if loaded is None or guests:
+            if loaded is not None:
+                loaded.renderer.close()
+                guests = guests_of(self.world, floor, self._file(floor).bodies)
+            loaded = self._loaded[floor] = self._load(floor, guests)
+        self._loaded.move_to_end(floor)
+        while len(self._loaded) > KEPT:
+            self._loaded.popitem(last=False)[1].renderer.close()
+        loaded.follower.follow(robot)
+
+    def _file(self, floor: int) -> ModelFile:
+        """Return a floor's model on disk; few are kept, since only loading needs them."""
+        if floor not in self._files:
+            building = self.world.building
+            entry = building.entry(floor).files
+            scene = Path(entry["scene"])
+            path = building.path / entry.get("model", scene.with_name("model.xml").as_posix())
+            self._files[floor] = ModelFile.read(path)
+        return self._files[floor]
+
+    def _load(self, floor: int, guests: list[str]) -> _Loaded:
+        world = self.world
+        scene = world.view(floor).scene
+        homes = {
+            name: number
+            for number in world.building.floors
+            for name in (thing.id for thing in world.building.scene(number).objects)
+            if name in guests
+        }
+        file = self._file(floor)
+        document = camera_model(
+            file,
+            world.objects.kinds,
+            scene.elevation,
+            [(self._file(homes[name]), name) for name in guests],
+        )
+        model = FloorModel(document, scene, self._names)
+        follower = Follower(world, floor, model, self._names)
+        return _Loaded(model, follower, Renderer(model, *self._size), Portals(scene))
+
+    def draw(self, floor: int, eye: Eye, intrinsics: Intrinsics, parts: Parts) -> Frame:
+        """Draw a floor that `follow` has brought up to date."""
+        loaded = self._loaded[floor]
+        view = self.world.view(floor)
+        room = view.map.room_at(eye.x, eye.y)
+        rooms = None
+        if room is not None:
+            doors = view.doors
+            closed = [
+                name
+                for name in loaded.follower.closed_doors()
+                if doors[name].kind not in SEE_THROUGH
+            ]
+            wedge = wedge_of(intrinsics, eye.pitch)
+            rooms = loaded.portals.visible(room, (eye.x, eye.y), eye.yaw, wedge, closed)
+        place = np.array([eye.x, eye.y, eye.z])
+        geoms = loaded.model.show(rooms, place, eye.yaw, intrinsics.focal)
+        rgb, depth, labels = loaded.renderer.draw(eye, intrinsics, geoms, parts)
+        return Frame(rgb, depth, labels, self._names.table)
+
+
+def wedge_of(intrinsics: Intrinsics, pitch: float) -> Wedge:
+    """Return the directions in plan that a tilted picture covers: those of its widest corner."""
+    across = intrinsics.width / 2 / intrinsics.focal
+    up = tan(radians(intrinsics.vertical_fov) / 2)
+    tilt = radians(abs(pitch))
+    ahead = np.cos(tilt) - up * sin(tilt)
+    half = pi if ahead <= 0.05 else atan2(across, float(ahead))
+    return Wedge(-half, half)

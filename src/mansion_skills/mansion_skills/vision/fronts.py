@@ -1,0 +1,123 @@
+"""Cut the doors, or the lid, off an object's mesh, so that it can be shown open."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from mansion_msgs_py.scene import SceneObject
+
+__all__ = ["Hinge", "Triangles", "hinges_of", "part_of", "read_stl"]
+
+Triangles = npt.NDArray[np.float64]
+"""Shape (n, 3, 3), metres."""
+
+LIDDED = ("box", "lunch_box", "toolbox", "kettle", "chest", "waste_bin", "bin", "laundry_basket")
+"""Categories that open at the top."""
+
+RIGID = ("book", "laptop", "umbrella", "curtain", "blinds")
+"""Categories whose meshes look the same open and closed."""
+
+DRAWERS = ("filing_cabinet", "cash_register", "nightstand", "dresser")
+"""Categories whose fronts are pulled out."""
+
+FRONT, LID = 0.08, 0.25
+"""How deep a front is at most, metres; how much of its height a lid takes at most."""
+
+SWING = 105.0
+"""Degrees by which an open leaf stands off."""
+
+DOUBLE = 0.7
+"""Metres of width from which there are two leaves."""
+
+WELD = 1e-5
+
+_STL = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+
+
+@dataclass(frozen=True)
+class Hinge:
+    """How the cut part moves when its object opens, in the object's frame.
+
+    Attributes
+    ----------
+    pivot : (x, y, z)
+        What it turns about, metres.
+    axis : (x, y, z)
+    angle : float
+        Degrees.
+    slide : (x, y, z)
+        How it is moved instead, metres.
+    """
+
+    pivot: tuple[float, float, float]
+    axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    angle: float = 0.0
+    slide: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
+def hinges_of(kind: SceneObject) -> tuple[Hinge, ...]:
+    """Return how the parts of an openable object move: none, one, or the left and the right leaf of a wide one."""
+    w, d, h = kind.size
+    if not kind.openable or kind.category in RIGID:
+        return ()
+    if kind.category in LIDDED:
+        return (Hinge((0.0, -d / 2, h / 2), (1.0, 0.0, 0.0), 100.0),)
+    if kind.category in DRAWERS:
+        return (Hinge((0.0, 0.0, 0.0), slide=(0.0, min(0.35, 0.6 * d), 0.0)),)
+    left = Hinge((-w / 2, d / 2 - 0.02, 0.0), angle=-SWING)
+    right = Hinge((w / 2, d / 2 - 0.02, 0.0), angle=SWING)
+    return (left, right) if w > DOUBLE else (left,)
+
+
+def read_stl(path: Path) -> Triangles:
+    """Return the triangles of a binary STL file."""
+    raw = path.read_bytes()
+    count = int.from_bytes(raw[80:84], "little")
+    corners = np.frombuffer(raw, _STL, count, offset=84)["corners"]
+    return corners.astype(np.float64)
+
+
+def _pieces(triangles: Triangles) -> npt.NDArray[np.int64]:
+    """Return the number of the connected piece that each triangle belongs to."""
+    keys = np.round(triangles.reshape(-1, 3) / WELD).astype(np.int64)
+    _, vertex = np.unique(keys, axis=0, return_inverse=True)
+    corner = vertex.reshape(-1, 3)
+    label = np.arange(int(vertex.max()) + 1 if len(vertex) else 0)
+    while True:
+        lowest: npt.NDArray[np.int64] = label[corner].min(axis=1)
+        after = label.copy()
+        np.minimum.at(after, corner.ravel(), np.repeat(lowest, 3))
+        if np.array_equal(after, label):
+            return lowest
+        label = after
+
+
+def part_of(triangles: Triangles, kind: SceneObject) -> npt.NDArray[np.int64]:
+    """Return which of `hinges_of` moves each triangle, or -1 for what stays: whole pieces move.
+
+    Parameters
+    ----------
+    triangles : (n, 3, 3) array
+        In the object's frame, its origin the centre of the box: front at +y.
+    kind : SceneObject
+    """
+    part = np.full(len(triangles), -1)
+    hinges = hinges_of(kind)
+    if not hinges or not len(triangles):
+        return part
+    _, d, h = kind.size
+    axis, least = (1, d / 2 - min(FRONT, 0.3 * d))
+    if kind.category in LIDDED:
+        axis, least = (2, h / 2 - LID * h)
+    piece = _pieces(triangles)
+    lowest = np.full(int(piece.max()) + 1, np.inf)
+    np.minimum.at(lowest, piece, triangles[:, :, axis].min(axis=1))
+    across = np.zeros(len(lowest))
+    np.add.at(across, piece, triangles[:, :, 0].mean(axis=1))
+    moves = lowest[piece] >= least - WELD
+    part[moves] = 0
+    if len(hinges) == 2:
+        part[moves & (across[piece] > 0.0)] = 1
+    return part

@@ -1,0 +1,97 @@
+"""One thread that owns an offscreen OpenGL context, so that a camera may be asked from any thread."""
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from ctypes.util import find_library
+from importlib import import_module
+from typing import Any, TypeVar
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+
+__all__ = ["BACKENDS", "GlThread", "backend"]
+
+BACKENDS = {"egl": "EGL", "osmesa": "OSMesa"}
+"""Ways to render without a display, and the library that each needs."""
+
+PACKAGES = (
+    "install libegl1, libgl1 and libgl1-mesa-dri (EGL; MUJOCO_GL=egl), or libosmesa6 (MUJOCO_GL=osmesa), and the "
+    "extra `sim` of the Python packages"
+)
+
+T = TypeVar("T")
+
+
+def backend() -> str:
+    """Return the way to render: what ``MUJOCO_GL`` names, else the first whose library is installed.
+
+    Raises
+    ------
+    MansionError
+        ``UNAVAILABLE`` when there is none.
+    """
+    named = os.environ.get("MUJOCO_GL", "").strip().lower()
+    for name in [named] if named in BACKENDS else list(BACKENDS):
+        if find_library(BACKENDS[name]) is not None:
+            return name
+    raise MansionError(
+        ErrorCode.UNAVAILABLE, f"there is no OpenGL that renders offscreen; {PACKAGES}"
+    )
+
+
+def _open_context(width: int, height: int) -> Any:
+    name = backend()
+    try:
+        # Bound before MuJoCo's own choice of a backend, which is made once for the process, can matter.
+        context = import_module(f"mujoco.{name}").GLContext(width, height)
+        context.make_current()
+    except Exception as error:  # what a missing library or driver raises differs by version
+        raise MansionError(
+            ErrorCode.UNAVAILABLE,
+            f"MuJoCo cannot render with {BACKENDS[name]} ({type(error).__name__}: {error}); {PACKAGES}",
+        ) from error
+    return context
+
+
+class GlThread:
+    """A thread with a current OpenGL context, in which everything that draws is called.
+
+    Parameters
+    ----------
+    width, height : int
+        Of the largest picture, pixels.
+
+    Raises
+    ------
+    MansionError
+        ``UNAVAILABLE`` where MuJoCo or OpenGL is missing.
+    """
+
+    def __init__(self, width: int, height: int) -> None:
+        self._pool: ThreadPoolExecutor | None = ThreadPoolExecutor(
+            max_workers=1, thread_name_prefix="camera"
+        )
+        try:
+            self._context = self.run(_open_context, width, height)
+        except MansionError:
+            self._pool.shutdown()
+            raise
+
+    def run(self, call: Callable[..., T], *arguments: Any) -> T:
+        """Call something in the thread and return what it returns.
+
+        Raises
+        ------
+        MansionError
+            ``UNAVAILABLE`` after `close`.
+        """
+        if self._pool is None:
+            raise MansionError(ErrorCode.UNAVAILABLE, "the camera is closed")
+        return self._pool.submit(call, *arguments).result()
+
+    def close(self) -> None:
+        """Free the context and end the thread."""
+        if self._pool is not None:
+            self.run(self._context.free)
+            self._pool.shutdown()
+            self._pool = None

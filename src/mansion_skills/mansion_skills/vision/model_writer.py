@@ -1,0 +1,206 @@
+"""Write the model that the camera renders, from a floor's ``model.xml`` and what has come from other floors."""
+
+from collections.abc import Iterable, Mapping
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+from mansion_msgs_py.scene import SceneObject
+from mansion_skills.vision.fronts import Triangles, hinges_of, part_of
+from mansion_skills.vision.model_file import ModelFile
+
+__all__ = ["OFF", "ON", "PART", "ROBOTS", "camera_model", "robot_body"]
+
+ON, OFF = "#on", "#off"
+"""Added to a material's name: what shines, and what is switched off."""
+
+PART = "#part"
+"""Added, with a number, to the id of an object: the body of its door or lid."""
+
+ROBOTS = 8
+"""Robots that can be seen on a floor."""
+
+SHINING = ("light", "screen")
+"""First words of the materials of what can be switched on."""
+
+GROUND = 300.0
+"""Metres of ground around the building."""
+
+
+def robot_body(number: int) -> str:
+    """Return the name of the body that shows the other robot of that number."""
+    return f"robot#{number}"
+
+
+def camera_model(
+    file: ModelFile,
+    kinds: Mapping[str, SceneObject],
+    elevation: float,
+    guests: Iterable[tuple[ModelFile, str]] = (),
+) -> str:
+    """Return the MJCF document that is rendered.
+
+    Parameters
+    ----------
+    file : ModelFile
+        The floor's.
+    kinds : mapping
+        The objects of the building.
+    elevation : float
+        Of the floor above the ground, metres.
+    guests : iterable of (ModelFile, str)
+        Objects of other floors that are here now, each with the file that has it.
+    """
+    writer = _Writer(kinds)
+    for name, body in file.bodies.items():
+        writer.body(file, name, body)
+    for other, name in guests:
+        writer.body(other, name, other.bodies[name])
+    for number in range(ROBOTS):
+        writer.robot(number)
+    return writer.document(file.sky, elevation)
+
+
+class _Writer:
+    def __init__(self, kinds: Mapping[str, SceneObject]) -> None:
+        self._kinds = kinds
+        self._assets = Element("asset")
+        self._world = Element("worldbody")
+        self._known: set[str] = set()
+
+    def body(self, file: ModelFile, name: str, source: Element) -> None:
+        """Write a body; what of it opens becomes one of its own."""
+        place = {key: source.get(key, default) for key, default in _PLACE if source.get(key)}
+        body = Element("body", {"name": name, **place})
+        kind = self._kinds.get(name)
+        hinges = hinges_of(kind) if kind is not None else ()
+        parts = [Element("body", {"name": f"{name}{PART}{i}", **place}) for i in range(len(hinges))]
+        for geom in source.findall("geom"):
+            material = self._material(file, geom.get("material", ""))
+            mesh = geom.get("mesh")
+            if mesh is None:
+                shape = {key: geom.get(key, "") for key in ("type", "pos", "size", "quat")}
+                shape = {key: value for key, value in shape.items() if value}
+                _add(body, "geom", material=material, **_SHOWN, **shape)
+            elif kind is not None and parts:
+                self._cut(file, mesh, kind, material, body, parts)
+            else:
+                self._mesh(body, self._file_mesh(file, mesh), material)
+        self._world.extend(entry for entry in (body, *parts) if len(entry))
+
+    def _mesh(self, body: Element, mesh: str, material: str) -> None:
+        _add(body, "geom", type="mesh", mesh=mesh, material=material, **_SHOWN)
+
+    def _cut(
+        self,
+        file: ModelFile,
+        mesh: str,
+        kind: SceneObject,
+        material: str,
+        body: Element,
+        parts: list[Element],
+    ) -> None:
+        triangles = file.triangles(mesh)
+        part = part_of(triangles, kind)
+        for number, target in enumerate([body, *parts], start=-1):
+            chosen = triangles[part == number]
+            if len(chosen):
+                name = f"{kind.id}#{mesh}#{number}"
+                self._inline_mesh(name, chosen)
+                self._mesh(target, name, material)
+
+    def _material(self, file: ModelFile, name: str) -> str:
+        """Write a material when it is new, with its other states when it can shine."""
+        given = file.materials[name]
+        key = "|".join([name, *(given.get(k, "") for k in ("rgba", "emission"))])
+        if key not in self._known:
+            self._known.add(key)
+            self._assets.append(Element("material", {**given, "name": key}))
+            if name.startswith(SHINING):
+                r, g, b, a = (float(v) for v in given["rgba"].split())
+                dim = " ".join(f"{0.55 * v:g}" for v in (r, g, b)) + f" {a:g}"
+                self._assets.append(Element("material", {**given, "name": key + ON} | _GLOW))
+                self._assets.append(
+                    Element("material", {**given, "name": key + OFF, "rgba": dim, "emission": "0"})
+                )
+        return key
+
+    def _file_mesh(self, file: ModelFile, name: str) -> str:
+        if name not in self._known:
+            self._known.add(name)
+            entry = dict(file.meshes[name])
+            entry["file"] = str(file.folder / entry["file"])
+            self._assets.append(Element("mesh", entry))
+        return name
+
+    def _inline_mesh(self, name: str, triangles: Triangles) -> None:
+        points, index = np.unique(
+            np.round(triangles.reshape(-1, 3), 5), axis=0, return_inverse=True
+        )
+        faces = index.reshape(-1, 3)
+        flat = (faces[:, [0, 1, 2]] == faces[:, [1, 2, 0]]).any(axis=1)
+        attributes = {
+            "name": name,
+            "inertia": "shell",
+            "vertex": " ".join(f"{v:g}" for v in points.ravel()),
+            "face": " ".join(str(v) for v in faces[~flat].ravel()),
+        }
+        self._assets.append(Element("mesh", attributes))
+
+    def robot(self, number: int) -> None:
+        """Write the body of another robot: a base, a mast and a head."""
+        body = _add(self._world, "body", name=robot_body(number))
+        for kind, size, pos, rgba in _ROBOT:
+            _add(body, "geom", type=kind, size=size, pos=pos, rgba=rgba, **_SHOWN)
+
+    def document(self, sky: Mapping[str, str], elevation: float) -> str:
+        """Return all that was written as one document."""
+        root = Element("mujoco")
+        _add(root, "compiler", angle="degree", autolimits="true")
+        visual = _add(root, "visual")
+        _add(visual, "headlight", **_HEADLIGHT)
+        _add(visual, "map", znear="0.05", zfar="120")
+        _add(visual, "quality", offsamples="0", shadowsize="0")
+        _add(root, "statistic", extent="1")
+        if sky:
+            self._assets.append(Element("texture", dict(sky)))
+        root.append(self._assets)
+        for light in _LIGHTS:
+            _add(self._world, "light", type="directional", castshadow="false", **light)
+        ground = _add(self._world, "body", name="ground")
+        _add(
+            ground,
+            "geom",
+            type="box",
+            size=f"{GROUND} {GROUND} 0.1",
+            pos=f"0 0 {-elevation - 0.45:g}",
+            rgba="0.45 0.5 0.38 1",
+            **_SHOWN,
+        )
+        root.append(self._world)
+        return ElementTree.tostring(root, encoding="unicode")
+
+
+def _add(parent: Element, tag: str, **attributes: str) -> Element:
+    return ElementTree.SubElement(parent, tag, attributes)
+
+
+_PLACE = (("pos", "0 0 0"), ("quat", "1 0 0 0"))
+_SHOWN = {"contype": "0", "conaffinity": "0", "mass": "0", "group": "0"}
+_GLOW = {"emission": "1"}
+_HEADLIGHT = {
+    "ambient": "0.46 0.46 0.46",
+    "diffuse": "0.12 0.12 0.12",
+    "specular": "0.02 0.02 0.02",
+}
+_LIGHTS = (
+    {"dir": "0.35 0.55 -0.76", "diffuse": "0.42 0.41 0.39", "specular": "0.1 0.1 0.1"},
+    {"dir": "-0.8 -0.35 -0.45", "diffuse": "0.3 0.3 0.31", "specular": "0.05 0.05 0.05"},
+    {"dir": "0.1 0.15 0.98", "diffuse": "0.4 0.4 0.39", "specular": "0 0 0"},
+)
+_ROBOT = (
+    ("cylinder", "0.19 0.12", "0 0 0.14", "0.22 0.24 0.27 1"),
+    ("cylinder", "0.05 0.4", "0 0 0.66", "0.85 0.86 0.88 1"),
+    ("box", "0.09 0.14 0.08", "0.02 0 1.14", "0.18 0.45 0.72 1"),
+)
