@@ -1,88 +1,17 @@
-"""Moves of the wall search. Each paints cells, records what it changed, and can be taken back."""
+"""Moves of the wall search that keep to the rooms' order: a run of wall shifts, two rooms change places.
 
-import numpy as np
+Each move paints cells and records what it changed.
+"""
 
+from mansion_planner.solver.draws import draw
 from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.state import COUNT, HB, SIZE, TARGET, VB, Bools, Floats, Ints, paint
+from mansion_planner.solver.painting import repaint
+from mansion_planner.solver.state import SIZE, Bools, Floats, Ints
 
-__all__ = [
-    "draw",
-    "place_rectangle",
-    "random_rectangle",
-    "shift_wall",
-    "swap_rooms",
-    "undo",
-    "uniform",
-]
+__all__ = ["shift_wall", "swap_rooms"]
 
 MOST_SWAPPED = 2.0
 """Ratio of areas up to which rooms change places."""
-
-MOST_TAKEN = 0.6
-"""Share of another room's cells that a rectangle may take."""
-
-
-@kernel
-def draw(rng: Ints) -> int:
-    """Return 31 random bits and advance `rng` (a 64-bit linear congruential generator with output mixing)."""
-    x = rng[0] * 6364136223846793005 + 1442695040888963407
-    rng[0] = x
-    y = (x >> 33) & 0x7FFFFFFF
-    return int((y ^ (y >> 15)) & 0x7FFFFFFF)
-
-
-@kernel
-def uniform(rng: Ints) -> float:
-    """Return a random number in [0, 1)."""
-    return draw(rng) / 2147483648.0
-
-
-@kernel
-def undo(
-    geometry: Floats,
-    near: Ints,
-    labels: Ints,
-    stats: Floats,
-    contact: Floats,
-    straddle: Floats,
-    changes: Ints,
-    made: int,
-) -> None:
-    """Take the recorded changes back, last first."""
-    for k in range(made - 1, -1, -1):
-        paint(
-            geometry,
-            near,
-            labels,
-            stats,
-            contact,
-            straddle,
-            changes[k, 0],
-            changes[k, 1],
-            changes[k, 2],
-        )
-
-
-@kernel
-def _repaint(
-    geometry: Floats,
-    near: Ints,
-    labels: Ints,
-    stats: Floats,
-    contact: Floats,
-    straddle: Floats,
-    changes: Ints,
-    made: int,
-    j: int,
-    i: int,
-    new: int,
-) -> int:
-    """Paint a cell, record its row, column and old label, and return the new number of records."""
-    changes[made, 0] = j
-    changes[made, 1] = i
-    changes[made, 2] = labels[j, i]
-    paint(geometry, near, labels, stats, contact, straddle, j, i, new)
-    return made + 1
 
 
 @kernel
@@ -159,7 +88,7 @@ def shift_wall(
                     break
                 step -= 1
             if labels[yy, xx] != new:
-                made = _repaint(
+                made = repaint(
                     geometry, near, labels, stats, contact, straddle, changes, made, yy, xx, new
                 )
     return made
@@ -189,7 +118,7 @@ def swap_rooms(
         for i in range(1, columns - 1):
             x = labels[j, i]
             if x in (a, b):
-                made = _repaint(
+                made = repaint(
                     geometry,
                     near,
                     labels,
@@ -202,154 +131,4 @@ def swap_rooms(
                     i,
                     b if x == a else a,
                 )
-    return made
-
-
-@kernel
-def random_rectangle(
-    xs: Floats,
-    ys: Floats,
-    free: Bools,
-    rooms: Floats,
-    links: Ints,
-    need: Floats,
-    labels: Ints,
-    contact: Floats,
-    rng: Ints,
-    box: Ints,
-) -> bool:
-    """Draw a room and a rectangle of about its area; write room, rows and columns to `box`.
-
-    Half of the draws take a room whose link is unmet and a corner beside the room that it should touch.
-
-    Returns
-    -------
-    bool
-        The rectangle lies inside the frame.
-    """
-    rows, columns = labels.shape
-    n = rooms.shape[0]
-    r, partner = draw(rng) % n, -1
-    if links.shape[0] > 0 and draw(rng) & 1 == 0:
-        for _ in range(12):
-            e = draw(rng) % links.shape[0]
-            a, b = links[e, 0], links[e, 1]
-            if contact[a, b] < need[e]:
-                r, partner = (a, b) if draw(rng) & 1 == 0 else (b, a)
-                break
-    if r >= n:
-        r, partner = partner, r
-    if r == 0 or r >= n:
-        return False
-    j, i, found = 0, 0, False
-    for _ in range(60):
-        j = 1 + draw(rng) % (rows - 2)
-        i = 1 + draw(rng) % (columns - 2)
-        if not free[j, i]:
-            continue
-        if partner < 0 or (
-            labels[j, i] != partner
-            and (
-                labels[j, i + 1] == partner
-                or labels[j, i - 1] == partner
-                or labels[j + 1, i] == partner
-                or labels[j - 1, i] == partner
-            )
-        ):
-            found = True
-            break
-    if not found:
-        return False
-    aspect = np.exp(1.4 * (uniform(rng) - 0.5))
-    wide = (rooms[r, TARGET] * aspect) ** 0.5
-    high = rooms[r, TARGET] / wide
-    j0, j1, i0, i1 = j, j + 1, i, i + 1
-    if draw(rng) & 1 == 0:
-        while i1 < columns - 1 and xs[i1 + 1] - xs[i0] < wide + 0.2:
-            i1 += 1
-    else:
-        while i0 > 1 and xs[i1] - xs[i0 - 1] < wide + 0.2:
-            i0 -= 1
-    if draw(rng) & 1 == 0:
-        while j1 < rows - 1 and ys[j1 + 1] - ys[j0] < high + 0.2:
-            j1 += 1
-    else:
-        while j0 > 1 and ys[j1] - ys[j0 - 1] < high + 0.2:
-            j0 -= 1
-    box[0], box[1], box[2], box[3], box[4] = r, j0, j1, i0, i1
-    return True
-
-
-@kernel
-def _heir(geometry: Floats, free: Bools, labels: Ints, j: int, i: int) -> int:
-    """Return the other room with the longest border to cell (j, i), or -1."""
-    best, longest = -1, 1e-9
-    r = labels[j, i]
-    for q in range(4):
-        y, x = j + (q == 0) - (q == 1), i + (q == 2) - (q == 3)
-        if not free[y, x] or labels[y, x] == r:
-            continue
-        s = geometry[min(j, y), i, HB] if q < 2 else geometry[j, min(i, x), VB]
-        if s > longest:
-            best, longest = labels[y, x], s
-    return best
-
-
-@kernel
-def _buries(
-    free: Bools, labels: Ints, stats: Floats, r: int, j0: int, j1: int, i0: int, i1: int
-) -> bool:
-    """Tell whether a rectangle of room `r` would take most of another room's cells."""
-    lost = np.zeros(stats.shape[0])
-    for j in range(j0, j1):
-        for i in range(i0, i1):
-            if free[j, i]:
-                lost[labels[j, i]] += 1.0
-    lost[r] = 0.0
-    return bool((lost > MOST_TAKEN * stats[:, COUNT]).any())
-
-
-@kernel
-def place_rectangle(
-    geometry: Floats,
-    near: Ints,
-    free: Bools,
-    labels: Ints,
-    stats: Floats,
-    contact: Floats,
-    straddle: Floats,
-    changes: Ints,
-    r: int,
-    j0: int,
-    j1: int,
-    i0: int,
-    i1: int,
-) -> int:
-    """Set room `r` to the cells of a rectangle; its old ground goes to whoever it touches."""
-    made = 0
-    rows, columns = labels.shape
-    if _buries(free, labels, stats, r, j0, j1, i0, i1):
-        return 0
-    for j in range(j0, j1):
-        for i in range(i0, i1):
-            if free[j, i] and labels[j, i] != r:
-                made = _repaint(
-                    geometry, near, labels, stats, contact, straddle, changes, made, j, i, r
-                )
-    if made == 0:
-        return 0
-    left, before = 1, -1
-    while left > 0 and made != before:
-        left, before = 0, made
-        for j in range(1, rows - 1):
-            for i in range(1, columns - 1):
-                if labels[j, i] != r or (j0 <= j < j1 and i0 <= i < i1):
-                    continue
-                best = _heir(geometry, free, labels, j, i)
-                if best < 0:
-                    left += 1
-                else:
-                    made = _repaint(
-                        geometry, near, labels, stats, contact, straddle, changes, made, j, i, best
-                    )
     return made

@@ -4,8 +4,8 @@ import numpy as np
 
 from mansion_planner.solver.growth import FREE, OTHER, grow
 from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.objective import scan_runs
 from mansion_planner.solver.state import AREA, CX, CY, HB, VB, Floats, Ints
+from mansion_planner.solver.widths import border_sums, scan_runs
 
 __all__ = ["candidate_energy", "grow_batch"]
 
@@ -155,7 +155,9 @@ def grow_batch(
     features = np.zeros((count, 4))
     run = np.zeros((side.size, side.size))
     thin = np.zeros(rooms.shape[0])
-    width = np.zeros((rows, columns))
+    sums = border_sums(geometry)
+    few = np.empty((rows, columns), np.int64)
+    narrow = np.empty((rows, columns))
     fewest, lowest = -1, 1e18
     for c in range(batch.shape[0]):
         for j in range(rows):
@@ -171,7 +173,7 @@ def grow_batch(
         for j in range(rows):
             for i in range(columns):
                 trial[j, i] = children[work[j, i]] if work[j, i] >= 0 else layout[j, i]
-        scan_runs(xs, ys, geometry, rooms, side, trial, run, thin, width)
+        scan_runs(xs, ys, sums, rooms, side, trial, run, thin, few, narrow)
         unmet = 0
         for e in range(links.shape[0]):
             unmet += run[links[e, 0], links[e, 1]] < need[e] - 1e-9

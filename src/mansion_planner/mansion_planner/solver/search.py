@@ -6,97 +6,67 @@ list. It is kept when every room that it touched is still one piece and the ener
 
 import numpy as np
 
+from mansion_planner.solver.draws import draw, uniform
 from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.moves import (
-    draw,
-    place_rectangle,
-    random_rectangle,
-    shift_wall,
-    swap_rooms,
-    undo,
-    uniform,
-)
+from mansion_planner.solver.moves import shift_wall, swap_rooms
 from mansion_planner.solver.objective import (
     edge_energy,
+    room_cost,
     room_energy,
-    scan_runs,
     thin_energy,
     total_energy,
 )
-from mansion_planner.solver.state import COUNT, HB, VB, Cells, Floats, Goal, Ints, State, recount
+from mansion_planner.solver.painting import recount
+from mansion_planner.solver.pieces import still_whole
+from mansion_planner.solver.rectangles import place_rectangle, random_rectangle
+from mansion_planner.solver.state import Cells, Floats, Goal, Ints, State
+from mansion_planner.solver.widths import border_sums, scan_runs
 
-__all__ = ["anneal", "piece_size"]
-
-
-@kernel
-def piece_size(
-    geometry: Floats, labels: Ints, j: int, i: int, stack: Ints, seen: Ints, stamp: int
-) -> int:
-    """Return how many cells can be reached from (j, i) across borders within its label; mark them with `stamp`."""
-    r = labels[j, i]
-    columns = labels.shape[1]
-    top = 0
-    stack[0] = j * columns + i
-    seen[j, i] = stamp
-    found = 0
-    while top >= 0:
-        p = stack[top]
-        top -= 1
-        y = p // columns
-        x = p - y * columns
-        found += 1
-        if labels[y, x + 1] == r and seen[y, x + 1] != stamp and geometry[y, x, VB] > 1e-6:
-            seen[y, x + 1] = stamp
-            top += 1
-            stack[top] = p + 1
-        if labels[y, x - 1] == r and seen[y, x - 1] != stamp and geometry[y, x - 1, VB] > 1e-6:
-            seen[y, x - 1] = stamp
-            top += 1
-            stack[top] = p - 1
-        if labels[y + 1, x] == r and seen[y + 1, x] != stamp and geometry[y, x, HB] > 1e-6:
-            seen[y + 1, x] = stamp
-            top += 1
-            stack[top] = p + columns
-        if labels[y - 1, x] == r and seen[y - 1, x] != stamp and geometry[y - 1, x, HB] > 1e-6:
-            seen[y - 1, x] = stamp
-            top += 1
-            stack[top] = p - columns
-    return found
+__all__ = ["anneal"]
 
 
 @kernel
-def _still_whole(
-    geometry: Floats,
-    labels: Ints,
-    stats: Floats,
-    changes: Ints,
-    made: int,
-    stack: Ints,
-    seen: Ints,
-    stamps: Ints,
-    rooms: int,
-) -> bool:
-    """Tell whether every room that the recorded changes touched is one piece and not empty."""
-    first = stamps[0] + 1
+def _touched(labels: Ints, changes: Ints, made: int, marks: Ints, found: Ints) -> int:
+    """List the labels that the recorded changes took cells from or gave cells to; return how many there are."""
+    count = 0
     for k in range(made):
-        y, x = changes[k, 0], changes[k, 1]
-        z = changes[k, 2]
-        if stats[z, COUNT] < 0.5:
-            return False
-        if seen[y, x] < first:
-            stamps[0] += 1
-            size = piece_size(geometry, labels, y, x, stack, seen, stamps[0])
-            if size != int(stats[labels[y, x], COUNT] + 0.5):
-                return False
-        for q in range(4):
-            yy = y + (q == 0) - (q == 1)
-            xx = x + (q == 2) - (q == 3)
-            if labels[yy, xx] == z and seen[yy, xx] < first and z < rooms:
-                stamps[0] += 1
-                size = piece_size(geometry, labels, yy, xx, stack, seen, stamps[0])
-                if size != int(stats[z, COUNT] + 0.5):
-                    return False
-    return True
+        old, new = changes[k, 2], labels[changes[k, 0], changes[k, 1]]
+        if marks[old] == 0:
+            marks[old] = 1
+            found[count] = old
+            count += 1
+        if marks[new] == 0:
+            marks[new] = 1
+            found[count] = new
+            count += 1
+    for k in range(count):
+        marks[found[k]] = 0
+    return count
+
+
+@kernel
+def _copy(
+    stats: Floats,
+    contact: Floats,
+    costs: Floats,
+    to_stats: Floats,
+    to_contact: Floats,
+    to_costs: Floats,
+    touched: Ints,
+    count: int,
+) -> None:
+    """Copy all statistics that a move of the `touched` labels can have changed."""
+    total = stats.shape[0]
+    for x in range(total):
+        for k in range(stats.shape[1]):
+            to_stats[x, k] = stats[x, k]
+    for k in range(count):
+        t = touched[k]
+        if t < costs.size:
+            to_costs[t] = costs[t]
+        for x in range(total):
+            to_contact[t, x] = contact[t, x]
+            to_contact[x, t] = contact[x, t]
 
 
 @kernel
@@ -139,7 +109,7 @@ def anneal(
     rooms, links, need, side = goal.rooms, goal.links, goal.need, goal.side
     apart, weights = goal.apart, goal.weights
     rows, columns = labels.shape
-    n = rooms.shape[0]
+    n, total = rooms.shape[0], stats.shape[0]
     rng = np.array([seed], dtype=np.int64)
     for _ in range(4):
         draw(rng)
@@ -147,10 +117,18 @@ def anneal(
     stack = np.empty(4 * rows * columns, np.int64)
     seen = np.zeros((rows, columns), np.int64)
     stamps = np.zeros(1, np.int64)
-    width = np.zeros((rows, columns))
+    few = np.empty((rows, columns), np.int64)
+    narrow = np.empty((rows, columns))
+    sums = border_sums(geometry)
     box = np.zeros(5, np.int64)
+    marks, touched = np.zeros(total, np.int64), np.empty(total, np.int64)
     recount(cells, state)
-    energy = total_energy(cells, goal, state, width)
+    energy = total_energy(cells, goal, state)
+    costs = np.empty(n)
+    for r in range(n):
+        costs[r] = room_cost(rooms, weights, stats, contact, total - 1, r)
+    kept_stats, kept_contact, kept_costs = stats.copy(), contact.copy(), costs.copy()
+    kept_straddle = straddle[0]
     best = energy
     best_labels = labels.copy()
     ratio = (cold / hot) ** (1.0 / max(1, proposals)) if hot > 0.0 else 1.0
@@ -186,16 +164,21 @@ def anneal(
             )
         if made == 0:
             continue
+        count = _touched(labels, changes, made, marks, touched)
         limit = energy + 1e-12
         if heat > 0.0:
             limit = energy - heat * np.log(uniform(rng) + 1e-12)
-        shape = room_energy(rooms, weights, stats, contact, straddle)
+        for k in range(count):
+            r = touched[k]
+            if r < n:
+                costs[r] = room_cost(rooms, weights, stats, contact, total - 1, r)
+        shape = room_energy(rooms, weights, stats, straddle, costs)
         ok = False
         if shape <= limit:
             bound = edge_energy(links, need, apart, weights, stats, contact, run, False)
             ok = shape + bound <= limit
-        if ok and _still_whole(geometry, labels, stats, changes, made, stack, seen, stamps, n):
-            scan_runs(xs, ys, geometry, rooms, side, labels, run, thin, width)
+        if ok and still_whole(geometry, labels, stats, changes, made, stack, seen, stamps, n):
+            scan_runs(xs, ys, sums, rooms, side, labels, run, thin, few, narrow)
             found = shape + thin_energy(rooms, weights, thin)
             found += edge_energy(links, need, apart, weights, stats, contact, run, True)
             if found <= limit:
@@ -203,8 +186,13 @@ def anneal(
                 if energy < best - 1e-9:
                     best = energy
                     best_labels[:, :] = labels
+                _copy(stats, contact, costs, kept_stats, kept_contact, kept_costs, touched, count)
+                kept_straddle = straddle[0]
                 continue
-        undo(geometry, near, labels, stats, contact, straddle, changes, made)
+        for k in range(made - 1, -1, -1):
+            labels[changes[k, 0], changes[k, 1]] = changes[k, 2]
+        _copy(kept_stats, kept_contact, kept_costs, stats, contact, costs, touched, count)
+        straddle[0] = kept_straddle
     labels[:, :] = best_labels
     recount(cells, state)
-    return total_energy(cells, goal, state, width)
+    return total_energy(cells, goal, state)

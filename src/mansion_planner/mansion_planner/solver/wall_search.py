@@ -12,6 +12,7 @@ from mansion_planner.solver.measured import Measured, measure
 from mansion_planner.solver.model import FloorModel
 from mansion_planner.solver.objective import WEIGHTS, total_energy
 from mansion_planner.solver.options import SolverOptions
+from mansion_planner.solver.painting import recount
 from mansion_planner.solver.refine import Partition, mostly_seeded, refined_grid
 from mansion_planner.solver.search import anneal
 from mansion_planner.solver.starts import fit_rectangles, flood, paint_rectangles
@@ -24,7 +25,6 @@ from mansion_planner.solver.state import (
     Ints,
     State,
     make_state,
-    recount,
 )
 
 __all__ = ["WallSearch"]
@@ -153,7 +153,7 @@ class WallSearch:
         """Return the partition's state with all its statistics."""
         state = make_state(partition.labels, self.rooms, self.total)
         recount(partition.grid.cells, state)
-        total_energy(partition.grid.cells, self.goal, state, np.zeros(partition.labels.shape))
+        total_energy(partition.grid.cells, self.goal, state)
         return state
 
     def _finished(self, partition: Partition) -> Measured:
@@ -178,7 +178,7 @@ class WallSearch:
     def _energy(self, partition: Partition) -> float:
         """Return the partition's energy under the unchanged goal."""
         cells, state = partition.grid.cells, self._state(partition)
-        return total_energy(cells, self.goal, state, np.zeros(partition.labels.shape))
+        return total_energy(cells, self.goal, state)
 
     def _rounds(self, rounds: RoundsResult, attempt: int) -> RoundsResult:
         """Return the rounds that an attempt starts from: the hub's, or those of another room with many edges."""

@@ -1,0 +1,298 @@
+"""Straight walls and narrow places of a partition, found on the few lines along which its labels change."""
+
+import numpy as np
+
+from mansion_planner.solver.jit import kernel
+from mansion_planner.solver.state import AREA, HB, MIN_WIDTH, TARGET, VB, Floats, Ints
+
+__all__ = ["border_sums", "scan_runs"]
+
+LARGE = 6.0
+"""Area, m2, from which narrow places cost the same in rooms of any size."""
+
+PINCH = 0.1
+"""Share of a room's area that a pinch counts as narrow, at least; twice this where nothing is left."""
+
+MOST_NOTCHES = 256
+
+AREA_SUM, H_SUM, V_SUM = range(3)
+"""Last index of the sums."""
+
+
+@kernel
+def border_sums(geometry: Floats) -> Floats:
+    """Return running sums of a grid: of areas over all cells below and left, of borders along their lines.
+
+    Returns
+    -------
+    (rows + 1, columns + 1, 3) array
+    """
+    rows, columns = geometry.shape[0], geometry.shape[1]
+    sums = np.zeros((rows + 1, columns + 1, 3))
+    for j in range(rows):
+        for i in range(columns):
+            sums[j + 1, i + 1, AREA_SUM] = (
+                geometry[j, i, AREA]
+                + sums[j, i + 1, AREA_SUM]
+                + sums[j + 1, i, AREA_SUM]
+                - sums[j, i, AREA_SUM]
+            )
+            sums[j, i + 1, H_SUM] = sums[j, i, H_SUM] + geometry[j, i, HB]
+            sums[j + 1, i, V_SUM] = sums[j, i, V_SUM] + geometry[j, i, VB]
+    return sums
+
+
+@kernel
+def _blocks(labels: Ints, few: Ints, lines: Ints) -> tuple[int, int]:
+    """Leave out lines along which no label changes.
+
+    Writes the labels of the blocks of cells between the others to `few`, the first row and column of each block (and
+    one past the last) to the two rows of `lines`, and returns how many block rows and columns there are.
+    """
+    rows, columns = labels.shape
+    changed = np.zeros(columns, np.int64)
+    tall, wide = 0, 0
+    for j in range(rows):
+        difference = 1 if j == 0 else 0
+        if j > 0:
+            for i in range(columns):
+                difference |= labels[j, i] ^ labels[j - 1, i]
+        if difference != 0:
+            lines[0, tall] = j
+            tall += 1
+            for i in range(1, columns):
+                changed[i] |= labels[j, i] ^ labels[j, i - 1]
+    lines[0, tall] = rows
+    changed[0] = 1
+    for i in range(columns):
+        if changed[i] != 0:
+            lines[1, wide] = i
+            for p in range(tall):
+                few[p, wide] = labels[lines[0, p], i]
+            wide += 1
+    lines[1, wide] = columns
+    return tall, wide
+
+
+@kernel
+def _flush(run: Floats, side: Ints, a: int, b: int, where: int, length: float) -> None:
+    """Record a straight wall whose lower (or left) label is `a`; `where` is `a`'s side that it is on (1 or 2)."""
+    if a == b or length <= run[a, b]:
+        return
+    if side[a] != 0 and side[a] != where:
+        return
+    if side[b] != 0 and side[b] != where + 2:
+        return
+    run[a, b] = length
+    run[b, a] = length
+
+
+@kernel
+def _notch(sw: int, nw: int, se: int, ne: int) -> int:
+    """Return the quarter (0 NE, 1 SW, 2 NW, 3 SE) that is cut out of a label around a vertex, or -1."""
+    if sw == nw:
+        if sw == se:
+            return 0 if ne != sw else -1
+        return 3 if ne == nw else -1
+    if se == ne:
+        if nw == se:
+            return 1
+        return 2 if sw == se else -1
+    return -1
+
+
+@kernel
+def _add_pinches(
+    xs: Floats, ys: Floats, rooms: Floats, notches: Ints, last: Ints, thin: Floats
+) -> None:
+    """Add to `thin` where opposite notches of a room leave too narrow a neck.
+
+    Parameters
+    ----------
+    notches : (k, 3) int array
+        Column line, row line, and the notch before this one of the same room and quarter (or -1).
+    last : (rooms, 4) int array
+        Last notch of each room and quarter, or -1.
+    """
+    for r in range(rooms.shape[0]):
+        for quarter in range(0, 4, 2):
+            p = last[r, quarter]
+            while p >= 0:
+                q = last[r, quarter + 1]
+                while q >= 0:
+                    across = xs[notches[p, 0]] - xs[notches[q, 0]]
+                    if quarter == 2:
+                        across = -across
+                    along = ys[notches[p, 1]] - ys[notches[q, 1]]
+                    neck = max(across, along) / rooms[r, MIN_WIDTH]
+                    if min(across, along) > -1e-6 and neck < 1.0 - 1e-6:
+                        thin[r] += min(LARGE, rooms[r, TARGET]) * (PINCH + PINCH * (1.0 - neck))
+                    q = notches[q, 2]
+                p = notches[p, 2]
+
+
+@kernel
+def _scan_rows(
+    xs: Floats,
+    ys: Floats,
+    rooms: Floats,
+    few: Ints,
+    lines: Ints,
+    tall: int,
+    wide: int,
+    narrow: Floats,
+    thin: Floats,
+) -> None:
+    """Mark the blocks of rows that are narrower than the room's minimum width, and add what is missing to `thin`."""
+    n = rooms.shape[0]
+    for p in range(1, tall):
+        high = ys[lines[0, p + 1]] - ys[lines[0, p]]
+        begin = 0
+        previous = few[p, 0]
+        for q in range(1, wide):
+            x = few[p, q]
+            if x == previous:
+                continue
+            if previous < n:
+                missing = rooms[previous, MIN_WIDTH] - (xs[lines[1, q]] - xs[lines[1, begin]])
+                short = missing > 1e-6
+                if short:
+                    thin[previous] += missing * high
+                for k in range(begin, q):
+                    narrow[p, k] = 1.0 if short else 0.0
+            begin = q
+            previous = x
+
+
+@kernel
+def _scan_columns(
+    xs: Floats,
+    ys: Floats,
+    sums: Floats,
+    rooms: Floats,
+    few: Ints,
+    lines: Ints,
+    tall: int,
+    wide: int,
+    narrow: Floats,
+    thin: Floats,
+) -> None:
+    """Add what columns lack to `thin`, and the area of all blocks that are narrow either way."""
+    n = rooms.shape[0]
+    for q in range(1, wide):
+        span = xs[lines[1, q + 1]] - xs[lines[1, q]]
+        i0, i1 = lines[1, q], lines[1, q + 1]
+        begin = 0
+        previous = few[0, q]
+        for p in range(1, tall):
+            x = few[p, q]
+            if x == previous:
+                continue
+            if previous < n:
+                missing = rooms[previous, MIN_WIDTH] - (ys[lines[0, p]] - ys[lines[0, begin]])
+                short = missing > 1e-6
+                if short:
+                    thin[previous] += missing * span
+                for k in range(begin, p):
+                    if short or narrow[k, q] > 0.5:
+                        j0, j1 = lines[0, k], lines[0, k + 1]
+                        thin[previous] += (
+                            sums[j1, i1, AREA_SUM]
+                            - sums[j0, i1, AREA_SUM]
+                            - sums[j1, i0, AREA_SUM]
+                            + sums[j0, i0, AREA_SUM]
+                        )
+            begin = p
+            previous = x
+
+
+@kernel
+def _scan_upright(
+    sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, wide: int, run: Floats
+) -> None:
+    """Find the longest straight walls that run along columns."""
+    for q in range(wide - 1):
+        a, b, begin = few[0, q], few[0, q + 1], 0
+        i = lines[1, q + 1] - 1
+        for p in range(1, tall):
+            x, y = few[p, q], few[p, q + 1]
+            if x == a and y == b:
+                continue
+            if a != b:
+                length = sums[lines[0, p], i, V_SUM] - sums[lines[0, begin], i, V_SUM]
+                _flush(run, side, a, b, 2, length)
+            a, b, begin = x, y, p
+
+
+@kernel
+def _scan_level(
+    sums: Floats,
+    side: Ints,
+    few: Ints,
+    lines: Ints,
+    tall: int,
+    wide: int,
+    run: Floats,
+    notches: Ints,
+    last: Ints,
+) -> None:
+    """Find the longest straight walls that run along rows, and the notches of rooms."""
+    n = last.shape[0]
+    made = 0
+    for p in range(tall - 1):
+        a, b, begin = few[p, 0], few[p + 1, 0], 0
+        j = lines[0, p + 1] - 1
+        for q in range(1, wide):
+            x, y = few[p, q], few[p + 1, q]
+            if x == a and y == b:
+                continue
+            if a != b:
+                length = sums[j, lines[1, q], H_SUM] - sums[j, lines[1, begin], H_SUM]
+                _flush(run, side, a, b, 1, length)
+            quarter = _notch(a, b, x, y)
+            if quarter >= 0 and made < MOST_NOTCHES:
+                r = y if quarter == 1 or quarter == 2 else a
+                if r < n:
+                    notches[made, 0], notches[made, 1] = lines[1, q], lines[0, p + 1]
+                    notches[made, 2] = last[r, quarter]
+                    last[r, quarter] = made
+                    made += 1
+            a, b, begin = x, y, q
+
+
+@kernel
+def scan_runs(
+    xs: Floats,
+    ys: Floats,
+    sums: Floats,
+    rooms: Floats,
+    side: Ints,
+    labels: Ints,
+    run: Floats,
+    thin: Floats,
+    few: Ints,
+    narrow: Floats,
+) -> None:
+    """Find the longest straight wall of each pair of labels, and each room's area narrower than its minimum width.
+
+    To that area the one that would make those places wide enough is added, so that a sliver is not cheap, and
+    something for each pinch.
+
+    Parameters
+    ----------
+    sums : (rows + 1, columns + 1, 3) array
+        From `border_sums`.
+    few, narrow : (rows, columns) arrays
+        Scratch.
+    """
+    run[:, :] = 0.0
+    thin[:] = 0.0
+    lines = np.empty((2, max(labels.shape[0], labels.shape[1]) + 1), np.int64)
+    notches = np.empty((MOST_NOTCHES, 3), np.int64)
+    last = np.full((rooms.shape[0], 4), -1, np.int64)
+    tall, wide = _blocks(labels, few, lines)
+    _scan_rows(xs, ys, rooms, few, lines, tall, wide, narrow, thin)
+    _scan_columns(xs, ys, sums, rooms, few, lines, tall, wide, narrow, thin)
+    _scan_upright(sums, side, few, lines, tall, wide, run)
+    _scan_level(sums, side, few, lines, tall, wide, run, notches, last)
+    _add_pinches(xs, ys, rooms, notches, last, thin)
