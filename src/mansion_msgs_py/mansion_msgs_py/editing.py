@@ -120,17 +120,28 @@ class SearchContentsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
 
 
 class PlaceInContainerArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
-    """A new object of the catalogue, and the container to put it into."""
+    """A new object of the catalogue, and the container to put it into; `color` is a word for its main material."""
 
     asset_id: Text
     container_id: Text
+    color: Text = ""
 
 
 class PlaceOnSurfaceArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
-    """A new object of the catalogue, and what to put it on; a room's id is its floor, for furniture."""
+    """A new object of the catalogue, and what to put it on; a room's id is its floor, for furniture.
+
+    Attributes
+    ----------
+    color : str
+        A word for its main material; that of the asset when empty.
+    near : str
+        An object that it shall lie or stand beside, where there is room.
+    """
 
     asset_id: Text
     receptacle_id: Text
+    color: Text = ""
+    near: Text = ""
 
 
 class RemoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):

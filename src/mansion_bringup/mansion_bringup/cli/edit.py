@@ -9,13 +9,15 @@ import typer
 
 from mansion_bringup.cli.console import err, print_json
 from mansion_bringup.extras import ensure_extra
+from mansion_msgs_py.codec import decode
 from mansion_msgs_py.editing import AgentReport
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.task import Task, TaskSet
 
 if TYPE_CHECKING:
     from mansion_scene.editing.editor import SceneEditor
 
-__all__ = ["open_editor", "register"]
+__all__ = ["open_editor", "read_tasks", "register"]
 
 _WRITES = ("PlaceInContainer", "PlaceOnSurface", "MoveObject")
 """Tools that may need physics."""
@@ -28,8 +30,14 @@ def register(app: typer.Typer) -> None:
 
 def edit(
     building: Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")],
-    what: Annotated[str, typer.Argument(help="An instruction, or the name of a tool.")],
+    what: Annotated[str, typer.Argument(help="An instruction, or the name of a tool.")] = "",
     arguments: Annotated[str | None, typer.Argument(help="The tool's arguments as JSON.")] = None,
+    task: Annotated[
+        Path | None, typer.Option(help="Make a task possible: its JSON, or a set of tasks.")
+    ] = None,
+    task_id: Annotated[
+        str, typer.Option("--id", help="Which task of a set; all when absent.")
+    ] = "",
     planner: Annotated[str, typer.Option(help="Who plans an instruction: rules or llm.")] = "rules",
     physics: Annotated[
         str, typer.Option(help="What settles objects: mujoco or static.")
@@ -49,9 +57,15 @@ def edit(
       mansion edit out/office PlaceOnSurface '{"asset_id": "cola_can_1", "receptacle_id": "F1/lobby/coffee_table_1"}'
 
       mansion edit out/office Undo
+
+      mansion edit out/office --task tasks.json --id deliver_3
     """
     from mansion_scene.editing.editor import TOOLS
 
+    if (task is None) == (not what):
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD, "give an instruction, a tool's name, or --task TASK.json"
+        )
     is_tool = what in TOOLS
     if arguments is not None and not is_tool:
         raise MansionError(
@@ -61,14 +75,18 @@ def edit(
         building, physics=physics if not is_tool or what in _WRITES else "static", who=who
     )
     editor.autosave = not dry_run
+    reports: list[AgentReport] = []
     if is_tool:
         print_json(editor.call(what, arguments or "{}"))
+    elif task is not None:
+        reports = _provision(editor, task, task_id)
     else:
-        report = _instruct(editor, what, planner)
+        reports = [_instruct(editor, what, planner)]
+    for report in reports:
         print_json(report) if as_json else _show(report)
     if not dry_run:
         refresh(editor)
-    if not is_tool and not report.done:
+    if not all(report.done for report in reports):
         raise typer.Exit(1)
 
 
@@ -102,6 +120,33 @@ def _instruct(editor: "SceneEditor", instruction: str, planner: str) -> AgentRep
     if planner == "llm":
         ensure_extra("llm")
     return instruct(editor, instruction, planner)
+
+
+def _provision(editor: "SceneEditor", file: Path, task_id: str) -> list[AgentReport]:
+    from mansion_scene.editing.agent.instruct import provision
+
+    return [provision(editor, task) for task in read_tasks(file, task_id)]
+
+
+def read_tasks(file: Path, task_id: str = "") -> list[Task]:
+    """Return the tasks of a file, a `Task` or a `TaskSet`: the one of an id, or all.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for a file that cannot be read or an id that it lacks, ``INVALID_PAYLOAD`` for what is no task.
+    """
+    try:
+        data = file.read_bytes()
+    except OSError as error:
+        raise MansionError(ErrorCode.NOT_FOUND, f"{file}: {error.strerror}") from None
+    head = decode(dict[str, Any], data)
+    tasks = decode(TaskSet, data).tasks if "tasks" in head else [decode(Task, data)]
+    wanted = [task for task in tasks if task_id in ("", task.id)]
+    if not wanted:
+        known = ", ".join(task.id for task in tasks[:20])
+        raise MansionError(ErrorCode.NOT_FOUND, f"{file} has no task {task_id!r}; it has {known}")
+    return wanted
 
 
 def refresh(editor: "SceneEditor") -> None:

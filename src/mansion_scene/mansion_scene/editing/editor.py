@@ -24,6 +24,7 @@ from mansion_msgs_py.editing import (
     Transaction,
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import SceneObject
 from mansion_scene.catalogue import Catalogue
 from mansion_scene.editing.merging import net_changes
 from mansion_scene.editing.physics.problem import PhysicsEngine
@@ -162,7 +163,7 @@ class SceneEditor:
             item = placing.place_in_container(state, args, engine)
             return f"{item.id} is in {item.parent}"
         if tool == "PlaceOnSurface":
-            item = placing.place_on_surface(state, args, engine)
+            item = placing.place_on_surface(state, args, engine, self._acceptable)
             return f"{item.id} is on {item.parent or 'the floor of ' + item.room}"
         if tool == "RemoveObject":
             gone = changing.remove_object(state, args)
@@ -172,6 +173,13 @@ class SceneEditor:
             return f"{item.id} is now on {item.parent or 'the floor of ' + item.room}"
         item = changing.set_state(state, args)
         return f"{item.id}: {encode(item.states)}"
+
+    def _acceptable(self, floor: int, item: SceneObject) -> bool:
+        """Whether an object may stand there: the check finds no fault that is not there without it."""
+        before = dict(self.state.scenes)
+        objects = [*before[floor].objects, item]
+        after = {**before, floor: msgspec.structs.replace(before[floor], objects=objects)}
+        return not self.store.new_faults(before, after)
 
     def diff(self) -> DiffReport:
         """Say what waits to be saved."""

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_msgs_py.scene import SceneObject
-from mansion_msgs_py.shapes import Point3
+from mansion_msgs_py.shapes import Point, Point3
 from mansion_scene.catalogue import Asset
 from mansion_scene.decor.frames import to_local
 from mansion_scene.editing.state import FloorIndex
@@ -26,6 +26,9 @@ STEP = 0.02
 """Least distance between places that are tried, metres."""
 
 EDGE = 0.01
+BESIDE = 20.0
+"""Cost of a metre from what an object shall lie beside."""
+
 MOST_ROWS = 80
 
 
@@ -85,6 +88,7 @@ def free_places(
     size: Point3,
     skip: Iterable[str] = (),
     most: int = 6,
+    near: Sequence[float] | None = None,
 ) -> list[Place]:
     """Return free places for an object, the best first.
 
@@ -96,7 +100,10 @@ def free_places(
         Objects that are no obstacle, because they are what is being moved.
     most : int
         Greatest number of places, spread over ledges and over each ledge.
+    near : (x, y), optional
+        Point of the floor that the object shall lie close to.
     """
+    beside = None if near is None else to_local(receptacle, near)
     boxes = _obstacles(index, receptacle, {receptacle.id, *skip})
     found: list[Place] = []
     for order, ledge in enumerate(_by_height(ledges, receptacle)):
@@ -105,7 +112,7 @@ def free_places(
         places = [
             place
             for turn in (0.0, 90.0)
-            for place in _on_ledge(ledge, boxes, size, turn, 0.4 * order + turn / 450.0)
+            for place in _on_ledge(ledge, boxes, size, turn, 0.4 * order + turn / 450.0, beside)
         ]
         places.sort(key=lambda p: p.cost)
         found += _apart(places, 3)
@@ -153,7 +160,12 @@ def _obstacles(
 
 
 def _on_ledge(
-    ledge: Ledge, boxes: npt.NDArray[np.float64], size: Point3, turn: float, handicap: float
+    ledge: Ledge,
+    boxes: npt.NDArray[np.float64],
+    size: Point3,
+    turn: float,
+    handicap: float,
+    beside: Point | None = None,
 ) -> list[Place]:
     hw, hd = (size[0] / 2, size[1] / 2) if turn == 0.0 else (size[1] / 2, size[0] / 2)
     rx, ry = ledge.w / 2 - hw - 0.002, ledge.d / 2 - hd - 0.002
@@ -182,6 +194,8 @@ def _on_ledge(
         + np.abs(front - min(0.08, ry)) * 1.5
         + 0.3 * np.abs(gx - ledge.x)
     )
+    if beside is not None:
+        cost += BESIDE * np.hypot(gx - beside[0], gy - beside[1])
     free = np.flatnonzero(gap >= GAP)
     order = free[np.argsort(cost[free], kind="stable")]
     return [

@@ -146,8 +146,12 @@ class BuildingStore:
             self._finish(transaction, before)
         return transaction
 
+    def new_faults(self, before: Scenes, after: Scenes) -> list[str]:
+        """Return the faults that the validator finds after and not before."""
+        return list(self._validator(before, after)) if self._validator else []
+
     def _refuse_faults(self, before: Scenes, after: Scenes) -> None:
-        faults = list(self._validator(before, after)) if self._validator else []
+        faults = self.new_faults(before, after)
         if faults:
             raise MansionError(
                 ErrorCode.INFEASIBLE,

@@ -28,7 +28,17 @@ COLOUR_WORDS: Final = {
         ]
     },
     "gray": "grey",
+    "silver": "grey",
     "violet": "purple",
+    "lilac": "purple",
+    "navy": "blue",
+    "azure": "blue",
+    "scarlet": "red",
+    "crimson": "red",
+    "maroon": "red",
+    "golden": "yellow",
+    "tan": "beige",
+    "cream": "beige",
 }
 """Words for colours, and the name that materials have for each."""
 

@@ -27,15 +27,23 @@ class Scope:
         A noun or an id; empty when only the room or the floor is given.
     rooms : tuple of str
         Ids of the rooms that the words may mean; empty for any.
+    colour : str
+        Of the receptacle.
+    near : str
+        A noun or an id of what lies or stands beside it.
     """
 
     relation: Relation = "room"
     receptacle: str = ""
     rooms: tuple[str, ...] = ()
     floor: int | None = None
+    colour: str = ""
+    near: str = ""
 
     def __str__(self) -> str:
-        parts = [f"{self.relation} the {self.receptacle}"] if self.receptacle else []
+        carrier = " ".join(word for word in (self.colour, self.receptacle) if word)
+        parts = [f"{self.relation} the {carrier}"] if self.receptacle else []
+        parts += [f"next to the {self.near}"] if self.near else []
         if self.rooms:
             parts.append(f"in {' or '.join(self.rooms[:4])}")
         elif self.floor is not None:
@@ -64,13 +72,14 @@ class Thing:
 
 @dataclass(frozen=True)
 class ObjectFact:
-    """So many things are there."""
+    """So many things are there; no more than that when `exact`."""
 
     thing: Thing
     where: Scope = field(default_factory=Scope)
+    exact: bool = False
 
     def __str__(self) -> str:
-        return f"{self.thing} {self.where}"
+        return f"{'exactly ' if self.exact else ''}{self.thing} {self.where}"
 
 
 @dataclass(frozen=True)

@@ -1,13 +1,15 @@
-"""One call for an instruction: the offline policy, or a language model."""
+"""One call for an instruction (the offline policy, or a language model) or for a task's needs."""
 
 from mansion_msgs_py.editing import AgentReport
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.task import Task
 from mansion_scene.editing.agent.controller import run_agent
+from mansion_scene.editing.agent.needs import task_policy
 from mansion_scene.editing.agent.offline import offline_policy
 from mansion_scene.editing.agent.protocol import Policy
 from mansion_scene.editing.editor import SceneEditor
 
-__all__ = ["instruct"]
+__all__ = ["instruct", "provision"]
 
 
 def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> AgentReport:
@@ -24,6 +26,17 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> A
         edits wait to be saved.
     """
     return run_agent(editor, _policy(editor, instruction, planner), instruction)
+
+
+def provision(editor: SceneEditor, task: Task) -> AgentReport:
+    """Make a task possible with the fewest edits; they land together or not at all.
+
+    Raises
+    ------
+    MansionError
+        ``CONFLICT`` when edits wait to be saved.
+    """
+    return run_agent(editor, task_policy(editor, task), f"task {task.id}: {task.instruction}")
 
 
 def _policy(editor: SceneEditor, instruction: str, planner: str) -> Policy:

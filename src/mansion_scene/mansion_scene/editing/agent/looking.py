@@ -52,7 +52,7 @@ def receptacles(where: Scope, state: SceneState) -> Look:
         listed: ObjectList = answer.value
         found += listed.objects
     mine = [i for i in found if where.floor in (None, i.floor)]
-    return [i for i in mine if fits(Thing(where.receptacle, 0), i, state)]
+    return [i for i in mine if fits(Thing(where.receptacle, 0, where.colour), i, state)]
 
 
 def look_at(receptacle: ObjectInfo, relation: str) -> Look:

@@ -1,38 +1,30 @@
 """Provisioning of an object fact: count what is there, add what is missing where it takes the fewest edits."""
 
 from collections.abc import Generator
+from typing import Final
 
-from mansion_msgs_py.editing import AssetHits, AssetInfo, ObjectInfo
-from mansion_msgs_py.errors import ErrorCode
+from mansion_msgs_py.editing import AssetInfo, ObjectInfo
+from mansion_scene.editing.agent.choosing import assets_of, place_any
+from mansion_scene.editing.agent.clearing import make_room
 from mansion_scene.editing.agent.facts import ObjectFact, Scope, Thing
 from mansion_scene.editing.agent.looking import find_things, fits, look_at, receptacles
+from mansion_scene.editing.agent.nearness import beside, references
 from mansion_scene.editing.agent.protocol import Action, Outcome
+from mansion_scene.editing.agent.surfaces import furnishable, relation_of, surfaces_of
 from mansion_scene.editing.state import SceneState
-from mansion_scene.editing.vocabulary import colour_of
 
-__all__ = ["provide", "relation_of", "surfaces_of"]
+__all__ = ["provide"]
 
 Work = Generator[Action, Outcome, str]
-Assets = Generator[Action, Outcome, list[AssetInfo] | str]
 
-MOST_CARRIERS = 6
-MOST_ASSETS = 4
-_EASY = (
-    "desk",
-    "table",
-    "counter",
-    "shelf",
-    "shelving_unit",
-    "sideboard",
-    "dresser",
-    "nightstand",
-    "bench",
-)
-"""Ends of categories on which things are put when an instruction names only a room."""
+MOST_CARRIERS: Final = 6
+MOST_ROOMS: Final = 12
 
 
 def provide(fact: ObjectFact, state: SceneState) -> Work:
     """Make an object fact hold; return why it cannot."""
+    if fact.where.near:
+        return (yield from _provide_beside(fact, state))
     if not fact.where.receptacle:
         return (yield from _provide_in_room(fact, state))
     carriers = yield from receptacles(fact.where, state)
@@ -44,35 +36,32 @@ def provide(fact: ObjectFact, state: SceneState) -> Work:
             return carrier
         carriers = [carrier]
     counted: list[tuple[int, int, ObjectInfo]] = []
+    surplus: list[ObjectInfo] = []
     for order, carrier in enumerate(carriers[:40]):
         relation = relation_of(fact.where.relation, carrier, state)
         there = yield from look_at(carrier, relation)
         if isinstance(there, str):
             return there
-        number = sum(fits(fact.thing, item, state) for item in there)
-        if number >= fact.thing.count:
-            return ""
-        counted.append((-number, order, carrier))
+        mine = [item for item in there if fits(fact.thing, item, state)]
+        if len(mine) >= fact.thing.count:
+            surplus = surplus or mine[fact.thing.count :]
+            return (yield from _reduce(surplus)) if fact.exact else ""
+        counted.append((-len(mine), order, carrier))
     counted.sort(key=lambda entry: entry[:2])
     return (yield from _fill(fact, [(-n, c) for n, _, c in counted[:MOST_CARRIERS]], state))
 
 
-def relation_of(relation: str, carrier: ObjectInfo, state: SceneState) -> str:
-    """Return ``in`` or ``on``: as asked, unless the receptacle can only do the other."""
-    asset = state.catalogue.assets.get(carrier.asset_id)
-    if asset is None:
-        return relation
-    shelf = any(s.kind == "shelf" for s in asset.surfaces)
-    if relation == "in" and not asset.volumes and not shelf:
-        return "on"
-    if relation == "on" and not asset.surfaces:
-        return "in"
-    return relation
+def _reduce(surplus: list[ObjectInfo]) -> Work:
+    for item in surplus:
+        answer = yield Action(f"{item.id} is one too many.", "RemoveObject", {"object_id": item.id})
+        if answer.error is not None:
+            return str(answer.error)
+    return ""
 
 
 def _fill(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], state: SceneState) -> Work:
     """Place what is missing on the first receptacle that takes it all."""
-    assets = yield from _assets(fact.thing, state)
+    assets = yield from assets_of(fact.thing, state)
     if isinstance(assets, str):
         return assets
     reasons: list[str] = []
@@ -81,7 +70,7 @@ def _fill(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], state: Scene
         missing = fact.thing.count - number
         added: list[str] = []
         for _ in range(missing):
-            placed = yield from _place_any(assets, carrier.id, relation)
+            placed = yield from place_any(assets, carrier.id, relation, colour=fact.thing.colour)
             if not placed[0]:
                 reasons.append(placed[1])
                 break
@@ -90,64 +79,11 @@ def _fill(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], state: Scene
             return ""
         for object_id in reversed(added):
             yield Action("They do not all fit there.", "RemoveObject", {"object_id": object_id})
+    if fact.thing.count == 1:
+        for _, carrier in carriers:
+            if (yield from make_room(fact.thing, assets, carrier, state)):
+                return ""
     return "; ".join(dict.fromkeys(reasons)) or "no receptacle takes it"
-
-
-def _place_any(
-    assets: list[AssetInfo], carrier: str, relation: str
-) -> Generator[Action, Outcome, tuple[str, str]]:
-    """Try variants of an asset on one receptacle; return the new id, or the reason."""
-    reason = ""
-    for asset in assets[:MOST_ASSETS]:
-        tool = "PlaceInContainer" if relation == "in" else "PlaceOnSurface"
-        target = "container_id" if relation == "in" else "receptacle_id"
-        answer = yield Action(
-            f"{asset.asset_id} is missing {relation} {carrier}.",
-            tool,
-            {"asset_id": asset.asset_id, target: carrier},
-        )
-        if answer.error is None:
-            return answer.value.object_ids[0], ""
-        reason = reason or answer.error.info.message
-        if answer.error.code != ErrorCode.INFEASIBLE:
-            break
-    return "", reason
-
-
-def _assets(thing: Thing, state: SceneState) -> Assets:
-    """Return assets of a thing, the best first, then the small ones."""
-    words = " ".join(word for word in (thing.colour, thing.noun) if word)
-    answer = yield Action(
-        f"Which asset is a {words}?", "SearchAssets", {"query": words, "top_k": 50}
-    )
-    if answer.error is not None:
-        return str(answer.error)
-    hits: AssetHits = answer.value
-    categories = state.vocabulary.nouns(thing.noun)
-    mine = [a for a in hits.assets if a.category in categories]
-    known = {a.asset_id for a in mine}
-    mine += [
-        AssetInfo(
-            asset_id=asset.key,
-            category=category,
-            name=asset.name,
-            size=asset.size,
-            score=0.0,
-            material=asset.material,
-        )
-        for category in categories
-        for asset in state.catalogue.by_category(category)
-        if asset.key not in known
-    ]
-    if thing.colour:
-        mine = [a for a in mine if colour_of(a.material) == thing.colour]
-    if not mine:
-        return f"the catalogue has no {words}"
-    first = mine[0].category
-    alike = [a for a in mine if a.category == first]
-    small = sorted(alike[1:], key=lambda a: a.size[0] * a.size[1] * a.size[2])
-    others = [a for a in mine if a.category != first]
-    return [alike[0], *small[:2], *others]
 
 
 def _provide_carrier(
@@ -157,27 +93,32 @@ def _provide_carrier(
     where = fact.where
     if "/" in where.receptacle or "_" in where.receptacle:
         return f"there is no {where.receptacle}"
-    assets = yield from _assets(Thing(where.receptacle), state)
+    placed = yield from _furnish(Thing(where.receptacle, 1, where.colour), where, state)
+    if not placed[0]:
+        return placed[1]
+    listed = yield Action("It is there now.", "ListObjects", {"id": placed[0]})
+    info: ObjectInfo = listed.value.objects[0]
+    return info
+
+
+def _furnish(
+    thing: Thing, where: Scope, state: SceneState, near: str = ""
+) -> Generator[Action, Outcome, tuple[str, str]]:
+    """Put furniture into the room of a scope that suits it best."""
+    assets = yield from assets_of(thing, state)
     if isinstance(assets, str):
-        return assets
-    usual = state.catalogue.asset(assets[0].asset_id).rooms
-    rooms = [
-        (0 if room.room_type in usual else 1, -room.area, room.id)
-        for floor in state.floors
-        if where.floor in (None, floor)
-        for room in state.scenes[floor].rooms
-        if room.kind not in ("stair", "elevator") and (not where.rooms or room.id in where.rooms)
-    ]
+        return "", assets
     standing = [a for a in assets if state.catalogue.asset(a.asset_id).mount == "floor"]
-    reason = f"there is no {where.receptacle} {Scope('room', '', where.rooms, where.floor)}"
-    for _, _, room in sorted(rooms)[:MOST_CARRIERS] if standing else []:
-        placed = yield from _place_any(standing, room, "on")
+    reason = f"there is no {thing.noun} {Scope('room', '', where.rooms, where.floor)}"
+    if not standing:
+        return "", reason
+    usual = state.catalogue.asset(standing[0].asset_id).rooms
+    for room in furnishable(where, state, usual)[:MOST_ROOMS]:
+        placed = yield from place_any(standing, room, "on", colour=thing.colour, near=near)
         if placed[0]:
-            listed = yield Action("It is there now.", "ListObjects", {"id": placed[0]})
-            info: ObjectInfo = listed.value.objects[0]
-            return info
+            return placed
         reason = placed[1]
-    return reason
+    return "", reason
 
 
 def _provide_in_room(fact: ObjectFact, state: SceneState) -> Work:
@@ -186,21 +127,23 @@ def _provide_in_room(fact: ObjectFact, state: SceneState) -> Work:
         return found
     missing = fact.thing.count - len(found)
     if missing <= 0:
-        return ""
-    assets = yield from _assets(fact.thing, state)
+        return (yield from _reduce(found[fact.thing.count :])) if fact.exact else ""
+    assets = yield from assets_of(fact.thing, state)
     if isinstance(assets, str):
         return assets
-    if state.catalogue.asset(assets[0].asset_id).mount == "floor":
-        targets = _rooms(fact.where, state)
-    else:
-        listed = yield from surfaces_of(fact.where, state)
-        if isinstance(listed, str):
-            return listed
-        targets = listed
+    if _stands(assets, state):
+        for _ in range(missing):
+            placed = yield from _furnish(fact.thing, fact.where, state)
+            if not placed[0]:
+                return placed[1]
+        return ""
+    targets = yield from surfaces_of(fact.where, state)
+    if isinstance(targets, str):
+        return targets
     reason = f"nothing {fact.where} carries it"
-    for target in targets[:MOST_CARRIERS]:
+    for target in targets[: 2 * MOST_CARRIERS]:
         while missing:
-            placed = yield from _place_any(assets, target, "on")
+            placed = yield from place_any(assets, target, "on", colour=fact.thing.colour)
             if not placed[0]:
                 reason = placed[1]
                 break
@@ -210,30 +153,45 @@ def _provide_in_room(fact: ObjectFact, state: SceneState) -> Work:
     return reason
 
 
-def _rooms(where: Scope, state: SceneState) -> list[str]:
-    return [
-        room.id
-        for floor in state.floors
-        if where.floor in (None, floor)
-        for room in sorted(state.scenes[floor].rooms, key=lambda r: -r.area)
-        if room.kind not in ("stair", "elevator") and (not where.rooms or room.id in where.rooms)
+def _stands(assets: list[AssetInfo], state: SceneState) -> bool:
+    first = state.catalogue.asset(assets[0].asset_id)
+    return first.mount == "floor" and not (first.pickupable and max(first.size) < 0.6)
+
+
+def _provide_beside(fact: ObjectFact, state: SceneState) -> Work:
+    """Provide things next to something; they go on what carries it, furniture on the floor."""
+    anchors = yield from references(fact.where, state)
+    if isinstance(anchors, str):
+        return anchors
+    found = yield from find_things(fact.thing, Scope("room", "", (), fact.where.floor), state)
+    if isinstance(found, str):
+        return found
+    counts = [
+        (sum(item.id != anchor.id and beside(item, anchor, state) for item in found), anchor)
+        for anchor in anchors
     ]
-
-
-def surfaces_of(where: Scope, state: SceneState) -> Generator[Action, Outcome, list[str] | str]:
-    """Return receptacles of a scope with a surface, tables and the like first."""
-    found: list[tuple[int, str]] = []
-    for room in _rooms(where, state)[:40]:
-        answer = yield Action(
-            f"What stands in {room}?", "ListObjects", {"room": room, "limit": 500}
-        )
-        if answer.error is not None:
-            return str(answer.error)
-        for item in answer.value.objects:
-            asset = state.catalogue.assets.get(item.asset_id)
-            if asset is not None and asset.surfaces and item.mount in ("floor", "wall"):
-                easy = any(item.category.endswith(end) for end in _EASY)
-                found.append((0 if easy else 1, item.id))
-        if sum(rank == 0 for rank, _ in found) >= MOST_CARRIERS:
-            break
-    return [name for _, name in sorted(found, key=lambda pair: pair[0])]
+    if any(count >= fact.thing.count for count, _ in counts):
+        return ""
+    assets = yield from assets_of(fact.thing, state)
+    if isinstance(assets, str):
+        return assets
+    reason = f"there is no {fact.where.near} to put it next to"
+    for count, anchor in sorted(counts, key=lambda pair: -pair[0])[:MOST_CARRIERS]:
+        added: list[str] = []
+        for _ in range(fact.thing.count - count):
+            target = anchor.room if _stands(assets, state) else anchor.parent or anchor.id
+            placed = yield from place_any(
+                assets, target, "on", colour=fact.thing.colour, near=anchor.id
+            )
+            if placed[0]:
+                added.append(placed[0])
+            listed = yield Action("Is it near?", "ListObjects", {"id": placed[0] or anchor.id})
+            item = listed.value.objects[0]
+            if not placed[0] or not beside(item, anchor, state):
+                reason = placed[1] or f"no free place next to {anchor.id}"
+                break
+        else:
+            return ""
+        for object_id in reversed(added):
+            yield Action("That is too far away.", "RemoveObject", {"object_id": object_id})
+    return reason

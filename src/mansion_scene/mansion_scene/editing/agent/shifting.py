@@ -6,7 +6,7 @@ from mansion_msgs_py.editing import ObjectInfo
 from mansion_scene.editing.agent.facts import AbsentFact, MoveFact
 from mansion_scene.editing.agent.looking import find_things, fits, look_at, receptacles
 from mansion_scene.editing.agent.protocol import Action, Outcome
-from mansion_scene.editing.agent.providing import relation_of, surfaces_of
+from mansion_scene.editing.agent.surfaces import relation_of, surfaces_of
 from mansion_scene.editing.state import SceneState
 
 __all__ = ["take_away", "transfer"]

@@ -11,6 +11,7 @@ from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point3
 from mansion_scene.catalogue import Asset
 from mansion_scene.decor.frames import scene_object, to_floor, to_local
+from mansion_scene.editing.colouring import recoloured
 from mansion_scene.editing.packing import Ledge, Place, free_places, ledges_of
 from mansion_scene.editing.physics.problem import (
     PhysicsEngine,
@@ -21,7 +22,7 @@ from mansion_scene.editing.physics.problem import (
 from mansion_scene.editing.physics.shell import half_diagonal, receptacle_shell, support_boxes
 from mansion_scene.editing.references import object_named
 from mansion_scene.editing.state import SceneState
-from mansion_scene.editing.tools.standing import place_on_floor
+from mansion_scene.editing.tools.standing import Accept, place_on_floor
 
 __all__ = ["COOLING", "place_in_container", "place_on_surface", "rest_on"]
 
@@ -42,9 +43,17 @@ COOLING = ("fridge", "freezer", "minibar", "display_fridge", "freezer_chest")
 
 
 def place_on_surface(
-    state: SceneState, args: PlaceOnSurfaceArgs, engine: PhysicsEngine
+    state: SceneState,
+    args: PlaceOnSurfaceArgs,
+    engine: PhysicsEngine,
+    accept: Accept | None = None,
 ) -> SceneObject:
     """Put a new object on a receptacle, or furniture on the floor of a room.
+
+    Parameters
+    ----------
+    accept : callable, optional
+        Judges a place on the floor before it is taken.
 
     Raises
     ------
@@ -53,10 +62,13 @@ def place_on_surface(
     """
     asset = state.catalogue.asset(args.asset_id)
     room = state.room(args.receptacle_id)
+    beside = object_named(state, args.near, "$.near")[1] if args.near else None
     if room is not None:
-        return place_on_floor(state, asset, *room)
+        placed = place_on_floor(state, asset, *room, color=args.color, near=beside, accept=accept)
+        state.add(room[0], placed)
+        return placed
     floor, receptacle = object_named(state, args.receptacle_id, "$.receptacle_id")
-    return _place(state, asset, floor, receptacle, False, engine)
+    return _place(state, asset, floor, receptacle, False, engine, args.color, beside)
 
 
 def place_in_container(
@@ -71,7 +83,7 @@ def place_in_container(
     """
     asset = state.catalogue.asset(args.asset_id)
     floor, container = object_named(state, args.container_id, "$.container_id")
-    return _place(state, asset, floor, container, True, engine)
+    return _place(state, asset, floor, container, True, engine, args.color)
 
 
 def _place(
@@ -81,6 +93,8 @@ def _place(
     receptacle: SceneObject,
     inside: bool,
     engine: PhysicsEngine,
+    color: str = "",
+    near: SceneObject | None = None,
 ) -> SceneObject:
     if asset.mount in ("wall", "ceiling"):
         raise _refusal(f"a {asset.name} hangs on a {asset.mount}, it cannot be put anywhere else")
@@ -91,7 +105,8 @@ def _place(
         receptacle.position,
         receptacle.rotation,
     )
-    placed = rest_on(state, new, floor, receptacle, inside, engine)
+    new = recoloured(new, color)
+    placed = rest_on(state, new, floor, receptacle, inside, engine, near=near)
     state.add(floor, placed)
     return placed
 
@@ -104,8 +119,16 @@ def rest_on(
     inside: bool,
     engine: PhysicsEngine,
     skip: Iterable[str] = (),
+    near: SceneObject | None = None,
 ) -> SceneObject:
     """Return `thing` where it came to rest on or in a receptacle; the state is left as it is.
+
+    Parameters
+    ----------
+    skip : iterable of str
+        Objects that go with it.
+    near : SceneObject, optional
+        What it shall lie beside.
 
     Raises
     ------
@@ -118,7 +141,14 @@ def rest_on(
         what = "holds nothing inside" if inside else "has no surface that carries things"
         raise _refusal(f"{receptacle.id} ({receptacle.name}) {what}")
     moving = {thing.id, *skip}
-    places = free_places(state.index(floor), receptacle, ledges, thing.size, moving)
+    places = free_places(
+        state.index(floor),
+        receptacle,
+        ledges,
+        thing.size,
+        moving,
+        near=None if near is None else near.position[:2],
+    )
     if not places:
         raise _refusal(_no_room(thing, receptacle, ledges, inside))
     reasons: list[str] = []

@@ -1,7 +1,7 @@
 """Furniture on the floor of a room: a free place at the walls first, clear of doors and of other furniture."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from shapely import LineString, Polygon, STRtree
 from shapely.prepared import prep
@@ -11,9 +11,10 @@ from mansion_msgs_py.scene import SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point
 from mansion_scene.catalogue import Asset
 from mansion_scene.decor.frames import footprint, room_polygon, scene_object, wall_edges
+from mansion_scene.editing.colouring import recoloured
 from mansion_scene.editing.state import SceneState
 
-__all__ = ["free_floor_places", "place_on_floor"]
+__all__ = ["Accept", "free_floor_places", "place_on_floor"]
 
 DOOR_DEPTH = 0.75
 """Depth of the area before a door that stays clear, metres."""
@@ -23,11 +24,35 @@ FRONT = 0.65
 
 LOW = 0.03
 STEP = 0.25
+APART = 0.6
+"""Distance between places that are judged, metres."""
+
+MOST_REFUSED = 8
 BACK_GAP = 0.01
 
 
-def place_on_floor(state: SceneState, asset: Asset, floor: int, room: SceneRoom) -> SceneObject:
-    """Put a new piece of furniture on the floor of a room.
+Accept = Callable[[int, SceneObject], bool]
+"""Whether the building stays free of new faults with an object on a floor."""
+
+
+def place_on_floor(
+    state: SceneState,
+    asset: Asset,
+    floor: int,
+    room: SceneRoom,
+    *,
+    color: str = "",
+    near: SceneObject | None = None,
+    accept: Accept | None = None,
+) -> SceneObject:
+    """Put a new piece of furniture on the floor of a room, and return it; the state is left as it is.
+
+    Parameters
+    ----------
+    near : SceneObject, optional
+        What it shall stand beside.
+    accept : callable, optional
+        Judges a place; others are tried while it refuses.
 
     Raises
     ------
@@ -46,23 +71,38 @@ def place_on_floor(state: SceneState, asset: Asset, floor: int, room: SceneRoom)
         0.0,
         mount="floor",
     )
-    for x, y, rotation in free_floor_places(state, floor, room, new):
+    refused: list[Point] = []
+    for x, y, rotation in free_floor_places(state, floor, room, new, near):
+        if any(math.dist((x, y), other) < APART for other in refused):
+            continue
         placed = scene_object(
             asset, new.id, room.id, (x, y, asset.size[2] / 2), rotation, mount="floor"
         )
-        state.add(floor, placed)
-        return placed
+        placed = recoloured(placed, color)
+        if accept is None or accept(floor, placed):
+            return placed
+        refused.append((x, y))
+        if len(refused) == MOST_REFUSED:
+            break
     w, d, _ = asset.size
+    why = "would leave all rooms and things within a robot's reach" if refused else "is free"
     raise MansionError(
         ErrorCode.INFEASIBLE,
-        f"no free place for a {asset.name} of {w:.2f} x {d:.2f} m in {room.id}; remove something first",
+        f"no place for a {asset.name} of {w:.2f} x {d:.2f} m in {room.id} {why}; remove something first",
     )
 
 
 def free_floor_places(
-    state: SceneState, floor: int, room: SceneRoom, thing: SceneObject
+    state: SceneState,
+    floor: int,
+    room: SceneRoom,
+    thing: SceneObject,
+    near: SceneObject | None = None,
 ) -> Iterator[tuple[float, float, float]]:
-    """Yield places (x, y, rotation) on the floor of a room: with the back to a wall first, then amid the room."""
+    """Yield places (x, y, rotation) on the floor of a room: with the back to a wall first, then amid the room.
+
+    Those next to `near` come first where it is given.
+    """
     area = room_polygon(room.net_polygon, room.net_holes)
     inner = prep(area.buffer(1e-4))
     scene = state.scenes[floor]
@@ -83,7 +123,10 @@ def free_floor_places(
     furniture = STRtree(others)
     kept_clear = STRtree(doors)
     w, d, _ = thing.size
-    for x, y, rotation in _poses(room, area, w, d):
+    poses = list(_poses(room, area, w, d))
+    if near is not None:
+        poses.sort(key=lambda pose: round(math.dist(pose[:2], near.position[:2]), 6))
+    for x, y, rotation in poses:
         body = footprint((x, y), (w + 0.02, d), rotation)
         if not inner.covers(footprint((x, y), (w, d), rotation)):
             continue
