@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from mansion_bringup.cli.bench_agents import agents
 from mansion_bringup.cli.console import progress_bar
 from mansion_bringup.cli.gallery import gallery
 from mansion_msgs_py.codec import decode
@@ -15,9 +16,10 @@ __all__ = ["register"]
 
 def register(app: typer.Typer) -> None:
     """Add the command group to `app`."""
-    group = typer.Typer(help="Measure solvers and the graph.", no_args_is_help=True)
+    group = typer.Typer(help="Measure solvers, agents and the graph.", no_args_is_help=True)
     group.command("floorplans", no_args_is_help=True)(floorplans)
     group.command("placement", no_args_is_help=True)(placement)
+    group.command("agents", no_args_is_help=True)(agents)
     group.command("graph")(graph)
     group.command("gallery")(gallery)
     app.add_typer(group, name="bench")

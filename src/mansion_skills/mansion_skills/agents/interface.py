@@ -35,12 +35,15 @@ class Access:
         All objects of the building with their rooms.
     plan : bool
         The plan that proves the task solvable.
+    pictures : bool
+        What the camera sees.
     """
 
     names: bool = True
     categories: bool = True
     object_map: bool = False
     plan: bool = False
+    pictures: bool = False
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,134 @@
+"""``mansion bench agents``: agents at tasks, as a table, logs and pictures."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from mansion_bringup.cli.console import err, progress_bar
+from mansion_msgs_py.errors import ErrorCode, MansionError
+
+if TYPE_CHECKING:
+    from mansion_skills.episodes.benching import Ports
+
+__all__ = ["agents"]
+
+
+def agents(
+    tasks: Annotated[
+        list[Path] | None,
+        typer.Option("--tasks", "-t", help="Task set, or a folder of them; may be repeated."),
+    ] = None,
+    names: Annotated[
+        str, typer.Option("--agents", "-a", help="Names with commas between them.")
+    ] = "random,oracle,explorer",
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Folder of logs and results.")
+    ] = None,
+    seed: Annotated[int, typer.Option(min=0)] = 0,
+    jobs: Annotated[int, typer.Option(min=1, help="Processes; the result is the same.")] = 1,
+    graph: Annotated[bool, typer.Option(help="Call skills over services of a node graph.")] = False,
+    sheets: Annotated[
+        int,
+        typer.Option(min=0, help="Contact sheets and animations for so many episodes an agent."),
+    ] = 0,
+    replay: Annotated[
+        Path | None, typer.Option(help="Repeat the episode of a log instead, and compare.")
+    ] = None,
+    building: Annotated[
+        Path | None, typer.Option(help="With --replay: the building, where it has moved.")
+    ] = None,
+) -> None:
+    """Let agents do tasks and print success and progress per number of floors, with 95% intervals.
+
+    Agents: random, oracle, explorer; with a language model (MANSION_LLM_...) bumble, bumble_text, come. An interrupted
+    run goes on where it ended: finished episodes are read from their logs.
+
+    Examples:
+
+      mansion bench agents --tasks out/tasks --agents random,oracle,explorer -o out/agents --jobs 2
+
+      mansion bench agents --replay out/agents/episodes/oracle/office_tasks/deliver_1.jsonl
+    """
+    if replay is not None:
+        _repeat(replay, building, graph, output)
+        return
+    if not tasks or output is None:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD, "--tasks and --output are needed (or --replay LOG)"
+        )
+    from mansion_skills.episodes.benching import Bench, local_port, run_bench
+    from mansion_skills.episodes.table import render
+
+    bench = Bench(
+        files=tuple(_task_files(tasks)),
+        agents=tuple(name.strip() for name in names.split(",") if name.strip()),
+        output=output,
+        seed=seed,
+        ports=_graph_port() if graph else local_port,
+        graph=graph,
+    )
+    with progress_bar() as report:
+        result = run_bench(bench, jobs=jobs, progress=report)
+    typer.echo(render(result.summary))
+    seen: dict[str, int] = {}
+    for row in result.episodes:
+        seen[row.agent] = seen.get(row.agent, 0) + 1
+        if seen[row.agent] <= sheets:
+            _picture(output / row.log, output)
+    err.print(f"{output / 'results.json'}: {len(result.episodes)} episodes", highlight=False)
+
+
+def _graph_port() -> "Ports":
+    """Return what starts a private skill server; rclpy is imported where it is used."""
+    from mansion_bringup.graph.skill_port import graph_port
+
+    return graph_port
+
+
+def _task_files(given: list[Path]) -> list[Path]:
+    """Return the task sets: files as given, and those of folders by name."""
+    files = [
+        file
+        for path in given
+        for file in (sorted(path.glob("*.json")) if path.is_dir() else [path])
+    ]
+    if not files:
+        raise MansionError(ErrorCode.NOT_FOUND, f"no *.json in {', '.join(map(str, given))}")
+    return files
+
+
+def _repeat(log_file: Path, building: Path | None, graph: bool, output: Path | None) -> None:
+    """Run a log's skills again; exit status 1 when something else comes of them."""
+    from mansion_skills.episodes.benching import local_port
+    from mansion_skills.episodes.log import read_log
+    from mansion_skills.episodes.replaying import replay
+
+    log = read_log(log_file)
+    folder = building or Path(log.start.building)
+    with (_graph_port() if graph else local_port)() as port:
+        differences = replay(log, folder, port)
+    for line in differences:
+        typer.echo(line)
+    if differences:
+        raise typer.Exit(1)
+    typer.echo(
+        f"the same: {len(log.steps)} skills, success {log.end.success}, retrieval {log.end.retrieval:g}, "
+        f"navigation {log.end.navigation:g}"
+    )
+    if output is not None:
+        _picture(log_file, output, folder)
+
+
+def _picture(log_file: Path, output: Path, building: Path | None = None) -> None:
+    """Write the contact sheet and the animation of an episode beside each other."""
+    from mansion_skills.episodes.log import read_log
+    from mansion_skills.episodes.port import LocalPort
+    from mansion_skills.episodes.sheet import episode_frames, write_gif, write_sheet
+
+    log = read_log(log_file)
+    frames = episode_frames(log, building or Path(log.start.building), LocalPort())
+    stem = f"{log.start.agent}_{log.start.building_id}_{log.start.task.id}"
+    write_sheet(output / "sheets" / f"{stem}.png", log, frames)
+    write_gif(output / "sheets" / f"{stem}.gif", frames)
+    err.print(f"{output / 'sheets' / stem}.png", highlight=False)

@@ -1,0 +1,181 @@
+"""Many episodes: every agent at every task, over processes, going on where an interrupted run ended."""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, ExitStack, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from mansion_msgs_py.codec import decode, encode_bytes
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.task import Task, TaskSet
+from mansion_msgs_py.world import Progress
+from mansion_skills.agents.interface import Agent
+from mansion_skills.agents.registry import LEARNING, check_agents, make_agent
+from mansion_skills.episodes.eyes import CameraEyes
+from mansion_skills.episodes.log import EpisodeLog, read_log, write_log
+from mansion_skills.episodes.port import LocalPort, SkillPort
+from mansion_skills.episodes.running import EpisodeOptions, run_episode
+from mansion_skills.episodes.table import BenchResult, EpisodeRow, row_of, summarise
+from mansion_skills.episodes.whole import write_whole
+
+__all__ = ["Bench", "Ports", "Unit", "local_port", "log_path", "run_bench", "run_unit"]
+
+MOST_LESSONS = 20
+"""Lessons of earlier episodes that an agent is told, the newest."""
+
+Ports = Callable[[], AbstractContextManager[SkillPort]]
+
+
+@contextmanager
+def local_port() -> Iterator[SkillPort]:
+    """Yield the skills of this process."""
+    yield LocalPort()
+
+
+@dataclass(frozen=True)
+class Bench:
+    """What to run.
+
+    Attributes
+    ----------
+    files : tuple of Path
+        Task sets.
+    agents : tuple of str
+    output : Path
+        Folder of logs and results.
+    ports : callable
+        Makes the way to the robot, in the process that runs the episodes; a function of a module.
+    graph : bool
+        Whether `ports` goes through a node graph, for the record.
+    """
+
+    files: tuple[Path, ...]
+    agents: tuple[str, ...]
+    output: Path
+    seed: int = 0
+    ports: Ports = local_port
+    graph: bool = False
+
+
+@dataclass(frozen=True)
+class Unit:
+    """One agent at the tasks of one file, in their order; what runs in one process."""
+
+    bench: Bench
+    agent: str
+    file: Path
+
+
+def run_bench(
+    bench: Bench, *, jobs: int = 1, progress: Callable[[Progress], None] = lambda payload: None
+) -> BenchResult:
+    """Run every episode that has no log yet, and write ``results.json``.
+
+    Parameters
+    ----------
+    bench : Bench
+    jobs : int
+        Processes; apart from wall times the results are the same for any number.
+    progress : callable
+        Told of each episode, or of each unit with several processes.
+
+    Raises
+    ------
+    MansionError
+        For files that are no task sets, agents that do not exist, or a model or node that is not there. Logs of
+        finished episodes stay, so that the same call goes on from them.
+    """
+    check_agents(list(bench.agents))
+    total = sum(len(_read_tasks(file).tasks) for file in bench.files) * len(bench.agents)
+    units = [Unit(bench, agent, file) for agent in bench.agents for file in bench.files]
+    rows: list[EpisodeRow] = []
+    for found in _in_processes(units, jobs) if jobs > 1 else _here(units):
+        rows += found
+        if found:
+            text = f"{found[-1].agent}: {found[-1].task}, {found[-1].stop}"
+            progress(Progress(stage="bench", message=text, done=len(rows), total=total))
+    result = BenchResult(seed=bench.seed, graph=bench.graph, summary=summarise(rows), episodes=rows)
+    write_whole(bench.output / "results.json", encode_bytes(result, indent=1))
+    return result
+
+
+def _here(units: Sequence[Unit]) -> Iterator[list[EpisodeRow]]:
+    for unit in units:
+        for row in run_unit(unit):
+            yield [row]
+
+
+def _in_processes(units: Sequence[Unit], jobs: int) -> Iterator[list[EpisodeRow]]:
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
+        try:
+            yield from pool.map(_whole_unit, units)
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def _whole_unit(unit: Unit) -> list[EpisodeRow]:
+    return list(run_unit(unit))
+
+
+def run_unit(unit: Unit) -> Iterator[EpisodeRow]:
+    """Yield the episodes of a unit, run now or read from the log of an earlier run.
+
+    The way to the robot is made for the first episode that has to run.
+    """
+    tasks = _read_tasks(unit.file)
+    building = (unit.file.parent / tasks.building).resolve()
+    lessons: list[str] = []
+    with ExitStack() as stack:
+        crew: tuple[SkillPort, CameraEyes | None] | None = None
+        for task in tasks.tasks:
+            told = tuple(lessons[-MOST_LESSONS:]) if unit.agent in LEARNING else ()
+            path = log_path(unit, tasks, task)
+            log = _finished(path, unit, task, told)
+            if log is None:
+                # A new agent for each episode: what one brings to the next are its lessons alone.
+                agent = make_agent(unit.agent)
+                crew = crew or _crew(unit, agent, stack)
+                port, eyes = crew
+                options = EpisodeOptions(
+                    seed=unit.bench.seed, lessons=told, eyes=eyes, building=str(building)
+                )
+                log = run_episode(task, building, agent, port, options)
+                write_log(path, log)
+            lessons += log.end.lessons
+            yield row_of(log, str(path.relative_to(unit.bench.output)))
+
+
+def _crew(unit: Unit, agent: Agent, stack: ExitStack) -> tuple[SkillPort, CameraEyes | None]:
+    """Make what all episodes of a unit need."""
+    eyes = stack.enter_context(CameraEyes()) if agent.access.pictures else None
+    return stack.enter_context(unit.bench.ports()), eyes
+
+
+def log_path(unit: Unit, tasks: TaskSet, task: Task) -> Path:
+    """Return where an episode's log is; two files of tasks of one building may share task ids."""
+    name = f"{tasks.building_id}_{unit.file.stem}"
+    return unit.bench.output / "episodes" / unit.agent / name / f"{task.id}.jsonl"
+
+
+def _finished(path: Path, unit: Unit, task: Task, told: tuple[str, ...]) -> EpisodeLog | None:
+    """Return the log of the same episode, if an earlier run finished it."""
+    if not path.exists():
+        return None
+    try:
+        log = read_log(path)
+    except MansionError:
+        return None
+    start = log.start
+    same = start.task == task and start.seed == unit.bench.seed and start.lessons == list(told)
+    return log if same and start.agent == unit.agent else None
+
+
+def _read_tasks(file: Path) -> TaskSet:
+    try:
+        return decode(TaskSet, file.read_bytes())
+    except OSError as error:
+        raise MansionError(ErrorCode.NOT_FOUND, f"{file}: {error.strerror}") from None

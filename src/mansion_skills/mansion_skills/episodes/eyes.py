@@ -1,0 +1,130 @@
+"""An agent's eyes: pictures of the moment from the robot's camera, made when they are asked for."""
+
+from types import TracebackType
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from mansion_msgs_py.errors import MansionError
+from mansion_skills.engine.seat import Seat, SharedWorld
+from mansion_skills.episodes.marking import marked_view, png, tiles
+from mansion_skills.episodes.observing import Moment
+from mansion_skills.world.robot_body import RobotBody
+from mansion_skills.world.world import World
+
+if TYPE_CHECKING:
+    from mansion_skills.vision import Camera
+
+__all__ = ["CameraEyes", "MomentEyes"]
+
+VIEW = (640, 480)
+
+
+class CameraEyes:
+    """A camera that goes from world to world; a context manager that frees it.
+
+    Where nothing can render (no MuJoCo, no OpenGL, a building without models), the pictures are empty.
+    """
+
+    def __init__(self) -> None:
+        self._camera: Camera | None = None
+        self._world: World | None = None
+        self._blind = False
+
+    def __enter__(self) -> "CameraEyes":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Free the camera."""
+        if self._camera is not None:
+            self._camera.close()
+        self._camera = self._world = None
+
+    def __call__(self, moment: Moment) -> "MomentEyes":
+        """Return the eyes of a moment."""
+        return MomentEyes(self, moment)
+
+    def camera(self, world: World, robot: RobotBody) -> "Camera | None":
+        """Return a camera on a robot, ``None`` where there can be none."""
+        if self._blind:
+            return None
+        if self._camera is None or self._world is not world:
+            self.close()
+            try:
+                from mansion_skills.vision import Camera
+
+                seat = Seat(robot.session, SharedWorld(world), robot, durable=False)
+                self._camera, self._world = Camera(seat, *VIEW), world
+            except (MansionError, ImportError):
+                self._blind = True
+        return self._camera
+
+
+class MomentEyes:
+    """See `mansion_skills.agents.interface.Eyes`."""
+
+    def __init__(self, eyes: CameraEyes, moment: Moment) -> None:
+        self._eyes, self._moment = eyes, moment
+
+    def _camera(self) -> "Camera | None":
+        return self._eyes.camera(self._moment.world, self._moment.robot)
+
+    def view(self) -> bytes:
+        """See `Eyes.view`."""
+        camera, moment = self._camera(), self._moment
+        if camera is None:
+            return b""
+        try:
+            frame = camera.render(depth=False)
+        except MansionError:
+            return b""
+        marks = {thing.id: moment.mask.object(thing.id) for thing in moment.visible.objects}
+        return marked_view(frame.rgb, frame.segmentation, frame.names, marks)
+
+    def landmarks(self) -> list[bytes]:
+        """See `Eyes.landmarks`."""
+        camera, moment = self._camera(), self._moment
+        if camera is None:
+            return []
+        found: list[tuple[str, npt.NDArray[np.uint8] | None]] = []
+        for entry in moment.landmarks.landmarks:
+            number = moment.mask.place(entry.name)
+            if entry.kind != "room":
+                found.append((f"{number} {entry.kind}", None))
+                continue
+            try:
+                found.append((number, camera.panorama(entry.name)))
+            except MansionError:
+                found.append((number, None))
+        return tiles(found)
+
+    def lift_panel(self) -> bytes:
+        """See `Eyes.lift_panel`."""
+        camera = self._camera()
+        try:
+            return b"" if camera is None else _picture(camera.lift_panel())
+        except MansionError:
+            return b""
+
+    def stairs(self) -> bytes:
+        """See `Eyes.stairs`."""
+        camera = self._camera()
+        try:
+            return b"" if camera is None else _picture(camera.stairs_view())
+        except MansionError:
+            return b""
+
+
+def _picture(pixels: npt.NDArray[np.uint8]) -> bytes:
+    from PIL import Image
+
+    return png(Image.fromarray(pixels))

@@ -1,0 +1,160 @@
+"""Pictures of an episode: a contact sheet and an animation, made by repeating it before a camera."""
+
+from collections.abc import Sequence
+from io import BytesIO
+from math import ceil
+from pathlib import Path
+from typing import Any
+
+from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.shapes import Point
+from mansion_msgs_py.world import SkillStatus
+from mansion_skills.episodes.eyes import CameraEyes
+from mansion_skills.episodes.log import EpisodeLog, EpisodeStep
+from mansion_skills.episodes.marking import png
+from mansion_skills.episodes.plan_view import plan_view
+from mansion_skills.episodes.port import SkillPort
+from mansion_skills.episodes.replaying import replay
+from mansion_skills.episodes.whole import write_whole
+from mansion_skills.world.robot_body import RobotBody
+from mansion_skills.world.world import World
+
+__all__ = ["chosen_steps", "episode_frames", "write_gif", "write_sheet"]
+
+SIDE = 300
+"""Pixels of a picture's edge."""
+
+CAPTION = 34
+MOST_FRAMES = 12
+TELLING = ("PickUp", "Place", "UseElevator", "TakeStairs", "OpenObject", "OpenDoor")
+"""Skills whose success is always shown."""
+
+
+def chosen_steps(steps: Sequence[EpisodeStep], most: int = MOST_FRAMES) -> list[int]:
+    """Return which moments to show, 0 for the start: first, last, telling skills, and others evenly between."""
+    last = len(steps)
+    chosen = dict.fromkeys((0, last))
+    for step in steps:
+        if len(chosen) < most and step.status is SkillStatus.SUCCESS and step.call.skill in TELLING:
+            chosen[step.step] = None
+    left = [k for k in range(last + 1) if k not in chosen]
+    count = min(most - len(chosen), len(left))
+    chosen |= dict.fromkeys(left[(2 * k + 1) * len(left) // (2 * count)] for k in range(count))
+    return sorted(chosen)
+
+
+def episode_frames(log: EpisodeLog, building: Path, port: SkillPort) -> list[Any]:
+    """Return Pillow images of the chosen moments: what the camera sees, the plan with the way, and a caption.
+
+    Where nothing can render, the plan stands alone.
+    """
+    wanted = set(chosen_steps(log.steps))
+    goals = frozenset(
+        name for goal in log.start.task.goals for name in (*goal.rooms, *goal.receptacles)
+    )
+    targets = frozenset(name for goal in log.start.task.goals for name in goal.objects)
+    frames: list[Any] = []
+    way: list[Point] = []
+    floors: list[int] = []
+    with CameraEyes() as eyes:
+
+        def look(number: int, world: World, robot: RobotBody) -> None:
+            if floors and floors[-1] != robot.floor:
+                way.clear()
+            floors.append(robot.floor)
+            way.append(robot.place)
+            if number not in wanted:
+                return
+            plan = plan_view(
+                world, robot.floor, way, robot.pose.yaw, size=SIDE, targets=targets, goals=goals
+            )
+            step = log.steps[number - 1] if number else None
+            frames.append(
+                _frame(_camera(eyes, world, robot), plan, _caption(log, step, world, robot))
+            )
+
+        replay(log, building, port, look)
+    return frames
+
+
+def _camera(eyes: CameraEyes, world: World, robot: RobotBody) -> Any:
+    from PIL import Image
+
+    camera = eyes.camera(world, robot)
+    try:
+        frame = camera.render(depth=False, segmentation=False) if camera is not None else None
+    except MansionError:
+        frame = None
+    if frame is None:
+        return None
+    height, width = frame.rgb.shape[:2]
+    left = (width - height) // 2
+    return Image.fromarray(frame.rgb[:, left : left + height]).resize((SIDE, SIDE))
+
+
+def _caption(
+    log: EpisodeLog, step: EpisodeStep | None, world: World, robot: RobotBody
+) -> tuple[str, str]:
+    state = world.robot_state(robot)
+    held = state.held.rsplit("/", 1)[-1] if state.held else "nothing"
+    second = f"floor {state.floor}, {(state.room or '').rsplit('/', 1)[-1]}, holds {held}"
+    if step is None:
+        return f"start: {log.start.agent}", second
+    values = [str(value).rsplit("/", 1)[-1] for value in step.call.arguments.values()]
+    outcome = "" if step.status is SkillStatus.SUCCESS else f": {step.status.value}"
+    return f"{step.step}. {step.call.skill} {' '.join(values)}{outcome}", second
+
+
+def _frame(camera: Any, plan: Any, caption: tuple[str, str]) -> Any:
+    from PIL import Image, ImageDraw
+
+    pictures = [picture for picture in (camera, plan) if picture is not None]
+    frame = Image.new("RGB", (SIDE * len(pictures), SIDE + CAPTION), (255, 255, 255))
+    for k, picture in enumerate(pictures):
+        frame.paste(picture, (k * SIDE, 0))
+    drawing = ImageDraw.Draw(frame)
+    for line, text in enumerate(caption):
+        drawing.text((6, SIDE + 3 + 15 * line), text[: 44 * len(pictures)], fill=(0, 0, 0))
+    return frame
+
+
+def write_sheet(path: Path, log: EpisodeLog, frames: Sequence[Any]) -> None:
+    """Write the frames as one PNG with the instruction above and the result below it."""
+    from PIL import Image, ImageDraw, ImageFont
+
+    columns = min(3, len(frames))
+    width, height = frames[0].size
+    top = 46
+    sheet = Image.new(
+        "RGB",
+        (columns * (width + 8) + 8, top + ceil(len(frames) / columns) * (height + 8)),
+        "white",
+    )
+    drawing = ImageDraw.Draw(sheet)
+    end = log.end
+    result = (
+        f"{log.start.agent}: {'success' if end.success else 'no success'} after {end.steps} skills; "
+        f"retrieval {end.retrieval:.2f}, navigation {end.navigation:.2f}; {end.stop.replace('_', ' ')}"
+    )
+    for line, text in enumerate((log.start.task.instruction, result)):
+        drawing.text((10, 4 + 20 * line), text, fill=(0, 0, 0), font=ImageFont.load_default(15))
+    for k, frame in enumerate(frames):
+        place = (8 + k % columns * (width + 8), top + k // columns * (height + 8))
+        sheet.paste(frame, place)
+    write_whole(path, png(sheet))
+
+
+def write_gif(path: Path, frames: Sequence[Any], *, milliseconds: int = 900) -> None:
+    """Write the frames as an animation that repeats."""
+    stream = BytesIO()
+    first, *rest = frames
+    first.save(
+        stream,
+        "GIF",
+        save_all=True,
+        append_images=rest,
+        duration=milliseconds,
+        loop=0,
+        optimize=True,
+    )
+    write_whole(path, stream.getvalue())
