@@ -210,11 +210,15 @@ class Engine:
             return self._run(seat, skill, arguments)
 
     def _run(self, seat: Seat, skill: Skill, arguments: SessionArgs) -> SkillResult:
-        result = perform(seat, skill, arguments, self.pace, self._progress)
+        result = self._perform(seat, skill, arguments)
         if result.changed:
             seat.save()
             self._changed(seat, self._event(seat, result))
         return result
+
+    def _perform(self, seat: Seat, skill: Skill, arguments: SessionArgs) -> SkillResult:
+        """Run a skill in the world; an engine whose robots have a body elsewhere moves that too."""
+        return perform(seat, skill, arguments, self.pace, self._progress)
 
     @staticmethod
     def _event(seat: Seat, result: SkillResult) -> WorldEvent:

@@ -8,7 +8,7 @@ from mansion_msgs_py.shapes import Point3
 from mansion_msgs_py.world import ObjectState
 from mansion_skills.world.objects import ObjectTable
 
-__all__ = ["put_down", "take_up"]
+__all__ = ["placed_at", "put_down", "take_up"]
 
 
 def take_up(table: ObjectTable, name: str, session: str) -> None:
@@ -36,23 +36,33 @@ def put_down(
     mount: str,
 ) -> None:
     """Put a held object somewhere, with what it carries."""
-    whole = table.carried_with(name)
-    table.put(
-        msgspec.structs.replace(
-            table.state(name),
-            floor=floor,
-            room=room,
-            position=position,
-            rotation=rotation,
-            parent=parent,
-            mount=mount,
-            held_by=None,
+    state = msgspec.structs.replace(table.state(name), parent=parent, mount=mount)
+    for entry in placed_at(
+        table, state, floor=floor, room=room, position=position, rotation=rotation
+    ):
+        table.put(entry)
+
+
+def placed_at(
+    table: ObjectTable,
+    state: ObjectState,
+    *,
+    floor: int,
+    room: str | None,
+    position: Point3,
+    rotation: float,
+) -> list[ObjectState]:
+    """Return a held object and what it carries as they were at some place, carriers first; nothing is changed."""
+    placed = {
+        state.id: msgspec.structs.replace(
+            state, floor=floor, room=room, position=position, rotation=rotation, held_by=None
         )
-    )
-    for entry in whole[1:]:
-        state = table.state(entry)
-        assert state.parent is not None
-        table.put(_absolute(state, table.state(state.parent)))
+    }
+    for entry in table.carried_with(state.id)[1:]:
+        load = table.state(entry)
+        assert load.parent is not None
+        placed[entry] = _absolute(load, placed[load.parent])
+    return list(placed.values())
 
 
 def _relative(held: ObjectState, state: ObjectState, carrier: ObjectState) -> ObjectState:

@@ -70,6 +70,10 @@ class ObjectTable:
         """Return where an object is now."""
         return self.changed.get(name) or self._first[name]
 
+    def first(self, name: str) -> ObjectState:
+        """Return where the scene has an object."""
+        return self._first[name]
+
     def on_floor(self, floor: int) -> list[ObjectState]:
         """Return the objects of a floor; what is held is on none."""
         return [self.state(name) for name in self._floors.get(floor, {})]

@@ -1,0 +1,189 @@
+"""`ThorGym`: a robot of a building whose body is AI2-THOR's agent."""
+
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import SceneCore
+from mansion_skills.engine.seat import Seat
+from mansion_skills.robot import Robot
+from mansion_skills.thor.controller import Controller, open_controller
+from mansion_skills.thor.engine import ThorEngine
+from mansion_skills.thor.houses import Houses
+from mansion_skills.world.landmarks import Landmark
+
+__all__ = ["ThorGym"]
+
+
+class ThorGym(Robot):
+    """The skills of `Robot`, acted out in AI2-THOR (sections F.1 and E).
+
+    The world checks what a skill needs and plans the way; the controller does it with ``Teleport``, ``MoveAhead``,
+    ``PickupObject`` and so on; the pose and the objects' states are read back from ``event.metadata``. What AI2-THOR
+    refuses ends with ``EXECUTION_FAILURE`` and its message, and the world is as AI2-THOR has it.
+
+    Parameters
+    ----------
+    building_dir : path
+        Folder that ``mansion build`` wrote, with the ``house.json`` of each floor.
+    controller : Controller, optional
+        One that runs; without it AI2-THOR is started (extra ``thor``) with `parameters`.
+    session : str
+    reset : bool
+        Begin anew instead of where the session was left.
+    force : bool
+        Pass ``forceAction`` to what hands do.
+    durable : bool
+        Sync each save to the disk.
+    **parameters
+        Of ``ai2thor.controller.Controller``.
+
+    Attributes
+    ----------
+    landmarks : list of Landmark
+        Of this floor.
+    room_graph : dict
+        Of this floor: room or core to those that a door leads to from it.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` without a building or its houses, ``UNAVAILABLE`` without AI2-THOR.
+
+    Examples
+    --------
+    ::
+
+        with ThorGym("out/office", width=600, height=600) as robot:
+            robot.go_to_landmark("elevator")
+            robot.call_elevator()
+            print(robot.use_elevator(3).message, robot.last_event.frame.shape)
+    """
+
+    landmarks: list[Landmark]
+    room_graph: dict[str, list[str]]
+
+    def __init__(
+        self,
+        building_dir: str | Path,
+        controller: Controller | None = None,
+        session: str = "",
+        *,
+        reset: bool = False,
+        force: bool = False,
+        durable: bool = True,
+        **parameters: Any,
+    ) -> None:
+        own = controller is None
+        self.controller = controller if controller is not None else open_controller(**parameters)
+        self._thor = ThorEngine(self.controller, self._entered, force=force, durable=durable)
+        try:
+            super().__init__(building_dir, session, world="thor", reset=reset, engine=self._thor)
+            seat = self._seat
+            with seat.turn, seat.shared.lock:
+                self._enter(seat)
+        except BaseException:
+            if own:
+                self.controller.stop()
+            raise
+
+    @property
+    def _seat(self) -> Seat:
+        return self._thor.seat(self.session)
+
+    @property
+    def houses(self) -> Houses:
+        """What AI2-THOR has assets for (``id in houses``), and each floor's house as it is now (``arranged``)."""
+        return self._thor.houses(self._seat)
+
+    @property
+    def last_event(self) -> Any:
+        """The controller's last event: ``frame``, ``metadata``, ..."""
+        return self.controller.last_event
+
+    def update_floor(self, floor_delta: int) -> Any:
+        """Take the agent to another floor: the four steps of the UseElevator card.
+
+        1. What is held leaves the house of this floor and enters that of the other.
+        2. ``controller.reset(scene=...)`` loads that house.
+        3. Landmarks and room graph are made anew.
+        4. The agent is teleported to the standard pose before the core, facing outward.
+
+        Unlike the skills UseElevator and TakeStairs it asks for no lift and no way to it.
+
+        Parameters
+        ----------
+        floor_delta : int
+
+        Returns
+        -------
+        Event
+            The controller's last event.
+
+        Raises
+        ------
+        MansionError
+            ``NOT_FOUND`` when no core leads to that floor, ``UNAVAILABLE`` when AI2-THOR cannot show it.
+        """
+        seat = self._seat
+        with seat.turn, seat.shared.lock:
+            if floor_delta:
+                target = seat.robot.floor + floor_delta
+                core = _core_to(seat, target)
+                seat.world.update_floor(seat.robot, floor_delta, core.id)
+                self._enter(seat)
+                seat.save()
+        return self.last_event
+
+    def _enter(self, seat: Seat) -> None:
+        if error := self._thor.enter(seat):
+            raise MansionError(
+                ErrorCode.UNAVAILABLE,
+                f"AI2-THOR does not show floor {seat.robot.floor}: {error}",
+                details={"floor": seat.robot.floor},
+            )
+        self._thor.read_back(seat)
+
+    def _entered(self, seat: Seat) -> None:
+        """Step 3: make the landmarks and the room graph of the robot's floor."""
+        view = seat.world.view(seat.robot.floor)
+        self.landmarks = list(view.landmarks)
+        names = [room.id for room in view.scene.rooms] + [core.id for core in view.scene.cores]
+        graph: dict[str, list[str]] = {name: [] for name in names}
+        for door in view.scene.doors:
+            ends = [str(name) for name in door.rooms if name in graph]
+            if len(ends) == 2 and ends[1] not in graph[ends[0]]:
+                graph[ends[0]].append(ends[1])
+                graph[ends[1]].append(ends[0])
+        self.room_graph = graph
+
+    def close(self) -> None:
+        """End the simulator."""
+        self.controller.stop()
+
+    def __enter__(self) -> "ThorGym":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+
+def _core_to(seat: Seat, target: int) -> SceneCore:
+    """Return the core that leads to a floor: a lift before stairs, then the first by name."""
+    cores = [
+        core for core in seat.world.view(seat.robot.floor).scene.cores if target in core.floors
+    ]
+    if not cores or target not in seat.world.building.floors:
+        raise MansionError(
+            ErrorCode.NOT_FOUND,
+            f"no core leads from floor {seat.robot.floor} to floor {target}; "
+            f"floors are {seat.world.building.floors}",
+            path="$.floor_delta",
+        )
+    return min(cores, key=lambda core: (core.type != "elevator", core.id))
