@@ -1,5 +1,6 @@
 """The camera of one session's robot."""
 
+from math import cos, radians, sin
 from types import TracebackType
 from typing import TYPE_CHECKING
 
@@ -29,6 +30,9 @@ LARGEST = (640, 480)
 
 CORE_VIEW = Intrinsics(480, 480, 90.0)
 """The camera that looks into a stair or a lift."""
+
+STEP_BACK = {"elevator": 1.0, "stair": 0.3}
+"""How far behind a core's standard pose that camera stands, where there is room; metres."""
 
 COLOURS = Parts(depth=False, segmentation=False)
 
@@ -190,9 +194,16 @@ class Camera:
         return with_arrows(self._into(seat, core), words.get(1), words.get(-1))
 
     def _into(self, seat: Seat, core: SceneCore) -> Picture:
-        """Return the view from a core's standard pose into the core."""
+        """Return the view into a core from some way before it."""
         x, y, yaw = core.entrance
-        eye = Eye(x, y, CAMERA_HEIGHT, yaw + 180.0)
+        ux, uy = cos(radians(yaw)), sin(radians(yaw))
+        grid = seat.world.view(seat.robot.floor).map
+        away = 0.0
+        while away < STEP_BACK[core.type] and grid.is_free(
+            x + (away + 0.1) * ux, y + (away + 0.1) * uy
+        ):
+            away += 0.1
+        eye = Eye(x + away * ux, y + away * uy, CAMERA_HEIGHT, yaw + 180.0)
         call = (self._draw, seat, seat.robot.floor, [eye], CORE_VIEW, COLOURS)
         return self._thread.run(*call)[0].rgb
 

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_msgs_py.scene import FloorScene
-from mansion_skills.vision.model_writer import OFF, ON, PART
+from mansion_skills.vision.model_writer import OFF, ON, PART, CameraModel
 from mansion_skills.vision.names import Names
 from mansion_skills.vision.portals import Wedge
 
@@ -38,8 +38,7 @@ class FloorModel:
 
     Parameters
     ----------
-    document : str
-        MJCF that `camera_model` wrote.
+    source : CameraModel
     scene : FloorScene
     table : Names
         The camera's table of names.
@@ -53,10 +52,10 @@ class FloorModel:
         Index in the camera's table of names of each geom.
     """
 
-    def __init__(self, document: str, scene: FloorScene, table: Names) -> None:
+    def __init__(self, source: CameraModel, scene: FloorScene, table: Names) -> None:
         import mujoco
 
-        self.model: Any = mujoco.MjModel.from_xml_string(document)
+        self.model: Any = mujoco.MjModel.from_xml_string(source.document, source.files)
         self.data: Any = mujoco.MjData(self.model)
         self._settlers = (mujoco.mj_kinematics, mujoco.mj_camlight)
         model = self.model

@@ -89,14 +89,17 @@ class Floors:
             for name in (thing.id for thing in world.building.scene(number).objects)
             if name in guests
         }
-        file = self._file(floor)
-        document = camera_model(
-            file,
+        below = max((f for f in world.building.floors if f < floor), default=None)
+        source = camera_model(
+            self._file(floor),
+            scene,
             world.objects.kinds,
-            scene.elevation,
             [(self._file(homes[name]), name) for name in guests],
+            None
+            if below is None
+            else (self._file(below), scene.elevation - world.building.entry(below).elevation),
         )
-        model = FloorModel(document, scene, self._names)
+        model = FloorModel(source, scene, self._names)
         follower = Follower(world, floor, model, self._names)
         return _Loaded(model, follower, Renderer(model, *self._size), Portals(scene))
 

@@ -1,16 +1,19 @@
 """Write the model that the camera renders, from a floor's ``model.xml`` and what has come from other floors."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
+from dataclasses import dataclass
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_skills.vision.floor_patterns import Pattern, pattern_of, pattern_png
 from mansion_skills.vision.fronts import Triangles, hinges_of, part_of
 from mansion_skills.vision.model_file import ModelFile
+from mansion_skills.vision.shafts import BELOW, shaft_boxes
 
-__all__ = ["OFF", "ON", "PART", "ROBOTS", "camera_model", "robot_body"]
+__all__ = ["OFF", "ON", "PART", "ROBOTS", "CameraModel", "camera_model", "robot_body"]
 
 ON, OFF = "#on", "#off"
 """Added to a material's name: what shines, and what is switched off."""
@@ -27,47 +30,72 @@ SHINING = ("light", "screen")
 GROUND = 300.0
 """Metres of ground around the building."""
 
+GROUND_STEP = 0.06
+"""Metres from the ground up to the finished ground floor."""
+
 
 def robot_body(number: int) -> str:
     """Return the name of the body that shows the other robot of that number."""
     return f"robot#{number}"
 
 
+@dataclass(frozen=True)
+class CameraModel:
+    """An MJCF document, and the pictures that it names."""
+
+    document: str
+    files: dict[str, bytes]
+
+
 def camera_model(
     file: ModelFile,
+    scene: FloorScene,
     kinds: Mapping[str, SceneObject],
-    elevation: float,
     guests: Iterable[tuple[ModelFile, str]] = (),
-) -> str:
-    """Return the MJCF document that is rendered.
+    below: tuple[ModelFile, float] | None = None,
+) -> CameraModel:
+    """Return what is rendered of a floor.
 
     Parameters
     ----------
     file : ModelFile
         The floor's.
+    scene : FloorScene
     kinds : mapping
         The objects of the building.
-    elevation : float
-        Of the floor above the ground, metres.
     guests : iterable of (ModelFile, str)
         Objects of other floors that are here now, each with the file that has it.
+    below : (ModelFile, float), optional
+        The next floor down, whose flights are seen, and how deep it lies, metres.
     """
-    writer = _Writer(kinds)
+    writer = _Writer(kinds, {room.id for room in scene.rooms})
     for name, body in file.bodies.items():
         writer.body(file, name, body)
     for other, name in guests:
         writer.body(other, name, other.bodies[name])
+    for name, boxes in shaft_boxes(scene):
+        writer.boxes(name, boxes)
+    for core in scene.cores if below is not None else ():
+        if core.type == "stair" and below is not None and core.id in below[0].bodies:
+            flights = Element("body", pos=f"0 0 {-below[1]:g}")
+            flights.extend(below[0].bodies[core.id])
+            writer.body(below[0], core.id + BELOW, flights)
     for number in range(ROBOTS):
         writer.robot(number)
-    return writer.document(file.sky, elevation)
+    if scene.elevation >= 0.0:
+        writer.ground(-scene.elevation - GROUND_STEP)
+    return CameraModel(writer.document(file.sky), dict(writer.files))
 
 
 class _Writer:
-    def __init__(self, kinds: Mapping[str, SceneObject]) -> None:
+    def __init__(self, kinds: Mapping[str, SceneObject], rooms: Container[str]) -> None:
         self._kinds = kinds
+        self._rooms = rooms
+        self.files: dict[str, bytes] = {}
         self._assets = Element("asset")
         self._world = Element("worldbody")
         self._known: set[str] = set()
+        self._materials: dict[str, dict[str, str]] = {}
 
     def body(self, file: ModelFile, name: str, source: Element) -> None:
         """Write a body; what of it opens becomes one of its own."""
@@ -85,6 +113,9 @@ class _Writer:
                 _add(body, "geom", material=material, **_SHOWN, **shape)
             elif kind is not None and parts:
                 self._cut(file, mesh, kind, material, body, parts)
+            elif name in self._rooms and (pattern := pattern_of(geom.get("material", ""))):
+                self._inline_mesh(f"{name}#{mesh}", file.triangles(mesh), pattern.period)
+                self._mesh(body, f"{name}#{mesh}", self._patterned(material, pattern))
             else:
                 self._mesh(body, self._file_mesh(file, mesh), material)
         self._world.extend(entry for entry in (body, *parts) if len(entry))
@@ -116,6 +147,7 @@ class _Writer:
         key = "|".join([name, *(given.get(k, "") for k in ("rgba", "emission"))])
         if key not in self._known:
             self._known.add(key)
+            self._materials[key] = given
             self._assets.append(Element("material", {**given, "name": key}))
             if name.startswith(SHINING):
                 r, g, b, a = (float(v) for v in given["rgba"].split())
@@ -126,6 +158,19 @@ class _Writer:
                 )
         return key
 
+    def _patterned(self, material: str, pattern: Pattern) -> str:
+        """Write a material with the pattern of a floor."""
+        file, name = f"{pattern.name}.png", f"{material}|{pattern.name}"
+        if file not in self.files:
+            self.files[file] = pattern_png(pattern)
+            attributes = {"name": pattern.name, "type": "2d", "file": file}
+            self._assets.append(Element("texture", attributes))
+        if name not in self._known:
+            self._known.add(name)
+            given = {**self._materials[material], "name": name, "texture": pattern.name}
+            self._assets.append(Element("material", given))
+        return name
+
     def _file_mesh(self, file: ModelFile, name: str) -> str:
         if name not in self._known:
             self._known.add(name)
@@ -134,7 +179,8 @@ class _Writer:
             self._assets.append(Element("mesh", entry))
         return name
 
-    def _inline_mesh(self, name: str, triangles: Triangles) -> None:
+    def _inline_mesh(self, name: str, triangles: Triangles, period: float = 0.0) -> None:
+        """Write a mesh into the document; with a texture that repeats in plan when it has a period, metres."""
         points, index = np.unique(
             np.round(triangles.reshape(-1, 3), 5), axis=0, return_inverse=True
         )
@@ -146,7 +192,21 @@ class _Writer:
             "vertex": " ".join(f"{v:g}" for v in points.ravel()),
             "face": " ".join(str(v) for v in faces[~flat].ravel()),
         }
+        if period > 0.0:
+            attributes["texcoord"] = " ".join(f"{v:g}" for v in (points[:, :2] / period).ravel())
         self._assets.append(Element("mesh", attributes))
+
+    def boxes(self, name: str, boxes: Iterable[Element]) -> None:
+        """Write a body of boxes that have their own colours."""
+        body = _add(self._world, "body", name=name)
+        for box in boxes:
+            body.append(Element("geom", {**box.attrib, **_SHOWN}))
+
+    def ground(self, z: float) -> None:
+        """Write the ground around the building."""
+        body = _add(self._world, "body", name="ground")
+        size, pos = f"{GROUND} {GROUND} 0.1", f"0 0 {z - 0.1:g}"
+        _add(body, "geom", type="box", size=size, pos=pos, rgba="0.45 0.5 0.38 1", **_SHOWN)
 
     def robot(self, number: int) -> None:
         """Write the body of another robot: a base, a mast and a head."""
@@ -154,7 +214,7 @@ class _Writer:
         for kind, size, pos, rgba in _ROBOT:
             _add(body, "geom", type=kind, size=size, pos=pos, rgba=rgba, **_SHOWN)
 
-    def document(self, sky: Mapping[str, str], elevation: float) -> str:
+    def document(self, sky: Mapping[str, str]) -> str:
         """Return all that was written as one document."""
         root = Element("mujoco")
         _add(root, "compiler", angle="degree", autolimits="true")
@@ -168,16 +228,6 @@ class _Writer:
         root.append(self._assets)
         for light in _LIGHTS:
             _add(self._world, "light", type="directional", castshadow="false", **light)
-        ground = _add(self._world, "body", name="ground")
-        _add(
-            ground,
-            "geom",
-            type="box",
-            size=f"{GROUND} {GROUND} 0.1",
-            pos=f"0 0 {-elevation - 0.45:g}",
-            rgba="0.45 0.5 0.38 1",
-            **_SHOWN,
-        )
         root.append(self._world)
         return ElementTree.tostring(root, encoding="unicode")
 
@@ -189,15 +239,13 @@ def _add(parent: Element, tag: str, **attributes: str) -> Element:
 _PLACE = (("pos", "0 0 0"), ("quat", "1 0 0 0"))
 _SHOWN = {"contype": "0", "conaffinity": "0", "mass": "0", "group": "0"}
 _GLOW = {"emission": "1"}
-_HEADLIGHT = {
-    "ambient": "0.46 0.46 0.46",
-    "diffuse": "0.12 0.12 0.12",
-    "specular": "0.02 0.02 0.02",
-}
+_HEADLIGHT = {"ambient": "0.56 0.56 0.56", "diffuse": "0 0 0", "specular": "0 0 0"}
+"""Ambient light only: a light that turns with the camera would show seams in panoramas."""
+
 _LIGHTS = (
     {"dir": "0.35 0.55 -0.76", "diffuse": "0.42 0.41 0.39", "specular": "0.1 0.1 0.1"},
-    {"dir": "-0.8 -0.35 -0.45", "diffuse": "0.3 0.3 0.31", "specular": "0.05 0.05 0.05"},
-    {"dir": "0.1 0.15 0.98", "diffuse": "0.4 0.4 0.39", "specular": "0 0 0"},
+    {"dir": "-0.75 -0.45 -0.48", "diffuse": "0.36 0.36 0.37", "specular": "0.05 0.05 0.05"},
+    {"dir": "0.1 0.15 0.98", "diffuse": "0.36 0.36 0.35", "specular": "0 0 0"},
 )
 _ROBOT = (
     ("cylinder", "0.19 0.12", "0 0 0.14", "0.22 0.24 0.27 1"),
