@@ -13,6 +13,7 @@ from mansion_bringup.cli import (
     quality,
     schema,
     skill,
+    task,
 )
 
 __all__ = ["app"]
@@ -27,5 +28,5 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for module in (build, bench, plan, edit, export, graph, files, schema, quality, skill):
+for module in (build, bench, plan, edit, export, graph, files, schema, quality, skill, task):
     module.register(app)

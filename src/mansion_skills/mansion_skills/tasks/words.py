@@ -16,8 +16,19 @@ __all__ = [
     "thing_fits",
 ]
 
-COLOURS: Final = tuple(
-    "white black grey red blue green yellow orange purple brown beige pink".split()
+COLOURS: Final = (
+    "white",
+    "black",
+    "grey",
+    "red",
+    "blue",
+    "green",
+    "yellow",
+    "orange",
+    "purple",
+    "brown",
+    "beige",
+    "pink",
 )
 """Words that materials use for colours."""
 
@@ -44,7 +55,16 @@ _ROOMS: Final = (
 """Words that mean the same."""
 
 _ORDINALS: Final = (
-    "first second third fourth fifth sixth seventh eighth ninth tenth eleventh twelfth".split()
+    "first",
+    "second",
+    "third",
+    "fourth",
+    "fifth",
+    "sixth",
+    "seventh",
+    "eighth",
+    "ninth",
+    "tenth",
 )
 
 
