@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any, Final, Literal
 
 __all__ = [
+    "CAMERA",
     "DEFAULT_NAMESPACE",
     "JSON_CALL",
     "LATCHED",
@@ -46,6 +47,9 @@ LATEST: Final = Qos(depth=1, durability="transient_local")
 
 SENSOR: Final = Qos(depth=5, reliability="best_effort")
 """rclpy's ``qos_profile_sensor_data``."""
+
+CAMERA: Final = Qos(depth=2)
+"""Reliable, so that RViz and others with default settings get the images; few, because they are large."""
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.interface_types import (
+    CAMERA,
     LATEST,
     SENSOR,
     STREAM,
@@ -10,6 +11,7 @@ from mansion_msgs_py.interface_types import (
     TopicInterface,
 )
 from mansion_msgs_py.skills import (
+    CameraNames,
     Control,
     ControlArgs,
     DoorArgs,
@@ -114,6 +116,41 @@ TOPICS: tuple[TopicInterface, ...] = (
         "A 2D laser, 360 rays, 10 Hz while someone listens.",
         type="sensor_msgs/msg/LaserScan",
         qos=SENSOR,
+    ),
+    TopicInterface(
+        "camera/image",
+        "skill_server",
+        "What the robot sees, rgb8; this and the next three while someone listens.",
+        type="sensor_msgs/msg/Image",
+        qos=CAMERA,
+    ),
+    TopicInterface(
+        "camera/depth",
+        "skill_server",
+        "Metres along the optical axis, 32FC1.",
+        type="sensor_msgs/msg/Image",
+        qos=CAMERA,
+    ),
+    TopicInterface(
+        "camera/segmentation",
+        "skill_server",
+        "What each pixel shows, 32SC1: an index of `camera/names`, -1 the sky.",
+        type="sensor_msgs/msg/Image",
+        qos=CAMERA,
+    ),
+    TopicInterface(
+        "camera/camera_info",
+        "skill_server",
+        "Of the image with the same stamp.",
+        type="sensor_msgs/msg/CameraInfo",
+        qos=CAMERA,
+    ),
+    TopicInterface(
+        "camera/names",
+        "skill_server",
+        "What the labels mean, once somebody has listened to the segmentation.",
+        CameraNames,
+        qos=LATEST,
     ),
     TopicInterface(
         "/cmd_vel",

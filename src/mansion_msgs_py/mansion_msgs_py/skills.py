@@ -4,13 +4,14 @@ Values that a skill judges itself (a floor that is not there, a direction that d
 so that the answer is the skill's ``INVALID_ACTION`` and not a payload error.
 """
 
-from typing import Any
+from typing import Any, Literal
 
 import msgspec
 
 from mansion_msgs_py.world import Pose2D, RobotState
 
 __all__ = [
+    "CameraNames",
     "Control",
     "ControlArgs",
     "DoorArgs",
@@ -227,3 +228,18 @@ class Loaded(msgspec.Struct, kw_only=True):
     session: str = ""
     world: str = "shared"
     notes: list[str] = []
+
+
+class CameraNames(msgspec.Struct, kw_only=True):
+    """What the labels of segmentation images mean.
+
+    Attributes
+    ----------
+    names : list of str
+        Id of the room, wall, door, window, core, object or robot at each label's index; -1 is the sky.
+    """
+
+    names: list[str]
+    session: str = ""
+    building_id: str = ""
+    schema_version: Literal[1] = 1

@@ -1,5 +1,6 @@
 """``skill_server``: the skills as services, the robots' topics, and the lifts."""
 
+import threading
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -25,6 +26,7 @@ from mansion_skills.engine import Engine
 from mansion_skills.engine.driving import drive_for
 from mansion_skills.engine.pace import Pace
 from mansion_skills.engine.seat import Seat
+from mansion_skills.nodes.camera_topics import CameraSettings, CameraTopics
 from mansion_skills.nodes.robot_stack import PERIOD, RobotStack
 from mansion_skills.skills.registry import SKILLS
 from mansion_skills.world.overlay import DEFAULT_SESSION
@@ -47,6 +49,11 @@ PARAMETERS: tuple[tuple[str, Any, str], ...] = (
     ("robot_radius", ROBOT_RADIUS, "metres"),
     ("durable", True, "sync every save to the disk"),
     ("robot_stack", True, "publish map, frames, odometry, scan and markers"),
+    ("camera", True, "publish what the robots see while someone listens"),
+    ("camera_width", 300, "pixels"),
+    ("camera_height", 300, "pixels"),
+    ("camera_fov", 90.0, "of the camera, across, degrees"),
+    ("camera_rate", 10.0, "images a second at most"),
     ("publish_clock", False, "publish the world's clock on /clock"),
 )
 
@@ -75,6 +82,13 @@ class SkillServer(Node):
         )
         self._with_stack = value["robot_stack"]
         self._stacks: dict[str, RobotStack] = {}
+        self._camera = (
+            CameraSettings(value["camera_width"], value["camera_height"], value["camera_fov"])
+            if value["camera"]
+            else None
+        )
+        self._cameras: dict[str, CameraTopics] = {}
+        self._looking = threading.Lock()
         self._group = ReentrantCallbackGroup()
         self._served: set[str] = set()
         self._serve_skills("")
@@ -89,6 +103,10 @@ class SkillServer(Node):
         self.create_timer(PERIOD / 2, self._drive, MutuallyExclusiveCallbackGroup())
         self._odd = False
         self.create_timer(0.5, self._publish_markers, MutuallyExclusiveCallbackGroup())
+        if self._camera is not None:
+            # Not more often than asked, and one after the other: pictures are made in their own callback.
+            period = 1.0 / value["camera_rate"]
+            self.create_timer(period, self._publish_pictures, MutuallyExclusiveCallbackGroup())
         # Last, because who starts the node takes this service for the sign that all of it is there.
         self._json("load_building", self.load)
         if value["building"]:
@@ -130,6 +148,12 @@ class SkillServer(Node):
             if former is not None:
                 former.close()
             self._stacks[session] = RobotStack(self, seat, self._group)
+        if self._camera is not None:
+            with self._looking:
+                before = self._cameras.pop(session, None)
+                if before is not None:
+                    before.close()
+                self._cameras[session] = CameraTopics(self, seat, self._camera)
         with seat.shared.lock:
             self._show(seat)
             self._publish_world_lifts(seat)
@@ -194,6 +218,19 @@ class SkillServer(Node):
         for stack in list(self._stacks.values()):
             with stack.seat.shared.lock:
                 stack.publish_markers()
+
+    def _publish_pictures(self) -> None:
+        with self._looking:
+            for camera in self._cameras.values():
+                camera.publish()
+
+    def destroy_node(self) -> None:
+        """Free the cameras, then what every node has."""
+        with self._looking:
+            for camera in self._cameras.values():
+                camera.close()
+            self._cameras.clear()
+        super().destroy_node()
 
     def _lift_request(self, request: LiftRequest) -> None:
         try:
