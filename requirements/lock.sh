@@ -34,6 +34,11 @@ for python in "${pythons[@]}"; do
         compile "$python" base.in "base-$python.txt"
         compile "$python" core.in "core-$python.txt" --constraint "base-$python.txt"
     fi
+    if wanted thor "$@"; then # its botocore takes an older python-dateutil than base has, which suits all others too
+        grep -o '^numpy==[0-9.]*' "base-$python.txt" >numpy.new
+        compile "$python" thor.in "thor-$python.txt" --constraint numpy.new
+        rm numpy.new
+    fi
     for extra in "${extras[@]}"; do
         if wanted "$extra" "$@"; then
             compile "$python" "$extra.in" "$extra-$python.txt" --constraint "base-$python.txt"

@@ -35,6 +35,7 @@ setup(
         "test": ["pytest"],
         "llm": ["openai>=1.0"],
         "sim": ["gymnasium>=1.0", "mujoco>=3.0"],
+        "thor": ["ai2thor>=5.0"],
     },
     entry_points={
         "console_scripts": [

@@ -9,6 +9,8 @@ from mansion_bringup.extras import EXTRAS
 
 PYTHONS = ("3.11", "3.12", "3.13")
 NAMES = ("base", "core", *EXTRAS)
+OLDER = {("thor", "python-dateutil")}
+"""What an extra needs in an older version than all others; those accept it too."""
 
 
 def entries(lock: Path) -> dict[str, str]:
@@ -47,6 +49,8 @@ def test_one_version_of_a_package_across_the_locks_of_a_python(root: Path) -> No
         seen: dict[str, str] = {}
         for name in NAMES:
             for package, version in entries(root / f"requirements/{name}-{python}.txt").items():
+                if (name, package) in OLDER:
+                    continue
                 assert seen.setdefault(package, version) == version, (name, python, package)
 
 

@@ -26,6 +26,7 @@ EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "llm": ("openai",),
     "sim": ("gymnasium", "mujoco"),
     "test": ("coverage", "hypothesis", "pytest", "xdist"),
+    "thor": ("ai2thor",),
     "usd": ("pxr",),
 }
 """Modules by which the presence of each extra is recognised."""
