@@ -70,11 +70,15 @@ def list_visible(
         text = f"distance {arguments.distance!r} is no number of metres"
         return invalid(world, robot, "ListVisible", text, "0 to 1000")
     found = []
+    x, y = robot.place
     for state in world.objects.on_floor(robot.floor):
-        if not is_visible(world, robot, state, distance):
-            continue
         kind = world.objects.kinds[state.id]
         assert state.position is not None
+        far = distance + kind.size[0] + kind.size[1]
+        if abs(state.position[0] - x) > far or abs(state.position[1] - y) > far:
+            continue
+        if not is_visible(world, robot, state, distance):
+            continue
         away = reach_to(robot, state, kind)
         found.append(
             VisibleObject(

@@ -1,7 +1,7 @@
 """What a robot sees and what it can reach from where it stands."""
 
 from collections.abc import Iterator
-from math import atan2, degrees, dist
+from math import asin, atan2, degrees, dist, hypot
 
 import numpy as np
 
@@ -92,7 +92,8 @@ def is_visible(
     kind = world.objects.kinds[state.id]
     if state.floor != robot.floor or state.position is None:
         return False
-    if dist(robot.place, state.position[:2]) > distance + kind.size[0] + kind.size[1]:
+    away = dist(robot.place, state.position[:2])
+    if away > distance + kind.size[0] + kind.size[1] or _beside(robot, state, kind, away):
         return False
     points = [p for p in sight_points(state, kind) if _in_picture(robot, p, state, kind)]
     if not points or reach_to(robot, state, kind) > distance:
@@ -102,13 +103,21 @@ def is_visible(
     return any(True for _ in in_sight(world, robot.floor, robot.place, state, points))
 
 
+def _beside(robot: RobotBody, state: ObjectState, kind: SceneObject, away: float) -> bool:
+    """Whether the circle around an object's box is all outside of the picture: most objects need no closer look."""
+    radius = hypot(kind.size[0], kind.size[1]) / 2
+    if away <= radius + robot.radius:
+        return False
+    assert state.position is not None
+    middle = abs(robot.bearing((state.position[0], state.position[1])))
+    return middle - degrees(asin(radius / away)) > VIEW_ANGLE / 2
+
+
 def _in_picture(robot: RobotBody, point: Point, state: ObjectState, kind: SceneObject) -> bool:
     away = dist(robot.place, point)
     if away > robot.radius and abs(robot.bearing(point)) > VIEW_ANGLE / 2:
         return False
     assert state.position is not None
-    half = kind.size[2] / 2
-    heights = (state.position[2] - half, state.position[2], state.position[2] + half)
-    angles = [degrees(atan2(z - CAMERA_HEIGHT, max(away, robot.radius))) for z in heights]
+    z, half, flat = state.position[2] - CAMERA_HEIGHT, kind.size[2] / 2, max(away, robot.radius)
     low, high = robot.pitch - VIEW_ANGLE / 2, robot.pitch + VIEW_ANGLE / 2
-    return min(angles) <= high and max(angles) >= low
+    return degrees(atan2(z - half, flat)) <= high and degrees(atan2(z + half, flat)) >= low
