@@ -1,5 +1,7 @@
 """Instructions are read as what, from where, to where."""
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -65,7 +67,24 @@ def test_the_papers_tasks_and_their_like_are_understood(
     text: str, target: Phrase, destination: Phrase | None, relation: str
 ) -> None:
     errand = read_instruction(text, FLOORS, LABELS)
-    assert (errand.target, errand.destination, errand.relation) == (target, destination, relation)
+    found = (plain(errand.target), plain(errand.destination), errand.relation)
+    assert found == (target, destination, relation)
+
+
+def plain(phrase: Phrase | None) -> Phrase | None:
+    return None if phrase is None else replace(phrase, place_colors=())
+
+
+def test_colours_of_places_asides_and_what_is_to_be_closed_are_kept_apart() -> None:
+    errand = read_instruction(
+        "Take a white mouse on a gray office desk on the first floor (button G) and put it into the storage cabinet "
+        "in private office 9 on the second floor; make sure that it is closed afterwards.",
+        FLOORS,
+        LABELS,
+    )
+    assert errand.target == Phrase("mouse", "white", ("office desk",), ("grey",), 1)
+    assert errand.destination == Phrase("storage cabinet", "", ("private office 9",), ("",), 2)
+    assert (errand.relation, errand.close) == ("in", True)
 
 
 @given(st.text(max_size=200))
@@ -87,6 +106,8 @@ def test_any_text_is_read_as_something(text: str) -> None:
         ("pen", "open_shelf", 0),
         ("mug", "desk", 0),
         ("", "desk", 0),
+        ("private office 2", "private_office_2", 3),
+        ("private office 2", "private_office_3", 0),
     ],
 )
 def test_nouns_match_categories_by_word(noun: str, name: str, score: int) -> None:

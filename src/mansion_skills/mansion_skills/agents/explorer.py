@@ -20,6 +20,9 @@ Course = Generator[SkillCall, None, bool]
 DELIVERY: Final = 12
 """Steps kept for carrying: an incompletely confirmed thing is taken when no more than these are left."""
 
+LOOKS: Final = 5
+"""Pieces of furniture of one room that are looked at from near."""
+
 _DOOR = re.compile(r"OpenDoor (\S+)")
 
 
@@ -73,7 +76,9 @@ class Explorer(Agent):
     def _work(self, errand: Errand) -> Generator[SkillCall, None, Stop]:
         carried = errand.destination is not None
         while True:
-            found = yield from self._search(errand.target, pickupable=carried, rest=DELIVERY)
+            found = yield from self._search(
+                errand.target, pickupable=carried, rest=DELIVERY if carried else 2
+            )
             if found is None:
                 return Stop(f"found no {errand.target.noun}")
             if (yield from self._fetch(found, carried)):
@@ -129,22 +134,32 @@ class Explorer(Agent):
                 yield SkillCall(skill="Rotate", arguments={"degrees": 90.0})
         self._memory.searched[room] = None
         yield from self._open_what_is_named(phrase)
+        yield from self._look_closer(phrase, pickupable)
+        return True
+
+    def _look_closer(self, phrase: Phrase, pickupable: bool) -> Course:
+        """In a room that the phrase names, go to the furniture that it names: one place does not show it all."""
+        room = self._now.room
+        if not any(match_score(word, room_words(room)) for word in phrase.places):
+            return False
+        for name in self._memory.furniture(phrase, self._now.floor, room)[:LOOKS]:
+            if self._best(phrase, pickupable, certain=True) is not None or self._hurried():
+                return True
+            yield from self._do("GoNearObject", object=name)
         return True
 
     def _open_what_is_named(self, phrase: Phrase) -> Course:
-        """Open furniture in view that the phrase names as the place, for what may lie inside."""
-        for thing in self._now.visible:
+        """Open furniture of this room that the phrase names as the place, for what may lie inside."""
+        for thing in self._memory.closed(self._now.floor, self._now.room):
             named = any(match_score(word, thing.category) for word in phrase.places)
-            if (
-                named
-                and thing.openable
-                and thing.is_open is False
-                and thing.ref not in self._failed
-            ):
+            if named and thing.ref not in self._failed and not self._hurried():
                 self._failed[thing.ref] = None
                 if (yield from self._do("GoNearObject", object=thing.ref)):
                     yield from self._do("OpenObject", object=thing.ref)
         return True
+
+    def _hurried(self) -> bool:
+        return self._now.max_steps - self._now.step <= DELIVERY
 
     def _go_to_floor(self, floor: int) -> Course:
         """Ride, or walk one floor after the other; where one way fails, try the other."""
@@ -210,6 +225,8 @@ class Explorer(Agent):
             if (yield from self._go_near(found)) and (
                 yield from self._put(found.thing, errand.relation)
             ):
+                if errand.close:
+                    yield from self._do("CloseObject", object=found.thing.ref)
                 return True
             self._failed[found.thing.ref] = None
             tried += 1

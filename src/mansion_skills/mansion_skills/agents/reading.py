@@ -1,7 +1,7 @@
 """Read an instruction as a person would who has never seen the building: what, from where, to where."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from mansion_skills.agents.words import COLORS, matches, singular
@@ -26,14 +26,20 @@ ORDINALS: Final = {
 }
 
 _FETCH = re.compile(
-    r"\b(find|fetch|get|grab|pick up|collect|locate|look for|search for|retrieve|bring me|take|bring|carry|move|put|"
-    r"place|deliver)\b(?! it\b)"
+    r"\b(go to where|find|fetch|get|grab|pick up|collect|locate|look for|search for|retrieve|needs?|bring me|take|"
+    r"bring|carry|move|put|place|deliver)\b(?! (?:it|them)\b)"
 )
 _DELIVER = re.compile(
     r"\b(?:bring|take|deliver|carry|move|put|place|return|leave|drop|set)\b(?= (?:it|them|that|this)\b)|"
     r"\bcome back\b|\bgo back\b|\breturn\b|\bgo (?:and )?stand\b|\bput it\b"
 )
 _OPEN = re.compile(r"\bopen (?:the|a|an) ([^,.;]+?)(?= and\b|[,.;]|$)")
+_ASIDE = re.compile(r"\([^)]*\)")
+_CLOSE = re.compile(r"\bclose (?:it|them|that|this|the)\b|\bclosed afterwards\b")
+_TAIL = re.compile(
+    r"[,;]? (?:which|you are done|make sure|and close|then close|and stop|and go up)\b|"
+    r"[,;] (?:and )?open\b|\band open\b"
+)
 _PREPOSITION = re.compile(
     r"\b(on top of|next to|in front of|inside|into|onto|from|near|beside|by|on|in|at|to|of|under)\b"
 )
@@ -42,7 +48,19 @@ _ARTICLE = re.compile(
     r"^(?:the|a|an|my|your|some|any|one|another|this|that|its|his|her|their)\b\s*"
 )
 _FILLERS = frozenset(
-    ("the", "colored", "coloured", "somewhere", "anywhere", "building", "it", "there", "back")
+    (
+        "the",
+        "colored",
+        "coloured",
+        "somewhere",
+        "anywhere",
+        "building",
+        "it",
+        "is",
+        "are",
+        "there",
+        "back",
+    )
 )
 _FLOOR = re.compile(
     r"\b(?:(?P<word>"
@@ -61,14 +79,15 @@ class Phrase:
     ----------
     noun : str
         In the singular, with what stands before it but articles and colours.
-    places : tuple of str
-        Rooms or furniture named with it.
+    places, place_colors : tuple of str
+        Rooms or furniture named with it, and the colour of each, empty for any.
     floor : int, optional
     """
 
     noun: str
     color: str = ""
     places: tuple[str, ...] = ()
+    place_colors: tuple[str, ...] = ()
     floor: int | None = None
 
 
@@ -84,11 +103,14 @@ class Errand:
         Where it is to go; ``None`` when finding it is all.
     relation : {"room", "on", "in", "near"}
         How it is to lie there; ``room`` when the words leave it open.
+    close : bool
+        Whether the destination is to be closed again.
     """
 
     target: Phrase
     destination: Phrase | None = None
     relation: Relation = "room"
+    close: bool = False
 
 
 def read_instruction(
@@ -109,7 +131,7 @@ def read_instruction(
     >>> errand.target.noun, errand.target.places, errand.destination.noun
     ('box', ('bed',), 'bathroom')
     """
-    plain = " ".join(text.casefold().replace("-", " ").split())
+    plain = " ".join(_ASIDE.sub(" ", text.casefold()).replace("-", " ").replace(" .", ".").split())
     fetch = _FETCH.search(plain)
     body = plain[fetch.end() :] if fetch else plain
     split = _DELIVER.search(body)
@@ -117,15 +139,17 @@ def read_instruction(
         first, second = body[: split.start()], body[split.end() :]
     else:
         first, second = _one_clause(body, fetch.group(1) if fetch else "")
+    first, second = _TAIL.split(first)[0], _TAIL.split(second)[0]
     number = _Floors(floors, labels)
     before = number.of(plain[: fetch.start()]) if fetch else None
     target = _phrase(first, number)
     opened = _OPEN.search(plain)
     if target.floor is None and not (opened and fetch and opened.start() < fetch.start()):
-        target = Phrase(target.noun, target.color, target.places, before)
+        target = replace(target, floor=before)
     if not second.strip(" .,"):
         return Errand(target)
-    return _with_destination(target, second, opened.group(1) if opened else "", number)
+    errand = _with_destination(target, second, opened.group(1) if opened else "", number)
+    return replace(errand, close=_CLOSE.search(plain) is not None)
 
 
 def _with_destination(target: Phrase, text: str, opened: str, number: "_Floors") -> Errand:
@@ -173,17 +197,18 @@ def _phrase(text: str, number: "_Floors") -> Phrase:
     clause = _FLOOR.sub(" ", text)
     parts = _PREPOSITION.split(clause)
     head = _noun(parts[0])
-    places = [_noun(part)[0] for part in parts[2::2]]
+    places = [_noun(part) for part in parts[2::2]]
     if not head[0] and places:
-        head = _noun(parts[2])
-        places = places[1:]
-    return Phrase(head[0], head[1], tuple(place for place in places if place), floor)
+        head = places.pop(0)
+    named = [place for place in places if place[0]]
+    nouns, colors = tuple(noun for noun, _ in named), tuple(color for _, color in named)
+    return Phrase(head[0], head[1], nouns, colors, floor)
 
 
 def _noun(text: str) -> tuple[str, str]:
     """Return the noun of a piece, and its colour."""
     words = _ARTICLE.sub("", _STOPS.split(text.strip(" ,."))[0].strip()).split()
-    color = next((word for word in words if word in COLORS), "")
+    color = next((word.replace("gray", "grey") for word in words if word in COLORS), "")
     kept = [word for word in words if word not in COLORS | _FILLERS]
     return " ".join([*kept[:-1], singular(kept[-1])]) if kept else "", color
 

@@ -5,6 +5,7 @@ from math import dist
 
 from mansion_msgs_py.skills import LandmarkInfo
 from mansion_skills.agents.interface import Observation, SeenObject
+from mansion_skills.agents.priors import likelihood
 from mansion_skills.agents.reading import Phrase
 from mansion_skills.agents.words import match_score
 
@@ -46,8 +47,18 @@ class Surroundings:
         """Return the known cores of a kind on a floor."""
         return [entry for entry in self._landmarks.get(floor, ()) if entry.kind == kind]
 
+    def closed(self, floor: int, room: str) -> list[SeenObject]:
+        """Return the things of a room that were closed when they were seen last."""
+        return [
+            sighting.thing
+            for sighting in self._seen.values()
+            if (sighting.floor, sighting.thing.room) == (floor, room)
+            and sighting.thing.openable
+            and sighting.thing.is_open is False
+        ]
+
     def rooms_to_search(self, observation: Observation, phrase: Phrase) -> list[str]:
-        """Return the rooms of this floor not searched yet: those that the phrase names first, then the nearest."""
+        """Return the rooms of this floor not searched yet: named ones, then likely ones, then the nearest."""
         here = (observation.pose.x, observation.pose.y)
         rooms = [
             entry
@@ -58,7 +69,8 @@ class Surroundings:
         ranked = sorted(
             rooms,
             key=lambda entry: (
-                -max((match_score(word, room_words(entry.name)) for word in words), default=0),
+                -max(match_score(word, room_words(entry.name)) for word in words),
+                -likelihood(phrase.noun, room_words(entry.name)),
                 entry.name != observation.room,
                 dist(here, (entry.pose.x, entry.pose.y)),
                 entry.name,
@@ -84,19 +96,32 @@ class Surroundings:
         found.sort(key=lambda entry: entry[:3])
         return [(-score, sighting) for score, _, _, sighting in found]
 
+    def furniture(self, phrase: Phrase, floor: int, room: str) -> list[str]:
+        """Return the things of a room that a phrase names as the place, but the room itself."""
+        return [
+            sighting.thing.ref
+            for sighting in self._seen.values()
+            if (sighting.floor, sighting.thing.room) == (floor, room)
+            and any(match_score(word, sighting.thing.category) for word in phrase.places)
+        ]
+
     def is_certain(self, phrase: Phrase, score: int) -> bool:
         """Whether a score says that all words of the phrase are confirmed."""
         return score > 4 * (len(phrase.places) + bool(phrase.color))
 
     def _confirmed(self, phrase: Phrase, thing: SeenObject) -> int:
         parent = self._seen.get(thing.parent)
-        names = [room_words(thing.room), thing.parent.rsplit("/", 1)[-1]]
-        names += [parent.thing.category] if parent is not None else []
-        places = sum(any(match_score(word, name) for name in names) for word in phrase.places)
-        return places + bool(phrase.color and phrase.color in thing.color.casefold().split())
+        carrier = parent.thing.category if parent is not None else ""
+        on = (carrier, room_words(thing.parent))
+        color = parent.thing.color if parent is not None else ""
+        places = sum(
+            bool(match_score(word, room_words(thing.room)))
+            or (any(match_score(word, name) for name in on) and tint in ("", color))
+            for word, tint in zip(phrase.places, phrase.place_colors)
+        )
+        return places + bool(phrase.color and phrase.color == thing.color)
 
 
 def room_words(name: str) -> str:
-    """Return a room's or a thing's name without floor and number: "meeting room" of ``F3/meeting_room_1``."""
-    words = name.rsplit("/", 1)[-1].split("_")
-    return " ".join(words[:-1] if len(words) > 1 and words[-1].isdigit() else words)
+    """Return a room's or a thing's name without its floor: "meeting room 1" of ``F3/meeting_room_1``."""
+    return name.rsplit("/", 1)[-1].replace("_", " ")

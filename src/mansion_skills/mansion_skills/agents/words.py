@@ -63,7 +63,8 @@ def match_score(noun: str, name: str) -> int:
     (3, 2, 0)
     """
     wanted, known = _plain(noun), _plain(name)
-    if not wanted or not known:
+    numbers = _number(noun), _number(name)
+    if not wanted or not known or (numbers[0] and numbers[0] != (numbers[1] or "1")):
         return 0
     if any(a == b for a in _spellings(wanted) for b in _spellings(known)):
         return 3
@@ -84,6 +85,12 @@ def _plain(text: str) -> str:
     while words and words[-1].isdigit():
         words.pop()
     return " ".join([*words[:-1], singular(words[-1])]) if words else ""
+
+
+def _number(text: str) -> str:
+    """Return the number that a name ends with, empty for none."""
+    last = text.replace("_", " ").split()[-1:]
+    return last[0] if last and last[0].isdigit() else ""
 
 
 def _spellings(text: str) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from mansion_msgs_py.world import SkillResult
 from mansion_skills.agents.interface import Access, Eyes, MapEntry, Observation, SeenObject
 from mansion_skills.episodes.masking import HELD, Mask
 from mansion_skills.episodes.port import SkillPort
+from mansion_skills.tasks.words import colour_of
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
@@ -95,7 +96,7 @@ def seen_object(world: World, thing: VisibleObject) -> SeenObject:
         category=thing.category,
         distance=thing.distance,
         bearing=thing.bearing,
-        color=world.objects.kinds[thing.id].color,
+        color=colour_of(world.objects.kinds[thing.id]),
         room=thing.room or "",
         parent=thing.parent or "",
         within_reach=thing.within_reach,
@@ -113,7 +114,12 @@ def object_map(world: World) -> list[MapEntry]:
         state, kind = world.objects.state(name), world.objects.kinds[name]
         found.append(
             MapEntry(
-                name, kind.category, kind.color, state.floor, state.room or "", state.parent or ""
+                name,
+                kind.category,
+                colour_of(kind),
+                state.floor,
+                state.room or "",
+                state.parent or "",
             )
         )
     return found
