@@ -2,9 +2,9 @@
 
 Run: python benchmarks/skills/oracle.py DIR... [--tasks 10] [--seed 0] [--mess 12] [-o results.json]
 
-For each building: how many drafts the oracle could not do (they are no tasks), then for each task whether its plan does it
-again in a world loaded anew, and whether the oracle does it after `--mess` random skills. Folders in the results file are
-not run again.
+For each building: how many drafts the oracle could not do (they are no tasks), then for each task whether its plan
+does it again in a world loaded anew, and whether the oracle does it after `--mess` random skills. Folders in the
+results file are not run again.
 """
 
 import argparse

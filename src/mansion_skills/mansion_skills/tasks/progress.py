@@ -1,6 +1,6 @@
 """How far a task is: retrieval and navigation apart (supplement, F.2)."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from mansion_msgs_py.task import Goal, GoalKind, ProgressScore, Task
 from mansion_skills.skills.seeing import REACH, is_visible, reach_to
@@ -51,8 +51,14 @@ class ProgressTracker:
         self._advance()
         self._given = self._passed
 
-    def observe(self) -> ProgressScore:
-        """Look at the world and return the score now."""
+    def observe(self, view: Mapping[str, float] | None = None) -> ProgressScore:
+        """Look at the world and return the score now.
+
+        Parameters
+        ----------
+        view : mapping of str to float, optional
+            The objects in view with their distances, where the caller has looked already.
+        """
         world, robot = self._world, self._world.robots[self._session]
         retrieval = self.score.retrieval
         for name in self._targets:
@@ -62,9 +68,16 @@ class ProgressTracker:
             if state.held_by == self._session:
                 self.seen.add(name)
                 retrieval = 1.0
-            elif state.floor == robot.floor and is_visible(world, robot, state):
+                continue
+            if view is not None:
+                away = view.get(name)
+            elif is_visible(world, robot, state):
+                away = reach_to(robot, state, world.objects.kinds[name])
+            else:
+                away = None
+            if away is not None:
                 self.seen.add(name)
-                if reach_to(robot, state, world.objects.kinds[name]) <= REACH:
+                if away <= REACH:
                     retrieval = max(retrieval, FOUND if self._carried else 1.0)
         self._advance()
         success = done(self.task, world, self._session, self.seen)

@@ -65,6 +65,11 @@ class Sandbox:
         return self.world.building
 
     @property
+    def seat(self) -> Seat:
+        """The robot's seat, for a camera."""
+        return self._seat
+
+    @property
     def robot(self) -> RobotBody:
         """The robot."""
         return self._seat.robot
