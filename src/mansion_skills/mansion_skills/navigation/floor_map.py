@@ -79,6 +79,21 @@ def is_walkway(door: Door, cores: Iterable[str]) -> bool:
     return None not in door.rooms and not set(cores).intersection(str(name) for name in door.rooms)
 
 
+def _may_touch(door: Door, middle: Point, half: float) -> bool:
+    """Whether a door's passage may reach into a square about a point."""
+    (ax, ay), (bx, by) = door.segment
+    reach = half + 2 * RESOLUTION + hypot(bx - ax, by - ay) / 2 + 0.5
+    x, y = (ax + bx) / 2 - middle[0], (ay + by) / 2 - middle[1]
+    return max(abs(x), abs(y)) <= reach
+
+
+def _stands_near(body: Body, middle: Point, half: float) -> bool:
+    """Whether a body may reach into a square about a point."""
+    reach = half + 2 * RESOLUTION + hypot(body.size[0], body.size[1]) / 2 + RESOLUTION
+    x, y = body.position[0] - middle[0], body.position[1] - middle[1]
+    return max(abs(x), abs(y)) <= reach
+
+
 class FloorMap:
     """Grids of one floor, updated when a door or a standing object changes.
 
@@ -96,6 +111,8 @@ class FloorMap:
         Cells with an obstacle, and cells where the robot's centre cannot be.
     version : int
         Counts the updates.
+    is_open : dict
+        Door id to whether it stands open in the grids.
     view : array of int16
         What ends a line of sight: 0 nothing, -1 a wall or a closed door, else a body's number.
     """
@@ -115,6 +132,8 @@ class FloorMap:
         self._thickness = {wall.id: wall.thickness for wall in scene.walls}
         self._cores = [core.id for core in scene.cores]
         self.version = 0
+        self.is_open: dict[str, bool] = {}
+        self._bodies: list[Body] = []
         self.view: npt.NDArray[np.int16] = self._bare
         self.occupied: npt.NDArray[np.bool_] = self._bare != _CLEAR
         self.blocked: npt.NDArray[np.bool_] = self.occupied
@@ -153,22 +172,66 @@ class FloorMap:
         is_open : mapping
             Door id to whether it stands open now, for every door of the floor.
         """
-        solid = self._bare.copy()
-        view = self._bare.copy()
-        for door in self.scene.doors:
-            self._cut(door, is_open[door.id], solid, view)
+        self.is_open = dict(is_open)
+        self._bodies = [
+            body
+            for body in bodies
+            if not (body.carried or body.bottom >= CLEARANCE or body.top <= FLAT)
+        ]
+        solid, view = self._drawn(self.scene.doors, self._bodies)
+        self.version += 1
+        self.view = view
+        self.occupied = solid != _CLEAR
+        self.blocked = inflate(self.occupied, self.radius / RESOLUTION)
+
+    def swing(self, name: str, is_open: bool) -> None:
+        """Open or close one door: what `update` would do, where the door is."""
+        door = next(door for door in self.scene.doors if door.id == name)
+        self.is_open[name] = is_open
+        if door.kind in LEAFLESS or not is_walkway(door, self._cores):
+            return
+        (ax, ay), (bx, by) = door.segment
+        middle = ((ax + bx) / 2, (ay + by) / 2)
+        depth = self._thickness.get(door.wall, 0.0) + _PASSAGE_DEPTH
+        half = hypot(bx - ax, by - ay) / 2 + depth + 2 * RESOLUTION
+        near = [other for other in self.scene.doors if _may_touch(other, middle, half)]
+        bodies = [body for body in self._bodies if _stands_near(body, middle, half)]
+        solid, view = self._drawn(near, bodies)
+        there = self._window(middle, half)
+        self.version += 1
+        self.view, self.occupied = self.view.copy(), self.occupied.copy()
+        self.view[there] = view[there]
+        self.occupied[there] = solid[there] != _CLEAR
+        inner = self._window(middle, half + self.radius + RESOLUTION)
+        outer = self._window(middle, half + 2 * (self.radius + RESOLUTION))
+        grown = inflate(np.ascontiguousarray(self.occupied[outer]), self.radius / RESOLUTION)
+        rows, columns = (slice(a.start - b.start, a.stop - b.start) for a, b in zip(inner, outer))
+        self.blocked = self.blocked.copy()
+        self.blocked[inner] = grown[rows, columns]
+
+    def _window(self, middle: Point, half: float) -> tuple[slice, slice]:
+        row, column = self.frame.cell(*middle)
+        reach = int(half / RESOLUTION) + 1
+        rows, columns = self.occupied.shape
+        return (
+            slice(max(0, row - reach), min(rows, row + reach + 1)),
+            slice(max(0, column - reach), min(columns, column + reach + 1)),
+        )
+
+    def _drawn(
+        self, doors: Iterable[Door], bodies: Iterable[Body]
+    ) -> tuple[npt.NDArray[np.int16], npt.NDArray[np.int16]]:
+        """Return what stands in the way and what blocks the view, with some doors and bodies drawn."""
+        solid, view = self._bare.copy(), self._bare.copy()
+        for door in doors:
+            self._cut(door, self.is_open[door.id], solid, view)
         for body in bodies:
-            if body.carried or body.bottom >= CLEARANCE or body.top <= FLAT:
-                continue
             place = (body.position[0], body.position[1])
             footprint = (body.size[0], body.size[1])
             fill_box(solid, self.frame, place, footprint, body.rotation, body.number)
             if body.top > EYE_LEVEL:
                 fill_box(view, self.frame, place, footprint, body.rotation, body.number, _CLEAR)
-        self.version += 1
-        self.view = view
-        self.occupied = solid != _CLEAR
-        self.blocked = inflate(self.occupied, self.radius / RESOLUTION)
+        return solid, view
 
     def _cut(
         self,

@@ -1,13 +1,18 @@
 """One floor as a robot finds it: scene, grids, landmarks, and the doors and objects of this moment."""
 
 from collections.abc import Mapping
+from operator import is_
 
 from mansion_msgs_py.scene import Door, FloorScene
+from mansion_msgs_py.world import ObjectState
 from mansion_skills.navigation.floor_map import Body, FloorMap
 from mansion_skills.world.landmarks import Landmark, floor_landmarks
 from mansion_skills.world.objects import ObjectTable
 
 __all__ = ["FloorView", "bodies_of"]
+
+FEW_DOORS = 4
+"""So many doors are swung one by one; for more, all grids are made anew."""
 
 
 def bodies_of(floor: int, objects: ObjectTable) -> list[Body]:
@@ -27,6 +32,10 @@ def bodies_of(floor: int, objects: ObjectTable) -> list[Body]:
             )
         )
     return found
+
+
+def _same(states: list[ObjectState], before: list[ObjectState]) -> bool:
+    return len(states) == len(before) > 0 and all(map(is_, states, before))
 
 
 class FloorView:
@@ -54,6 +63,7 @@ class FloorView:
         self.doors: dict[str, Door] = {door.id: door for door in scene.doors}
         self._objects = objects
         self.numbers: dict[str, int] = {}
+        self._states: list[ObjectState] = []
         self.map = FloorMap(scene, radius)
         self.refresh({})
         self.landmarks: list[Landmark] = floor_landmarks(self.map)
@@ -62,7 +72,14 @@ class FloorView:
 
     def refresh(self, doors: Mapping[str, bool]) -> None:
         """Bring the grids up to date with doors and objects."""
+        is_open = {name: doors.get(name, door.is_open) for name, door in self.doors.items()}
+        states = self._objects.on_floor(self.floor)
+        swung = [name for name in is_open if self.map.is_open.get(name) != is_open[name]]
+        if len(swung) <= FEW_DOORS and _same(states, self._states):
+            for name in swung:
+                self.map.swing(name, is_open[name])
+            return
+        self._states = states
         bodies = bodies_of(self.floor, self._objects)
         self.numbers = {body.id: body.number for body in bodies}
-        is_open = {name: doors.get(name, door.is_open) for name, door in self.doors.items()}
         self.map.update(bodies, is_open)
