@@ -10,8 +10,8 @@ _KEPT: Final = (
     (
         ("apple", "banana", "bread", "egg", "lettuce", "potato", "tomato", "juice carton", "can", "cola can", "bottle",
          "water bottle", "milk carton", "cup", "mug", "glass", "plate", "bowl", "fork", "knife", "butter knife",
-         "spoon", "pan", "pot", "kettle", "salt shaker", "pepper shaker", "cutting board", "spatula", "ladle", "dish sponge",
-         "detergent", "wine bottle", "wine glass", "lunch box"),
+         "spoon", "pan", "pot", "kettle", "salt shaker", "pepper shaker", "cutting board", "spatula", "ladle",
+         "dish sponge", "detergent", "wine bottle", "wine glass", "lunch box"),
         ("kitchen", "break room", "cafeteria", "pantry", "dining room", "restaurant", "canteen", "dining hall", "bar"),
     ),
     (
