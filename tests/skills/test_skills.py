@@ -5,7 +5,9 @@ from pathlib import Path
 
 import pytest
 
+from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import SkillStatus
 from mansion_skills import Robot
 from mansion_skills.world.overlay import overlay_path
@@ -245,3 +247,42 @@ def test_unknown_skills_and_arguments_are_errors_of_the_call(robot: Robot) -> No
         robot.skill("Fly")
     with pytest.raises(MansionError, match="INVALID_PAYLOAD"):
         robot.skill("Rotate", radians=3)
+
+
+@pytest.mark.parametrize("direction", ["up", "UP", " Up "])
+def test_a_direction_is_understood_in_any_case(robot: Robot, direction: str) -> None:
+    do(robot, ("GoToLandmark", {"landmark": "stairs"}), ("TakeStairs", {"direction": direction}))
+    assert robot.where_am_i().floor == 2
+
+
+def without(building: Path, *kinds: str) -> Robot:
+    """Return a robot in the building with its cores of these kinds walled up."""
+    for file in sorted(building.glob("floors/*/scene.json")):
+        scene = decode(FloorScene, file.read_bytes())
+        scene.cores = [core for core in scene.cores if core.type not in kinds]
+        file.write_bytes(encode_bytes(scene))
+    return Robot(building)
+
+
+def test_a_building_without_a_lift_says_so_and_names_the_stairs(building: Path) -> None:
+    robot = without(building, "elevator")
+    for result in (robot.call_elevator(), robot.use_elevator(2)):
+        assert result.status is INVALID
+        assert result.message == "this building has no elevator; use TakeStairs"
+    do(robot, ("GoToLandmark", {"landmark": "stair"}), ("TakeStairs", {"direction": "up"}))
+
+
+def test_a_building_without_stairs_says_so_and_names_the_lift(building: Path) -> None:
+    result = without(building, "stair").take_stairs("Up")
+    assert (result.status, result.message) == (
+        INVALID,
+        "this building has no stairs; use CallElevator",
+    )
+
+
+def test_a_building_of_one_floor_has_nowhere_to_ride_to(tmp_path: Path) -> None:
+    from sample_building import write_building
+
+    robot = without(write_building(tmp_path / "flat", [1]), "elevator", "stair")
+    for result in (robot.call_elevator(), robot.take_stairs("Up")):
+        assert result.status is INVALID and "one floor only" in result.message

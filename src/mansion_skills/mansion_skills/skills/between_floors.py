@@ -16,6 +16,7 @@ NEAR_ENTRANCE = 1.0
 """How near to a core's entrance pose the robot must stand, metres."""
 
 DIRECTIONS = {"Up": 1, "Down": -1}
+"""Changes of the floor; written in any case."""
 
 STAIR_SPEED = 0.25
 """Metres of height a second on stairs."""
@@ -139,11 +140,10 @@ def take_stairs(world: World, robot: RobotBody, arguments: TakeStairsArgs, realt
     """Walk one floor up or down."""
     name = "TakeStairs"
     wanted = arguments.direction
-    step = DIRECTIONS.get(wanted) if isinstance(wanted, str) else None
+    step = DIRECTIONS.get(wanted.strip().capitalize()) if isinstance(wanted, str) else None
     if step is None:
-        return invalid(
-            world, robot, name, f"there is no direction {wanted!r}", "direction Up or Down"
-        )
+        text = f"there is no direction {wanted!r}"
+        return invalid(world, robot, name, text, "direction Up or Down")
     core = world.core_near(robot, "stair", NEAR_ENTRANCE)
     if core is None:
         return _not_at(world, robot, name, "stairs")
@@ -177,8 +177,22 @@ def _other_way(floor: int, core: SceneCore) -> str:
 
 
 def _not_at(world: World, robot: RobotBody, name: str, what: str) -> SkillResult:
-    text = f"the robot is not within {NEAR_ENTRANCE:g} m of the entrance of {what}"
     kind = "elevator" if what == "elevator" else "stair"
+    if not world.cores(kind):
+        return _no_such_core(world, robot, name, kind)
+    text = f"the robot is not within {NEAR_ENTRANCE:g} m of the entrance of {what}"
     here = any(core.type == kind for core in world.view(robot.floor).scene.cores)
     wish = f"GoToLandmark {what}" if here else f"a floor that has {what}"
     return unmet(world, robot, name, text, wish)
+
+
+def _no_such_core(world: World, robot: RobotBody, name: str, kind: str) -> SkillResult:
+    """Answer for a building that has no lift, or no stairs, at all: it can never be done, and what can instead."""
+    other, skill = ("stair", "TakeStairs") if kind == "elevator" else ("elevator", "CallElevator")
+    what = "elevator" if kind == "elevator" else "stairs"
+    text = f"this building has no {what}"
+    if world.cores(other):
+        return invalid(
+            world, robot, name, f"{text}; use {skill}", f"{skill}, at GoToLandmark {other}"
+        )
+    return invalid(world, robot, name, f"{text} and one floor only", "staying on this floor")

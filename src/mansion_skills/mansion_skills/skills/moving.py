@@ -1,6 +1,6 @@
 """GoToLandmark, MoveTo, MoveAhead, Rotate, LookUp and LookDown."""
 
-from math import cos, radians, sin
+from math import copysign, cos, radians, sin
 
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.skills import (
@@ -11,9 +11,9 @@ from mansion_msgs_py.skills import (
     RotateArgs,
 )
 from mansion_msgs_py.world import SkillChange, SkillResult, SkillStatus
-from mansion_skills.navigation.paths import free_run
 from mansion_skills.skills.motion import blocking_door, drive, path_to, turn
 from mansion_skills.skills.outcome import Run, Step, done, invalid, number, refused
+from mansion_skills.skills.room_to_move import LONGEST_MOVE, free_around, in_the_way, way_out
 from mansion_skills.world.landmarks import landmark_named
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
@@ -25,9 +25,6 @@ LANDMARK_SNAP = 1.5
 
 POINT_SNAP = 0.1
 """The same for MoveTo, metres."""
-
-LONGEST_MOVE = 20.0
-"""Of MoveAhead, metres."""
 
 PITCHES = (-60.0, 60.0)
 """How far the camera tilts down and up, degrees."""
@@ -123,14 +120,9 @@ def move_ahead(world: World, robot: RobotBody, arguments: MoveAheadArgs, realtim
         text = f"distance {arguments.distance!r} is no number of metres"
         wish = f"-{LONGEST_MOVE:g} to {LONGEST_MOVE:g}"
         return invalid(world, robot, name, text, wish)
-    free = _free_around(world, robot)
-    ahead = free["ahead"] if distance >= 0 else free["back"]
-    if ahead < abs(distance) - 1e-9:
-        text = f"only {ahead:.2f} m of {abs(distance):.2f} m are free"
-        best = max(free, key=lambda way: free[way])
-        wish = f"a shorter distance, or Rotate: {best} has {free[best]:.2f} m; GoToLandmark finds a way out"
-        status = SkillStatus.EXECUTION_FAILURE
-        return refused(world, robot, name, status, text, wish, free=free)
+    free = free_around(world, robot)
+    if free["ahead" if distance >= 0 else "back"] < abs(distance) - 1e-9:
+        return _blocked(world, robot, distance, free)
     before = robot.pose
     angle = radians(robot.pose.yaw)
     end = (before.x + distance * cos(angle), before.y + distance * sin(angle))
@@ -142,21 +134,32 @@ def move_ahead(world: World, robot: RobotBody, arguments: MoveAheadArgs, realtim
         name,
         f"moved {distance:g} m",
         SkillChange(what="pose", before=before, after=robot.pose),
-        free=_free_around(world, robot),
+        free=free_around(world, robot),
     )
 
 
-def _free_around(world: World, robot: RobotBody) -> dict[str, float]:
-    """Return how far the robot could go in its four directions, metres."""
-    blocked = world.blocked_for(robot.session, robot.floor)
-    frame = world.view(robot.floor).map.frame
-    turns = {"ahead": 0.0, "left": 90.0, "back": 180.0, "right": 270.0}
-    return {
-        way: round(
-            free_run(blocked, frame, robot.place, radians(robot.pose.yaw + angle), LONGEST_MOVE), 3
-        )
-        for way, angle in turns.items()
-    }
+def _blocked(
+    world: World, robot: RobotBody, distance: float, free: dict[str, float]
+) -> SkillResult:
+    """Return MoveAhead's failure: what is in the way, and how to get out of there."""
+    way, angle = ("ahead", 0.0) if distance >= 0 else ("back", 180.0)
+    thing = in_the_way(world, robot, angle, free[way])
+    out = way_out(world, robot)
+    text = f"only {free[way]:.2f} m of {abs(distance):.2f} m are free: {thing} is in the way"
+    wish = f"Rotate {out.degrees:g} and MoveAhead {out.meters:g}, or GoToLandmark {out.to}".rstrip()
+    if free[way] > 0.0:
+        wish = f"MoveAhead {copysign(free[way], distance):g}, or {wish}"
+    return refused(
+        world,
+        robot,
+        "MoveAhead",
+        SkillStatus.EXECUTION_FAILURE,
+        text,
+        wish,
+        free=free,
+        blocked_by=thing,
+        way_out={"degrees": out.degrees, "meters": out.meters, "to": out.to},
+    )
 
 
 def rotate(world: World, robot: RobotBody, arguments: RotateArgs, realtime: bool) -> Run:

@@ -73,9 +73,10 @@ class World:
         self.routes: RouteGraph | None = None
         self.objects = ObjectTable(building.scene(floor) for floor in building.floors)
         self._views: dict[int, FloorView] = {}
-        self.lifts = {core.id: self._lift(core) for core in self._cores("elevator")}
+        self.lifts = {core.id: self._lift(core) for core in self.cores("elevator")}
 
-    def _cores(self, kind: str) -> list[SceneCore]:
+    def cores(self, kind: str) -> list[SceneCore]:
+        """Return the building's cores of a kind, ``stair`` or ``elevator``, each once."""
         found: dict[str, SceneCore] = {}
         for floor in self.building.floors:
             for core in self.building.scene(floor).cores:
