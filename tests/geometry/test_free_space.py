@@ -93,3 +93,24 @@ def test_components_are_four_connected() -> None:
     labels, sizes = connected_components(counts)
     assert sorted(sizes.tolist()) == [1, 5]
     assert labels[0, 0] == labels[0, 2] != labels[3, 1]
+
+
+def test_looking_only_where_something_changed_finds_what_was_walled_in() -> None:
+    room = np.array([(0, 0, 8, 0), (8, 0, 8, 8), (8, 8, 0, 8), (0, 8, 0, 0)], dtype=float)
+    space = FreeGrid(room, room, [])
+    cell = np.array([[1.0, 1.0, 1.0, 0.0, 0.2, 0.2]])
+    far = np.array([[6.0, 6.0, 1.0, 0.0, 0.2, 0.2]])
+    near = np.array([[1.6, 1.0, 1.0, 0.0, 0.2, 0.2]])
+    alone = np.array([-1], dtype=np.int32)
+    facing = np.array([False])
+    assert space.add(cell)
+    before = space.reached.copy()
+    assert space.add(far)
+    assert space.first_unreachable(cell, facing, alone, changed=True) == -1
+    space.undo()
+    assert (space.reached == before).all()
+    above = near + np.array([-0.6, 0.6, 0, 0, 0, 0])
+    ring = np.concatenate([near, above])
+    space.add(ring)
+    unreachable = space.first_unreachable(cell, facing, alone)
+    assert space.first_unreachable(cell, facing, alone, changed=True) == unreachable

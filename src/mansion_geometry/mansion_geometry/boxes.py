@@ -11,6 +11,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from mansion_geometry.box_index import box_buckets, bucket_of
 from mansion_geometry.compiled import kernel
 
 __all__ = [
@@ -29,6 +30,10 @@ __all__ = [
 
 Floats = npt.NDArray[np.float64]
 Bools = npt.NDArray[np.bool_]
+Labels = npt.NDArray[np.int32]
+
+_FEW, _BUCKET = 24, 0.8
+"""Up to so many boxes are compared one by one, more through buckets of at least this side in metres."""
 
 TOUCH = 1e-6
 
@@ -216,6 +221,35 @@ def _backed(box: Floats, edges: Floats, limit: float) -> bool:
 
 
 @kernel
+def _hits(
+    box: Floats,
+    boxes: Floats,
+    gap: float,
+    x0: float,
+    y0: float,
+    size: float,
+    across: int,
+    starts: Labels,
+    items: Labels,
+) -> bool:
+    """Tell whether a box comes nearer than `gap` to any of many (see `box_buckets`)."""
+    radius = math.hypot(box[4], box[5]) + gap
+    for row in range(
+        bucket_of(box[1] - radius, y0, size, across),
+        bucket_of(box[1] + radius, y0, size, across) + 1,
+    ):
+        for col in range(
+            bucket_of(box[0] - radius, x0, size, across),
+            bucket_of(box[0] + radius, x0, size, across) + 1,
+        ):
+            bucket = row * across + col
+            for i in range(starts[bucket], starts[bucket + 1]):
+                if boxes_overlap(box, boxes[items[i]], gap):
+                    return True
+    return False
+
+
+@kernel
 def feasible_poses(
     poses: Floats, parts: Floats, edges: Floats, boxes: Floats, zones: Floats, gap: float
 ) -> Bools:
@@ -235,6 +269,7 @@ def feasible_poses(
         Areas kept free of parts higher than the 7th column (a door's area: -1; a window's: its sill).
     """
     fits = np.zeros(poses.shape[0], dtype=np.bool_)
+    x0, y0, size, across, starts, items = box_buckets(boxes, _BUCKET)
     for i in range(poses.shape[0]):
         moved = compose(poses[i], parts)
         ok = True
@@ -244,10 +279,13 @@ def feasible_poses(
                     ok = False
                     break
             if ok:
-                for m in range(boxes.shape[0]):
-                    if boxes_overlap(moved[k], boxes[m], gap):
-                        ok = False
-                        break
+                if boxes.shape[0] > _FEW:
+                    ok = not _hits(moved[k], boxes, gap, x0, y0, size, across, starts, items)
+                else:
+                    for m in range(boxes.shape[0]):
+                        if boxes_overlap(moved[k], boxes[m], gap):
+                            ok = False
+                            break
             if ok and not box_inside(moved[k], edges):
                 ok = False
             if ok and parts[k, 7] > 0.0 and not _backed(moved[k], edges, parts[k, 7]):
@@ -317,8 +355,16 @@ def front_clearance(
     (n, 4) array: before, behind, to the right (+u), to the left; the least of three rays from that side.
     """
     out = np.empty((poses.shape[0], 4))
+    near = np.empty_like(boxes)
+    beyond = math.hypot(hw, hd) + far
     for i in range(poses.shape[0]):
         x, y, ux, uy = poses[i, 0], poses[i, 1], poses[i, 2], poses[i, 3]
+        count = 0
+        for m in range(boxes.shape[0]):
+            reach = beyond + math.hypot(boxes[m, 4], boxes[m, 5])
+            if (x - boxes[m, 0]) ** 2 + (y - boxes[m, 1]) ** 2 <= reach * reach:
+                near[count] = boxes[m]
+                count += 1
         for side in range(4):
             if side < 2:
                 sign = 1.0 if side == 0 else -1.0
@@ -331,6 +377,6 @@ def front_clearance(
                 shift = 0.9 * along * k
                 px = x + dx * (half + TOUCH) - dy * shift
                 py = y + dy * (half + TOUCH) + dx * shift
-                best = min(best, _ray(px, py, dx, dy, edges, boxes, best))
+                best = min(best, _ray(px, py, dx, dy, edges, near[:count], best))
             out[i, side] = best
     return out

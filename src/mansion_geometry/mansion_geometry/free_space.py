@@ -7,6 +7,7 @@ Arrays are indexed ``[row (y), column (x)]``.
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -34,23 +35,35 @@ _LOOK_AROUND = 0.6
 
 
 @kernel
-def _one_piece(
-    counts: Counts, reached: Bools, r0: int, r1: int, c0: int, c1: int
-) -> tuple[bool, int]:
-    """Tell whether the free cells of a window that were reached hang together inside it, and count them.
+def _window(
+    boxes: Floats, margin: float, x0: float, y0: float, cell: float, rows: int, cols: int
+) -> tuple[int, int, int, int]:
+    """Return the rows and columns [r0, r1) x [c0, c1) around all boxes."""
+    r0, r1, c0, c1 = rows, 0, cols, 0
+    for k in range(boxes.shape[0]):
+        a, b, c, d = cell_window(boxes[k], margin, x0, y0, cell, rows, cols)
+        r0, r1, c0, c1 = min(r0, a), max(r1, b), min(c0, c), max(c1, d)
+    return r0, r1, c0, c1
+
+
+@kernel
+def _shrink(counts: Counts, reached: Bools, r0: int, r1: int, c0: int, c1: int) -> tuple[bool, int]:
+    """Drop blocked cells of a window from `reached` if the others hang together inside it; tell so, and how many.
 
     Where they do, blocking cells amid the window cut nothing off: a path through them can go round inside the window.
     """
     rows, cols = r1 - r0, c1 - c0
     seen = np.zeros((rows, cols), dtype=np.bool_)
     stack = np.empty(rows * cols, dtype=np.int32)
-    total = 0
+    total, before = 0, 0
     start = -1
     for r in range(rows):
         for c in range(cols):
-            if reached[r0 + r, c0 + c] and counts[r0 + r, c0 + c] == 0:
-                total += 1
-                start = r * cols + c
+            if reached[r0 + r, c0 + c]:
+                before += 1
+                if counts[r0 + r, c0 + c] == 0:
+                    total += 1
+                    start = r * cols + c
     if total == 0:
         return False, 0
     seen[start // cols, start % cols] = True
@@ -68,7 +81,13 @@ def _one_piece(
                 seen[rr, cc] = True
                 stack[top] = rr * cols + cc
                 top += 1
-    return found == total, total
+    if found != total:
+        return False, 0
+    for r in range(r0, r1):
+        for c in range(c0, c1):
+            if counts[r, c] != 0:
+                reached[r, c] = False
+    return True, before - total
 
 
 @kernel
@@ -104,13 +123,24 @@ def _first_unreachable(
     reach: float,
     front: Bools,
     partner: Labels,
+    window: tuple[int, int, int, int],
 ) -> int:
     """Return the first box that cannot be approached, -1 if all can.
 
     A box with `front` set needs a cell before its front, or one beside its `partner` (index, -1: none) that
-    stands there.
+    stands there. Boxes out of reach of the `window` of cells [r0, r1) x [c0, c1) are passed over.
     """
+    rows, cols = reached.shape
+    r0, r1, c0, c1 = window
     for k in range(boxes.shape[0]):
+        beyond = reach
+        if partner[k] >= 0:
+            other = boxes[partner[k]]
+            beyond += math.hypot(other[0] - boxes[k, 0], other[1] - boxes[k, 1])
+            beyond += math.hypot(other[4], other[5])
+        a, b, c, d = cell_window(boxes[k], beyond, x0, y0, cell, rows, cols)
+        if a >= r1 or b <= r0 or c >= c1 or d <= c0:
+            continue
         if not _approachable(reached, x0, y0, cell, boxes[k], reach, False):
             return k
         if front[k] and not _approachable(reached, x0, y0, cell, boxes[k], reach, True):
@@ -118,6 +148,16 @@ def _first_unreachable(
             if p < 0 or not _approachable(reached, x0, y0, cell, boxes[p], reach, False):
                 return k
     return -1
+
+
+@dataclass(frozen=True)
+class _Undo:
+    """What the last `add` replaced: the boxes it stamped, and the reached cells of a window as they were."""
+
+    boxes: Floats
+    cells: Bools
+    window: tuple[int, int, int, int]
+    reached_cells: int
 
 
 class FreeGrid:
@@ -167,7 +207,9 @@ class FreeGrid:
         ]
         self.seeds, self.required = self._entries()
         self.reached_cells = int(flood_fill(self.counts, self.seeds, self.reached))
-        self._undo = (np.zeros((0, 6)), self.reached, self.reached_cells)
+        self._whole = (0, rows, 0, cols)
+        self._changed = self._whole
+        self._undo = _Undo(np.zeros((0, 6)), self.reached, self._whole, self.reached_cells)
 
     def _entries(self) -> tuple[Labels, list[Labels]]:
         """Return the cells that one enters by, and the thresholds that must stay connected to them."""
@@ -189,6 +231,7 @@ class FreeGrid:
         other = object.__new__(FreeGrid)
         other.__dict__.update(self.__dict__)
         other.counts = self.counts.copy()
+        other.reached = self.reached.copy()
         return other
 
     def add(self, boxes: Floats) -> bool:
@@ -196,16 +239,23 @@ class FreeGrid:
 
         `undo` takes the last addition back.
         """
-        self._undo = (boxes, self.reached, self.reached_cells)
         self.free_cells -= self._stamp(boxes, 1)
         if len(boxes) > 3 or not self._shrink_locally(boxes):
+            self._undo = _Undo(boxes, self.reached, self._whole, self.reached_cells)
             self._flood()
         return self._doors_joined()
 
     def undo(self) -> None:
         """Take back the last `add`."""
-        boxes, self.reached, self.reached_cells = self._undo
-        self.free_cells -= self._stamp(boxes, -1)
+        last = self._undo
+        if last.window == self._whole:
+            self.reached = last.cells
+        else:
+            r0, r1, c0, c1 = last.window
+            self.reached[r0:r1, c0:c1] = last.cells
+        self.reached_cells = last.reached_cells
+        self.free_cells -= self._stamp(last.boxes, -1)
+        self._changed = self._whole
 
     def remove(self, boxes: Floats) -> None:
         """Take boxes away that stand."""
@@ -218,33 +268,31 @@ class FreeGrid:
     def _flood(self) -> None:
         self.reached = np.zeros_like(self.reached)
         self.reached_cells = int(flood_fill(self.counts, self.seeds, self.reached))
+        self._changed = self._whole
 
     def _shrink_locally(self, boxes: Floats) -> bool:
         """Drop newly blocked cells from `reached` where a look around the boxes proves that nothing is cut off."""
         rows, cols = self.counts.shape
         margin = self.radius + _LOOK_AROUND
-        spans = np.array(
-            [cell_window(box, margin, self.x0, self.y0, self.cell, rows, cols) for box in boxes]
-        )
-        r0, r1 = int(spans[:, 0].min()), int(spans[:, 1].max())
-        c0, c1 = int(spans[:, 2].min()), int(spans[:, 3].max())
+        r0, r1, c0, c1 = _window(boxes, margin, self.x0, self.y0, self.cell, rows, cols)
         if (r1 - r0) * (c1 - c0) > rows * cols // 3:
             return False
-        whole, left = _one_piece(self.counts, self.reached, r0, r1, c0, c1)
-        if not whole:
-            return False
-        before = self.reached[r0:r1, c0:c1]
-        self.reached_cells += left - int(before.sum())
-        self.reached = self.reached.copy()
-        self.reached[r0:r1, c0:c1] &= self.counts[r0:r1, c0:c1] == 0
-        return True
+        before = self.reached[r0:r1, c0:c1].copy()
+        whole, lost = _shrink(self.counts, self.reached, r0, r1, c0, c1)
+        if whole:
+            self._undo = _Undo(boxes, before, (r0, r1, c0, c1), self.reached_cells)
+            self._changed = (r0, r1, c0, c1)
+            self.reached_cells -= lost
+        return bool(whole)
 
     def _doors_joined(self) -> bool:
         """Tell whether every door's threshold is reached, the first one's being where one comes from."""
         flat = self.reached.ravel()
         return all(bool(flat[cells].any()) for cells in self.required)
 
-    def first_unreachable(self, boxes: Floats, front: Bools, partner: Labels) -> int:
+    def first_unreachable(
+        self, boxes: Floats, front: Bools, partner: Labels, *, changed: bool = False
+    ) -> int:
         """Return the index of the first box that cannot be approached, -1 if all can.
 
         Parameters
@@ -254,6 +302,8 @@ class FreeGrid:
             Whether a cell before the front is needed.
         partner : (m,) int32 array
             Index of the box (a chair at its desk) that counts for the front too, -1: none.
+        changed : bool
+            Look only at boxes near what the last `add` changed; the others are as approachable as before.
         """
         return int(
             _first_unreachable(
@@ -265,5 +315,6 @@ class FreeGrid:
                 self.radius + self.reach,
                 front,
                 partner,
+                self._changed if changed else self._whole,
             )
         )

@@ -7,7 +7,8 @@ import numpy.typing as npt
 
 from mansion_geometry.boxes import unit_vector
 from mansion_scene.placement.floor import Floor
-from mansion_scene.placement.room import Wall
+from mansion_scene.placement.pose_kernels import ring_rows, wall_rows
+from mansion_scene.placement.room import Wall, wall_array
 
 __all__ = ["floor_poses", "ring_poses", "wall_poses"]
 
@@ -41,53 +42,17 @@ def wall_poses(
     -------
     (n, 4) array
     """
-    options = floor.options
+    chosen = floor.room.walls if walls is None else walls
+    if not chosen:
+        return np.zeros((0, 4))
+    rows = floor.room.wall_rows if walls is None else wall_array(walls)
+    # Short walls of a round or bevelled room: off the wall until the corners clear it.
+    backs = np.array([floor.options.wall_gap, 0.04, 0.08, 0.12])
     obstacles = np.concatenate([floor.boxes, floor.zones[:, :6]])
-    rows = []
-    for wall in floor.room.walls if walls is None else walls:
-        stops = _stops(wall, extent, half_depth, obstacles, floor.gap, rng)
-        backs = [options.wall_gap]
-        if wall.length < extent[1] - extent[0]:
-            # Short walls of a round or bevelled room: off the wall until the corners clear it.
-            backs += [0.04, 0.08, 0.12]
-        for back in backs:
-            centre = wall.start + wall.inward * (half_depth + back)
-            xy = centre[None, :] + stops[:, None] * wall.along[None, :]
-            rows.append(np.hstack([xy, np.broadcast_to(wall.along, (len(stops), 2))]))
-    return np.concatenate(rows) if rows else np.zeros((0, 4))
-
-
-def _stops(
-    wall: Wall,
-    extent: Extent,
-    half_depth: float,
-    obstacles: Floats,
-    gap: float,
-    rng: np.random.Generator,
-) -> Floats:
-    """Return distances along a wall at which the anchor's centre may stand."""
-    left, right = extent[0], extent[1]
-    low, high = -left + gap, wall.length - right - gap
-    if high < low:
-        return np.array([wall.length / 2])
-    step = max(0.05, (high - low) / 40)
-    regular = np.arange(low + rng.uniform(0, step), high, step)
-    special = [low, high, (low + high) / 2, -left + 0.3, wall.length - right - 0.3]
-    if len(obstacles):
-        q = obstacles[:, :2] - wall.start
-        along = q @ wall.along
-        away = q @ wall.inward
-        c = np.abs(obstacles[:, 2] * wall.along[0] + obstacles[:, 3] * wall.along[1])
-        s = np.abs(obstacles[:, 2] * wall.along[1] - obstacles[:, 3] * wall.along[0])
-        reach_along = c * obstacles[:, 4] + s * obstacles[:, 5]
-        reach_away = s * obstacles[:, 4] + c * obstacles[:, 5]
-        depth = half_depth + extent[3]
-        beside = (away - reach_away < depth) & (away + reach_away > 0.0)
-        special += list((along + reach_along)[beside] + gap - left)
-        special += list((along - reach_along)[beside] - gap - right)
-    stops = np.concatenate([regular, np.array(special)])
-    inside = np.round(stops[(stops >= low - 1e-9) & (stops <= high + 1e-9)], 6)
-    return np.asarray(np.unique(inside))
+    phase = rng.random(len(rows))
+    return np.asarray(
+        wall_rows(rows, np.array(extent), half_depth, obstacles, floor.gap, backs, phase)
+    )
 
 
 def floor_poses(floor: Floor, rng: np.random.Generator, *, limit: int = 1200) -> Floats:
@@ -132,32 +97,6 @@ def ring_poses(
     -------
     (n, 4) array
     """
-    rows = []
-    for side in range(4):
-        # Outward normal of the side, its half extent, and the same along the side.
-        u = targets[:, 2:4]
-        v = np.column_stack([-u[:, 1], u[:, 0]])
-        out = (v, -v, u, -u)[side]
-        along = u if side < 2 else v
-        half_out, half_along = targets[:, 5], targets[:, 4]
-        if side >= 2:
-            half_out, half_along = half_along, half_out
-        for turn in turned:
-            # Facing the side the front is -out, so the width axis is (-out_y, out_x); then turned.
-            face = np.column_stack([-out[:, 1], out[:, 0]])
-            for _ in range(turn):
-                face = np.column_stack([-face[:, 1], face[:, 0]])
-            deep, wide = (hd, hw) if turn % 2 == 0 else (hw, hd)
-            flush = half_along - wide
-            places = np.stack(
-                [0 * flush, flush, -flush, flush / 2, -flush / 2, half_along, -half_along]
-            )
-            for gap in gaps:
-                xy = targets[:, :2] + out * (half_out + gap + deep)[:, None]
-                shifted = xy[None] + places[:, :, None] * along[None]
-                rows.append(
-                    np.concatenate([shifted, np.broadcast_to(face, shifted.shape)], axis=2).reshape(
-                        -1, 4
-                    )
-                )
-    return np.concatenate(rows)
+    return np.asarray(
+        ring_rows(targets, hw, hd, np.array(gaps, dtype=float), np.array(turned, dtype=float))
+    )

@@ -76,6 +76,8 @@ class Floor:
         self._front: Bools = np.zeros(0, dtype=np.bool_)
         self._partner: npt.NDArray[np.int32] = np.zeros(0, dtype=np.int32)
         self._next = 0
+        # Whether everything that stands was approachable when last looked at.
+        self._settled = False
         self._set_comfort(roomy)
 
     def _set_comfort(self, roomy: bool) -> None:
@@ -159,7 +161,10 @@ class Floor:
             lost = self.grid.free_cells - self.grid.reached_cells
             sound = lost - lost_before <= self._pocket
         fronts = np.concatenate([self._front, front])
-        if not sound or self.grid.first_unreachable(everything, fronts, partner) >= 0:
+        if (
+            not sound
+            or self.grid.first_unreachable(everything, fronts, partner, changed=self._settled) >= 0
+        ):
             self.grid.undo()
             return None
         keys = [self._next + i for i in range(len(specs))]
@@ -176,6 +181,7 @@ class Floor:
         self.placed = [*self.placed, *added]
         self.boxes, self._front, self._partner = everything, fronts, partner
         self._next += len(specs)
+        self._settled = True
         for spec in specs:
             self._counts[spec] = self._counts.get(spec, 0) + 1
         return added
@@ -200,6 +206,7 @@ class Floor:
     def _index(self) -> None:
         """Bring the arrays that go with `placed` up to date after copies came or went."""
         copies, self.placed = self.placed, []
+        self._settled = False
         self.boxes = np.array([copy.box for copy in copies]).reshape(-1, 6)
         self._counts = {}
         self._partner = np.zeros(0, dtype=np.int32)

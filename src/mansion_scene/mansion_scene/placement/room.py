@@ -1,5 +1,6 @@
 """The room as the solver sees it: boundary edges, walls with inward normals, door and window areas, axes."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +15,7 @@ from mansion_msgs_py.placement import PlacementOpening, PlacementRoom
 from mansion_scene.placement.options import PlacementOptions
 from mansion_scene.placement.roles import is_public_room
 
-__all__ = ["RoomModel", "Wall", "build_room"]
+__all__ = ["RoomModel", "Wall", "build_room", "wall_array"]
 
 Floats = npt.NDArray[np.float64]
 
@@ -39,6 +40,12 @@ class Wall:
     length: float
 
 
+def wall_array(walls: Sequence[Wall]) -> Floats:
+    """Return walls as rows (start, direction, inward normal, length), shape (w, 7)."""
+    rows = [(*wall.start, *wall.along, *wall.inward, wall.length) for wall in walls]
+    return np.array(rows, dtype=float).reshape(-1, 7)
+
+
 @dataclass(frozen=True)
 class RoomModel:
     """Geometry of one room in the arrays that the kernels take.
@@ -50,6 +57,8 @@ class RoomModel:
     open_walls : (w, 4) array
         The same without door openings.
     walls : list of Wall
+    wall_rows : (w, 7) array
+        The same walls as `wall_array` gives them.
     doors : list of (4,) arrays
         Door segments on the boundary.
     door_zones, window_zones : (d, 7) arrays
@@ -67,6 +76,7 @@ class RoomModel:
     edges: Floats
     open_walls: Floats
     walls: list[Wall]
+    wall_rows: Floats
     doors: list[Floats]
     door_zones: Floats
     window_zones: Floats
@@ -129,10 +139,12 @@ def build_room(room: PlacementRoom, options: PlacementOptions) -> RoomModel:
     if openings:
         walled = walled.difference(shapely.union_all(openings))
     walls = [_wall(edge) for edge in edges]
+    long_walls = [wall for wall in walls if wall.length > 0.05]
     return RoomModel(
         edges=edges,
         open_walls=_line_edges(walled),
-        walls=[wall for wall in walls if wall.length > 0.05],
+        walls=long_walls,
+        wall_rows=wall_array(long_walls),
         doors=doors,
         door_zones=_zones(doors, [-1.0] * len(doors), options.door_depth, edges),
         window_zones=_zones(windows, [w.sill for w in room.windows], options.window_depth, edges),
