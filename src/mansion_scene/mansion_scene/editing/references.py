@@ -24,6 +24,26 @@ _ORDINALS = [
     "eleventh",
     "twelfth",
 ]
+_ALIKE = (
+    ("restroom", "bathroom", "toilet", "washroom", "lavatory", "wc", "loo", "toilets", "restrooms"),
+    ("living room", "lounge", "sitting room", "family room"),
+    ("kitchen", "kitchenette", "galley", "pantry"),
+    ("meeting room", "conference room", "boardroom", "board room", "huddle room"),
+    ("lobby", "foyer", "entrance hall", "entry hall", "hall", "vestibule", "entryway", "entrance"),
+    ("reception", "reception area", "front desk", "lobby", "waiting room", "waiting area"),
+    ("corridor", "hallway", "passage", "hall", "passageway", "aisle"),
+    ("cafeteria", "canteen", "dining hall", "dining room", "dining area", "mess hall"),
+    ("break room", "staff room", "tea kitchen", "coffee room", "lounge", "staff lounge"),
+    ("private office", "office", "study", "workroom", "executive office", "open office"),
+    ("storage", "storage room", "store room", "storeroom", "closet", "supply room", "utility room"),
+    ("bedroom", "sleeping room", "master bedroom", "guest room", "hotel room"),
+    ("print room", "copy room", "printer room", "copier room"),
+    ("server room", "data center", "data centre", "it room"),
+    ("mail room", "mailroom", "post room"),
+    ("security room", "guard room", "security office"),
+)
+"""Names of rooms that people use for each other, where a building has none of the very name."""
+
 _TO = r"\b(?:on |at |of |from |to |in )?(?:the )?"
 _FLOOR_WORDS = r"(?:floor|storey|story|level)"
 
@@ -43,10 +63,10 @@ def find_floor(state: SceneState, text: str) -> tuple[int | None, str]:
     low = text.lower()
     ordinal = "|".join(_ORDINALS)
     patterns = (
-        rf"{_TO}(?:{_FLOOR_WORDS} )?(?P<word>{ordinal}|ground|top|\d+(?:st|nd|rd|th)) {_FLOOR_WORDS}\b",
-        rf"{_TO}{_FLOOR_WORDS} (?P<word>-?\d+|{'|'.join(_NUMBERS)})\b",
+        rf"{_TO}(?:{_FLOOR_WORDS} )?(?P<word>{ordinal}|{'|'.join(_NAMED)}|\d+(?:st|nd|rd|th)) {_FLOOR_WORDS}\b",
+        rf"{_TO}{_FLOOR_WORDS} (?:number |no\.? )?(?P<word>-?\d+|{'|'.join(_NUMBERS)})\b",
         rf"\b(?:on|at) the (?P<word>{ordinal}|\d+(?:st|nd|rd|th))\b",
-        rf"{_TO}(?P<word>basement)\b",
+        rf"{_TO}(?P<word>basement|cellar|upstairs|downstairs)\b",
     )
     for pattern in patterns:
         match = re.search(pattern, low)
@@ -57,6 +77,20 @@ def find_floor(state: SceneState, text: str) -> tuple[int | None, str]:
     return None, text
 
 
+_NAMED = [
+    "ground",
+    "entrance",
+    "street",
+    "lowest",
+    "bottom",
+    "top",
+    "topmost",
+    "uppermost",
+    "highest",
+    "upper",
+    "lower",
+    "last",
+]
 _NUMBERS = [
     "one",
     "two",
@@ -82,7 +116,7 @@ def _floor_number(state: SceneState, word: str) -> int:
     elif word in _NUMBERS:
         number = _NUMBERS.index(word) + 1
     else:
-        number = {"ground": 1, "top": state.floors[-1], "basement": 0}[word]
+        number = _named_floor(state, word)
     if number not in state.scenes:
         raise MansionError(
             ErrorCode.NOT_FOUND,
@@ -92,8 +126,20 @@ def _floor_number(state: SceneState, word: str) -> int:
     return number
 
 
+def _named_floor(state: SceneState, word: str) -> int:
+    if word in ("ground", "entrance", "street"):
+        return 1
+    if word in ("basement", "cellar"):
+        return min(0, state.floors[0])
+    if word in ("lowest", "bottom", "lower", "downstairs"):
+        return state.floors[0] if word != "downstairs" else 1
+    if word == "upstairs":
+        return min(2, state.floors[-1])
+    return state.floors[-1]
+
+
 def find_rooms(
-    state: SceneState, text: str, on_floor: int | None = None
+    state: SceneState, text: str, on_floor: int | None = None, *, every: bool = False
 ) -> list[tuple[int, SceneRoom]]:
     """Return the rooms that a text names, the best fits only: by id, by the end of it, or by words and floor.
 
@@ -101,6 +147,8 @@ def find_rooms(
     ----------
     on_floor : int, optional
         The floor, where the text does not name one.
+    every : bool
+        All rooms of the kind instead of the best fits.
 
     Raises
     ------
@@ -120,14 +168,41 @@ def find_rooms(
         if room.kind not in ("stair", "elevator")
     ]
     ends = [pair for pair in rooms if pair[1].id.split("/", 1)[-1] == rest.strip().lower()]
-    if ends:
+    if ends and not every:
         return ends
+    size = re.match(r"^(?:the )?(?P<word>largest|biggest|smallest)\s+(?P<rest>.+)$", rest, re.I)
+    if size:
+        few = find_rooms(state, size["rest"], floor, every=True)
+        few.sort(key=lambda pair: pair[1].area, reverse=size["word"].lower() != "smallest")
+        return few[:1]
+    nth = re.match(rf"^(?:the )?(?P<word>{'|'.join(_ORDINALS)})\s+(?P<rest>.+)$", rest, re.I)
+    if nth:
+        few = find_rooms(state, nth["rest"], floor, every=True)
+        at = _ORDINALS.index(nth["word"].lower())
+        return few[at : at + 1]
     words = tuple(w for w in stems(rest) if w != "room") or stems(rest)
     if not words:
         return rooms if floor is not None else []
     ranked = [(_room_rank(room, words, stems(rest)), pair) for pair in rooms for room in [pair[1]]]
     best = max((rank for rank, _ in ranked), default=0)
-    return [pair for rank, pair in ranked if rank == best and rank > 0]
+    if not best:
+        return _by_synonym(rooms, rest)
+    least = min(best, 2) if every else best
+    return [pair for rank, pair in ranked if rank >= least]
+
+
+def _by_synonym(rooms: Sequence[tuple[int, SceneRoom]], text: str) -> list[tuple[int, SceneRoom]]:
+    """Return the rooms that another word for the same kind of room names."""
+    number = re.search(r"\s(?:number |no\.? )?(\d+)$", text.strip())
+    words = stems(text[: number.start()] if number else text)
+    group = next((names for names in _ALIKE if any(stems(name) == words for name in names)), ())
+    kinds = [stems(name) for name in group]
+    return [
+        pair
+        for pair in rooms
+        if (stems(pair[1].room_type.replace("_", " ")) in kinds or stems(pair[1].name) in kinds)
+        and (number is None or pair[1].id.endswith(f"_{number[1]}"))
+    ]
 
 
 def _room_rank(room: SceneRoom, words: tuple[str, ...], whole: tuple[str, ...]) -> int:

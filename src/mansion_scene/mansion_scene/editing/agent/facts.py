@@ -31,6 +31,8 @@ class Scope:
         Of the receptacle.
     near : str
         A noun or an id of what lies or stands beside it.
+    base : str
+        What the receptacle itself stands on (a tray on a table).
     """
 
     relation: Relation = "room"
@@ -39,10 +41,12 @@ class Scope:
     floor: int | None = None
     colour: str = ""
     near: str = ""
+    base: str = ""
 
     def __str__(self) -> str:
         carrier = " ".join(word for word in (self.colour, self.receptacle) if word)
         parts = [f"{self.relation} the {carrier}"] if self.receptacle else []
+        parts += [f"on the {self.base}"] if self.base else []
         parts += [f"next to the {self.near}"] if self.near else []
         if self.rooms:
             parts.append(f"in {' or '.join(self.rooms[:4])}")
@@ -53,16 +57,23 @@ class Scope:
 
 @dataclass(frozen=True)
 class Thing:
-    """A noun with its attributes and how many; `count` 0 is every one."""
+    """A noun with its attributes and how many; `count` 0 is as many as there are.
+
+    Attributes
+    ----------
+    every : bool
+        Said of all of them (every lamp, the lamps), not of one.
+    """
 
     noun: str
     count: int = 1
     colour: str = ""
     cold: bool = False
+    every: bool = False
 
     def __str__(self) -> str:
         words = [
-            "every" if self.count == 0 else str(self.count),
+            str(self.count) if self.count else "every" if self.every else "the",
             *(["cold"] if self.cold else []),
             *([self.colour] if self.colour else []),
             self.noun,
@@ -72,14 +83,25 @@ class Thing:
 
 @dataclass(frozen=True)
 class ObjectFact:
-    """So many things are there; no more than that when `exact`."""
+    """So many things are there.
+
+    Attributes
+    ----------
+    exact, more, most : bool
+        Neither more nor less; so many besides those that are there; no more, and fewer will do.
+    """
 
     thing: Thing
     where: Scope = field(default_factory=Scope)
     exact: bool = False
+    more: bool = False
+    most: bool = False
 
     def __str__(self) -> str:
-        return f"{'exactly ' if self.exact else ''}{self.thing} {self.where}"
+        if self.most:
+            return f"at most {self.thing} {self.where}"
+        manner = "exactly " if self.exact else "another " if self.more else ""
+        return f"{manner}{self.thing} {self.where}"
 
 
 @dataclass(frozen=True)

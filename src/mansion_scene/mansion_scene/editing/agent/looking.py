@@ -52,7 +52,13 @@ def receptacles(where: Scope, state: SceneState) -> Look:
         listed: ObjectList = answer.value
         found += listed.objects
     mine = [i for i in found if where.floor in (None, i.floor)]
-    return [i for i in mine if fits(Thing(where.receptacle, 0, where.colour), i, state)]
+    mine = [i for i in mine if fits(Thing(where.receptacle, 0, where.colour), i, state)]
+    return [i for i in mine if not where.base or _stands_on(i, where.base, state)]
+
+
+def _stands_on(item: ObjectInfo, base: str, state: SceneState) -> bool:
+    found = state.find(item.parent or "")
+    return found is not None and (found[1].id == base or state.vocabulary.rank(found[1], base) >= 2)
 
 
 def look_at(receptacle: ObjectInfo, relation: str) -> Look:

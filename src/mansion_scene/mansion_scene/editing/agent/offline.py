@@ -88,7 +88,7 @@ def _switch(fact: StateFact, state: SceneState) -> Work:
     if not able:
         what = "opens" if fact.state == "open" else "switches"
         return f"no {fact.thing.noun} {fact.where} {what}"
-    several = fact.thing.count == 0 and fact.thing.noun.endswith("s")
+    several = fact.thing.count == 0 and fact.thing.every
     wanted = able if several else able[: max(1, fact.thing.count)]
     as_wished = [i for i in able if bool(i.states.get(fact.state, False)) == fact.value]
     if not several and len(as_wished) >= max(1, fact.thing.count):

@@ -1,50 +1,49 @@
-"""Instructions to facts, by rules: clauses by their verbs, then things and places by their words."""
+"""Instructions to facts: the clauses of each sentence, with what was spoken of before in mind."""
 
 import re
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import Final
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_scene.editing.agent.clauses import Clause, clauses_of
+from mansion_scene.editing.agent.distributing import distributed
 from mansion_scene.editing.agent.facts import (
     AbsentFact,
     Fact,
     MoveFact,
     ObjectFact,
-    PathFact,
     Scope,
     StateFact,
     Thing,
 )
-from mansion_scene.editing.agent.phrases import Phrase, read_phrase
-from mansion_scene.editing.references import place_named
+from mansion_scene.editing.agent.phrases import Phrase, read_phrase, read_place, rooms_named
+from mansion_scene.editing.agent.things import is_known
+from mansion_scene.editing.agent.ways import read_way
+from mansion_scene.editing.agent.wording import sentences
 from mansion_scene.editing.state import SceneState
 
-__all__ = ["MOST_CLAUSES", "parse_instruction"]
+__all__ = ["MOST_CLAUSES", "MOST_FACTS", "parse_instruction"]
 
 MOST_CLAUSES: Final = 24
+MOST_FACTS: Final = 60
 
-_THERE = r"(?:that )?(?:there )?(?:is|are|be|exists|exist|should be|must be|has to be|have to be|needs to be|will be)"
-_SEE = r"(?:please )?(?:make sure|ensure|check|verify|see|provide|confirm)?(?: that)?"
-_VERBS: Final[tuple[tuple[str, str], ...]] = (
-    ("path", rf"{_SEE}(?: there (?:is|are|should be|must be))?(?: also)? ?"
-        r"(?:a |an |the )?(?:clear |free |open )?(?:way|path|route|access|connection)\b"),
-    ("path", rf"{_SEE} ?(?:the |a )?(?:robot|one|you|people|someone|anyone) "
-        r"(?:can|could|is able to|should be able to) (?:get|go|walk|drive|reach|travel|move)\b"),
-    ("absent", r"(?:please )?(?:make sure|ensure) (?:that )?(?:there (?:is|are)) (?:no|not any|none of)\b"),
-    ("absent", r"there (?:should|must) (?:be no|not be any)\b"),
-    ("absent", r"(?:please )?(?:remove|delete|take away|get rid of|throw away|discard|take)\b"),
-    ("clear", r"(?:please )?(?:clear|empty|tidy)(?: off| out| up)?\b"),
-    ("state:open:1", r"(?:please )?(?:open)\b"),
-    ("state:open:0", r"(?:please )?(?:close|shut)\b"),
-    ("state:on:1", r"(?:please )?(?:turn on|switch on|power on)\b"),
-    ("state:on:0", r"(?:please )?(?:turn off|switch off|power off)\b"),
-    ("move", r"(?:please )?(?:move|relocate|transfer|carry)\b"),
-    ("have", rf"(?:please )?(?:make sure|ensure|check|verify|see to it|guarantee)(?: {_THERE})?\b"),
-    ("have", r"there (?:is|are|should be|must be|has to be|have to be|needs to be|shall be)\b"),
-    ("have", r"(?:please )?(?:put|place|add|provide|set|lay|leave|bring|supply|stock|i need|we need|i want)\b"),
-)  # fmt: skip
-_SPLIT: Final = re.compile(
-    r"(?:\s*[,;]\s*(?:and\s+)?(?:then\s+)?|\s+and\s+(?:then\s+)?|\s+then\s+|\.\s+|\n+)"
+_WITH: Final = re.compile(
+    r"^(?P<a>.+?) with (?P<b>(?:a|an|one|two|three|four|five|six|some|another|no|cold|\d+)\b.+?)"
+    r"(?: (?P<rel>on|in|inside|within)(?: (?:it|them|top))?)?(?P<loc> (?:in|on|at) (?!it\b|them\b|top\b).+)?$",
+    re.IGNORECASE,
 )
+_TO: Final = (
+    r"^(?P<what>.+?)(?: from (?P<source>.+?))? (?:over |back |up |down |upstairs |downstairs )?(?P<to>to|into) (?P<target>.+)$",
+    r"^(?P<what>.+?) from (?P<source>.+?) (?P<to>on|in|inside|next to) "
+    r"(?P<target>(?!(?:the )?(?:\w+ )?(?:floor|storey|level)\b).+)$",
+)
+_STATES: Final = {
+    **dict.fromkeys(["open", "opened"], ("open", True)),
+    **dict.fromkeys(["close", "closed", "shut"], ("open", False)),
+    **dict.fromkeys(["on", "switched on", "turned on", "running", "lit", "activate", "start", "light"], ("on", True)),
+    **dict.fromkeys(["off", "switched off", "turned off", "deactivate", "stop"], ("on", False)),
+}  # fmt: skip
 
 
 def parse_instruction(state: SceneState, instruction: str) -> list[Fact]:
@@ -56,49 +55,36 @@ def parse_instruction(state: SceneState, instruction: str) -> list[Fact]:
         ``INVALID_PAYLOAD`` for what is no instruction, ``NOT_FOUND`` for words that name nothing, ``INFEASIBLE`` for
         more than is allowed. Nothing is guessed: an instruction is understood whole or refused.
     """
-    clauses = _clauses(" ".join(instruction.split()))
-    if not clauses:
+    said = [clauses_of(sentence) for sentence in sentences(instruction)]
+    number = sum(len(clauses) for clauses in said)
+    if not number:
         raise _not_understood(instruction)
-    if len(clauses) > MOST_CLAUSES:
+    if number > MOST_CLAUSES:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"the instruction asks for {len(clauses)} things; at most {MOST_CLAUSES} in one go",
+            f"the instruction asks for {number} things; at most {MOST_CLAUSES} in one go",
         )
-    facts: list[Fact] = []
-    waiting: list[tuple[str, Phrase]] = []
-    for verb, rest in clauses:
-        if verb == "have":
-            waiting.append((verb, _have(state, rest)))
-            if waiting[-1][1].placed:
-                facts += _flush(waiting)
-            continue
-        facts += _flush(waiting)
-        facts.append(_fact(state, verb, rest))
-    return facts + _flush(waiting)
+    reader = _Reader(state)
+    asked = [clauses for clauses in said if not _is_talk(state, clauses)] or said
+    for clauses in asked:
+        reader.sentence(clauses)
+    if not reader.facts:
+        raise _not_understood(instruction)
+    if len(reader.facts) > MOST_FACTS:
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"the instruction asks for {len(reader.facts)} facts; at most {MOST_FACTS} in one go",
+        )
+    return list(dict.fromkeys(reader.facts))
 
 
-def _clauses(text: str) -> list[tuple[str, str]]:
-    """Return (verb, the rest) pairs; a piece without a verb continues the clause before it."""
-    out: list[tuple[str, str]] = []
-    for piece in _SPLIT.split(text.strip(" .;,!")):
-        words = piece.strip()
-        if not words:
-            continue
-        inverted = re.match(
-            r"^((?:on|in|inside)\b.+?),? there (?:is|are|should be|must be) (.+)$", words, re.I
-        )
-        if inverted:
-            words = f"there is {inverted[2]} {inverted[1]}"
-        for verb, pattern in _VERBS:
-            match = re.match(pattern, words, re.IGNORECASE)
-            if match:
-                out.append((verb, words[match.end() :].strip()))
-                break
-        else:
-            if not out:
-                raise _not_understood(text)
-            out.append((out[-1][0], words))
-    return out
+def _is_talk(state: SceneState, clauses: list[Clause]) -> bool:
+    """Whether a sentence asks for nothing: it has no clause, and names no room and nothing of the catalogue."""
+    pieces = [clause.words.get("x", "") for clause in clauses if not clause.kind]
+    if len(pieces) != len(clauses):
+        return False
+    words = {word for piece in pieces for word in re.findall(r"[a-z]+", piece.lower())}
+    return not any(is_known(state, word) or rooms_named(state, word, None) for word in words)
 
 
 def _not_understood(text: str) -> MansionError:
@@ -111,116 +97,292 @@ def _not_understood(text: str) -> MansionError:
     )
 
 
-def _have(state: SceneState, rest: str) -> Phrase:
-    phrase = read_phrase(state, re.sub(r"\b(?:to|for)\b", "in", rest, flags=re.IGNORECASE))
-    if not phrase.thing.noun:
-        raise _not_understood(rest)
-    return phrase
+class _Reader:
+    """Reads clauses in order; remembers the last thing and the last place."""
 
+    def __init__(self, state: SceneState) -> None:
+        self.state = state
+        self.facts: list[Fact] = []
+        self._waiting: list[tuple[str, Phrase]] = []
+        self._last: Phrase | None = None
+        self._frame: Scope | None = None
+        self._clause: Clause | None = None
 
-def _flush(waiting: list[tuple[str, Phrase]]) -> list[Fact]:
-    """Things without a place stand where the next thing with one does."""
-    if not waiting:
-        return []
-    where = waiting[-1][1].where
-    facts: list[Fact] = []
-    for _, phrase in waiting:
-        thing = phrase.thing
-        count = max(1, thing.count)
-        own = phrase.where if phrase.placed else where
-        if thing.cold and not own.receptacle:
-            own = Scope("in", "fridge", own.rooms, own.floor)
-        facts.append(ObjectFact(Thing(thing.noun, count, thing.colour, thing.cold), own))
-    waiting.clear()
-    return facts
+    def sentence(self, clauses: Iterable[Clause]) -> None:
+        """Read one sentence."""
+        early: list[str] = []
+        self._frame, self._clause = None, None
+        for clause in clauses:
+            if clause.kind == "place" and self._clause is None:
+                self._frame = _merged(
+                    read_place(self.state, clause.words["loc"]).where, self._frame
+                )
+            elif not clause.kind and self._clause is None:
+                early.append(clause.words["x"])
+            elif not clause.kind or clause.kind == "place":
+                self._continue(clause)
+            else:
+                for words in early:
+                    self._read(Clause(clause.kind, {**clause.words, "x": words, "loc": ""}))
+                early = []
+                self._read(clause)
+                self._clause = clause
+        for words in early:
+            self._wait("have", read_phrase(self.state, words))
+        if early and self._waiting and self._frame is None:
+            raise _not_understood(", ".join(early))
+        self._flush()
 
+    def _continue(self, clause: Clause) -> None:
+        """Read a piece without a verb of its own: more things, or the same at another place."""
+        before = self._clause
+        words = clause.words.get("loc") or clause.words["x"]
+        if before is None:
+            raise _not_understood(words)
+        if before.kind in ("path", "reach"):
+            return self._read(replace(before, words={**before.words, "b": words}))
+        if before.kind == "clear":
+            return self._read(Clause("clear", {"y": words}))
+        state = re.match(r"^(?:be |is |are |stays? |kept |left )?(open|closed|shut|on|off)$", words)
+        if state and self._last is not None:
+            self._flush()
+            return self._switch(replace(self._last, placed=True), state[1])
+        bare = re.sub(r"^(?:the|in|on)\s+", "", words)
+        if before.kind == "have" and words.lower().startswith("the ") and self._is_carrier(words):
+            return self._again(f"on {words}")
+        if clause.kind == "place" or rooms_named(self.state, bare, None):
+            return self._again(words if clause.kind == "place" else f"in {words}")
+        return self._read(replace(before, words={**before.words, "x": words, "loc": ""}))
 
-def _fact(state: SceneState, verb: str, rest: str) -> Fact:
-    if verb == "path":
-        return _path(state, rest)
-    if verb == "move":
-        return _move(state, rest)
-    if verb == "clear":
-        phrase = read_phrase(state, f"things on {rest}")
-        if not phrase.where.receptacle:
-            raise _not_understood(f"clear {rest}")
-        return AbsentFact(
-            Thing("", 0),
-            Scope("on", phrase.where.receptacle, phrase.where.rooms, phrase.where.floor),
+    def _is_carrier(self, words: str) -> bool:
+        """Whether words name furniture while the last thing stands on some: another place for it."""
+        last = self.facts[-1] if self.facts else None
+        if self._waiting or not isinstance(last, ObjectFact) or not last.where.receptacle:
+            return False
+        noun = read_phrase(self.state, words).thing.noun
+        kinds = self.state.vocabulary.nouns(noun)[:1]
+        assets = [a for kind in kinds for a in self.state.catalogue.by_category(kind)[:1]]
+        return any(asset.surfaces and not asset.pickupable for asset in assets)
+
+    def _again(self, words: str) -> None:
+        """The things of the last clause at another place too, or at the place more closely."""
+        self._flush()
+        place = read_place(self.state, words).where
+        last = self.facts[-1] if self.facts else None
+        if not isinstance(last, ObjectFact | AbsentFact):
+            raise _not_understood(words)
+        closer = not place.receptacle and not last.where.rooms and last.where.floor is None
+        if closer:
+            self.facts[-1] = replace(last, where=_merged(last.where, place))
+            return
+        same = place if place.receptacle else _on_that_of(place, last.where)
+        self.facts.append(replace(last, where=same))
+
+    def _read(self, clause: Clause) -> None:
+        words, kind = clause.words, clause.kind
+        if kind in ("path", "reach"):
+            self._flush()
+            ways = read_way(self.state, words.get("b", ""), words.get("a", ""))
+            self.facts += ways
+            ends = tuple(way.end for way in ways if self.state.room(way.end))
+            if ends:
+                self._last = Phrase(Thing(""), Scope("room", "", ends), True)
+        elif kind == "have":
+            self._have(f"{words['x']} {words.get('loc', '')}".strip())
+        elif kind == "hold":
+            self._hold(words)
+        elif kind in ("absent", "no"):
+            self._wait(kind, read_phrase(self.state, f"{words['x']} {words.get('loc', '')}"))
+        elif kind == "absent_on":
+            thing = read_phrase(self.state, words["x"])
+            where = read_place(self.state, f"on {words['y']}")
+            self._wait("absent", replace(where, thing=thing.thing))
+        elif kind == "clear":
+            self._clear(words["y"])
+        elif kind == "state":
+            self._wait(f"state {words['v'].lower()}", read_phrase(self.state, words["x"]))
+        elif kind == "move":
+            self._move(f"{words['x']}{' ' + words['loc'] if words.get('loc') else ''}")
+        else:
+            self._swap(words["x"], words["z"])
+
+    def _have(self, text: str) -> None:
+        if re.match(r"^(?:no|not any|none of)\b", text, re.IGNORECASE):
+            bare = re.sub(r"^(?:no|not any|none of)\s+", "", text, flags=re.IGNORECASE)
+            return self._wait("absent", read_phrase(self.state, bare))
+        match = _WITH.match(text)
+        if match is None:
+            return self._wait("have", read_phrase(self.state, text))
+        carrier = read_phrase(self.state, f"{match['a']}{match['loc'] or ''}")
+        self._wait("have", carrier)
+        self._flush()
+        inward = (match["rel"] or "on") != "on"
+        where = self._within(carrier, "in" if inward else "on")
+        for words in re.split(r" and ", match["b"]):
+            self._wait("have", replace(read_phrase(self.state, words), where=where, placed=True))
+
+    def _hold(self, words: dict[str, str]) -> None:
+        holder = words["y"]
+        bare = re.sub(r"^(?:(?:the|every|each|all|both)\s+)+", "", holder, flags=re.IGNORECASE)
+        place = read_place(self.state, f"in {holder}")
+        if place.where.receptacle and not rooms_named(self.state, bare, None):
+            assets = [
+                asset
+                for category in self.state.vocabulary.nouns(place.where.receptacle)[:1]
+                for asset in self.state.catalogue.by_category(category)[:1]
+            ]
+            inward = bool(assets and assets[0].volumes and assets[0].openable)
+            place = read_place(self.state, f"{'in' if inward else 'on'} {holder}")
+        kind = "have"
+        text = words["x"]
+        if re.match(r"^(?:no|not any)\b", text, re.IGNORECASE):
+            kind, text = "absent", re.sub(r"^(?:no|not any)\s+", "", text, flags=re.IGNORECASE)
+        thing = read_phrase(self.state, text)
+        where = _merged(thing.where, place.where) if thing.placed else place.where
+        self._wait(kind, replace(thing, where=where, placed=True, each=place.each, back=place.back))
+
+    def _clear(self, text: str) -> None:
+        self._flush()
+        phrase = read_place(self.state, f"on {text}")
+        where = self._resolved(phrase)
+        if not where.receptacle:
+            raise _not_understood(f"clear {text}")
+        self.facts.append(AbsentFact(Thing("", 0), replace(where, relation="on")))
+        carrier = Thing(where.receptacle, 1, where.colour)
+        self._last = Phrase(carrier, Scope("room", "", where.rooms, where.floor), True)
+
+    def _move(self, text: str) -> None:
+        match = next((m for p in _TO if (m := re.match(p, text, re.IGNORECASE))), None)
+        if match is None:
+            return self._wait("move", read_phrase(self.state, text))
+        source = f" on {match['source']}" if match["source"] else ""
+        phrase = read_phrase(self.state, match["what"] + source)
+        if not phrase.thing.noun and not phrase.placed and self._last is not None:
+            phrase = self._last
+        inward = match["to"].lower() in ("into", "in", "inside")
+        goal = read_place(self.state, f"{'in' if inward else 'on'} {match['target']}")
+        if not goal.placed:
+            raise _not_understood(f"move {text}")
+        target = self._resolved(goal)
+        for kind, waiting in self._waiting:
+            if kind == "move":
+                where = waiting.where if waiting.placed else phrase.where
+                self.facts.append(MoveFact(_moved(waiting.thing), where, target))
+        self._waiting = [entry for entry in self._waiting if entry[0] != "move"]
+        self._flush()
+        self.facts.append(MoveFact(_moved(phrase.thing), self._resolved(phrase), target))
+        self._last = replace(phrase, where=target)
+
+    def _swap(self, old: str, new: str) -> None:
+        self._flush()
+        gone, come = read_phrase(self.state, old), read_phrase(self.state, new)
+        where = self._resolved(gone if gone.placed else come)
+        self.facts.append(AbsentFact(gone.thing, where))
+        self.facts.append(ObjectFact(replace(come.thing, count=max(1, come.thing.count)), where))
+        self._last = replace(come, where=where)
+
+    def _wait(self, kind: str, phrase: Phrase) -> None:
+        if not phrase.thing.noun and not (kind in ("absent", "no") and phrase.where.receptacle):
+            before = self._waiting[-1][1] if self._waiting else self._last
+            if before is None or not before.thing.noun:
+                raise _not_understood(kind)
+            thing, last = phrase.thing, before.thing
+            if not phrase.placed and kind.startswith(("state", "absent")):
+                phrase = replace(phrase, where=before.where, placed=before.placed)
+            colour, cold = thing.colour or last.colour, thing.cold or last.cold
+            thing = replace(last, count=thing.count or last.count, colour=colour, cold=cold)
+            phrase = replace(phrase, thing=thing)
+        self._waiting.append((kind, phrase))
+        if phrase.placed:
+            self._flush()
+
+    def _flush(self) -> None:
+        """Turn what waits into facts; things without a place stand where the next, or the last, one does."""
+        if not self._waiting:
+            return
+        final = self._waiting[-1][1]
+        place = final
+        takes_up = self._waiting[-1][0] in ("have", "no") and self._frame is None
+        if not final.placed and takes_up and self._last is not None:
+            place = replace(self._last, each="")
+        for kind, phrase in self._waiting:
+            own = phrase if phrase.placed else replace(place, thing=phrase.thing)
+            self._fact(kind, replace(own, exact=phrase.exact, more=phrase.more, most=phrase.most))
+        self._waiting = []
+
+    def _fact(self, kind: str, phrase: Phrase) -> None:
+        where = self._resolved(phrase)
+        if kind == "have":
+            least = 2 if phrase.thing.every else 1
+            thing = replace(phrase.thing, count=phrase.thing.count or least, every=False)
+            if thing.cold and not where.receptacle:
+                where = replace(where, relation="in", receptacle="fridge")
+            if where.base:
+                outer = replace(where, relation="on", receptacle=where.base, base="", colour="")
+                self.facts.append(ObjectFact(Thing(where.receptacle, 1, where.colour), outer))
+            for scope in distributed(self.state, where, phrase.each):
+                self.facts.append(ObjectFact(thing, scope, phrase.exact, phrase.more, phrase.most))
+        elif kind in ("absent", "no"):
+            self.facts.append(AbsentFact(phrase.thing, where))
+        elif kind.startswith("state "):
+            return self._switch(replace(phrase, where=where), kind[6:])
+        else:
+            raise _not_understood(kind)
+        self._last = replace(phrase, where=where)
+
+    def _switch(self, phrase: Phrase, word: str) -> None:
+        name, value = _STATES[word.lower()]
+        where = self._resolved(phrase)
+        state = "open" if name == "open" else "on"
+        self.facts.append(StateFact(phrase.thing, where, state, value))  # type: ignore[arg-type]
+        self._last = replace(phrase, where=where)
+
+    def _resolved(self, phrase: Phrase) -> Scope:
+        """Return a phrase's place with its pronouns and the sentence's leading place filled in."""
+        where = phrase.where
+        if phrase.back and self._last is not None:
+            where = self._within(self._last, where.relation)
+        return _merged(where, self._frame) if self._frame is not None else where
+
+    def _within(self, carrier: Phrase, relation: str) -> Scope:
+        """Return the place on or in a thing that was spoken of; its own place when it carries nothing."""
+        noun = carrier.thing.noun
+        carries = any(
+            asset.surfaces or asset.volumes
+            for category in self.state.vocabulary.nouns(noun)[:1]
+            for asset in self.state.catalogue.by_category(category)[:1]
         )
-    if verb == "absent":
-        text = re.sub(r"\b(?:off|from|out of)\b", "on", rest, count=1, flags=re.IGNORECASE)
-        phrase = read_phrase(state, text)
-        if not phrase.thing.noun and not phrase.where.receptacle:
-            raise _not_understood(f"remove {rest}")
-        return AbsentFact(phrase.thing, phrase.where)
-    _, name, value = verb.split(":")
-    phrase = read_phrase(state, rest)
-    if not phrase.thing.noun:
-        raise _not_understood(rest)
-    return StateFact(phrase.thing, phrase.where, "open" if name == "open" else "on", value == "1")
-
-
-def _path(state: SceneState, rest: str) -> PathFact:
-    text = rest.strip(" .")
-    match = re.match(r"^(?:from (?P<start>.+?) )?(?:to|into|towards) (?P<end>.+)$", text, re.I)
-    other = re.match(r"^(?:to (?P<end>.+?) )?from (?P<start>.+)$", text, re.I)
-    plain = re.match(r"^(?P<end>.+)$", text)
-    if not text:
-        return PathFact()
-    found = match or other or plain
-    ends = {name: (found.groupdict().get(name) or "") if found else "" for name in ("start", "end")}
-    if match and not ends["start"]:
-        tail = re.match(r"^(.+?) from (.+)$", ends["end"], re.I)
-        if tail:
-            ends = {"end": tail[1], "start": tail[2]}
-    named = {name: _place(state, words) for name, words in ends.items()}
-    return PathFact(named["start"], named["end"])
-
-
-def _place(state: SceneState, words: str) -> str:
-    bare = re.sub(r"^(?:the|a|an|any)\s+", "", words.strip(" ,.;!?\"'"), flags=re.IGNORECASE)
-    if bare.lower() in ("", "entrance", "main entrance", "front door"):
-        return ""
-    if re.match(r"^(?:every|each|all)\b", bare, re.IGNORECASE):
-        return ""
-    try:
-        return (
-            place_named(state, bare, "$.instruction")[1]
-            if "/" in bare
-            else _first_place(state, bare)
+        if not carries or (carrier.where.receptacle and noun in ("", carrier.where.receptacle)):
+            return carrier.where
+        own = carrier.where
+        return Scope(
+            "in" if relation == "in" else "on", noun, own.rooms, own.floor, carrier.thing.colour
         )
-    except MansionError as error:
-        if error.code != ErrorCode.CONFLICT:
-            raise
-        return str(error.info.details["candidates"][0])
 
 
-def _first_place(state: SceneState, words: str) -> str:
-    floor, name = place_named(state, words, "$.instruction")
-    is_core = any(core.id == name for core in state.scenes[floor].cores)
-    return words if is_core else name
+def _moved(thing: Thing) -> Thing:
+    return replace(thing, count=0 if thing.every and not thing.count else max(1, thing.count))
 
 
-def _move(state: SceneState, rest: str) -> MoveFact:
-    match = re.match(
-        r"^(?P<what>.+?)(?: from (?P<source>.+?))? (?:to|onto|into|on to|in to) (?P<target>.+)$",
-        rest,
-        re.I,
+def _on_that_of(own: Scope, other: Scope) -> Scope:
+    """Return a place with the receptacle of another."""
+    return replace(
+        own,
+        relation=other.relation,
+        receptacle=other.receptacle,
+        colour=other.colour,
+        base=other.base,
     )
-    if match is None:
-        raise _not_understood(f"move {rest}")
-    source = f" on {match['source']}" if match["source"] else ""
-    phrase = read_phrase(state, match["what"] + source)
-    inward = re.search(
-        r"\b(?:into|in to)\b",
-        rest[match.end("source") if match["source"] else match.end("what") : match.start("target")],
-        re.I,
-    )
-    target = read_phrase(state, f"things {'in' if inward else 'on'} {match['target']}")
-    if not phrase.thing.noun or not target.placed:
-        raise _not_understood(f"move {rest}")
-    thing = phrase.thing
-    return MoveFact(
-        Thing(thing.noun, max(1, thing.count), thing.colour), phrase.where, target.where
+
+
+def _merged(own: Scope, other: Scope | None) -> Scope:
+    """Return a place with what it leaves open taken from another."""
+    if other is None:
+        return own
+    placed = own if own.receptacle else _on_that_of(own, other)
+    return replace(
+        placed,
+        rooms=own.rooms or other.rooms,
+        floor=other.floor if own.floor is None else own.floor,
+        near=own.near or other.near,
     )

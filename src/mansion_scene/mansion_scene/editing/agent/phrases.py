@@ -1,74 +1,75 @@
-"""Noun phrases and places: the words of a clause as things and scopes of a building."""
+"""Things and places: the words of a clause as a thing and where it is in a building."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
-from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_scene.editing.agent.facts import Relation, Scope, Thing
+from mansion_scene.editing.agent.facts import Scope, Thing
+from mansion_scene.editing.agent.things import (
+    MOST_THINGS,
+    ThingWords,
+    is_known,
+    known_noun,
+    read_thing,
+    unknown,
+)
 from mansion_scene.editing.references import find_floor, find_rooms
 from mansion_scene.editing.state import SceneState
 from mansion_scene.editing.vocabulary import COLOUR_WORDS
 
-__all__ = ["MOST_THINGS", "Phrase", "read_phrase", "read_thing", "unknown"]
+__all__ = ["MOST_THINGS", "Phrase", "read_phrase", "read_place", "rooms_named"]
 
-MOST_THINGS: Final = 20
-"""Most copies of one thing that an instruction may ask for."""
-
-_NUMBERS: Final = {
-    **{
-        word: number
-        for number, word in enumerate(
-            ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"], start=1
-        )
-    },
-    "a": 1, "an": 1, "some": 1, "another": 1, "single": 1, "couple": 2, "pair": 2, "several": 3,
-}  # fmt: skip
-_EVERY: Final = frozenset(["the", "all", "every", "each", "any", "everything"])
-_COLD: Final = frozenset(["cold", "chilled", "cool", "refrigerated"])
-_IDLE: Final = frozenset(
-    [
-        "fresh",
-        "clean",
-        "new",
-        "small",
-        "large",
-        "big",
-        "nice",
-        "full",
-        "empty",
-        "least",
-        "at",
-        "please",
-        "more",
-        "exactly",
-        "of",
-        "these",
-        "those",
-        "that",
-        "this",
-    ]
-)
-_PREPOSITIONS: Final = r"\b(on top of|onto|on|inside of|inside|into|in|within|at)\b"
+_PREPOSITIONS: Final = r"\b(next to|inside of|inside|into|in|within|on|under|underneath|below|at|by|off|out of|from|to|for)\b"
 _ID: Final = re.compile(r"\b[fF]-?\d+/[A-Za-z0-9_./-]+")
+_EACH: Final = re.compile(
+    r"^(?:the )?(?:each|every|both|all|either)(?: (?:single|one))?(?: of)?(?: the)?(?: (?:two|three|four|five|six|\d+))?\b",
+    re.IGNORECASE,
+)
+_EACH_FLOOR: Final = re.compile(
+    r"\b(?:on |of |in )?(?:each|every|both|all)(?: of)?(?: the)?(?: \w+)? (?:floors?|storeys?|stories|levels?)\b",
+    re.IGNORECASE,
+)
+_PRONOUNS: Final = frozenset(["it", "them", "there", "this", "that", "these", "those", "here"])
+_PARTS: Final = frozenset(
+    ["floor", "ground", "building", "door", "top", "surface", "table top", "area", "place"]
+)
 
 
 @dataclass(frozen=True)
 class Phrase:
-    """A thing and where it is said to be; `placed` when the words name a place at all."""
+    """A thing and where it is said to be.
+
+    Attributes
+    ----------
+    placed : bool
+        The words name a place at all.
+    each : {"", "receptacle", "room", "floor"}
+        What of the place is meant each for itself.
+    back : bool
+        The place is what was spoken of before (on it, there).
+    exact, more, most
+        See `ThingWords`.
+    """
 
     thing: Thing
     where: Scope
     placed: bool
+    each: str = ""
+    back: bool = False
+    exact: bool = False
+    more: bool = False
+    most: bool = False
 
 
-def unknown(what: str) -> MansionError:
-    """Return the error for words that name nothing here."""
-    return MansionError(
-        ErrorCode.NOT_FOUND,
-        f"{what[:80]!r} names no room of this building and nothing that the catalogue knows",
-        details={"words": what[:200]},
-    )
+def read_place(state: SceneState, text: str) -> Phrase:
+    """Read ``on the desk in the meeting room on the third floor``.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for words that name nothing.
+    """
+    return read_phrase(state, f"things {text}")
 
 
 def read_phrase(state: SceneState, text: str) -> Phrase:
@@ -79,61 +80,156 @@ def read_phrase(state: SceneState, text: str) -> Phrase:
     MansionError
         ``NOT_FOUND`` for words that name nothing, ``INFEASIBLE`` for too many copies.
     """
-    ids = {match.group().lower(): match.group() for match in _ID.finditer(text)}
+    each = "floor" if _EACH_FLOOR.search(text) else ""
+    text = " ".join(_EACH_FLOOR.sub(" ", text).split())
     floor, rest = find_floor(state, text)
+    rest = re.sub(r"^((?:(?:things|on|in|at|the)\s+)*)'s ", r"\1", rest)
     pieces = re.split(_PREPOSITIONS, rest, flags=re.IGNORECASE)
-    thing = read_thing(state, pieces[0])
-    relation: Relation = "room"
-    receptacle, rooms = "", None
+    said = read_thing(state, _room_first(state, pieces[0]))
+    reader = _PlaceReader(state, floor, text)
     for preposition, words in zip(pieces[1::2], pieces[2::2], strict=False):
-        name = _bare(words)
-        if not name:
+        if words.strip(" ,.").lower() in COLOUR_WORDS:
+            colour = COLOUR_WORDS[words.strip(" ,.").lower()]
+            said = replace(said, thing=replace(said.thing, colour=colour))
             continue
-        name, inner = _of(state, name, floor)
-        if inner is not None:
-            rooms = inner
-        found = (
-            None
-            if rooms is not None and not receptacle and inner is None
-            else _rooms(state, name, floor)
-        )
-        if found and not (receptacle and rooms is not None):
-            rooms = found
-        elif not receptacle:
-            receptacle = _receptacle(state, ids.get(name.lower(), name))
-            inward = preposition.lower() in ("in", "inside", "into", "within", "inside of")
-            relation = "in" if inward else "on"
+        reader.take(preposition.lower(), words)
+    return reader.phrase(said, each)
+
+
+def _room_first(state: SceneState, text: str) -> str:
+    """Say ``the kitchen 's mug`` as ``the kitchen mug``."""
+    return re.sub(r" 's\b", "", text)
+
+
+class _PlaceReader:
+    """Takes a place's parts one after the other: receptacle, neighbour, room."""
+
+    def __init__(self, state: SceneState, floor: int | None, text: str) -> None:
+        self.state, self.floor = state, floor
+        self.ids = {match.group().lower(): match.group() for match in _ID.finditer(text)}
+        self.relation, self.receptacle, self.colour, self.near = "room", "", "", ""
+        self.base = ""
+        self.rooms: tuple[str, ...] | None = None
+        self.each = ""
+        self.back = False
+
+    def take(self, preposition: str, words: str) -> None:
+        """Take ``in the meeting room`` or ``on the desk``."""
+        quantified = _EACH.match(words.strip())
+        name = _bare(_EACH.sub("", words.strip()) if quantified else words)
+        if not name:
+            self.back = self.back or bool(quantified)
+            return
+        if name.lower() in _PRONOUNS:
+            self.back = True
+            self.relation = "in" if preposition.startswith(("in", "with")) else "on"
+            return
+        name = self._owner(name)
+        if name.lower() in _PARTS:
+            return
+        each = bool(quantified)
+        found = None if self.rooms is not None else rooms_named(self.state, name, self.floor, each)
+        if found and preposition not in ("next to", "under", "underneath", "below", "by"):
+            self.rooms = found
+            self.each = "room" if quantified else self.each
+            return
+        if preposition in ("next to", "under", "underneath", "below", "by"):
+            self.near = self._thing(name)[1]
+        elif not self.receptacle:
+            self.colour, self.receptacle = self._thing(name)
+            inward = preposition in ("in", "inside", "into", "within", "inside of", "out of")
+            self.relation = "in" if inward else "on"
+            self.each = "receptacle" if quantified else self.each
+        elif not self.base:
+            self.base = self._thing(name)[1]
         else:
             raise unknown(name)
-    placed = bool(receptacle or rooms or floor is not None)
-    return Phrase(thing, Scope(relation, receptacle, rooms or (), floor), placed)
+
+    def _owner(self, name: str) -> str:
+        """Split ``table of the break room`` and ``break room 's table`` where one part is a room."""
+        head, mark, tail = name.partition(" of ")
+        if not mark:
+            tail, mark, head = name.partition(" 's ")
+        if not mark:
+            return name
+        rooms = rooms_named(self.state, _bare(tail), self.floor)
+        if rooms and self.rooms is None:
+            self.rooms = rooms
+            return _bare(head)
+        return _bare(tail) if _bare(head).lower() in _PARTS else name.replace(" 's ", " ")
+
+    def _thing(self, name: str) -> tuple[str, str]:
+        """Return the colour and the noun of a receptacle; a room's name before it narrows the place."""
+        whole = self.ids.get(name.lower(), name)
+        upper = whole[0].upper() + whole[1:]
+        if self.state.find(upper) is not None:
+            return "", upper
+        if "/" in whole or re.search(r"_\d+$", whole):
+            return "", whole
+        words = re.findall(r"[a-z0-9'\-]+", name.lower())
+        colour = next((COLOUR_WORDS[w] for w in words[:-1] if w in COLOUR_WORDS), "")
+        plain = [w for w in words if w not in COLOUR_WORDS or w == words[-1]]
+        before, noun = known_noun(self.state, plain)
+        self._narrow(" ".join(before))
+        return colour, noun
+
+    def _narrow(self, words: str) -> None:
+        if words and self.rooms is None:
+            self.rooms = rooms_named(self.state, words, self.floor)
+
+    def phrase(self, said: ThingWords, each: str) -> Phrase:
+        """Return the thing in the place that was read."""
+        self._narrow(said.before)
+        relation = self.relation if self.receptacle or self.back else "room"
+        where = Scope(
+            relation,  # type: ignore[arg-type]
+            self.receptacle,
+            self.rooms or (),
+            self.floor,
+            self.colour,
+            self.near,
+            self.base,
+        )
+        placed = bool(where.receptacle or where.rooms or where.near or self.floor is not None)
+        return Phrase(
+            said.thing,
+            where,
+            placed or self.back or bool(each),
+            each or self.each,
+            self.back,
+            said.exact,
+            said.more,
+            said.most,
+        )
 
 
 def _bare(words: str) -> str:
     """Drop articles and punctuation around a noun."""
     out = re.sub(
-        r"^[\s,]*(?:(?:the|a|an|any|all|every|each|its|my|our)\s+)*", "", words.strip(), flags=re.I
+        r"^[\s,]*(?:(?:the|a|an|any|all|every|each|one|its|my|our|your|their|of|same)\s+)*",
+        "",
+        words.strip(),
+        flags=re.I,
     )
     return out.strip(" ,.;!?\"'")
 
 
-def _of(state: SceneState, name: str, floor: int | None) -> tuple[str, tuple[str, ...] | None]:
-    """Split ``table of the break room`` where the end is a room."""
-    head, mark, tail = name.partition(" of ")
-    if mark:
-        rooms = _rooms(state, _bare(tail), floor)
-        if rooms:
-            return _bare(head), rooms
-    return name, None
+def rooms_named(
+    state: SceneState, name: str, floor: int | None, every: bool = False
+) -> tuple[str, ...] | None:
+    """Return the rooms that a name means, None for none; a thing of that name goes before a part of a room's.
 
-
-def _rooms(state: SceneState, name: str, floor: int | None) -> tuple[str, ...] | None:
-    """Return the rooms that a name means, None for none; a thing of that name goes before a part of a room's."""
-    upper = name[0].upper() + name[1:] if name else name
-    whole = state.room(upper)
+    Parameters
+    ----------
+    every : bool
+        All rooms of the kind, not only those that the name fits best.
+    """
+    if not name:
+        return None
+    whole = state.room(name[0].upper() + name[1:])
     if whole is not None:
         return (whole[1].id,)
-    found = [room.id for _, room in find_rooms(state, name, floor)]
+    found = [room.id for _, room in find_rooms(state, name, floor, every=every)]
     if not found:
         return None
     exact = any(
@@ -142,77 +238,6 @@ def _rooms(state: SceneState, name: str, floor: int | None) -> tuple[str, ...] |
         for room in state.scenes[number].rooms
         if room.id in found
     )
-    if not exact and "room" not in name.lower() and _known(state, name):
+    if not exact and not re.search(r"room|office|\d$", name.lower()) and is_known(state, name):
         return None
     return tuple(found)
-
-
-def _known(state: SceneState, noun: str) -> bool:
-    words = state.vocabulary
-    snake = noun.lower().replace(" ", "_")
-    if snake in state.catalogue.room_types and snake not in words.categories:
-        return False
-    return state.find(noun) is not None or bool(words.nouns(noun))
-
-
-def _receptacle(state: SceneState, name: str) -> str:
-    upper = name[0].upper() + name[1:]
-    if state.find(upper) is not None:
-        return upper
-    if "/" in name or re.search(r"_\d+$", name) or _known(state, name):
-        return name
-    raise unknown(name)
-
-
-def _object_id(state: SceneState, name: str) -> str:
-    """Return an id that is or may have been an object's."""
-    for floor in state.floors:
-        scene = state.scenes[floor]
-        fixed = [wall.id for wall in scene.walls] + [door.id for door in scene.doors]
-        fixed += [window.id for window in scene.windows] + [room.id for room in scene.rooms]
-        for part in (*fixed, *(core.id for core in scene.cores)):
-            if part == name:
-                raise MansionError(
-                    ErrorCode.INFEASIBLE,
-                    f"{name} is part of the building itself; the editor changes objects alone",
-                )
-    if state.room(name.rsplit("/", 1)[0]) is None:
-        raise unknown(name)
-    return name
-
-
-def read_thing(state: SceneState, text: str) -> Thing:
-    """Read a noun with number, colour and coldness.
-
-    Raises
-    ------
-    MansionError
-        ``NOT_FOUND`` for an unknown noun, ``INFEASIBLE`` for more copies than allowed.
-    """
-    bare = text.strip(" ,.;!?\"'")
-    if "/" in bare:
-        name = bare.split()[-1]
-        return Thing(_object_id(state, name[0].upper() + name[1:]), 0)
-    count, colour, cold = 0, "", False
-    words = bare.lower().split()
-    kept: list[str] = []
-    for word in words:
-        if not kept and (word in _NUMBERS or word.isdecimal()):
-            count = int(word[:9]) if word.isdecimal() else _NUMBERS[word]
-        elif word in _COLD:
-            cold = True
-        elif word in COLOUR_WORDS and word != words[-1]:
-            colour = COLOUR_WORDS[word]
-        elif (word not in _IDLE and (kept or word not in _EVERY)) or (word == "of" and kept):
-            kept.append(word)
-    if count > MOST_THINGS:
-        raise MansionError(
-            ErrorCode.INFEASIBLE,
-            f"the instruction asks for {count} of one thing; at most {MOST_THINGS} can be provided",
-        )
-    noun = " ".join(kept)
-    if noun and noun not in ("thing", "things", "object", "objects", "stuff", "items", "item"):
-        if not _known(state, noun):
-            raise unknown(noun)
-        return Thing(noun, count, colour, cold)
-    return Thing("", count, colour, cold)

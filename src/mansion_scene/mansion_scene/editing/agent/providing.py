@@ -30,6 +30,8 @@ def provide(fact: ObjectFact, state: SceneState) -> Work:
     carriers = yield from receptacles(fact.where, state)
     if isinstance(carriers, str):
         return carriers
+    if not carriers and fact.most:
+        return ""
     if not carriers:
         carrier = yield from _provide_carrier(fact, state)
         if isinstance(carrier, str):
@@ -43,10 +45,17 @@ def provide(fact: ObjectFact, state: SceneState) -> Work:
         if isinstance(there, str):
             return there
         mine = [item for item in there if fits(fact.thing, item, state)]
+        if fact.most:
+            surplus += mine[fact.thing.count :]
+            continue
+        if fact.more:
+            mine = []
         if len(mine) >= fact.thing.count:
             surplus = surplus or mine[fact.thing.count :]
             return (yield from _reduce(surplus)) if fact.exact else ""
         counted.append((-len(mine), order, carrier))
+    if fact.most:
+        return (yield from _reduce(surplus))
     counted.sort(key=lambda entry: entry[:2])
     return (yield from _fill(fact, [(-n, c) for n, _, c in counted[:MOST_CARRIERS]], state))
 
@@ -125,9 +134,10 @@ def _provide_in_room(fact: ObjectFact, state: SceneState) -> Work:
     found = yield from find_things(fact.thing, fact.where, state)
     if isinstance(found, str):
         return found
-    missing = fact.thing.count - len(found)
-    if missing <= 0:
-        return (yield from _reduce(found[fact.thing.count :])) if fact.exact else ""
+    missing = fact.thing.count - (0 if fact.more else len(found))
+    if missing <= 0 or fact.most:
+        surplus = found[fact.thing.count :] if fact.exact or fact.most else []
+        return (yield from _reduce(surplus))
     assets = yield from assets_of(fact.thing, state)
     if isinstance(assets, str):
         return assets

@@ -1,0 +1,50 @@
+"""Each desk, every office, all floors: one place for each of them."""
+
+from dataclasses import replace
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_scene.editing.agent.facts import Scope
+from mansion_scene.editing.references import matching_objects
+from mansion_scene.editing.state import SceneState
+from mansion_scene.editing.vocabulary import colour_of
+
+__all__ = ["distributed"]
+
+
+def distributed(state: SceneState, where: Scope, each: str) -> list[Scope]:
+    """Return the places that a scope stands for.
+
+    Parameters
+    ----------
+    each : {"", "receptacle", "room", "floor"}
+        What of it is meant each for itself.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` when there is none.
+    """
+    if each == "receptacle" and where.receptacle:
+        found = [
+            Scope(where.relation, item.id, (item.room,), floor, where.colour)
+            for floor, item in matching_objects(
+                state, where.receptacle, list(where.rooms) or None, where.floor
+            )
+            if where.colour in ("", colour_of(item.material))
+        ]
+    elif each == "room":
+        found = [replace(where, rooms=(room,)) for room in where.rooms]
+    elif each == "floor":
+        found = [
+            replace(where, floor=floor, rooms=_on(where.rooms, floor)) for floor in state.floors
+        ]
+        found = [scope for scope in found if scope.rooms or not where.rooms]
+    else:
+        return [where]
+    if not found:
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {where.receptacle or 'room'} {where}")
+    return found
+
+
+def _on(rooms: tuple[str, ...], floor: int) -> tuple[str, ...]:
+    return tuple(room for room in rooms if room.startswith(f"F{floor}/"))
