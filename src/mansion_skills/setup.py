@@ -41,5 +41,8 @@ setup(
         "console_scripts": [
             "skill_server = mansion_skills.nodes.skill_server:main",
         ],
+        "gymnasium.envs": [
+            "__root__ = mansion_skills.env.registration:register_environments",
+        ],
     },
 )

@@ -12,7 +12,7 @@ from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import ProgressScore, Task, TaskSet
 from mansion_msgs_py.world import SkillStatus
-from mansion_skills.env.eyes import Eyes, InView
+from mansion_skills.env.eyes import Eyes
 from mansion_skills.env.low_level import Outcome, act, low_level_actions
 from mansion_skills.env.observing import SLOTS, Describer, Values, Vocabulary, state_space
 from mansion_skills.env.skill_level import SKILL_ACTIONS, skill_call
@@ -35,7 +35,7 @@ FAR: Final = 50.0
 """Metres at which the depth image ends."""
 
 
-class BuildingEnv(gymnasium.Env[Values, Any]):
+class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
     """One robot, one task at a time; a reset puts the building back to how it was built.
 
     The reward is the rise of the progress score, retrieval and navigation a quarter each, and a half for success.
@@ -147,7 +147,6 @@ class BuildingEnv(gymnasium.Env[Values, Any]):
         scale = MOVES_PER_SKILL if self._low else 1
         self._limit = self._most or self._task.max_steps * scale
         self._steps = 0
-        self._view: list[InView] = []
         self._observe()
         info = self._info(Outcome(SkillStatus.SUCCESS, "the episode begins"))
         return self._values(), {**info, "instruction": self._task.instruction}
@@ -187,7 +186,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):
         call = skill_call(
             [int(part) for part in action],
             sandbox.world.view(sandbox.robot.floor).landmarks,
-            [entry.id for entry in self._view[:SLOTS]],
+            self._view.ids[:SLOTS],
             self.vocabulary.floors,
         )
         if call is None:
@@ -196,8 +195,8 @@ class BuildingEnv(gymnasium.Env[Values, Any]):
         return Outcome(result.status, result.message, result.status is SkillStatus.SUCCESS)
 
     def _observe(self) -> ProgressScore:
-        self._view = self._eyes.look(self._sandbox.robot)
-        return self._tracker.observe({entry.id: entry.distance for entry in self._view})
+        view = self._view = self._eyes.look(self._sandbox.robot, SLOTS, self._tracker.targets)
+        return self._tracker.observe(dict(zip(view.ids, view.distances.tolist())))
 
     def _values(self) -> Values:
         left = max(0.0, 1.0 - self._steps / self._limit)
@@ -218,7 +217,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):
             "retrieval": score.retrieval,
             "navigation": score.navigation,
             "success": score.success,
-            "visible": [entry.id for entry in self._view[:SLOTS]],
+            "visible": self._view.ids[:SLOTS],
             "time": self._sandbox.world.time,
         }
 

@@ -1,7 +1,8 @@
 """What the camera sees, for many steps a second: the rules of `ListVisible` on arrays."""
 
 import math
-from dataclasses import dataclass, field
+from collections.abc import Collection
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -20,11 +21,12 @@ from mansion_skills.skills.seeing import (
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
-__all__ = ["Eyes", "InView"]
+__all__ = ["Eyes", "View"]
 
 Floats = npt.NDArray[np.float64]
 Labels = npt.NDArray[np.int16]
 Mask = npt.NDArray[np.bool_]
+Ints = npt.NDArray[np.int64]
 
 _THIN = 3.0
 _CHAIN = 4
@@ -45,25 +47,41 @@ class _FloorArrays:
         By which each is seen.
     labels : (n, 4) array
         Numbers of it and its carriers in the view grid.
+    version : int
+        Of the map.
     """
 
     states: list[ObjectState]
+    numbers: dict[str, int]
     boxes: Floats
     heights: Floats
     points: Floats
     labels: Labels
     shut: Mask
+    is_open: Mask
     version: int
-    rows: dict[str, int] = field(default_factory=dict)
+    rows: dict[str, int]
 
 
 @dataclass(frozen=True)
-class InView:
-    """An object in view: distance to its box (metres), and bearing of its centre (degrees, left is positive)."""
+class View:
+    """The objects in view, the nearest first.
 
-    id: str
-    distance: float
-    bearing: float
+    Attributes
+    ----------
+    ids : list of str
+    distances : (n,) array
+        To their boxes, metres.
+    bearings : (n,) array
+        Of their centres, degrees, left is positive.
+    is_open : (n,) array of bool
+        Whether each stands open.
+    """
+
+    ids: list[str]
+    distances: Floats
+    bearings: Floats
+    is_open: Mask
 
 
 class Eyes:
@@ -83,54 +101,74 @@ class Eyes:
         """Look at the objects anew: one was moved, opened or switched."""
         self._stale = set(self._floors)
 
-    def look(self, robot: RobotBody, distance: float = VIEW_RANGE) -> list[InView]:
-        """Return the objects in view, the nearest first."""
+    def look(
+        self,
+        robot: RobotBody,
+        most: int | None = None,
+        always: Collection[str] = (),
+        distance: float = VIEW_RANGE,
+    ) -> View:
+        """Return the objects in view.
+
+        Parameters
+        ----------
+        robot : RobotBody
+        most : int, optional
+            So many at most, the nearest.
+        always : collection of str
+            Objects that are looked for even behind the nearest `most`.
+        distance : float
+            Metres.
+        """
         rows = self._arrays(robot.floor)
         grid = self._world.view(robot.floor).map
-        away, bearing = _look(
+        wanted = np.zeros(len(rows.states), dtype=np.bool_)
+        for name in always:
+            if name in rows.rows:
+                wanted[rows.rows[name]] = True
+        found, away, bearing = _look(
             grid.view,
-            grid.frame.x0,
-            grid.frame.y0,
-            robot.pose.x,
-            robot.pose.y,
-            robot.pose.yaw,
-            robot.pitch,
-            robot.radius,
+            (grid.frame.x0, grid.frame.y0),
+            (robot.pose.x, robot.pose.y, robot.pose.yaw, robot.pitch, robot.radius),
             distance,
+            len(rows.states) if most is None else most,
+            wanted,
             rows.boxes,
             rows.heights,
             rows.points,
             rows.labels,
             rows.shut,
         )
-        found = np.flatnonzero(np.isfinite(away))
-        order = sorted(found.tolist(), key=lambda i: (round(away[i], 3), rows.states[i].id))
-        return [InView(rows.states[i].id, float(away[i]), float(bearing[i])) for i in order]
+        ids = [rows.states[i].id for i in found.tolist()]
+        return View(ids, away, bearing, rows.is_open[found])
 
     def _arrays(self, floor: int) -> _FloorArrays:
         rows = self._floors.get(floor)
         version = self._world.view(floor).map.version
         if rows is None or rows.version != version or floor in self._stale:
-            rows = self._floors[floor] = self._built(floor, rows, version)
+            rows = self._floors[floor] = self._renewed(floor, rows, version)
             self._stale.discard(floor)
         return rows
 
-    def _built(self, floor: int, old: _FloorArrays | None, version: int) -> _FloorArrays:
-        """Return a floor's arrays; rows of objects that are as they were are taken over."""
-        world = self._world
-        states = world.objects.on_floor(floor)
+    def _renewed(self, floor: int, old: _FloorArrays | None, version: int) -> _FloorArrays:
+        """Return a floor's arrays; what is as it was is taken over."""
+        states = self._world.objects.on_floor(floor)
+        numbers = self._world.view(floor).numbers
+        if old is not None and numbers == old.numbers and _same_things(states, old.states):
+            return self._touched_up(old, states, version)
         count = len(states)
         made = _FloorArrays(
             states,
+            numbers,
             np.zeros((count, 6)),
             np.zeros((count, 3)),
             np.zeros((count, 5, 2)),
             np.zeros((count, _CHAIN), dtype=np.int16),
             np.zeros(count, dtype=np.bool_),
+            np.array([state.states.get("open") is True for state in states], dtype=np.bool_),
             version,
             {state.id: row for row, state in enumerate(states)},
         )
-        numbers = world.view(floor).numbers
         for row, state in enumerate(states):
             before = None if old is None else old.rows.get(state.id)
             if old is not None and before is not None and old.states[before] is state:
@@ -139,13 +177,36 @@ class Eyes:
                 made.points[row] = old.points[before]
             else:
                 self._fill(made, row, state)
-            entry: ObjectState | None = state
-            for link in range(_CHAIN):
-                made.labels[row, link] = 0 if entry is None else numbers.get(entry.id, 0)
-                up = None if entry is None else entry.parent
-                entry = None if up is None else world.objects.state(up)
-            made.shut[row] = state.parent is not None and closed_carrier(world, state) is not None
+            self._fill_carriers(made, row, state)
         return made
+
+    def _fill_carriers(self, made: _FloorArrays, row: int, state: ObjectState) -> None:
+        made.labels[row] = 0
+        made.labels[row, 0] = made.numbers.get(state.id, 0)
+        made.shut[row] = False
+        if state.parent is None:
+            return
+        made.shut[row] = closed_carrier(self._world, state) is not None
+        entry, link = state, 1
+        while entry.parent is not None and link < _CHAIN:
+            entry = self._world.objects.state(entry.parent)
+            made.labels[row, link] = made.numbers.get(entry.id, 0)
+            link += 1
+
+    def _touched_up(
+        self, old: _FloorArrays, states: list[ObjectState], version: int
+    ) -> _FloorArrays:
+        """Return the arrays with the rows of objects that changed made anew."""
+        new = replace(old, states=states, version=version)
+        for row, (state, before) in enumerate(zip(states, old.states)):
+            if state is before:
+                continue
+            self._fill(new, row, state)
+            new.is_open[row] = state.states.get("open") is True
+            for name in self._world.objects.carried_with(state.id):
+                if name in new.rows:
+                    self._fill_carriers(new, new.rows[name], self._world.objects.state(name))
+        return new
 
     def _fill(self, made: _FloorArrays, row: int, state: ObjectState) -> None:
         kind = self._world.objects.kinds[state.id]
@@ -158,46 +219,49 @@ class Eyes:
         made.points[row] = sight_points(state, kind)
 
 
-@kernel
-def _bearing(dx: float, dy: float, yaw: float) -> float:
-    turn = (math.degrees(math.atan2(dy, dx)) - yaw) % 360.0
-    return turn - 360.0 if turn > 180.0 else turn
+def _same_things(states: list[ObjectState], before: list[ObjectState]) -> bool:
+    return len(states) == len(before) and all(
+        a is b or a.id == b.id for a, b in zip(states, before)
+    )
 
 
 @kernel
-def _in_picture(away: float, bearing: float, pitch: float, radius: float, heights: Floats) -> bool:
-    if away > radius and abs(bearing) > VIEW_ANGLE / 2:
-        return False
-    flat = max(away, radius)
-    low = math.degrees(math.atan2(heights[0] - CAMERA_HEIGHT, flat))
-    middle = math.degrees(math.atan2(heights[1] - CAMERA_HEIGHT, flat))
-    high = math.degrees(math.atan2(heights[2] - CAMERA_HEIGHT, flat))
-    least, most = min(low, middle, high), max(low, middle, high)
-    return least <= pitch + VIEW_ANGLE / 2 and most >= pitch - VIEW_ANGLE / 2
-
-
-@kernel
-def _look(
-    view: Labels,
-    x0: float,
-    y0: float,
-    x: float,
-    y: float,
-    yaw: float,
-    pitch: float,
-    radius: float,
-    reach: float,
-    boxes: Floats,
+def _in_picture(
+    dx: float,
+    dy: float,
+    ahead: tuple[float, float],
+    tilt: tuple[float, float, float],
     heights: Floats,
-    points: Floats,
-    labels: Labels,
-    shut: Mask,
-) -> tuple[Floats, Floats]:
-    """Return each object's distance (infinite when it is not seen) and bearing."""
+) -> bool:
+    """Whether a point of an object is in the picture: `tilt` is the tangents below and above, and the radius."""
+    away = math.hypot(dx, dy)
+    forward = dx * ahead[0] + dy * ahead[1]
+    if away > tilt[2] and (
+        forward <= 0.0 or abs(dy * ahead[0] - dx * ahead[1]) > forward * _HALF_WIDTH
+    ):
+        return False
+    flat = max(away, tilt[2])
+    low, high = heights[0] - CAMERA_HEIGHT, heights[2] - CAMERA_HEIGHT
+    return bool(low <= flat * tilt[1] and high >= flat * tilt[0])
+
+
+_HALF_WIDTH = math.tan(math.radians(VIEW_ANGLE / 2)) * (1.0 + 1e-12)
+_LEVEL = 89.9
+"""Degrees up or down from which the picture's edge counts as straight up or down."""
+
+
+@kernel
+def _tangent(angle: float) -> float:
+    if angle >= _LEVEL:
+        return math.inf
+    return -math.inf if angle <= -_LEVEL else math.tan(math.radians(angle))
+
+
+@kernel
+def _distances(x: float, y: float, reach: float, boxes: Floats, shut: Mask) -> Floats:
+    """Return the distance to each box, infinite when it is out of reach or shut away."""
     count = boxes.shape[0]
-    found = np.full(count, np.inf)
-    bearings = np.zeros(count)
-    row, column = (y - y0) / RESOLUTION, (x - x0) / RESOLUTION
+    away = np.full(count, np.inf)
     for i in range(count):
         dx, dy = x - boxes[i, 0], y - boxes[i, 1]
         far = reach + 2.0 * (boxes[i, 2] + boxes[i, 3])
@@ -207,16 +271,52 @@ def _look(
         across = max(abs(c * dx + s * dy) - boxes[i, 2], 0.0)
         along = max(abs(c * dy - s * dx) - boxes[i, 3], 0.0)
         distance = math.hypot(across, along)
-        if distance > reach:
+        if distance <= reach:
+            away[i] = distance
+    return away
+
+
+@kernel
+def _look(
+    view: Labels,
+    origin: tuple[float, float],
+    pose: tuple[float, float, float, float, float],
+    reach: float,
+    most: int,
+    wanted: Mask,
+    boxes: Floats,
+    heights: Floats,
+    points: Floats,
+    labels: Labels,
+    shut: Mask,
+) -> tuple[Ints, Floats, Floats]:
+    """Return the rows of the objects in view, nearest first, with their distances and bearings."""
+    x, y, yaw, pitch, radius = pose
+    heading = math.radians(yaw)
+    ahead = (math.cos(heading), math.sin(heading))
+    tilt = (_tangent(pitch - VIEW_ANGLE / 2), _tangent(pitch + VIEW_ANGLE / 2), radius)
+    away = _distances(x, y, reach, boxes, shut)
+    near = np.flatnonzero(np.isfinite(away))
+    order = near[np.argsort(away[near], kind="mergesort")]
+    found = np.empty(order.shape[0], dtype=np.int64)
+    count = 0
+    row, column = (y - origin[1]) / RESOLUTION, (x - origin[0]) / RESOLUTION
+    for i in order:
+        if count >= most and not wanted[i]:
             continue
         for k in range(points.shape[1]):
             px, py = points[i, k, 0], points[i, k, 1]
-            away = math.hypot(px - x, py - y)
-            if not _in_picture(away, _bearing(px - x, py - y, yaw), pitch, radius, heights[i]):
+            if not _in_picture(px - x, py - y, ahead, tilt, heights[i]):
                 continue
-            r1, c1 = (py - y0) / RESOLUTION, (px - x0) / RESOLUTION
+            r1, c1 = (py - origin[1]) / RESOLUTION, (px - origin[0]) / RESOLUTION
             if sees(view, row, column, r1, c1, _THIN, labels[i]):
-                found[i] = distance
-                bearings[i] = _bearing(-dx, -dy, yaw)
+                found[count] = i
+                count += 1
                 break
-    return found, bearings
+    rows = found[:count].copy()
+    bearings = np.empty(count)
+    for n in range(count):
+        turn = math.degrees(math.atan2(boxes[rows[n], 1] - y, boxes[rows[n], 0] - x)) - yaw
+        turn %= 360.0
+        bearings[n] = turn - 360.0 if turn > 180.0 else turn
+    return rows, away[rows], bearings

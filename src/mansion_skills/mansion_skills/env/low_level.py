@@ -8,7 +8,7 @@ from typing import Any, Final
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import ObjectState, Pose2D, SkillStatus
-from mansion_skills.env.eyes import InView
+from mansion_skills.env.eyes import View
 from mansion_skills.navigation.paths import free_run
 from mansion_skills.skills.motion import SPEED, TURN_SPEED
 from mansion_skills.skills.moving import PITCHES
@@ -71,14 +71,14 @@ def low_level_actions(floors: list[int]) -> list[str]:
     return [*_MOTIONS, *_DEEDS, *(f"ride_to_{floor}" for floor in floors)]
 
 
-def act(sandbox: Sandbox, name: str, view: list[InView]) -> Outcome:
+def act(sandbox: Sandbox, name: str, view: View) -> Outcome:
     """Do a low-level action.
 
     Parameters
     ----------
     name : str
         One of `low_level_actions`.
-    view : list of InView
+    view : View
         What the camera sees now.
     """
     if name in _MOTIONS:
@@ -144,20 +144,20 @@ _WANTED: Final[dict[str, Callable[[SceneObject, ObjectState], bool]]] = {
 }
 
 
-def _aimed_at(sandbox: Sandbox, name: str, view: list[InView]) -> ObjectState | None:
+def _aimed_at(sandbox: Sandbox, name: str, view: View) -> ObjectState | None:
     """Return the thing within reach that fits an action and is nearest to the middle of the picture."""
     objects = sandbox.world.objects
     best: tuple[float, float, str] | None = None
-    for entry in view:
-        if entry.distance > REACH:
+    for thing, away, bearing in zip(view.ids, view.distances, view.bearings):
+        if away > REACH:
             break
-        if _WANTED[name](objects.kinds[entry.id], objects.state(entry.id)):
-            key = (round(abs(entry.bearing), 3), round(entry.distance, 3), entry.id)
+        if _WANTED[name](objects.kinds[thing], objects.state(thing)):
+            key = (round(abs(float(bearing)), 3), round(float(away), 3), thing)
             best = key if best is None else min(best, key)
     return None if best is None else objects.state(best[2])
 
 
-def _call(sandbox: Sandbox, name: str, view: list[InView]) -> SkillCall | None:
+def _call(sandbox: Sandbox, name: str, view: View) -> SkillCall | None:
     """Return the skill that does an action now, or ``None`` when there is nothing to do it to."""
     skill, arguments = _SKILLS.get(name, ("", {}))
     if name.startswith("ride_to_"):

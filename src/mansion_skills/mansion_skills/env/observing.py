@@ -9,7 +9,7 @@ import numpy.typing as npt
 from gymnasium import spaces
 
 from mansion_msgs_py.task import Task
-from mansion_skills.env.eyes import InView
+from mansion_skills.env.eyes import View
 from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import cast_rays
 from mansion_skills.skills.seeing import REACH, VIEW_ANGLE, VIEW_RANGE
@@ -18,7 +18,7 @@ from mansion_skills.tasks.words import COLOURS, colour_of
 
 __all__ = ["BEAMS", "SCAN_RANGE", "SLOTS", "Describer", "Vocabulary", "state_space"]
 
-SLOTS: Final = 32
+SLOTS: Final = 24
 """Objects in view that an observation describes, the nearest first."""
 
 BEAMS: Final = 24
@@ -110,11 +110,15 @@ class Describer:
         numbers = {name: number for number, name in enumerate(vocabulary.categories, start=1)}
         self._category = {name: numbers[kind.category] for name, kind in kinds.items()}
         shades = {name: number for number, name in enumerate(COLOURS, start=1)}
-        self._colour = {name: shades.get(colour_of(kind), 0) for name, kind in kinds.items()}
-        self._traits = {
-            name: (float(kind.pickupable), float(kind.receptacle), float(kind.openable))
-            for name, kind in kinds.items()
-        }
+        self._row = {name: row for row, name in enumerate(kinds)}
+        self._codes = np.array(
+            [(self._category[name], shades.get(colour_of(kinds[name]), 0)) for name in kinds],
+            dtype=np.int64,
+        ).reshape(-1, 2)
+        self._traits = np.array(
+            [(kind.pickupable, kind.receptacle, kind.openable) for kind in kinds.values()],
+            dtype=np.float32,
+        ).reshape(-1, 3)
         self._shades = shades
 
     def goal(self, task: Task) -> npt.NDArray[np.int64]:
@@ -138,7 +142,7 @@ class Describer:
                 values[5] = floor
         return values
 
-    def state(self, view: list[InView], goal: npt.NDArray[np.int64], time_left: float) -> Values:
+    def state(self, view: View, goal: npt.NDArray[np.int64], time_left: float) -> Values:
         """Return the values of `state_space` now."""
         sandbox = self._sandbox
         world, robot = sandbox.world, sandbox.robot
@@ -169,22 +173,18 @@ class Describer:
         }
 
     def _seen(
-        self, view: list[InView]
+        self, view: View
     ) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.int64], npt.NDArray[np.int64]]:
         objects = np.zeros((SLOTS, FEATURES), dtype=np.float32)
-        categories = np.zeros(SLOTS, dtype=np.int64)
-        colours = np.zeros(SLOTS, dtype=np.int64)
-        rows = []
-        states = self._sandbox.world.objects
-        for slot, entry in enumerate(view[:SLOTS]):
-            bearing = max(-1.0, min(1.0, entry.bearing / (VIEW_ANGLE / 2)))
-            is_open = float(states.state(entry.id).states.get("open") is True)
-            near = float(entry.distance <= REACH)
-            rows.append(
-                (entry.distance / VIEW_RANGE, bearing, near, *self._traits[entry.id], is_open)
-            )
-            categories[slot] = self._category[entry.id]
-            colours[slot] = self._colour[entry.id]
-        if rows:
-            objects[: len(rows)] = rows
-        return objects, categories, colours
+        codes = np.zeros((SLOTS, 2), dtype=np.int64)
+        count = min(SLOTS, len(view.ids))
+        if count:
+            away = view.distances[:count]
+            objects[:count, 0] = away / VIEW_RANGE
+            objects[:count, 1] = np.clip(view.bearings[:count] / (VIEW_ANGLE / 2), -1.0, 1.0)
+            objects[:count, 2] = away <= REACH
+            rows = [self._row[name] for name in view.ids[:count]]
+            objects[:count, 3:6] = self._traits[rows]
+            objects[:count, 6] = view.is_open[:count]
+            codes[:count] = self._codes[rows]
+        return objects, codes[:, 0].copy(), codes[:, 1].copy()

@@ -1,6 +1,7 @@
 """Whether the goals of a task hold in a world."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator
+from math import dist
 from typing import Final
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -88,11 +89,16 @@ def _object_in(goal: Goal, world: World, session: str, seen: Collection[str]) ->
 
 
 def _is_near(world: World, floor: int, point: Point, goal: Goal) -> bool:
-    return any(
-        state.floor == floor
-        and box_distance(point, state, world.objects.kinds[state.id]) <= goal.distance + _SLACK
-        for state in _states(world, goal.receptacles)
-    )
+    for state in _states(world, goal.receptacles):
+        if state.floor != floor or state.position is None:
+            continue
+        kind = world.objects.kinds[state.id]
+        far = goal.distance + kind.size[0] + kind.size[1]
+        if dist(point, state.position[:2]) > far:
+            continue
+        if box_distance(point, state, kind) <= goal.distance + _SLACK:
+            return True
+    return False
 
 
 def _object_near(goal: Goal, world: World, session: str, seen: Collection[str]) -> bool:

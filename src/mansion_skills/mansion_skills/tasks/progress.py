@@ -34,6 +34,8 @@ class ProgressTracker:
     ----------
     seen : set of str
         Ids of the task's objects that were in view.
+    targets : list of str
+        Ids of the objects that its goals name.
     score : ProgressScore
         At the last observation.
     """
@@ -44,9 +46,9 @@ class ProgressTracker:
         self.score = ProgressScore()
         self._world = world
         self._session = session
-        self._targets = sorted({name for goal in task.goals for name in goal.objects})
+        self.targets = sorted({name for goal in task.goals for name in goal.objects})
         self._carried = any(goal.kind in _CARRYING for goal in task.goals)
-        self._milestones = list(_milestones(task, world, self._targets))
+        self._milestones = list(_milestones(task, world, self.targets))
         self._passed = 0
         self._advance()
         self._given = self._passed
@@ -61,7 +63,7 @@ class ProgressTracker:
         """
         world, robot = self._world, self._world.robots[self._session]
         retrieval = self.score.retrieval
-        for name in self._targets:
+        for name in self.targets:
             if name not in world.objects:
                 continue
             state = world.objects.state(name)

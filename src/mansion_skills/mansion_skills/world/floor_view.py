@@ -1,7 +1,6 @@
 """One floor as a robot finds it: scene, grids, landmarks, and the doors and objects of this moment."""
 
 from collections.abc import Mapping
-from operator import is_
 
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.world import ObjectState
@@ -34,8 +33,12 @@ def bodies_of(floor: int, objects: ObjectTable) -> list[Body]:
     return found
 
 
-def _same(states: list[ObjectState], before: list[ObjectState]) -> bool:
-    return len(states) == len(before) > 0 and all(map(is_, states, before))
+def _stand_alike(states: list[ObjectState], before: list[ObjectState]) -> bool:
+    """Whether objects are where they were, whatever else has changed about them."""
+    return len(states) == len(before) > 0 and all(
+        a is b or (a.id, a.position, a.rotation, a.mount) == (b.id, b.position, b.rotation, b.mount)
+        for a, b in zip(states, before)
+    )
 
 
 class FloorView:
@@ -75,7 +78,7 @@ class FloorView:
         is_open = {name: doors.get(name, door.is_open) for name, door in self.doors.items()}
         states = self._objects.on_floor(self.floor)
         swung = [name for name in is_open if self.map.is_open.get(name) != is_open[name]]
-        if len(swung) <= FEW_DOORS and _same(states, self._states):
+        if len(swung) <= FEW_DOORS and _stand_alike(states, self._states):
             for name in swung:
                 self.map.swing(name, is_open[name])
             return
