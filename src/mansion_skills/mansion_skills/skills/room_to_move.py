@@ -38,7 +38,7 @@ def free_around(world: World, robot: RobotBody) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class WayOut:
-    """The first straight part of the way to the nearest landmark.
+    """The first straight part of the way to a landmark.
 
     Attributes
     ----------
@@ -56,9 +56,15 @@ class WayOut:
 
 
 def way_out(world: World, robot: RobotBody) -> WayOut:
-    """Return how to get away from here; who follows it again and again arrives, and runs in no circle."""
-    marks = [mark for mark in world.view(robot.floor).landmarks if _apart(robot, mark) > AWAY]
-    for mark in sorted(marks, key=lambda mark: (_apart(robot, mark), mark.name))[:MOST_TRIED]:
+    """Return how to get to the middle of the room, or from there to a landmark near by.
+
+    Who follows it again and again arrives: the goal stays the same as long as the room does.
+    """
+    view = world.view(robot.floor)
+    room = view.map.room_at(*robot.place)
+    marks = [mark for mark in view.landmarks if _apart(robot, mark) > AWAY]
+    marks.sort(key=lambda mark: (mark.name != room, _apart(robot, mark), mark.name))
+    for mark in marks[:MOST_TRIED]:
         path = path_to(world, robot, (mark.pose.x, mark.pose.y), SNAP)
         bend = next((p for p in path or [] if dist(p, robot.place) > RESOLUTION), None)
         if bend is None:
