@@ -168,6 +168,7 @@ class Bumble(Agent):
             f"Floor {observation.floor} of {', '.join(map(str, observation.floors))}; "
             f"at {observation.room or 'no landmark'}; "
             f"the hand {'holds something' if observation.held else 'is empty'}; "
+            f"the camera is tilted by {observation.pitch:.0f} degrees; "
             f"skills left: {observation.max_steps - observation.step}.",
             f"Landmarks: {', '.join(places)}.",
             f"In view: {', '.join(marks) or 'nothing that can be handled'}.",

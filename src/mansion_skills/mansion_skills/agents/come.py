@@ -124,6 +124,7 @@ class Come(Agent):
             quoted_data("task", observation.instruction),
             f"Floor {observation.floor} of {', '.join(map(str, observation.floors))}; "
             f"in {observation.room or 'no room'}; the hand holds {observation.held or 'nothing'}; "
+            f"the camera is tilted by {observation.pitch:.0f} degrees; "
             f"skills left: {observation.max_steps - observation.step}.",
             "Landmarks of this floor: " + ", ".join(entry.name for entry in observation.landmarks),
             f"In view: {', '.join(seen) or 'nothing'}.",

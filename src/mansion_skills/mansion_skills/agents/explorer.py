@@ -7,6 +7,7 @@ from typing import Any, Final
 from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.agents.interface import Access, Agent, Briefing, Observation, SeenObject, Stop
+from mansion_skills.agents.priors import shut_away_in
 from mansion_skills.agents.reading import Errand, Phrase, read_instruction
 from mansion_skills.agents.recovery import escape
 from mansion_skills.agents.surroundings import Sighting, Surroundings, room_words
@@ -19,6 +20,9 @@ Course = Generator[SkillCall, None, bool]
 
 DELIVERY: Final = 12
 """Steps kept for carrying: an incompletely confirmed thing is taken when no more than these are left."""
+
+LEVEL: Final = 20.0
+"""Degrees of tilt at which the camera still sees a room."""
 
 LOOKS: Final = 5
 """Pieces of furniture of one room that are looked at from near."""
@@ -127,6 +131,7 @@ class Explorer(Agent):
         if not (yield from self._go_to(room)):
             self._memory.shut[room] = None
             return False
+        yield from self._look_level()
         for turn in range(4):
             if self._best(phrase, pickupable, certain=True) is not None:
                 return True
@@ -136,6 +141,13 @@ class Explorer(Agent):
         yield from self._open_what_is_named(phrase)
         yield from self._look_closer(phrase, pickupable)
         return True
+
+    def _look_level(self) -> Course:
+        """Lift the camera again after something was handled: what is far away lies near the horizon."""
+        pitch = self._now.pitch
+        if abs(pitch) <= LEVEL:
+            return True
+        return (yield from self._do("LookUp" if pitch < 0 else "LookDown", degrees=abs(pitch)))
 
     def _look_closer(self, phrase: Phrase, pickupable: bool) -> Course:
         """In a room that the phrase names, go to the furniture that it names: one place does not show it all."""
@@ -149,9 +161,10 @@ class Explorer(Agent):
         return True
 
     def _open_what_is_named(self, phrase: Phrase) -> Course:
-        """Open furniture of this room that the phrase names as the place, for what may lie inside."""
+        """Open furniture of this room that the phrase names, or that such things are kept in."""
+        places = (*phrase.places, shut_away_in(phrase.noun))
         for thing in self._memory.closed(self._now.floor, self._now.room):
-            named = any(match_score(word, thing.category) for word in phrase.places)
+            named = any(match_score(word, thing.category) for word in places)
             if named and thing.ref not in self._failed and not self._hurried():
                 self._failed[thing.ref] = None
                 if (yield from self._do("GoNearObject", object=thing.ref)):

@@ -133,6 +133,8 @@ class Observation:
     ----------
     step, max_steps : int
         Skills called so far, and how many may be.
+    pitch : float
+        How far the camera is tilted up, degrees.
     held : str
         What the hand holds, as `SeenObject.ref` would name it; empty for nothing.
     visible : tuple of SeenObject
@@ -149,6 +151,7 @@ class Observation:
     floor: int
     floors: tuple[int, ...]
     pose: Pose2D
+    pitch: float = 0.0
     room: str = ""
     held: str = ""
     landmarks: tuple[LandmarkInfo, ...] = ()

@@ -4,7 +4,7 @@ from typing import Final
 
 from mansion_skills.agents.words import match_score
 
-__all__ = ["likelihood"]
+__all__ = ["likelihood", "shut_away_in"]
 
 _KEPT: Final = (
     (
@@ -12,7 +12,7 @@ _KEPT: Final = (
          "water bottle", "milk carton", "cup", "mug", "glass", "plate", "bowl", "fork", "knife", "butter knife",
          "spoon", "pan", "pot", "kettle", "salt shaker", "pepper shaker", "cutting board", "spatula", "ladle",
          "dish sponge", "detergent", "wine bottle", "wine glass", "lunch box"),
-        ("kitchen", "break room", "cafeteria", "pantry", "dining room", "restaurant", "canteen", "dining hall", "bar"),
+        ("kitchen", "break room", "cafeteria", "pantry", "dining room", "restaurant", "canteen", "bar"),
     ),
     (
         ("keyboard", "mouse", "laptop", "notebook", "pen", "pencil", "paper stack", "folder", "stapler", "headphone",
@@ -40,6 +40,11 @@ _KEPT: Final = (
 )  # fmt: skip
 """Things, and the rooms where most of them are."""
 
+_CHILLED: Final = (
+    "apple", "banana", "bread", "egg", "lettuce", "potato", "tomato", "juice carton", "can", "cola can", "bottle",
+    "water bottle", "milk carton", "wine bottle", "lunch box",
+)  # fmt: skip
+
 _BARE: Final = ("corridor", "restroom", "staircase", "elevator lobby", "shaft")
 
 
@@ -57,3 +62,14 @@ def likelihood(noun: str, room: str) -> int:
         ):
             return 2
     return 0 if any(match_score(name, room) for name in _BARE) else 1
+
+
+def shut_away_in(noun: str) -> str:
+    """Return the closed furniture that a thing is often in, empty for none.
+
+    Examples
+    --------
+    >>> shut_away_in("potato"), shut_away_in("laptop")
+    ('fridge', '')
+    """
+    return "fridge" if any(match_score(noun, thing) == 3 for thing in _CHILLED) else ""

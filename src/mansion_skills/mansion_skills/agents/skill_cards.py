@@ -34,6 +34,8 @@ CARDS: Final[Mapping[str, Card]] = {
     "Rotate": Card(
         "turn on the spot, degrees, counter-clockwise; to look around", {"degrees": "number"}
     ),
+    "LookUp": Card("tilt the camera up, degrees", {"degrees": "number"}),
+    "LookDown": Card("tilt the camera down, degrees", {"degrees": "number"}),
     "PickUp": Card("take an object within reach; the hand must be empty", {"object": "text"}),
     "Place": Card(
         "put what is held `on` or `in` an object within reach, or `on` the `floor` before the robot",

@@ -73,6 +73,7 @@ class Watcher:
             floor=state.floor,
             floors=tuple(world.building.floors),
             pose=state.pose,
+            pitch=state.pitch,
             room=(state.room or "") if access.names else mask.place(state.room),
             held=held if access.names or not held else HELD,
             landmarks=tuple(landmarks),

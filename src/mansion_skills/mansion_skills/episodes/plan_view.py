@@ -11,7 +11,8 @@ from mansion_skills.world.world import World
 
 __all__ = ["plan_view"]
 
-ROOM, CORE, THING, WALL = (243, 238, 228), (205, 214, 226), (198, 190, 178), (80, 80, 80)
+ROOM, CORE, THING, WALL = (243, 238, 228), (205, 214, 226), (208, 201, 190), (80, 80, 80)
+EDGE = (168, 160, 148)
 TARGET, GOAL, WAY, ROBOT = (214, 60, 40), (250, 214, 130), (70, 120, 200), (30, 80, 170)
 MARGIN = 10
 
@@ -26,7 +27,7 @@ def plan_view(
     targets: frozenset[str] = frozenset(),
     goals: frozenset[str] = frozenset(),
 ) -> Any:
-    """Return a Pillow image of a floor.
+    """Return a Pillow image of a floor, as large as the floor's shape lets it be.
 
     Parameters
     ----------
@@ -34,15 +35,17 @@ def plan_view(
         Where the robot was on this floor, the present place last.
     yaw : float
         Degrees; the robot's arrow.
+    size : int
+        Pixels of the longer side.
     targets, goals : sets of ids
         Objects drawn in red; rooms and objects drawn in yellow.
     """
     from PIL import Image, ImageDraw
 
     scene = world.building.scene(floor)
-    picture = Image.new("RGB", (size, size), (255, 255, 255))
+    to, shape = _scale(scene, size)
+    picture = Image.new("RGB", shape, (255, 255, 255))
     drawing = ImageDraw.Draw(picture)
-    to = _scale(scene, size)
     for room in scene.rooms:
         fill = GOAL if room.id in goals else ROOM
         drawing.polygon([to(p) for p in room.polygon], fill=fill, outline=WALL)
@@ -55,7 +58,7 @@ def plan_view(
         ):
             continue
         fill = TARGET if state.id in targets else GOAL if state.id in goals else THING
-        drawing.polygon([to(p) for p in corners(state, kind)], fill=fill, outline=WALL)
+        drawing.polygon([to(p) for p in corners(state, kind)], fill=fill, outline=EDGE)
         if state.id in targets:
             x, y = to((state.position[0], state.position[1]))
             drawing.ellipse((x - 5, y - 5, x + 5, y + 5), outline=TARGET, width=2)
@@ -77,13 +80,14 @@ def _robot(drawing: Any, place: tuple[float, float], yaw: float) -> None:
     drawing.polygon([tip, left, right], fill=ROBOT, outline=(255, 255, 255))
 
 
-def _scale(scene: FloorScene, size: int) -> Any:
-    """Return the map from the plan's metres to pixels, y down."""
+def _scale(scene: FloorScene, size: int) -> tuple[Any, tuple[int, int]]:
+    """Return the map from the plan's metres to pixels, y down, and the size of the picture."""
     xs, ys = [p[0] for p in scene.outline], [p[1] for p in scene.outline]
-    low_x, low_y, high_y = min(xs), min(ys), max(ys)
-    factor = (size - 2 * MARGIN) / max(max(xs) - low_x, high_y - low_y)
+    low_x, high_x, low_y, high_y = min(xs), max(xs), min(ys), max(ys)
+    factor = (size - 2 * MARGIN) / max(high_x - low_x, high_y - low_y)
 
     def to(point: Point) -> tuple[float, float]:
         return MARGIN + (point[0] - low_x) * factor, MARGIN + (high_y - point[1]) * factor
 
-    return to
+    right, bottom = to((high_x, low_y))
+    return to, (round(right) + MARGIN, round(bottom) + MARGIN)

@@ -74,7 +74,7 @@ def episode_frames(log: EpisodeLog, building: Path, port: SkillPort) -> list[Any
             )
 
         replay(log, building, port, look)
-    return frames
+    return _alike(frames)
 
 
 def _camera(eyes: CameraEyes, world: World, robot: RobotBody) -> Any:
@@ -109,20 +109,35 @@ def _frame(camera: Any, plan: Any, caption: tuple[str, str]) -> Any:
     from PIL import Image, ImageDraw
 
     pictures = [picture for picture in (camera, plan) if picture is not None]
-    frame = Image.new("RGB", (SIDE * len(pictures), SIDE + CAPTION), (255, 255, 255))
-    for k, picture in enumerate(pictures):
-        frame.paste(picture, (k * SIDE, 0))
+    frame = Image.new("RGB", (sum(p.width for p in pictures), SIDE + CAPTION), "white")
+    left = 0
+    for picture in pictures:
+        frame.paste(picture, (left, (SIDE - picture.height) // 2))
+        left += picture.width
     drawing = ImageDraw.Draw(frame)
     for line, text in enumerate(caption):
-        drawing.text((6, SIDE + 3 + 15 * line), text[: 44 * len(pictures)], fill=(0, 0, 0))
+        drawing.text((6, SIDE + 3 + 15 * line), text, fill=(0, 0, 0))
     return frame
+
+
+def _alike(frames: Sequence[Any]) -> list[Any]:
+    """Return frames of one width: floors may have different outlines."""
+    from PIL import Image
+
+    width = max(frame.width for frame in frames)
+    padded = []
+    for frame in frames:
+        wide = Image.new("RGB", (width, frame.height), "white")
+        wide.paste(frame, (0, 0))
+        padded.append(wide)
+    return padded
 
 
 def write_sheet(path: Path, log: EpisodeLog, frames: Sequence[Any]) -> None:
     """Write the frames as one PNG with the instruction above and the result below it."""
     from PIL import Image, ImageDraw, ImageFont
 
-    columns = min(3, len(frames))
+    columns = min(4 if frames[0].width < 460 else 3, len(frames))
     width, height = frames[0].size
     top = 46
     sheet = Image.new(
@@ -132,9 +147,10 @@ def write_sheet(path: Path, log: EpisodeLog, frames: Sequence[Any]) -> None:
     )
     drawing = ImageDraw.Draw(sheet)
     end = log.end
+    outcome = "success" if end.success else f"no success ({end.stop.replace('_', ' ')})"
     result = (
-        f"{log.start.agent}: {'success' if end.success else 'no success'} after {end.steps} skills; "
-        f"retrieval {end.retrieval:.2f}, navigation {end.navigation:.2f}; {end.stop.replace('_', ' ')}"
+        f"{log.start.agent}: {outcome} after {end.steps} skills; "
+        f"retrieval {end.retrieval:.2f}, navigation {end.navigation:.2f}"
     )
     for line, text in enumerate((log.start.task.instruction, result)):
         drawing.text((10, 4 + 20 * line), text, fill=(0, 0, 0), font=ImageFont.load_default(15))
