@@ -9,6 +9,7 @@ from mansion_bringup.cli import (
     export,
     files,
     graph,
+    look,
     plan,
     quality,
     schema,
@@ -28,5 +29,5 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for module in (build, bench, plan, edit, export, graph, files, schema, quality, skill, task):
+for module in (build, bench, plan, edit, export, graph, files, schema, quality, skill, look, task):
     module.register(app)

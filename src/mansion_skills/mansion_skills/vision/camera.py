@@ -73,6 +73,11 @@ class Camera:
         self._thread = GlThread(*self._size)
         self._floors: Floors | None = None
 
+    @property
+    def loaded_floors(self) -> list[int]:
+        """The floors that are loaded now, ascending."""
+        return self._floors.loaded if self._floors is not None else []
+
     def _seat(self) -> Seat:
         source = self._source
         return source if isinstance(source, Seat) else source.engine.seat(source.session)

@@ -55,6 +55,11 @@ class Floors:
         while self._loaded:
             self._loaded.popitem()[1].renderer.close()
 
+    @property
+    def loaded(self) -> list[int]:
+        """The floors that are loaded, ascending."""
+        return sorted(self._loaded)
+
     def follow(self, floor: int, robot: RobotBody) -> None:
         """Load a floor when that is needed, and bring it up to date; the caller holds the world's lock."""
         loaded = self._loaded.get(floor)

@@ -58,7 +58,7 @@ class Frame:
     ----------
     rgb : (height, width, 3) array of uint8
     depth : (height, width) array of float32
-        Metres along the optical axis; infinite where nothing is (REP-118).
+        Metres along the optical axis; infinite beyond 150 m and where nothing is (REP-118).
     segmentation : (height, width) array of int32
         Index into `names` of what each pixel shows; -1 where nothing is.
     names : tuple of str

@@ -22,7 +22,7 @@ RIGID = ("book", "laptop", "umbrella", "curtain", "blinds")
 DRAWERS = ("filing_cabinet", "cash_register", "nightstand", "dresser")
 """Categories whose fronts are pulled out."""
 
-FRONT, LID = 0.08, 0.25
+FRONT, LID = 0.12, 0.25
 """How deep a front is at most, metres; how much of its height a lid takes at most."""
 
 SWING = 105.0
@@ -30,6 +30,9 @@ SWING = 105.0
 
 DOUBLE = 0.7
 """Metres of width from which there are two leaves."""
+
+WHOLE = 0.6
+"""From this part of the width on, a piece is one leaf across both halves."""
 
 WELD = 1e-5
 
@@ -66,8 +69,8 @@ def hinges_of(kind: SceneObject) -> tuple[Hinge, ...]:
         return (Hinge((0.0, -d / 2, h / 2), (1.0, 0.0, 0.0), 100.0),)
     if kind.category in DRAWERS:
         return (Hinge((0.0, 0.0, 0.0), slide=(0.0, min(0.35, 0.6 * d), 0.0)),)
-    left = Hinge((-w / 2, d / 2 - 0.02, 0.0), angle=-SWING)
-    right = Hinge((w / 2, d / 2 - 0.02, 0.0), angle=SWING)
+    left = Hinge((-w / 2, d / 2 - 0.02, 0.0), angle=SWING)
+    right = Hinge((w / 2, d / 2 - 0.02, 0.0), angle=-SWING)
     return (left, right) if w > DOUBLE else (left,)
 
 
@@ -100,7 +103,7 @@ def part_of(triangles: Triangles, kind: SceneObject) -> npt.NDArray[np.int64]:
     Parameters
     ----------
     triangles : (n, 3, 3) array
-        In the object's frame, its origin the centre of the box: front at +y.
+        All of the object, in its frame, the origin the centre of its box: front at +y.
     kind : SceneObject
     """
     part = np.full(len(triangles), -1)
@@ -114,10 +117,13 @@ def part_of(triangles: Triangles, kind: SceneObject) -> npt.NDArray[np.int64]:
     piece = _pieces(triangles)
     lowest = np.full(int(piece.max()) + 1, np.inf)
     np.minimum.at(lowest, piece, triangles[:, :, axis].min(axis=1))
-    across = np.zeros(len(lowest))
-    np.add.at(across, piece, triangles[:, :, 0].mean(axis=1))
     moves = lowest[piece] >= least - WELD
     part[moves] = 0
     if len(hinges) == 2:
-        part[moves & (across[piece] > 0.0)] = 1
+        left, right = np.full(len(lowest), np.inf), np.full(len(lowest), -np.inf)
+        np.minimum.at(left, piece, triangles[:, :, 0].min(axis=1))
+        np.maximum.at(right, piece, triangles[:, :, 0].max(axis=1))
+        # A leaf as wide as the furniture takes all with it; else each half has its own.
+        if not (moves & (right - left > WHOLE * kind.size[0])[piece]).any():
+            part[moves & (left + right > 0.0)[piece]] = 1
     return part

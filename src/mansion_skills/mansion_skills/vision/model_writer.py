@@ -104,42 +104,46 @@ class _Writer:
         kind = self._kinds.get(name)
         hinges = hinges_of(kind) if kind is not None else ()
         parts = [Element("body", {"name": f"{name}{PART}{i}", **place}) for i in range(len(hinges))]
-        for geom in source.findall("geom"):
-            material = self._material(file, geom.get("material", ""))
-            mesh = geom.get("mesh")
-            if mesh is None:
-                shape = {key: geom.get(key, "") for key in ("type", "pos", "size", "quat")}
-                shape = {key: value for key, value in shape.items() if value}
-                _add(body, "geom", material=material, **_SHOWN, **shape)
-            elif kind is not None and parts:
-                self._cut(file, mesh, kind, material, body, parts)
-            elif name in self._rooms and (pattern := pattern_of(geom.get("material", ""))):
-                self._inline_mesh(f"{name}#{mesh}", file.triangles(mesh), pattern.period)
-                self._mesh(body, f"{name}#{mesh}", self._patterned(material, pattern))
-            else:
-                self._mesh(body, self._file_mesh(file, mesh), material)
+        if kind is not None and parts:
+            self._cut(file, source, kind, [body, *parts])
+        else:
+            for geom in source.findall("geom"):
+                self._geom(file, body, name, geom)
         self._world.extend(entry for entry in (body, *parts) if len(entry))
+
+    def _geom(self, file: ModelFile, body: Element, name: str, geom: Element) -> None:
+        """Write a box, or a mesh; floors with the pattern of their finish."""
+        material = self._material(file, geom.get("material", ""))
+        mesh = geom.get("mesh")
+        pattern = pattern_of(geom.get("material", "")) if name in self._rooms else None
+        if mesh is None:
+            shape = {key: geom.get(key, "") for key in ("type", "pos", "size", "quat")}
+            shape = {key: value for key, value in shape.items() if value}
+            _add(body, "geom", material=material, **_SHOWN, **shape)
+        elif pattern is not None:
+            self._inline_mesh(f"{name}#{mesh}", file.triangles(mesh), pattern.period)
+            self._mesh(body, f"{name}#{mesh}", self._patterned(material, pattern))
+        else:
+            self._mesh(body, self._file_mesh(file, mesh), material)
 
     def _mesh(self, body: Element, mesh: str, material: str) -> None:
         _add(body, "geom", type="mesh", mesh=mesh, material=material, **_SHOWN)
 
     def _cut(
-        self,
-        file: ModelFile,
-        mesh: str,
-        kind: SceneObject,
-        material: str,
-        body: Element,
-        parts: list[Element],
+        self, file: ModelFile, source: Element, kind: SceneObject, bodies: list[Element]
     ) -> None:
-        triangles = file.triangles(mesh)
-        part = part_of(triangles, kind)
-        for number, target in enumerate([body, *parts], start=-1):
-            chosen = triangles[part == number]
-            if len(chosen):
-                name = f"{kind.id}#{mesh}#{number}"
-                self._inline_mesh(name, chosen)
-                self._mesh(target, name, material)
+        """Write an object's meshes, what opens into bodies of its own: what stays first, then each part."""
+        geoms = [geom for geom in source.findall("geom") if geom.get("mesh")]
+        meshes = [file.triangles(geom.get("mesh", "")) for geom in geoms]
+        part = part_of(np.concatenate([np.zeros((0, 3, 3)), *meshes]), kind)
+        ends = np.cumsum([len(mesh) for mesh in meshes])
+        for geom, mesh, chosen in zip(geoms, meshes, np.split(part, ends)):
+            material = self._material(file, geom.get("material", ""))
+            for number, body in enumerate(bodies, start=-1):
+                if (chosen == number).any():
+                    name = f"{kind.id}#{geom.get('mesh')}#{number}"
+                    self._inline_mesh(name, mesh[chosen == number])
+                    self._mesh(body, name, material)
 
     def _material(self, file: ModelFile, name: str) -> str:
         """Write a material when it is new, with its other states when it can shine."""
@@ -220,7 +224,7 @@ class _Writer:
         _add(root, "compiler", angle="degree", autolimits="true")
         visual = _add(root, "visual")
         _add(visual, "headlight", **_HEADLIGHT)
-        _add(visual, "map", znear="0.05", zfar="120")
+        _add(visual, "map", znear="0.05", zfar="1000")
         _add(visual, "quality", offsamples="0", shadowsize="0")
         _add(root, "statistic", extent="1")
         if sky:

@@ -13,6 +13,9 @@ __all__ = ["Eye", "Parts", "Renderer"]
 
 MAX_GEOMS = 20_000
 
+RANGE = 150.0
+"""Metres; what is farther away has no depth."""
+
 
 @dataclass(frozen=True)
 class Eye:
@@ -131,5 +134,6 @@ class Renderer:
         flipped = window[::-1]
         with np.errstate(divide="ignore"):
             metres = near * far / (far - flipped * (far - near))
-        metres[flipped >= 1.0] = np.inf
+        # The sky is drawn as a box half as far as the far plane; that is no distance.
+        metres[metres > RANGE] = np.inf
         return np.ascontiguousarray(metres, dtype=np.float32)

@@ -1,0 +1,123 @@
+"""``mansion look``: what the robot sees, and the pictures that are drawn for a model to choose from."""
+
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from mansion_bringup.cli.console import out
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.world import Pose2D
+
+if TYPE_CHECKING:
+    from mansion_skills import Robot
+    from mansion_skills.vision import Camera
+
+__all__ = ["register"]
+
+
+class Sight(StrEnum):
+    """What is drawn."""
+
+    VIEW = "view"
+    DEPTH = "depth"
+    SEGMENTATION = "segmentation"
+    PANORAMA = "panorama"
+    LANDMARKS = "landmarks"
+    LIFT = "lift"
+    STAIRS = "stairs"
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command to `app`."""
+    app.command("look", no_args_is_help=True)(look)
+
+
+def look(
+    building: Annotated[Path, typer.Argument(help="Building folder.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="PNG file.")] = Path("look.png"),
+    what: Annotated[Sight, typer.Option(help="What to draw.")] = Sight.VIEW,
+    room: Annotated[
+        str, typer.Option(help="Look from this room, stair or lift, of any floor.")
+    ] = "",
+    floor: Annotated[int | None, typer.Option(help="Of the landmarks.")] = None,
+    turn: Annotated[float, typer.Option(help="Degrees to the left of where it looks.")] = 0.0,
+    width: Annotated[int, typer.Option(help="Pixels.", min=16, max=4096)] = 640,
+    height: Annotated[int, typer.Option(help="Pixels.", min=16, max=4096)] = 480,
+    fov: Annotated[float, typer.Option(help="Across, degrees.", min=20.0, max=150.0)] = 90.0,
+    per_page: Annotated[int, typer.Option(help="Landmarks a page.", min=1, max=16)] = 9,
+    session: Annotated[str, typer.Option("--session", "-s", help="Which robot.")] = "",
+) -> None:
+    """Write a picture of a building as the session left it; nothing is moved, several pages get numbers.
+
+    Examples:
+
+      mansion look out/office --room F1/cafeteria -o cafeteria.png
+
+      mansion look out/office --what landmarks --floor 2 -o landmarks.png
+
+      mansion look out/office --what lift
+    """
+    from mansion_bringup.extras import ensure_extra
+
+    ensure_extra("sim")
+    from mansion_skills import Robot
+    from mansion_skills.vision import Camera
+
+    robot = Robot(building, session)
+    _stand(robot, room, turn)
+    with Camera(robot, width, height, fov) as camera:
+        pictures = _pictures(robot, camera, what, room, floor, per_page)
+    for number, picture in enumerate(pictures, start=1):
+        path = output if len(pictures) == 1 else output.with_stem(f"{output.stem}_{number}")
+        _save(picture, path)
+
+
+def _stand(robot: "Robot", room: str, turn: float) -> None:
+    """Put the robot of this process where the picture is taken from; its session's state stays as it is."""
+    from mansion_skills.world.landmarks import landmark_named
+
+    seat = robot.engine.seat(robot.session)
+    world, body = seat.world, seat.robot
+    if room:
+        floors = [body.floor, *(f for f in world.building.floors if f != body.floor)]
+        places = (landmark_named(room, world.view(f).landmarks, f, body.place) for f in floors)
+        found = next((place for place in places if place is not None), None)
+        if found is None:
+            raise MansionError(ErrorCode.NOT_FOUND, f"there is no room, stair or lift {room!r}")
+        body.floor, body.pose = found.floor, found.pose
+    pose = body.pose
+    body.pose = Pose2D(x=pose.x, y=pose.y, yaw=(pose.yaw + turn) % 360.0)
+
+
+def _pictures(
+    robot: "Robot", camera: "Camera", what: Sight, room: str, floor: int | None, per_page: int
+) -> list[Any]:
+    import numpy as np
+
+    if what is Sight.PANORAMA:
+        return [camera.panorama(room or str(robot.where_am_i().room))]
+    if what is Sight.LANDMARKS:
+        return list(camera.landmark_pages(per_page, floor))
+    if what is Sight.LIFT:
+        return [camera.lift_panel()]
+    if what is Sight.STAIRS:
+        return [camera.stairs_view()]
+    frame = camera.render()
+    if what is Sight.DEPTH:
+        # Near is bright: half of the grey levels belong to the first three metres.
+        return [np.round(255.0 * 3.0 / (3.0 + frame.depth)).astype(np.uint8)]
+    if what is Sight.SEGMENTATION:
+        # Knuth's multiplicative hash spreads neighbouring labels over the colours.
+        code = (frame.segmentation.astype(np.int64) + 1) * 2654435761 % 2**24
+        return [np.stack([code >> 16, code >> 8 & 255, code & 255], axis=-1).astype(np.uint8)]
+    return [frame.rgb]
+
+
+def _save(picture: Any, path: Path) -> None:
+    from PIL import Image
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    Image.fromarray(picture).save(path)
+    out.print(str(path), highlight=False, soft_wrap=True)

@@ -1,0 +1,137 @@
+"""Panoramas, pages of landmarks, the lift's panel and the stair's arrows."""
+
+from math import pi
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_skills import Robot
+from mansion_skills.vision import Camera
+from mansion_skills.vision.drawing import ACCENT, DOWN, UP, fitted
+from mansion_skills.vision.floor_patterns import PATTERNS, pattern_of, pattern_png
+from mansion_skills.vision.lift_panel import Button, panel_picture
+from mansion_skills.vision.pages import TILE, tile_pages
+from mansion_skills.vision.panorama import HEIGHT, VIEW, WIDTH, stitch, view_yaws
+from mansion_skills.vision.stair_arrows import with_arrows
+
+
+def view_of(yaw: float) -> np.ndarray:
+    """A view of a world in which red is the direction and green the slope."""
+    cx, cy = VIEW.center
+    columns, rows = np.meshgrid(np.arange(VIEW.width), np.arange(VIEW.height))
+    x, y = (columns - cx) / VIEW.focal, (cy - rows) / VIEW.focal
+    azimuth = np.radians(yaw) - np.arctan(x)
+    slope = y / np.hypot(1.0, x)
+    red, green = 127 + 100 * np.cos(azimuth), 127 + 100 * slope
+    return np.stack([red, green, np.zeros_like(red)], axis=-1).round().astype(np.uint8)
+
+
+@given(middle=st.floats(-360.0, 360.0))
+@settings(max_examples=3, deadline=None)
+def test_a_panorama_shows_each_direction_where_it_belongs(middle: float) -> None:
+    picture = stitch([view_of(yaw) for yaw in view_yaws(middle)]).astype(float)
+    assert picture.shape == (HEIGHT, WIDTH, 3)
+    azimuth = np.radians(middle) + pi - 2 * pi * (np.arange(WIDTH) + 0.5) / WIDTH
+    slope = HEIGHT * pi / WIDTH * (1 - 2 * (np.arange(HEIGHT) + 0.5) / HEIGHT)
+    assert np.abs(picture[..., 0] - (127 + 100 * np.cos(azimuth))[None, :]).max() < 2.5
+    assert np.abs(picture[..., 1] - (127 + 100 * slope)[:, None]).max() < 2.5
+
+
+def places(count: int) -> list[tuple[str, np.ndarray]]:
+    return [
+        (f"F1/room_{i}", np.full((HEIGHT, WIDTH, 3), 40 + i, dtype=np.uint8)) for i in range(count)
+    ]
+
+
+@given(count=st.integers(0, 20), per_page=st.integers(1, 16))
+@settings(max_examples=6, deadline=None)
+def test_every_landmark_is_on_one_page_in_full_size(count: int, per_page: int) -> None:
+    pages = tile_pages(places(count), "Landmarks", per_page)
+    assert len(pages) == -(-count // per_page)
+    for number, page in enumerate(pages):
+        for i in range(per_page * number, min(per_page * (number + 1), count)):
+            assert (page == 40 + i).all(axis=-1).sum() >= 0.99 * TILE[0] * TILE[1]
+    if pages:
+        assert len({page.shape[1] for page in pages}) == 1
+
+
+@pytest.mark.parametrize("per_page", [0, 17])
+def test_pages_that_nobody_can_read_are_refused(per_page: int) -> None:
+    with pytest.raises(MansionError) as error:
+        tile_pages(places(3), "Landmarks", per_page)
+    assert error.value.code == ErrorCode.INVALID_PAYLOAD
+
+
+def test_long_names_are_made_to_fit() -> None:
+    text, chosen = fitted("F12/consultation_and_examination_room_17_north", 150, 26)
+    assert chosen.getlength(text) <= 150
+    assert text.startswith("F12")
+    assert text.endswith("north")
+    assert fitted("short", 150, 26)[0] == "short"
+
+
+def lit(picture: np.ndarray, color: tuple[int, int, int]) -> int:
+    return int((picture == np.array(color)).all(axis=-1).sum())
+
+
+def test_a_panel_has_a_button_for_each_floor_and_lights_the_current_one() -> None:
+    buttons = [Button(f, "G" if f == 1 else str(f), f != 3) for f in range(1, 9)]
+    panel = panel_picture("elevator_1", buttons, 2)
+    none = panel_picture("elevator_1", buttons, 99)
+    assert 2000 < lit(panel, ACCENT) - lit(none, ACCENT) < 5000
+    served = panel_picture("elevator_1", [Button(b.floor, b.label) for b in buttons], 2)
+    assert (served != panel).any()
+    beside = panel_picture("elevator_1", buttons, 2, np.zeros((480, 480, 3), dtype=np.uint8))
+    assert beside.shape[1] > panel.shape[1]
+
+
+@pytest.mark.parametrize(
+    "ways", [(None, None), ("Up to 2", None), (None, "Down to G"), ("Up", "Down")]
+)
+def test_arrows_point_only_where_stairs_lead(ways: tuple[str | None, str | None]) -> None:
+    view = np.full((480, 480, 3), 120, dtype=np.uint8)
+    picture = with_arrows(view, *ways).astype(int)
+    green = np.abs(picture - np.array(UP)).sum(axis=-1) < 40
+    orange = np.abs(picture - np.array(DOWN)).sum(axis=-1) < 40
+    assert bool(green.sum() > 2000) is (ways[0] is not None)
+    assert bool(orange.sum() > 2000) is (ways[1] is not None)
+    if ways == (None, None):
+        assert (picture == view).all()
+
+
+def test_floor_patterns_are_the_same_every_time() -> None:
+    for pattern in PATTERNS:
+        assert pattern_png(pattern) == pattern_png(pattern)
+    assert {p.name for p in PATTERNS} == {
+        pattern.name
+        for material in ("white_ceramic", "herringbone_oak", "grey_carpet", "terrazzo")
+        if (pattern := pattern_of(material)) is not None
+    }
+    assert pattern_of("white_drywall") is None
+
+
+def test_the_robot_gets_all_pictures_of_its_building(camera: Camera, robot: Robot) -> None:
+    landmarks = robot.list_landmarks().landmarks
+    assert camera.panorama("office").shape == (HEIGHT, WIDTH, 3)
+    pages = camera.landmark_pages(per_page=2)
+    assert len(pages) == -(-len(landmarks) // 2)
+    assert np.array_equal(camera.landmark_pages(per_page=2)[0], pages[0])
+    assert (camera.landmark_pages(per_page=2, floor=2)[0] != pages[0]).any()
+    assert lit(camera.lift_panel(), ACCENT) > 1000
+    ground = camera.stairs_view().astype(int)
+    assert (np.abs(ground - np.array(DOWN)).sum(axis=-1) < 40).sum() < 100
+    robot.go_to_landmark("stairs")
+    robot.take_stairs("Up")
+    first = camera.stairs_view().astype(int)
+    assert (np.abs(first - np.array(DOWN)).sum(axis=-1) < 40).sum() > 1000
+
+
+def test_what_is_not_there_is_named(camera: Camera) -> None:
+    with pytest.raises(MansionError) as error:
+        camera.panorama("ballroom")
+    assert error.value.code == ErrorCode.NOT_FOUND
+    with pytest.raises(MansionError):
+        camera.landmark_pages(floor=17)
