@@ -8,8 +8,9 @@ import numpy.typing as npt
 
 from mansion_msgs_py.errors import MansionError
 from mansion_skills.engine.seat import Seat, SharedWorld
-from mansion_skills.episodes.marking import marked_view, png, tiles
+from mansion_skills.episodes.marking import marked_view, png
 from mansion_skills.episodes.observing import Moment
+from mansion_skills.vision.pages import tile_pages
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
@@ -31,6 +32,7 @@ class CameraEyes:
         self._camera: Camera | None = None
         self._world: World | None = None
         self._blind = False
+        self._pages: dict[int, list[bytes]] = {}
 
     def __enter__(self) -> "CameraEyes":
         return self
@@ -48,6 +50,7 @@ class CameraEyes:
         if self._camera is not None:
             self._camera.close()
         self._camera = self._world = None
+        self._pages.clear()
 
     def __call__(self, moment: Moment) -> "MomentEyes":
         """Return the eyes of a moment."""
@@ -67,6 +70,22 @@ class CameraEyes:
             except (MansionError, ImportError):
                 self._blind = True
         return self._camera
+
+    def landmark_pages(self, camera: "Camera", moment: Moment) -> list[bytes]:
+        """Return a floor's landmarks as pages of numbered tiles, drawn once: a place is known by its looks."""
+        floor = moment.robot.floor
+        if floor not in self._pages:
+            entries = []
+            for entry in moment.landmarks.landmarks:
+                kind = "" if entry.kind == "room" else f" {entry.kind}"
+                try:
+                    picture = camera.panorama(entry.name)
+                except MansionError:
+                    picture = np.zeros((256, 1024, 3), dtype=np.uint8)
+                entries.append((f"{moment.mask.place(entry.name)}{kind}", picture))
+            pages = tile_pages(entries, f"Landmarks of floor {floor}")
+            self._pages[floor] = [_picture(page) for page in pages]
+        return self._pages[floor]
 
 
 class MomentEyes:
@@ -92,20 +111,8 @@ class MomentEyes:
 
     def landmarks(self) -> list[bytes]:
         """See `Eyes.landmarks`."""
-        camera, moment = self._camera(), self._moment
-        if camera is None:
-            return []
-        found: list[tuple[str, npt.NDArray[np.uint8] | None]] = []
-        for entry in moment.landmarks.landmarks:
-            number = moment.mask.place(entry.name)
-            if entry.kind != "room":
-                found.append((f"{number} {entry.kind}", None))
-                continue
-            try:
-                found.append((number, camera.panorama(entry.name)))
-            except MansionError:
-                found.append((number, None))
-        return tiles(found)
+        camera = self._camera()
+        return [] if camera is None else self._eyes.landmark_pages(camera, self._moment)
 
     def lift_panel(self) -> bytes:
         """See `Eyes.lift_panel`."""
