@@ -72,7 +72,7 @@ class CameraEyes:
         return self._camera
 
     def landmark_pages(self, camera: "Camera", moment: Moment) -> list[bytes]:
-        """Return a floor's landmarks as pages of numbered tiles, drawn once: a place is known by its looks."""
+        """Return a floor's landmarks as pages of numbered tiles, drawn once an episode; none where one fails."""
         floor = moment.robot.floor
         if floor not in self._pages:
             entries = []
@@ -81,7 +81,7 @@ class CameraEyes:
                 try:
                     picture = camera.panorama(entry.name)
                 except MansionError:
-                    picture = np.zeros((256, 1024, 3), dtype=np.uint8)
+                    return []
                 entries.append((f"{moment.mask.place(entry.name)}{kind}", picture))
             pages = tile_pages(entries, f"Landmarks of floor {floor}")
             self._pages[floor] = [_picture(page) for page in pages]

@@ -54,6 +54,7 @@ def marked_view(
         rows, columns = np.nonzero(segmentation == numbers.get(name, -2))
         if len(rows) < LEAST:
             continue
-        middle = int(np.argsort(columns, kind="stable")[len(columns) // 2])
-        _label(drawing, (float(columns[middle]) - 6, float(rows[middle]) - 8), mark)
+        column = int(np.sort(columns)[len(columns) // 2])
+        row = int(np.median(rows[columns == column]))
+        _label(drawing, (column - 8.0, row - 8.0), mark)
     return png(picture)
