@@ -1,5 +1,6 @@
 """A small building on disk, made by hand: a hall, an office and a kitchen on each floor, a lift and a stair."""
 
+from itertools import pairwise
 from pathlib import Path
 
 from mansion_msgs_py.building import Building, FloorEntry
@@ -153,6 +154,16 @@ def scene(floor: int, floors: list[int]) -> FloorScene:
         objects=objects(floor),
         spawn=SpawnPose(x=6.0, y=1.5, yaw=0.0, room=hall) if floor == 1 else None,
     )
+
+
+def with_outer_walls(made: FloorScene) -> FloorScene:
+    """Return a floor with walls all around, as the exporters expect."""
+    corners = [*made.outline, made.outline[0]]
+    made.walls += [
+        Wall(id=f"outer_{i}", segment=segment, thickness=0.12, height=2.8)
+        for i, segment in enumerate(pairwise(corners))
+    ]
+    return made
 
 
 def write_building(folder: Path, floors: list[int] | None = None) -> Path:

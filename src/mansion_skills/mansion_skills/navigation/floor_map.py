@@ -11,6 +11,7 @@ from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.shapes import Point, Point3, Ring, Size3
 from mansion_skills.navigation.raster import GridFrame, fill_box, fill_ring
 from mansion_skills.navigation.search import inflate, stamp_disc
+from mansion_skills.navigation.shafts import shaft_cells
 
 __all__ = [
     "CLEARANCE",
@@ -126,6 +127,7 @@ class FloorMap:
         self.frame = GridFrame.around(points, MARGIN, RESOLUTION)
         shape = (self.frame.rows, self.frame.columns)
         self._outside = self._outdoors(shape)
+        self._shafts = shaft_cells(scene, self.frame, LEAFLESS)
         self.rooms = np.zeros(shape, dtype=np.int16)
         self._bare = np.full(shape, _WALL, dtype=np.int16)
         self._fill_rooms()
@@ -276,7 +278,8 @@ class FloorMap:
         return mask
 
     def occupancy(self) -> npt.NDArray[np.int8]:
-        """Return the values of ``nav_msgs/OccupancyGrid``, shape (rows, columns)."""
+        """Return the values of ``nav_msgs/OccupancyGrid``, shape (rows, columns); at first those of ``map.pgm``."""
         data = np.where(self.occupied, OCCUPIED, FREE).astype(np.int8)
         data[self._outside] = UNKNOWN
+        data[self._shafts] = FREE
         return data
