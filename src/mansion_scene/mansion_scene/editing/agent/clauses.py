@@ -24,15 +24,18 @@ _SEE: Final = re.compile(
 _CLAUSES: Final[tuple[tuple[str, str], ...]] = (
     # ways
     ("path", rf"(?:there {_MODAL}? ?(?:is|are|be) )?(?:provide |keep |leave |make )?(?:an?|the|some)? ?(?:clear|free|open|unobstructed|possible|working)? ?"
-        r"(?:way|path|route|access|passage|connection|walkway)s?\b(?: (?:leading|going|that leads))? ?(?P<b>(?:from|to|into|towards)\b.*)?"
-        rf"(?: (?:{_MODAL} )?(?:is|be|are|stays?|remains?|kept) (?:clear|free|open|possible|available|unobstructed|there))?"),
+        r"(?:way|path|route|access|passage|connection|walkway)s?\b(?: (?:leading|going|that leads))? ?(?P<b>(?:from|to|into|towards)\b.*?)?"
+        rf"(?: (?:{_MODAL} )?(?:(?:is|be|are|stays?|remains?|kept) )?(?:clear|free|open|possible|available|unobstructed|there))?"),
+    ("have", rf"{_SUBJECT} (?:{_MODAL}|could|wants? to) (?:be able to )?(?:find|see|have|pick up|grab) (?P<x>(?!(?:my|its|the|a|his) way).+)"),
     ("path", rf"{_SUBJECT} (?:(?:{_MODAL}|could|am|is|are) )?(?:be )?(?:able to )?{_GO} (?P<b>.+)"),
     ("path", rf"it {_MODAL}? ?(?:is|be) possible (?:for .+? )?to {_GO} (?P<b>.+)"),
     ("path", r"nothing (?:should |must |may |can )?blocks? (?:the )?(?:way|path|route|access)(?P<b> .+)"),
     ("reach", rf"(?P<b>.+?) (?:{_MODAL} )?(?:is|are|be|stays?|remains?) (?:reachable|accessible|reached|within reach|connected)"
         r"(?: (?:by|for) (?:the |a )?\w+)?(?: (?:from|to|with) (?P<a>.+))?"),
+    ("reach", r"(?P<b>.+?) (?:reachable|accessible)(?: from (?P<a>.+))?"),
     ("reach", rf"{_SUBJECT} (?:{_MODAL} )?(?:has|have) (?:an? )?(?:clear |free )?(?:access|way|path|route) to (?P<b>.+)"),
     # nothing, empty
+    ("quality", rf"(?:they|it|these|those|both|all of them) (?:{_MODAL} )?(?:be|is|are) (?P<v>\w+)"),
     ("clear", rf"nothing (?:else )?(?:{_MODAL} )?(?:{_BE} )?(?:left )?(?:on|in|inside|at) (?P<y>.+)"),
     ("absent_on", rf"(?P<y>.+?) (?:{_MODAL} )?(?:is|are|be|stays?|remains?) (?:free|clear|empty|rid|cleared|emptied) (?:of|from) (?:all |any )?(?P<x>.+)"),
     ("absent_on", r"(?:keep|clear|empty|rid|strip|free|leave|make) (?P<y>.+?) (?:free |clear |empty )?of (?:all |any )?(?P<x>(?!the \w+ room).+)"),
@@ -83,7 +86,8 @@ _JOINTS: Final = re.compile(
     re.IGNORECASE,
 )
 _IDLE: Final = re.compile(
-    r"^(?:make sure |ensure |see to it |do |check )?(?:that )?(?:(?:there|it|this|that) (?:is|are)(?: so| true| the case)?|so|it|yes|no)$",
+    r"^(?:make sure |ensure |see to it |do |check )?(?:that )?(?:(?:there|it|this|that) "
+    rf"(?:is|are|{_MODAL} be)(?: so| true| the case| one)?|so|it|yes|no)$",
     re.IGNORECASE,
 )
 _LEADING: Final = re.compile(rf"^(?P<loc>(?:on|in|inside|at|next to)\b.+?) (?P<rest>(?:there (?:{_MODAL}|is|are)|put|place|add|make sure|ensure|i want|we need|leave|set|lay|remove|i would like|have)\b.+)$", re.IGNORECASE)  # fmt: skip
@@ -96,7 +100,8 @@ class Clause:
     Attributes
     ----------
     kind : str
-        ``have``, ``hold``, ``absent``, ``absent_on``, ``clear``, ``state``, ``move``, ``swap``, ``path``, ``reach``;
+        ``have``, ``hold``, ``absent``, ``absent_on``, ``clear``, ``state``, ``move``, ``swap``, ``path``, ``reach``,
+        ``quality``;
         ``place`` for a place alone; empty for things whose clause is the one before, or the one after.
     words : dict of str to str
         Its parts: `x` things, `y` the receptacle or room, `loc` a place, `z` what replaces, `a` and `b` ends of a way,

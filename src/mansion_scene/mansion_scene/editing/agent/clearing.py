@@ -19,22 +19,33 @@ MOST_TARGETS: Final = 6
 
 def make_room(
     thing: Thing, assets: list[AssetInfo], carrier: ObjectInfo, state: SceneState
-) -> Generator[Action, Outcome, bool]:
-    """Move the one thing whose place is enough, and place the new one; whether that was done."""
+) -> Generator[Action, Outcome, str]:
+    """Move the one thing whose place is enough, and place the new one; return its id, empty when there is none.
+
+    What this instruction has touched stays, and only one thing moves for an instruction.
+    """
+    touched = {change.id for change in state.pending}
+    if any(change.before is not None and change.after is not None for change in state.pending):
+        return ""
     relation = relation_of("on", carrier, state)
     there = yield from look_at(carrier, relation)
     if isinstance(there, str):
-        return False
+        return ""
     for item in there:
         found = state.find(item.id)
-        if found is None or not found[1].pickupable or state.subtree(*found)[1:]:
+        if (
+            found is None
+            or item.id in touched
+            or not found[1].pickupable
+            or state.subtree(*found)[1:]
+        ):
             continue
         serving = [asset for asset in assets if _fits_without(asset, carrier, item, state)]
         if not serving or item.category == serving[0].category:
             continue
         targets = yield from surfaces_of(Scope("room", "", (item.room,)), state)
         if isinstance(targets, str):
-            return False
+            return ""
         for target in [name for name in targets if name != carrier.id][:MOST_TARGETS]:
             answer = yield Action(
                 f"{item.id} stands where the {thing.noun} shall be.",
@@ -44,8 +55,8 @@ def make_room(
             if answer.error is not None:
                 continue
             placed = yield from place_any(serving, carrier.id, relation, colour=thing.colour)
-            return bool(placed[0])
-    return False
+            return placed[0]
+    return ""
 
 
 def _fits_without(

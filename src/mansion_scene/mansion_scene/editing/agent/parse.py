@@ -1,7 +1,7 @@
 """Instructions to facts: the clauses of each sentence, with what was spoken of before in mind."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import Final
 
@@ -22,6 +22,7 @@ from mansion_scene.editing.agent.things import is_known
 from mansion_scene.editing.agent.ways import read_way
 from mansion_scene.editing.agent.wording import sentences
 from mansion_scene.editing.state import SceneState
+from mansion_scene.editing.vocabulary import COLOUR_WORDS
 
 __all__ = ["MOST_CLAUSES", "MOST_FACTS", "parse_instruction"]
 
@@ -34,8 +35,8 @@ _WITH: Final = re.compile(
     re.IGNORECASE,
 )
 _TO: Final = (
-    r"^(?P<what>.+?)(?: from (?P<source>.+?))? (?:over |back |up |down |upstairs |downstairs )?(?P<to>to|into) (?P<target>.+)$",
-    r"^(?P<what>.+?) from (?P<source>.+?) (?P<to>on|in|inside|next to) "
+    r"^(?P<what>.+?)(?: from (?P<source>.+?))? (?:over |back |up |down |upstairs |downstairs )?(?P<to>to|into|onto) (?P<target>.+)$",
+    r"^(?P<what>.+?) from (?P<source>.+?) => (?P<to>on|in|inside) "
     r"(?P<target>(?!(?:the )?(?:\w+ )?(?:floor|storey|level)\b).+)$",
 )
 _STATES: Final = {
@@ -201,6 +202,8 @@ class _Reader:
             self._clear(words["y"])
         elif kind == "state":
             self._wait(f"state {words['v'].lower()}", read_phrase(self.state, words["x"]))
+        elif kind == "quality":
+            self._qualify(words["v"].lower())
         elif kind == "move":
             self._move(f"{words['x']}{' ' + words['loc'] if words.get('loc') else ''}")
         else:
@@ -213,7 +216,11 @@ class _Reader:
         match = _WITH.match(text)
         if match is None:
             return self._wait("have", read_phrase(self.state, text))
-        carrier = read_phrase(self.state, f"{match['a']}{match['loc'] or ''}")
+        self._with(match, read_phrase(self.state, f"{match['a']}{match['loc'] or ''}"))
+        return None
+
+    def _with(self, match: re.Match[str], carrier: Phrase) -> None:
+        """Read ``a table with two mugs on it``."""
         self._wait("have", carrier)
         self._flush()
         inward = (match["rel"] or "on") != "on"
@@ -237,6 +244,10 @@ class _Reader:
         text = words["x"]
         if re.match(r"^(?:no|not any)\b", text, re.IGNORECASE):
             kind, text = "absent", re.sub(r"^(?:no|not any)\s+", "", text, flags=re.IGNORECASE)
+        match = _WITH.match(text)
+        if match is not None and kind == "have":
+            carrier = read_phrase(self.state, f"{match['a']}{match['loc'] or ''}")
+            return self._with(match, replace(carrier, where=place.where, placed=True))
         thing = read_phrase(self.state, text)
         where = _merged(thing.where, place.where) if thing.placed else place.where
         self._wait(kind, replace(thing, where=where, placed=True, each=place.each, back=place.back))
@@ -251,16 +262,27 @@ class _Reader:
         carrier = Thing(where.receptacle, 1, where.colour)
         self._last = Phrase(carrier, Scope("room", "", where.rooms, where.floor), True)
 
+    def _qualify(self, word: str) -> None:
+        """Take what was said of the last things: they must be red, it should be cold, it is open."""
+        self._flush()
+        last = self.facts[-1] if self.facts else None
+        if word in _STATES and self._last is not None:
+            self._switch(replace(self._last, placed=True), word)
+        elif isinstance(last, ObjectFact) and word in COLOUR_WORDS:
+            thing = replace(last.thing, colour=COLOUR_WORDS[word])
+            self.facts[-1] = replace(last, thing=thing)
+        elif isinstance(last, ObjectFact) and word in ("cold", "chilled", "cool"):
+            self.facts[-1] = replace(last, thing=replace(last.thing, cold=True))
+        else:
+            raise _not_understood(word)
+
     def _move(self, text: str) -> None:
-        match = next((m for p in _TO if (m := re.match(p, text, re.IGNORECASE))), None)
-        if match is None:
+        parts = self._parts(text)
+        if parts is None:
             return self._wait("move", read_phrase(self.state, text))
-        source = f" on {match['source']}" if match["source"] else ""
-        phrase = read_phrase(self.state, match["what"] + source)
+        phrase, goal = parts
         if not phrase.thing.noun and not phrase.placed and self._last is not None:
             phrase = self._last
-        inward = match["to"].lower() in ("into", "in", "inside")
-        goal = read_place(self.state, f"{'in' if inward else 'on'} {match['target']}")
         if not goal.placed:
             raise _not_understood(f"move {text}")
         target = self._resolved(goal)
@@ -272,6 +294,24 @@ class _Reader:
         self._flush()
         self.facts.append(MoveFact(_moved(phrase.thing), self._resolved(phrase), target))
         self._last = replace(phrase, where=target)
+
+    def _parts(self, text: str) -> tuple[Phrase, Phrase] | None:
+        """Return what moves from where, and where to; the first division of the words that can be read."""
+        fault: MansionError | None = None
+        for match in _divisions(text):
+            source = f" on {match['source']}" if match["source"] else ""
+            inward = match["to"].lower() in ("into", "in", "inside")
+            try:
+                what = read_phrase(self.state, match["what"] + source)
+                goal = read_place(self.state, f"{'in' if inward else 'on'} {match['target']}")
+            except MansionError as error:
+                fault = fault or error
+                continue
+            if goal.where.receptacle or goal.where.rooms or goal.back:
+                return what, goal
+        if fault is not None:
+            raise fault
+        return None
 
     def _swap(self, old: str, new: str) -> None:
         self._flush()
@@ -358,6 +398,19 @@ class _Reader:
         return Scope(
             "in" if relation == "in" else "on", noun, own.rooms, own.floor, carrier.thing.colour
         )
+
+
+def _divisions(text: str) -> Iterator[re.Match[str]]:
+    """Yield the ways to divide words into a thing, its source and its target, the plain ones first."""
+    plain = re.match(_TO[0], text, re.IGNORECASE)
+    if plain:
+        yield plain
+    for joint in re.finditer(r" (?:on|in|inside) ", text, re.IGNORECASE):
+        head, tail = text[: joint.start()], text[joint.start() :]
+        if re.search(r" from .+", head, re.IGNORECASE):
+            match = re.match(_TO[1], f"{head} =>{tail}", re.IGNORECASE)
+            if match:
+                yield match
 
 
 def _moved(thing: Thing) -> Thing:

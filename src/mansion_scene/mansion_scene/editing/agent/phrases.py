@@ -15,11 +15,11 @@ from mansion_scene.editing.agent.things import (
 )
 from mansion_scene.editing.references import find_floor, find_rooms
 from mansion_scene.editing.state import SceneState
-from mansion_scene.editing.vocabulary import COLOUR_WORDS
+from mansion_scene.editing.vocabulary import COLOUR_WORDS, stems
 
 __all__ = ["MOST_THINGS", "Phrase", "read_phrase", "read_place", "rooms_named"]
 
-_PREPOSITIONS: Final = r"\b(next to|inside of|inside|into|in|within|on|under|underneath|below|at|by|off|out of|from|to|for)\b"
+_PREPOSITIONS: Final = r"\b(next to|inside of|inside|into|in|within|onto|on|under|underneath|below|at|by|off|out of|from|to|for)\b"
 _ID: Final = re.compile(r"\b[fF]-?\d+/[A-Za-z0-9_./-]+")
 _EACH: Final = re.compile(
     r"^(?:the )?(?:each|every|both|all|either)(?: (?:single|one))?(?: of)?(?: the)?(?: (?:two|three|four|five|six|\d+))?\b",
@@ -133,6 +133,9 @@ class _PlaceReader:
             self.rooms = found
             self.each = "room" if quantified else self.each
             return
+        exact = self.state.vocabulary.exact(stems(name))
+        if self.rooms is not None and not exact and find_rooms(self.state, name, self.floor):
+            raise unknown(name)
         if preposition in ("next to", "under", "underneath", "below", "by"):
             self.near = self._thing(name)[1]
         elif not self.receptacle:

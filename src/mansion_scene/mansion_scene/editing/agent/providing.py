@@ -80,15 +80,18 @@ def _fill(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], state: Scene
         added: list[str] = []
         for _ in range(missing):
             placed = yield from place_any(assets, carrier.id, relation, colour=fact.thing.colour)
-            if not placed[0]:
+            made = placed[0]
+            if not made and len(carriers) == 1:
+                made = yield from make_room(fact.thing, assets, carrier, state)
+            if not made:
                 reasons.append(placed[1])
                 break
-            added.append(placed[0])
+            added.append(made)
         if len(added) == missing:
             return ""
         for object_id in reversed(added):
             yield Action("They do not all fit there.", "RemoveObject", {"object_id": object_id})
-    if fact.thing.count == 1:
+    if fact.thing.count == 1 and len(carriers) > 1:
         for _, carrier in carriers:
             if (yield from make_room(fact.thing, assets, carrier, state)):
                 return ""

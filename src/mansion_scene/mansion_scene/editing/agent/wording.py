@@ -24,7 +24,7 @@ _COURTESIES: Final = re.compile(
     r"if (?:it is|they are|there is) not (?:there )?(?:already|yet)|if (?:it is )?missing|somewhere|anywhere|"
     r"as usual|at all times|in total|altogether|ready|neatly|carefully|quickly|already|again|currently|"
     r"somehow|simply|actually|really|definitely|certainly|always|still|furthermore|moreover|additionally|"
-    r"in addition|besides that|also|too|finally|lastly|firstly|first of all|next up|afterwards|after that|"
+    r"in addition|besides that|as well(?! as)|also|too|finally|lastly|firstly|first of all|next up|afterwards|after that|"
     r"at the same time|meanwhile|instead|though|however)\b(?! to\b)",
     re.IGNORECASE,
 )
@@ -50,7 +50,8 @@ _TURNS: Final = (
     (r"\bboth (.+? and )", r"\1"),
     (r"\beither\b", ""),
     (r"\bas well as\b|\bplus\b|\balong with\b|\btogether with\b|&", "and"),
-    (r"^(?:i|we) (?:want|need|would like|wish) to be able to\b", "i can"),
+    (r"\b(?:over|down|up|back|along) (?=(?:from|to|on|in|onto|into|at|next|inside)\b)", ""),
+    (r"^(?:and |so |but |then )?(?:i|we) (?:want|need|would like|wish) to be able to\b", "i can"),
     (r"\bneither (.+?) nor (.+)", r"no \1 and no \2"),
     (r"\b(?:at least|no fewer than|no less than|a minimum of|not less than)\b", ""),
     (r"^(?:if|when|in case) there (?:is|are) (?:no|not an?|not any|not)\b(.+?), (?:then )?", r"there is \1, "),
@@ -66,7 +67,7 @@ _TURNS: Final = (
     (r"\b(?:a|one) dozen\b", "twelve"),
     (r"\b(?:a )?(?:couple|pair) of\b", "two"),
     (r"\b(?:a few|several|a handful of|a number of)\b", "three"),
-    (r"\b(?:on|in) (?:the )?(?:top|surface) of\b|\bupon\b|\batop\b|\bon to\b|\bonto\b", "on"),
+    (r"\b(?:on|in) (?:the )?(?:top|surface) of\b|\bupon\b|\batop\b|\bon to\b", "on"),
     (r"\b(?:in|on) the (?:corner|middle|centre|center|back|front|left|right|far end|edge|inside) of\b", "in"),
     (r"\bin the (?:top|bottom|upper|lower|first|second|left|right)? ?drawers? of\b", "in"),
     (r"\b(?:that|which) (?:(?:is|are|lies|stands|sits|rests) )?(?=(?:on|in|inside|next|near|at|by|beside)\b)", ""),
@@ -84,7 +85,7 @@ _QUESTION: Final = re.compile(
     r"^(?:is|are) (there)\b(.*)$|^(?:can|could) (the robot|i|we|one|a robot|someone) (?=get|go|reach|walk|drive)(.*)$",
     re.IGNORECASE,
 )
-_STOPS: Final = re.compile(r"[.!?;\n]+(?=\s|$)")
+_STOPS: Final = re.compile(r"[.!?;\n]+(?=\s|$)|,\s+so\s+(?!that\b)")
 
 
 def sentences(text: str) -> list[str]:
