@@ -154,8 +154,8 @@ class HangItem(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     above : str
         Name or category of the floor object over which it hangs.
     place : str
-        Wall: ``free``, ``door`` (beside it), ``facing_door``, ``above``. Ceiling: ``grid``, ``center``, ``spread``,
-        ``door``, ``above``.
+        Wall: ``free``, ``door`` (beside it), ``facing_door``, ``facing_seats``, ``above``. Ceiling: ``grid``,
+        ``center``, ``spread``, ``door``, ``above``.
     spacing : float
         Of a ceiling grid, metres.
     """
@@ -165,7 +165,9 @@ class HangItem(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     p: Probability = 1.0
     height: float | None = None
     above: str = ""
-    place: Literal["free", "door", "facing_door", "above", "grid", "center", "spread"] = "free"
+    place: Literal[
+        "free", "door", "facing_door", "facing_seats", "above", "grid", "center", "spread"
+    ] = "free"
     spacing: float = 3.0
     min_area: float = 0.0
 

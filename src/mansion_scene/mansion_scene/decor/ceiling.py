@@ -99,7 +99,7 @@ class _Ceiling:
             for obj in self.placed:
                 if matches(obj, wish.above):
                     yield (obj.position[0], obj.position[1]), obj.rotation
-        elif wish.place in ("center", "door", "free", "facing_door"):
+        elif wish.place in ("center", "door", "free", "facing_door", "facing_seats"):
             middle = self.room.centroid
             if not self.room.contains(middle):
                 middle = self.room.representative_point()

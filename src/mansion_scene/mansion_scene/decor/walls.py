@@ -71,9 +71,9 @@ def wall_objects(
     """Return the wall objects of a room; those above furniture and beside doors are hung first."""
     walls = [_Wall(edge) for edge in edges]
     _block(walls, doors, windows, placed)
-    order = {"above": 0, "door": 1, "facing_door": 2}
+    order = {"facing_seats": 0, "above": 1, "door": 2, "facing_door": 3}
     out: list[SceneObject] = []
-    for wish in sorted(wishes, key=lambda w: order.get(w.place, 3)):
+    for wish in sorted(wishes, key=lambda w: order.get(w.place, 4)):
         left = wish.count
         for wall, along, center in _places(wish, walls, doors, height, placed, rng):
             if left <= 0:
@@ -169,7 +169,7 @@ def _places(
     elif wish.place == "door":
         yield from _beside_doors(asset, walls, doors, center)
     else:
-        yield from _free(wish, walls, doors, center, rng)
+        yield from _free(wish, walls, doors, center, placed, rng)
 
 
 def _above(
@@ -218,6 +218,7 @@ def _free(
     walls: Sequence[_Wall],
     doors: Sequence[Door],
     center: float,
+    placed: Sequence[SceneObject],
     rng: np.random.Generator,
 ) -> Iterator[Place]:
     """The middles of free stretches, the wide ones and those without a like neighbour first."""
@@ -231,6 +232,8 @@ def _free(
                 score = stretch * 0.35 - near + float(rng.uniform(0.0, 1.2))
                 if wish.place == "facing_door":
                     score += 2.0 * _faces_door(wall, doors)
+                elif wish.place == "facing_seats":
+                    score += 4.0 * _faced_by_seats(wall, placed)
                 along = (a + b) / 2
                 if b - a > 2.4 and wish.place == "free":
                     along = float(rng.uniform(a + 0.6, b - 0.6))
@@ -252,3 +255,15 @@ def _faces_door(wall: _Wall, doors: Sequence[Door]) -> float:
         - wall.edge.coordinates(doors[0].segment[1])[1]
     )
     return float(away > 1.0 and parallel < 0.05 and -0.5 < along < wall.edge.length + 0.5)
+
+
+def _faced_by_seats(wall: _Wall, placed: Sequence[SceneObject]) -> float:
+    """Return the share of the room's seats that look at a wall."""
+    seats = [obj for obj in placed if "seat" in obj.category or "chair" in obj.category]
+    opposite = wall.edge.rotation + 180.0
+    looking = sum(
+        abs((obj.rotation - opposite + 180.0) % 360.0 - 180.0) < 5.0
+        and wall.edge.coordinates((obj.position[0], obj.position[1]))[1] > 0.0
+        for obj in seats
+    )
+    return looking / len(seats) if seats else 0.0

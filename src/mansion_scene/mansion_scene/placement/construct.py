@@ -86,10 +86,26 @@ class Construction:
     def _place_one(self, spec: Spec, left: int, *, strict: bool) -> bool:
         shares = self._shares(spec, left)
         for size in (spec.size, *spec.smaller):
-            for unit in self._units(spec, size, shares):
+            units = self._units(spec, size, shares)
+            for fewer in self._fewer(spec, shares):
+                units[-1:-1] = self._units(spec, size, fewer)[:1]
+            for unit in units:
                 if find_placement(self.floor, spec, unit, self.rng, strict=strict):
                     return True
         return False
+
+    def _fewer(self, spec: Spec, shares: dict[int, int]) -> list[dict[int, int]]:
+        """Return shares with one and two pairs of seats fewer around the copy, where it has more than four."""
+        around = [
+            child.index
+            for child in self.children.get(spec.index, ())
+            if child.link == "around" and shares.get(child.index, 0) > 4
+        ]
+        return [
+            {**shares, **{index: max(4, shares[index] - cut) for index in around}}
+            for cut in (2, 4)
+            if around
+        ]
 
     def _units(self, spec: Spec, size: Size3, shares: dict[int, int]) -> list[Unit]:
         """Return the distinct ways to compose a copy with its share of members, the most complete first."""

@@ -107,10 +107,11 @@ def _spacings(
 ) -> list[tuple[float, float]]:
     """Return gaps between columns and between rows, the most comfortable first.
 
-    Shelves stand shoulder to shoulder with aisles between the rows; desks and seats may have either way through.
+    Shelves and the seats of an audience stand shoulder to shoulder with aisles between the rows; desks may have
+    either way through.
     """
     lane = floor.passage
-    if len(unit.parts) == 1 and not (spec.role.seat or spec.role.table):
+    if len(unit.parts) == 1 and not spec.role.table:
         beside = floor.gap
         return [
             *(

@@ -168,6 +168,8 @@ def is_class(room_type: str, name: str) -> bool:
     """
     words = room_type.lower().replace("-", "_").replace(" ", "_").split("_")
     words = [word for word in words if word and not word.isdigit()]
+    if name == "dark":
+        return any(word in ROOM_CLASSES["dark"] for word in words)
     if len(words) > 1 and words[-1] in ("store", "market"):
         # A "grocery store" sells; a "store room" keeps.
         return name == "assembly"

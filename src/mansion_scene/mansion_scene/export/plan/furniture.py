@@ -1,6 +1,6 @@
 """Furniture outlines with their fronts, as an architect draws them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache
 
 from mansion_msgs_py.scene import FloorScene, SceneObject
@@ -17,15 +17,24 @@ SMALL = 0.12
 
 
 def draw_furniture(scene: FloorScene) -> list[Canvas]:
-    """Draw what stands on floors and hangs on walls; rugs first, small things last."""
+    """Draw what stands on floors and hangs on walls; rugs first, then what can be seen on top of furniture."""
     order = {"floor": 1, "wall": 2, "surface": 3}
+    tops = {item.id: item.position[2] + item.size[2] / 2 for item in scene.objects}
     drawn = [
         item
         for item in scene.objects
-        if item.mount in order and not (item.mount == "surface" and max(item.size[:2]) < SMALL)
+        if item.mount in order and not (item.mount == "surface" and _is_hidden(item, tops))
     ]
     drawn.sort(key=lambda item: 0 if _is_flat(item) else order[item.mount])
     return [_object(item) for item in drawn]
+
+
+def _is_hidden(item: SceneObject, tops: Mapping[str, float]) -> bool:
+    """Tell whether an object is tiny, or stands on a lower shelf."""
+    if max(item.size[:2]) < SMALL:
+        return True
+    bottom = item.position[2] - item.size[2] / 2
+    return item.parent is not None and bottom < tops.get(item.parent, bottom) - 0.3
 
 
 def _is_flat(item: SceneObject) -> bool:
@@ -122,6 +131,34 @@ def _toilet(frame: Frame, a: float, b: float) -> list[Shape]:
     ]
 
 
+def _stall(frame: Frame, a: float, b: float) -> list[Shape]:
+    """A cubicle: partitions, a door in the front that stands ajar, a toilet at the back."""
+    bowl_width, bowl_depth = min(0.2, 0.4 * a), min(0.34, 0.5 * b)
+    bowl = Frame(*frame.place([(0.0, -b + bowl_depth)])[0], frame.rotation)
+    leaf = min(1.1 * a, 1.2 * b)
+    hinge = (-leaf / 2, b)
+    return [
+        *_toilet(bowl, bowl_width, bowl_depth),
+        Line(frame.place([(-a, b), (-a, -b), (a, -b), (a, b)]), INK["furniture_line"], 0.035),
+        Line(frame.place([(-a, b), hinge]), INK["furniture_line"], 0.035),
+        Line(frame.place([(leaf / 2, b), (a, b)]), INK["furniture_line"], 0.035),
+        _detail(frame, [hinge, (hinge[0] + 0.82 * leaf, b - 0.57 * leaf)], 0.02),
+    ]
+
+
+def _car(frame: Frame, a: float, b: float) -> list[Shape]:
+    """Bonnet, windscreens and roof, the front ahead."""
+    cabin = [(-0.78 * a, 0.3 * b), (0.78 * a, 0.3 * b), (0.68 * a, 0.02 * b), (-0.68 * a, 0.02 * b)]
+    rear = [(-0.7 * a, -0.6 * b), (0.7 * a, -0.6 * b), (0.8 * a, -0.8 * b), (-0.8 * a, -0.8 * b)]
+    glass = "#e7f1f6"
+    return [
+        Area(frame.place(cabin), glass, INK["furniture_line"], 0.012),
+        Area(frame.place(rear), glass, INK["furniture_line"], 0.012),
+        _detail(frame, [(-0.68 * a, 0.02 * b), (-0.7 * a, -0.6 * b)]),
+        _detail(frame, [(0.68 * a, 0.02 * b), (0.7 * a, -0.6 * b)]),
+    ]
+
+
 def _tub(frame: Frame, a: float, b: float) -> list[Shape]:
     inner = rectangle(-a * 0.86, -b * 0.8, a * 0.86, b * 0.8)
     return [Area(frame.place(inner), "#e7f1f6", INK["furniture_line"], 0.012)]
@@ -155,7 +192,9 @@ SYMBOLS: tuple[tuple[tuple[str, ...], Symbol], ...] = (
     (("bedside", "nightstand", "bed_table", "overbed"), _plain),
     (("plant", "tree", "palm", "flower"), _plant),
     (("toilet_paper", "toilet_brush", "paper_towel"), _plain),
+    (("toilet_stall", "toilet_cubicle"), _stall),
     (("toilet", "urinal", "bidet"), _toilet),
+    (("garage_car", "car_lift", "pickup", "van", "ambulance"), _car),
     (("bathtub", "tub", "shower"), _tub),
     (("sink", "basin", "washbasin", "wash", "dryer"), _basin),
     (("stove", "cooker", "range", "hob"), _stove),
