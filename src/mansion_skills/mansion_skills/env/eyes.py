@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Collection
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -35,10 +35,12 @@ _CHAIN = 4
 
 @dataclass
 class _FloorArrays:
-    """The objects of one floor, a row each.
+    """The objects that are or were on one floor, a row each, by their ids.
 
     Attributes
     ----------
+    states : list of ObjectState or None
+        As the row has it; ``None`` for what has left the floor, which is `shut`.
     boxes : (n, 6) array
         Centre in plan, half width and depth, cosine and sine of the rotation.
     heights : (n, 3) array
@@ -51,7 +53,8 @@ class _FloorArrays:
         Of the map.
     """
 
-    states: list[ObjectState]
+    names: list[str]
+    states: list[ObjectState | None]
     numbers: dict[str, int]
     boxes: Floats
     heights: Floats
@@ -139,7 +142,7 @@ class Eyes:
             rows.labels,
             rows.shut,
         )
-        ids = [rows.states[i].id for i in found.tolist()]
+        ids = [rows.names[i] for i in found.tolist()]
         return View(ids, away, bearing, rows.is_open[found])
 
     def _arrays(self, floor: int) -> _FloorArrays:
@@ -153,39 +156,33 @@ class Eyes:
     def _renewed(self, floor: int, old: _FloorArrays | None, version: int) -> _FloorArrays:
         """Return a floor's arrays; what is as it was is taken over."""
         states = self._world.objects.on_floor(floor)
+        if old is None or any(state.id not in old.rows for state in states):
+            known = [] if old is None else [state for state in old.states if state is not None]
+            names = sorted({state.id for state in [*known, *states]})
+            old = _empty_arrays(names)
         numbers = self._world.view(floor).numbers
-        if old is not None and numbers == old.numbers and _same_things(states, old.states):
-            return self._touched_up(old, states, version)
-        count = len(states)
-        made = _FloorArrays(
-            states,
-            numbers,
-            np.zeros((count, 6)),
-            np.zeros((count, 3)),
-            np.zeros((count, 5, 2)),
-            np.zeros((count, _CHAIN), dtype=np.int16),
-            np.zeros(count, dtype=np.bool_),
-            np.array([state.states.get("open") is True for state in states], dtype=np.bool_),
-            version,
-            {state.id: row for row, state in enumerate(states)},
-        )
-        for row, state in enumerate(states):
-            before = None if old is None else old.rows.get(state.id)
-            if old is not None and before is not None and old.states[before] is state:
-                made.boxes[row] = old.boxes[before]
-                made.heights[row] = old.heights[before]
-                made.points[row] = old.points[before]
-            else:
-                self._fill(made, row, state)
-            self._fill_carriers(made, row, state)
-        return made
+        if numbers is not old.numbers:
+            old.numbers = numbers
+            old.states = [None] * len(old.states)
+        here = np.zeros(len(old.states), dtype=np.bool_)
+        for state in states:
+            row = old.rows[state.id]
+            here[row] = True
+            if old.states[row] is not state:
+                self._fill(old, row, state)
+                for name in self._world.objects.carried_with(state.id):
+                    if name in old.rows:
+                        entry = self._world.objects.state(name)
+                        self._fill_carriers(old, old.rows[name], entry)
+        for row in np.flatnonzero(~here).tolist():
+            old.states[row], old.shut[row] = None, True
+        old.version = version
+        return old
 
     def _fill_carriers(self, made: _FloorArrays, row: int, state: ObjectState) -> None:
+        """Note the numbers of an object and of what carries it, and whether one of these is closed."""
         made.labels[row] = 0
         made.labels[row, 0] = made.numbers.get(state.id, 0)
-        made.shut[row] = False
-        if state.parent is None:
-            return
         made.shut[row] = closed_carrier(self._world, state) is not None
         entry, link = state, 1
         while entry.parent is not None and link < _CHAIN:
@@ -193,22 +190,9 @@ class Eyes:
             made.labels[row, link] = made.numbers.get(entry.id, 0)
             link += 1
 
-    def _touched_up(
-        self, old: _FloorArrays, states: list[ObjectState], version: int
-    ) -> _FloorArrays:
-        """Return the arrays with the rows of objects that changed made anew."""
-        new = replace(old, states=states, version=version)
-        for row, (state, before) in enumerate(zip(states, old.states)):
-            if state is before:
-                continue
-            self._fill(new, row, state)
-            new.is_open[row] = state.states.get("open") is True
-            for name in self._world.objects.carried_with(state.id):
-                if name in new.rows:
-                    self._fill_carriers(new, new.rows[name], self._world.objects.state(name))
-        return new
-
     def _fill(self, made: _FloorArrays, row: int, state: ObjectState) -> None:
+        made.states[row] = state
+        made.is_open[row] = state.states.get("open") is True
         kind = self._world.objects.kinds[state.id]
         assert state.position is not None
         x, y, z = state.position
@@ -219,9 +203,20 @@ class Eyes:
         made.points[row] = sight_points(state, kind)
 
 
-def _same_things(states: list[ObjectState], before: list[ObjectState]) -> bool:
-    return len(states) == len(before) and all(
-        a is b or a.id == b.id for a, b in zip(states, before)
+def _empty_arrays(names: list[str]) -> _FloorArrays:
+    count = len(names)
+    return _FloorArrays(
+        names,
+        [None] * count,
+        {},
+        np.zeros((count, 6)),
+        np.zeros((count, 3)),
+        np.zeros((count, 5, 2)),
+        np.zeros((count, _CHAIN), dtype=np.int16),
+        np.ones(count, dtype=np.bool_),
+        np.zeros(count, dtype=np.bool_),
+        -1,
+        {name: row for row, name in enumerate(names)},
     )
 
 

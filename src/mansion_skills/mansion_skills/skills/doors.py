@@ -1,6 +1,6 @@
 """OpenDoor and CloseDoor."""
 
-from math import dist
+from math import dist, hypot
 
 from mansion_msgs_py.scene import Door
 from mansion_msgs_py.skills import DoorArgs
@@ -111,7 +111,8 @@ def _in_doorway(world: World, floor: int, door: Door) -> str | None:
         kind = world.objects.kinds[state.id]
         if state.mount != "floor" or kind.size[2] <= FLAT or state.position is None:
             continue
-        if dist(points[0], state.position[:2]) > 3.0 + sum(kind.size):
+        reach = dist(*door.segment) + LEAF + hypot(kind.size[0], kind.size[1]) / 2
+        if dist(points[count // 2], state.position[:2]) > reach:
             continue
         if any(box_distance(point, state, kind) < LEAF for point in points):
             return state.id

@@ -76,7 +76,11 @@ class FloorView:
     def refresh(self, doors: Mapping[str, bool]) -> None:
         """Bring the grids up to date with doors and objects."""
         is_open = {name: doors.get(name, door.is_open) for name, door in self.doors.items()}
-        states = self._objects.on_floor(self.floor)
+        states = [
+            state
+            for state in self._objects.on_floor(self.floor)
+            if state.mount not in ("surface", "inside")
+        ]
         swung = [name for name in is_open if self.map.is_open.get(name) != is_open[name]]
         if len(swung) <= FEW_DOORS and _stand_alike(states, self._states):
             for name in swung:
