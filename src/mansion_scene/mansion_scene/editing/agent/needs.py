@@ -8,6 +8,7 @@ from mansion_scene.editing.agent.facts import Fact, ObjectFact, PathFact, Scope,
 from mansion_scene.editing.agent.looking import find_things
 from mansion_scene.editing.agent.offline import satisfy
 from mansion_scene.editing.agent.protocol import Action, Outcome, Policy, Verdict
+from mansion_scene.editing.agent.surfaces import furnishable
 from mansion_scene.editing.editor import SceneEditor
 from mansion_scene.editing.references import find_rooms
 from mansion_scene.editing.state import SceneState
@@ -75,9 +76,9 @@ def _fact(state: SceneState, need: Need, path: str) -> Fact:
         )
     rooms = _rooms(state, need.room, floor, f"{path}.room") if need.room else ()
     if not need.noun:
-        if not need.room:
+        if not rooms and floor is None:
             raise _unknown(need.noun, f"{path}.noun")
-        return PathFact("", rooms[0])
+        return PathFact("", (rooms or furnishable(Scope(floor=floor), state))[0])
     if state.find(need.noun) is None and not _is_thing(state, need.noun):
         return PathFact("", _rooms(state, need.noun, floor, f"{path}.noun")[0])
     receptacle = need.receptacle
