@@ -209,6 +209,23 @@ def test_a_floor_that_cannot_be_shown_is_left_again(gym: ThorGym, thor: ThorDoub
     assert gym.take_stairs("Up").status is SkillStatus.SUCCESS
 
 
+def test_a_reset_that_raises_is_a_refusal_too(
+    gym: ThorGym, thor: ThorDouble, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gym.go_to_landmark("stairs")
+    real = thor.reset
+
+    def reset(scene: Any = None, **parameters: Any) -> Any:
+        if scene["metadata"]["mansion"]["floor"] == 2:
+            raise ValueError("house: no such field\n  at UnityEngine")
+        return real(scene, **parameters)
+
+    monkeypatch.setattr(thor, "reset", reset)
+    result = gym.take_stairs("Up")
+    assert result.message == "AI2-THOR refused: CreateHouse: house: no such field"
+    assert gym.where_am_i().floor == 1
+
+
 def test_what_the_physics_did_is_read_back(gym: ThorGym, thor: ThorDouble) -> None:
     apple = thor.objects["F1/kitchen/apple_1"]
     apple["center"] = {"x": 9.0, "y": 0.79, "z": 5.5}

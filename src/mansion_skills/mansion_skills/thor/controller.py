@@ -6,7 +6,7 @@ from typing import Any, Final, Protocol
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["SETTINGS", "Controller", "Event", "act", "failure", "open_controller"]
+__all__ = ["SETTINGS", "Controller", "Event", "act", "load_house", "open_controller"]
 
 SETTINGS: Final[Mapping[str, Any]] = {
     "agentMode": "default",
@@ -75,10 +75,19 @@ def act(controller: Controller, action: str, **arguments: Any) -> str:
         event = controller.step(action=action, **arguments)
     except ValueError as error:
         return f"{action}: {_sentence(str(error))}"
-    return failure(event, action)
+    return _failure(event, action)
 
 
-def failure(event: Event, action: str) -> str:
+def load_house(controller: Controller, house: Mapping[str, Any]) -> str:
+    """Reset the controller to a house; return AI2-THOR's error message, empty when the house is there."""
+    try:
+        event = controller.reset(scene=house, **SETTINGS)
+    except (RuntimeError, ValueError) as error:
+        return f"CreateHouse: {_sentence(str(error))}"
+    return _failure(event, "CreateHouse")
+
+
+def _failure(event: Event, action: str) -> str:
     """Return an event's error message, empty when its action succeeded."""
     if event.metadata["lastActionSuccess"]:
         return ""

@@ -1,7 +1,6 @@
 """Skills whose robot is AI2-THOR's agent: done in the world, acted out by the controller, and read back."""
 
 from collections.abc import Callable
-from typing import Any
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.skills import ObjectArgs, PlaceArgs, SessionArgs
@@ -12,8 +11,8 @@ from mansion_skills.engine.seat import Seat
 from mansion_skills.skills.naming import object_named
 from mansion_skills.skills.outcome import invalid, refused
 from mansion_skills.skills.registry import Skill
-from mansion_skills.thor.actions import actions_for, teleport
-from mansion_skills.thor.controller import SETTINGS, Controller, act, failure
+from mansion_skills.thor.actions import Action, actions_for, teleport
+from mansion_skills.thor.controller import Controller, act, load_house
 from mansion_skills.thor.houses import Houses
 from mansion_skills.thor.readback import read_back
 from mansion_skills.thor.snapshot import Snapshot
@@ -109,20 +108,13 @@ class ThorEngine(Engine):
         """Do what the world did with the controller; return AI2-THOR's error message, empty when all succeeded."""
         if seat.robot.floor != before.floor:
             return self.enter(seat)
-        done = result.status is SkillStatus.SUCCESS
-        actions: list[dict[str, Any]] = (
-            actions_for(
-                seat.world,
-                seat.robot,
-                before.pose,
-                before.pitch,
-                arguments,
-                result,
-                force=self.force,
+        robot, actions = seat.robot, list[Action]()
+        if result.status is SkillStatus.SUCCESS:
+            actions = actions_for(
+                seat.world, robot, before.pose, before.pitch, arguments, result, force=self.force
             )
-            if done
-            else [teleport(seat.robot.pose, seat.robot.pitch)]
-        )
+        elif robot.pose != before.pose:
+            actions = [teleport(robot.pose, robot.pitch)]
         for action in actions:
             if error := act(self.controller, **action):
                 return error
@@ -138,8 +130,7 @@ class ThorEngine(Engine):
         held = world.objects.held_by(robot.session)
         carried = held if held is not None and held in houses else None
         scene = houses.arranged(world, robot.floor, robot.pose, carried)
-        event = self.controller.reset(scene=scene, **SETTINGS)
-        if error := failure(event, "CreateHouse"):
+        if error := load_house(self.controller, scene):
             return error
         self._entered(seat)
         there = teleport(robot.pose, robot.pitch, forceAction=True)
