@@ -106,8 +106,8 @@ class Surroundings:
         ]
 
     def is_certain(self, phrase: Phrase, score: int) -> bool:
-        """Whether a score says that all words of the phrase are confirmed."""
-        return score > 4 * (len(phrase.places) + bool(phrase.color))
+        """Whether a score says that all words of the phrase are confirmed, and the noun is no mere likeness."""
+        return score >= 4 * (len(phrase.places) + bool(phrase.color)) + 2
 
     def _confirmed(self, phrase: Phrase, thing: SeenObject) -> int:
         parent = self._seen.get(thing.parent)

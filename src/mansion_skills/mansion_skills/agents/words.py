@@ -19,8 +19,8 @@ _ALIKE: Final = (
     ("fridge", "refrigerator", "freezer"),
     ("laptop", "notebook computer", "laptop computer"),
     ("trash can", "garbage can", "waste bin", "bin", "trash bin", "dustbin", "wastebasket"),
-    ("mug", "cup", "coffee cup"),
-    ("cloth", "rag", "towel", "dish cloth", "dishcloth", "cleaning cloth"),
+    ("cup", "coffee cup"),
+    ("cloth", "rag", "dish cloth", "dishcloth", "cleaning cloth"),
     ("toolbox", "tool box"),
     ("wardrobe", "closet"),
     ("bookshelf", "bookcase", "shelf", "shelves", "shelving unit"),
@@ -40,10 +40,12 @@ def singular(word: str) -> str:
 
     Examples
     --------
-    >>> singular("boxes"), singular("shelves"), singular("glass"), singular("keys")
-    ('box', 'shelf', 'glass', 'key')
+    >>> singular("boxes"), singular("shelves"), singular("knives"), singular("gloves"), singular("glass")
+    ('box', 'shelf', 'knife', 'glove', 'glass')
     """
-    if word.endswith("ves") and len(word) > 4:
+    if word.endswith("ives"):
+        return word[:-3] + "fe"
+    if word.endswith(("lves", "aves")):
         return word[:-3] + "f"
     if word.endswith(("sses", "shes", "ches", "xes")):
         return word[:-2]
@@ -55,24 +57,31 @@ def singular(word: str) -> str:
 
 
 def match_score(noun: str, name: str) -> int:
-    """Return how well a noun names a category or a room: 3 exactly, 2 by its last words or another word, 0 not.
+    """Return how well a noun names a category or a room.
+
+    Returns
+    -------
+    int
+        3: with the same or an equal word, and number. 2: the name is of a kind of the noun, or lacks the number ("1" is
+        understood). 1: the noun is of a kind of the name. 0: not at all.
 
     Examples
     --------
     >>> match_score("couch", "sofa"), match_score("table", "dining_table"), match_score("pen", "open_shelf")
     (3, 2, 0)
+    >>> match_score("round table", "table"), match_score("office 2", "office_3"), match_score("hall 1", "hall")
+    (1, 0, 2)
     """
     wanted, known = _plain(noun), _plain(name)
-    numbers = _number(noun), _number(name)
-    if not wanted or not known or (numbers[0] and numbers[0] != (numbers[1] or "1")):
+    asked, given = _number(noun), _number(name)
+    if not wanted or not known or (asked and asked != (given or "1")):
         return 0
     if any(a == b for a in _spellings(wanted) for b in _spellings(known)):
-        return 3
-    for a in _spellings(wanted):
-        for b in _spellings(known):
-            if f" {b}".endswith(f" {a}") or f" {a}".endswith(f" {b}"):
-                return 2
-    return 0
+        return 3 if asked in ("", given) else 2
+    pairs = [(f" {a}", f" {b}") for a in _spellings(wanted) for b in _spellings(known)]
+    if any(b.endswith(a) for a, b in pairs):
+        return 2
+    return int(any(a.endswith(b) for a, b in pairs))
 
 
 def matches(noun: str, name: str) -> bool:

@@ -93,12 +93,18 @@ class MomentEyes:
 
     def __init__(self, eyes: CameraEyes, moment: Moment) -> None:
         self._eyes, self._moment = eyes, moment
+        self._view: bytes | None = None
 
     def _camera(self) -> "Camera | None":
         return self._eyes.camera(self._moment.world, self._moment.robot)
 
     def view(self) -> bytes:
-        """See `Eyes.view`."""
+        """See `Eyes.view`; drawn once, though it is shown with both questions of a step."""
+        if self._view is None:
+            self._view = self._draw_view()
+        return self._view
+
+    def _draw_view(self) -> bytes:
         camera, moment = self._camera(), self._moment
         if camera is None:
             return b""
