@@ -80,8 +80,8 @@ class _Rounds:
         self.history: list[Ints] = [self.labels.copy()]
         self.spacing = float(np.median(np.diff(grid.cells.xs[1:-1])))
 
-    def cut(self, cut: CutRound, areas: dict[str, float]) -> None:
-        """Split one parent (Algorithm 3)."""
+    def cut(self, cut: CutRound, areas: dict[str, float], share: int) -> None:
+        """Split one parent (Algorithm 3), looking at no more than `share` candidates."""
         inside = self.labels == self.index[cut.parent]
         cells = self.grid.cells.geometry[inside][:, [CX, CY]]
         targets = np.array([areas[name] for name in cut.children])
@@ -101,7 +101,7 @@ class _Rounds:
         scratch = self.labels.copy()
         for j in range(2 * self.options.retries):
             fallback = j >= self.options.retries
-            size = self.budget.take(self.options.batch)
+            size = self.budget.take(min(self.options.batch, share - self.budget.used + used))
             if size == 0:
                 break
             if fallback:
@@ -141,7 +141,13 @@ class _Rounds:
         )
 
     def _grow(
-        self, cut: CutRound, links: Ints, need: Floats, batch: Floats, targets: Floats, out: Ints
+        self,
+        cut: CutRound,
+        links: Ints,
+        need: Floats,
+        batch: Floats,
+        targets: Floats,
+        out: Ints,
     ) -> tuple[int, float]:
         w = self.options.energy
         cells = self.grid.cells
@@ -248,6 +254,6 @@ def run_rounds(
     rounds = build_cut_rounds(model, root)
     areas = subtree_areas(model, rounds)
     state = _Rounds(model, goal, grid, options, budget, rng, callback, root or model.hub)
-    for cut in rounds:
-        state.cut(cut, areas)
+    for k, cut in enumerate(rounds):
+        state.cut(cut, areas, -(-budget.left // (len(rounds) - k)))
     return RoundsResult(state.labels, state.records, state.seeds, state.energy, state.history)

@@ -24,7 +24,14 @@ from mansion_planner.solver.state import (
 )
 from mansion_planner.solver.widths import LARGE, border_sums, scan_runs
 
-__all__ = ["WEIGHTS", "edge_energy", "room_cost", "room_energy", "thin_energy", "total_energy"]
+__all__ = [
+    "WEIGHTS",
+    "edge_energy",
+    "room_cost",
+    "room_energy",
+    "thin_energy",
+    "total_energy",
+]
 
 WEIGHTS = (
     "area",
@@ -37,15 +44,30 @@ WEIGHTS = (
     "apart",
     "straddle",
     "wall",
+    "narrow",
 )
 """Order of `Goal.weights`."""
 
-W_AREA, W_SEED, W_CORNER, W_COMPACT, W_ACCESS, W_ADJACENT, W_THIN, W_APART, W_STRADDLE, W_WALL = (
-    range(10)
-)
+(
+    W_AREA,
+    W_SEED,
+    W_CORNER,
+    W_COMPACT,
+    W_ACCESS,
+    W_ADJACENT,
+    W_THIN,
+    W_APART,
+    W_STRADDLE,
+    W_WALL,
+    W_NARROW,
+) = range(11)
 ACCESS = 0
 DETOUR = 1.12
 """Compactness (perimeter / 4 sqrt(area)) up to which a room's proportions cost nothing: a rectangle of 1 : 2.6."""
+
+
+NARROW = 1e-3
+"""Area, m2, of narrow places from which on a room has any."""
 
 
 @kernel
@@ -124,7 +146,8 @@ def thin_energy(rooms: Floats, w: Floats, thin: Floats) -> float:
     """Return the part of the energy that places narrower than the minimum width cause."""
     energy = 0.0
     for r in range(rooms.shape[0]):
-        energy += w[W_THIN] * thin[r] / min(LARGE, rooms[r, TARGET])
+        if thin[r] > NARROW:
+            energy += w[W_NARROW] + w[W_THIN] * thin[r] / min(LARGE, rooms[r, TARGET])
     return energy
 
 
@@ -150,6 +173,13 @@ def total_energy(cells: Cells, goal: Goal, state: State) -> float:
         costs[r] = room_cost(rooms, weights, state.stats, state.contact, outside, r)
     energy = room_energy(rooms, weights, state.stats, state.straddle, costs)
     energy += edge_energy(
-        goal.links, goal.need, goal.apart, weights, state.stats, state.contact, state.run, True
+        goal.links,
+        goal.need,
+        goal.apart,
+        weights,
+        state.stats,
+        state.contact,
+        state.run,
+        True,
     )
     return energy + thin_energy(rooms, weights, state.thin)

@@ -35,6 +35,8 @@ class SearchWeights:
         Metres of structural wall inside a room.
     wall
         Missing contact with the envelope, for rooms without a seed.
+    narrow
+        Rooms with any narrow place.
     """
 
     area: float = 1.0
@@ -47,6 +49,7 @@ class SearchWeights:
     apart: float = 0.3
     straddle: float = 3.0
     wall: float = 0.15
+    narrow: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -66,11 +69,11 @@ class SolverOptions:
     seeded_proposals, proposals : int
         Candidates of one wall search per room, with seeds and without.
     attempts : int
-        Most wall searches, as long as edges are unmet.
+        Most wall searches, as long as edges are unmet or rooms narrow.
     candidates : int
         Most candidate layouts (grown or moved) looked at for one floor, in all.
-    spacing : float
-        Least distance of grid lines of the first search, metres; it grows with the floor.
+    spacing, unseeded_spacing : float
+        Least distance of grid lines of the first search, with seeds and without, metres; it grows with the floor.
     min_width : float
         Minimum width of a room where its node gives none, metres.
     adjacent_wall : float
@@ -86,17 +89,18 @@ class SolverOptions:
     radius_growth: float = 1.25
     energy: EnergyWeights = field(default_factory=EnergyWeights)
     wall_search: bool = True
-    round_candidates: int = 1500
+    round_candidates: int = 400
     seeded_proposals: int = 600
     proposals: int = 700
-    attempts: int = 8
+    attempts: int = 16
     candidates: int = 600_000
     spacing: float = 0.4
+    unseeded_spacing: float = 0.6
     min_width: float = 1.2
     adjacent_wall: float = 0.3
-    seeded: SearchWeights = field(default_factory=lambda: SearchWeights(thin=0.7))
+    seeded: SearchWeights = field(default_factory=lambda: SearchWeights(thin=0.7, narrow=0.1))
     unseeded: SearchWeights = field(
         default_factory=lambda: SearchWeights(
-            area=2.8, corner=0.32, compact=0.7, thin=3.0, wall=0.1
+            area=2.8, corner=0.32, compact=0.7, thin=3.0, wall=0.1, narrow=0.5
         )
     )

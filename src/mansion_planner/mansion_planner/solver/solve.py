@@ -15,7 +15,7 @@ from mansion_planner.solver.measured import Measured, measure
 from mansion_planner.solver.model import FloorModel, make_model
 from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.planned import planned_partition, planned_rounds
-from mansion_planner.solver.refine import Partition, make_goal
+from mansion_planner.solver.refine import Partition, make_goal, mostly_seeded
 from mansion_planner.solver.seeding import SeedCallback
 from mansion_planner.solver.starts import flood
 from mansion_planner.solver.state import SEED_X, SEED_Y, Floats, Goal
@@ -29,14 +29,19 @@ MOST_CELLS = 900.0
 def _coarse_grid(model: FloorModel, major: tuple[Floats, Floats], options: SolverOptions) -> Grid:
     """Return the first grid: about 900 cells, but fine enough for the smallest room."""
     area = float(model.region.area)
-    spacing = max(options.spacing, (area / MOST_CELLS) ** 0.5)
+    finest = options.spacing if mostly_seeded(model) else options.unseeded_spacing
+    spacing = max(finest, (area / MOST_CELLS) ** 0.5)
     smallest = 0.5 * float(np.sqrt(model.targets.min()))
     spacing = max(min(spacing, smallest), (area / (4.0 * MOST_CELLS)) ** 0.5)
     return make_grid(model, spaced_lines(major[0], spacing), spaced_lines(major[1], spacing))
 
 
 def _without_search(
-    model: FloorModel, goal: Goal, grid: Grid, rounds: RoundsResult, options: SolverOptions
+    model: FloorModel,
+    goal: Goal,
+    grid: Grid,
+    rounds: RoundsResult,
+    options: SolverOptions,
 ) -> Measured | None:
     """Return the cut rounds' own layout, what they left open filled."""
     labels = rounds.labels.copy()

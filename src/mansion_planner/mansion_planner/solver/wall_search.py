@@ -20,12 +20,14 @@ from mansion_planner.solver.state import (
     SEED_WEIGHT,
     SEED_X,
     SEED_Y,
+    TARGET,
     Floats,
     Goal,
     Ints,
     State,
     make_state,
 )
+from mansion_planner.solver.widths import LARGE
 
 __all__ = ["WallSearch"]
 
@@ -40,11 +42,11 @@ MANY_ROOMS = 14
 KINDS, REROOTED, CARVED = 4, 2, 3
 """Of each four attempts the third starts from rounds from another room, the last from carved open links."""
 
-POSTPONED = 3
-"""Coarse searches of which only the best is refined, as long as they leave links open."""
+POSTPONED = 4
+"""Coarse searches of which only the best is refined, as long as they leave links open or rooms narrow."""
 
-SHAPE_ATTEMPTS = 2
-"""Attempts that rooms of an unusable shape are worth."""
+MOST_NARROW = 0.05
+"""Share of a room's area (of `LARGE` in larger rooms) that may be narrow after a coarse search."""
 
 REPAIR_LEVELS = ((0.3, 0.1),)
 
@@ -104,7 +106,7 @@ class WallSearch:
                 best = self._better(best, self._finished(self._settled(planned)))
         chosen, waiting = rounds, None
         for attempt in range(self.options.attempts):
-            if best is not None and self._enough(best, attempt):
+            if best is not None and self._enough(best):
                 break
             tried = self._rounds(rounds, attempt)
             start = self._start(tried, attempt)
@@ -133,21 +135,20 @@ class WallSearch:
         keys = [(self.faults(m), m.partition.energy) for m in (first, second)]
         return second if keys[1] < keys[0] else first
 
-    def _enough(self, best: Measured, attempt: int) -> bool:
-        """Tell whether to stop: no fault is left, only shapes after some attempts, or no budget."""
-        hard, soft = self.faults(best)
-        done = hard == 0 and (soft == 0 or attempt >= SHAPE_ATTEMPTS)
-        return done or self.budget.left == 0
+    def _enough(self, best: Measured) -> bool:
+        """Tell whether to stop: no fault is left, or no budget."""
+        return self.faults(best) == (0, 0) or self.budget.left == 0
 
     def _postponed(self, coarse: Partition, attempt: int) -> bool:
-        """Tell whether another coarse search is worth more than refining one that leaves links open."""
+        """Tell whether another coarse search is worth more than refining one with faults."""
         last = attempt % POSTPONED == POSTPONED - 1 or attempt == self.options.attempts - 1
         if self.seeded or last or self.budget.left == 0:
             return False
         state = self._state(coarse)
         a, b = self.goal.links[:, 0], self.goal.links[:, 1]
         walls = np.where(self.goal.links[:, 2] == 0, state.run[a, b], state.contact[a, b])
-        return bool((walls < self.goal.need).any())
+        narrow = state.thin > MOST_NARROW * np.minimum(LARGE, self.goal.rooms[:, TARGET])
+        return bool((walls < self.goal.need).any() or narrow.any())
 
     def _state(self, partition: Partition) -> State:
         """Return the partition's state with all its statistics."""
@@ -191,7 +192,13 @@ class WallSearch:
         share = max(1, self.options.round_candidates // self.rooms)
         budget = Budget(min(share, self.budget.left))
         found = run_rounds(
-            self.model, self.goal, self.grid, self.options, budget, self.rng, root=roots[turn]
+            self.model,
+            self.goal,
+            self.grid,
+            self.options,
+            budget,
+            self.rng,
+            root=roots[turn],
         )
         self.budget.take(budget.used)
         return found
@@ -252,11 +259,11 @@ class WallSearch:
             self.goal,
             state,
             boxes,
-            self.budget.take(wanted if attempt < 4 else 2 * wanted),
+            self.budget.take(wanted),
             (0.15 if attempt == 0 else 0.3) if cool else 0.6,
             0.005 if cool else 0.01,
             4,
-            0.0 if cool else 0.01,
+            0.0 if cool else 0.05,
             0.05 if cool else 0.2,
             int(self.rng.integers(2**62)),
         )

@@ -5,7 +5,7 @@ import numpy as np
 from mansion_planner.solver.jit import kernel
 from mansion_planner.solver.state import AREA, HB, MIN_WIDTH, TARGET, VB, Floats, Ints
 
-__all__ = ["border_sums", "scan_runs"]
+__all__ = ["LARGE", "border_sums", "scan_runs"]
 
 LARGE = 6.0
 """Area, m2, from which narrow places cost the same in rooms of any size."""
