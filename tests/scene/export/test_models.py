@@ -147,3 +147,10 @@ def test_the_overview_has_a_picture_for_each_floor(building):
     content = overview_png(building, width=600)
     assert content == overview_png(list(reversed(building)), width=600)
     assert content.startswith(b"\x89PNG")
+
+
+def test_floors_that_share_a_folder_never_give_one_name_to_two_meshes(building):
+    files = {}
+    for scene in building:
+        for name, data in floor_mjcf(scene).meshes.items():
+            assert files.setdefault(name, data) == data, name

@@ -26,9 +26,15 @@ def add_cores(model: Model, scene: FloorScene, cabins: frozenset[str] | None = N
     """
     for core in scene.cores:
         if isinstance(core.details, StairDetails):
-            model.add(Node(core.id, core.id, "cores", room=core.id), _stair(core.details))
+            node = Node(core.id, _mesh_name(scene, core.id), "cores", room=core.id)
+            model.add(node, _stair(core.details))
         elif isinstance(core.details, LiftDetails):
-            _add_lift(model, core, core.details, cabins is None or core.id in cabins)
+            _add_lift(model, scene, core, core.details, cabins is None or core.id in cabins)
+
+
+def _mesh_name(scene: FloorScene, part: str) -> str:
+    """Return the name of a core's mesh: a core has one id on all floors, but not one shape."""
+    return f"F{scene.floor}/{part}"
 
 
 def _stair(details: StairDetails) -> list[Surface]:
@@ -85,9 +91,12 @@ def _outward(
     return faces if volume > 0 else np.ascontiguousarray(faces[:, ::-1])
 
 
-def _add_lift(model: Model, core: SceneCore, details: LiftDetails, here: bool) -> None:
+def _add_lift(
+    model: Model, scene: FloorScene, core: SceneCore, details: LiftDetails, here: bool
+) -> None:
     panel = _plate(details.call_panel, details.facing, 0.1, 0.22, named("brushed_steel"))
-    model.add(Node(f"{core.id}/call_panel", f"{core.id}/call_panel", "cores"), panel)
+    name = f"{core.id}/call_panel"
+    model.add(Node(name, _mesh_name(scene, name), "cores"), panel)
     if not here:
         return
     surfaces = [
@@ -98,7 +107,7 @@ def _add_lift(model: Model, core: SceneCore, details: LiftDetails, here: bool) -
     ]
     for button in details.buttons:
         surfaces += _plate(button.position, details.facing, 0.05, 0.05, named("button_light"))
-    model.add(Node(core.id, core.id, "cores", room=core.id), surfaces)
+    model.add(Node(core.id, _mesh_name(scene, core.id), "cores", room=core.id), surfaces)
 
 
 def _lamp_material() -> Material:

@@ -82,7 +82,7 @@ def add_floors(model: Model, scene: FloorScene) -> None:
         if len(landing) >= 3:
             name = f"{core.id}/landing"
             model.add(
-                Node(name, name, "structure", room=core.id),
+                Node(name, f"F{scene.floor}/{name}", "structure", room=core.id),
                 [polygon_surface(Polygon(landing), -FINISH, 0.0, named("polished_concrete"))],
             )
 
