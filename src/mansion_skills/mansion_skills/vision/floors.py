@@ -47,7 +47,7 @@ class Floors:
         self.world = world
         self._names = names
         self._size = width, height
-        self._files: dict[int, ModelFile] = {}
+        self._files: OrderedDict[int, ModelFile] = OrderedDict()
         self._loaded: OrderedDict[int, _Loaded] = OrderedDict()
 
     def close(self) -> None:
@@ -83,6 +83,9 @@ class Floors:
             scene = Path(entry["scene"])
             path = building.path / entry.get("model", scene.with_name("model.xml").as_posix())
             self._files[floor] = ModelFile.read(path)
+        self._files.move_to_end(floor)
+        while len(self._files) > KEPT:
+            self._files.popitem(last=False)
         return self._files[floor]
 
     def _load(self, floor: int, guests: list[str]) -> _Loaded:

@@ -124,6 +124,6 @@ def part_of(triangles: Triangles, kind: SceneObject) -> npt.NDArray[np.int64]:
         np.minimum.at(left, piece, triangles[:, :, 0].min(axis=1))
         np.maximum.at(right, piece, triangles[:, :, 0].max(axis=1))
         # A leaf as wide as the furniture takes all with it; else each half has its own.
-        if not (moves & (right - left > WHOLE * kind.size[0])[piece]).any():
-            part[moves & (left + right > 0.0)[piece]] = 1
+        if not (moves & (right[piece] - left[piece] > WHOLE * kind.size[0])).any():
+            part[moves & (left[piece] + right[piece] > 0.0)] = 1
     return part

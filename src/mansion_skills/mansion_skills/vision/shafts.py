@@ -18,22 +18,21 @@ SKIN = 0.03
 def shaft_boxes(scene: FloorScene) -> Iterator[tuple[str, list[Element]]]:
     """Yield for each stair the name of its shaft's body and its boxes, without a material.
 
-    Above the ceiling the walls go on for a storey and end in a lid, below the floor they go down a storey.
+    Where stairs lead on, the walls go on for a storey, up to a lid and down to a bottom; else the lid is the ceiling.
     """
     for core in scene.cores:
         details = core.details
         if not isinstance(details, StairDetails):
             continue
         top = max((wall.height for wall in scene.walls), default=2.8)
-        boxes = []
+        lid = top + scene.height if details.ceiling_opening else top
+        boxes = [_plate(core, lid)]
         if details.ceiling_opening:
-            boxes += _ring(core, top, top + scene.height)
-            boxes.append(_plate(core, top + scene.height))
+            boxes += _ring(core, top, lid)
         if details.floor_opening:
             boxes += _ring(core, -scene.height, 0.0)
             boxes.append(_plate(core, -scene.height))
-        if boxes:
-            yield core.id + SHAFT, boxes
+        yield core.id + SHAFT, boxes
 
 
 def _ring(core: SceneCore, low: float, high: float) -> list[Element]:
