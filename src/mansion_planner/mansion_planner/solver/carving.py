@@ -3,17 +3,7 @@
 import numpy as np
 
 from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.state import (
-    AREA,
-    COUNT,
-    HB,
-    VB,
-    Cells,
-    Floats,
-    Goal,
-    Ints,
-    State,
-)
+from mansion_planner.solver.state import AREA, COUNT, HB, VB, Cells, Floats, Goal, Ints, State
 
 __all__ = ["carve_open_links"]
 

@@ -15,12 +15,7 @@ from mansion_planner.solver.preview import render_preview
 from mansion_planner.solver.rounds import CutRound, build_cut_rounds, subtree_areas
 from mansion_planner.solver.sampling import base_radii, repelled_batch, sample_batch
 from mansion_planner.solver.scoring import grow_batch
-from mansion_planner.solver.seeding import (
-    SeedCallback,
-    SeedRequest,
-    plan_seeds,
-    seeds_from_plan,
-)
+from mansion_planner.solver.seeding import SeedCallback, SeedRequest, plan_seeds, seeds_from_plan
 from mansion_planner.solver.state import CX, CY, Floats, Goal, Ints
 
 __all__ = ["RoundsResult", "run_rounds"]
@@ -141,13 +136,7 @@ class _Rounds:
         )
 
     def _grow(
-        self,
-        cut: CutRound,
-        links: Ints,
-        need: Floats,
-        batch: Floats,
-        targets: Floats,
-        out: Ints,
+        self, cut: CutRound, links: Ints, need: Floats, batch: Floats, targets: Floats, out: Ints
     ) -> tuple[int, float]:
         w = self.options.energy
         cells = self.grid.cells

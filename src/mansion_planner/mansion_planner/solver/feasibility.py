@@ -32,13 +32,7 @@ def _core_without_wall(model: FloorModel, link: Link) -> str:
         walls = [wall for wall in walls if on_side(wall, obstacle)]
         longest = max((wall.length for wall in walls), default=0.0)
         if longest < model.problem.min_access_wall - 1e-3:
-            side = {
-                0: "a",
-                1: "the north",
-                2: "the east",
-                3: "the south",
-                4: "the west",
-            }
+            side = {0: "a", 1: "the north", 2: "the east", 3: "the south", 4: "the west"}
             return (
                 f"{obstacle.id} has {longest:.2f} m of straight wall to the free region on "
                 f"{side[obstacle.side]} side, {model.problem.min_access_wall:g} m are needed"

@@ -23,11 +23,7 @@ def _turned_edge(edge: RealisedEdge, angle: float) -> RealisedEdge:
 
 
 def _reason(
-    model: FloorModel,
-    edge: RealisedEdge,
-    relaxed: list[Relaxed],
-    options: SolverOptions,
-    used: int,
+    model: FloorModel, edge: RealisedEdge, relaxed: list[Relaxed], options: SolverOptions, used: int
 ) -> str:
     for entry in relaxed:
         if {entry.link.source, entry.link.target} == {edge.source, edge.target}:
@@ -85,10 +81,7 @@ def finish(
         rounds=rounds.records,
         hub=model.hub,
         area_scale=round(model.area_scale, 6),
-        scores={
-            "energy": round(measured.partition.energy, 6),
-            "rounds": round(rounds.energy, 6),
-        },
+        scores={"energy": round(measured.partition.energy, 6), "rounds": round(rounds.energy, 6)},
         checks={name: round(value, 9) for name, value in figures_of(model, shapes, verdict).items()}
         | {"candidates": float(used)},
         messages=[*model.messages, *_messages(verdict)],

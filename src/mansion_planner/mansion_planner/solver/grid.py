@@ -60,11 +60,7 @@ def major_lines(model: FloorModel) -> tuple[Floats, Floats]:
 
     Where there are very many (finely stepped outlines) only those of the longest edges are kept.
     """
-    shapes: list[BaseGeometry] = [
-        model.region,
-        *(o.polygon for o in model.obstacles),
-        *model.walls,
-    ]
+    shapes: list[BaseGeometry] = [model.region, *(o.polygon for o in model.obstacles), *model.walls]
     result = []
     for axis in (0, 1):
         low, high = model.outline.bounds[axis], model.outline.bounds[axis + 2]
@@ -163,8 +159,7 @@ def _rectilinear_on_lines(model: FloorModel, xs: Floats, ys: Floats) -> bool:
             for axis, lines in ((0, xs), (1, ys)):
                 at = np.clip(np.searchsorted(lines, points[:, axis]), 1, len(lines) - 1)
                 off = np.minimum(
-                    np.abs(lines[at] - points[:, axis]),
-                    np.abs(lines[at - 1] - points[:, axis]),
+                    np.abs(lines[at] - points[:, axis]), np.abs(lines[at - 1] - points[:, axis])
                 )
                 if (off > 2 * SAME_LINE).any():
                     return False

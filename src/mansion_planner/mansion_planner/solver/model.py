@@ -209,8 +209,7 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
     rooms, zones, links, graph, messages = resolve_zones(problem, known)
     if not rooms:
         raise _refuse(
-            "there is no room to lay out: every node is a core or a fixed room",
-            "$.nodes",
+            "there is no room to lay out: every node is a core or a fixed room", "$.nodes"
         )
     targets, scale = _targets(rooms, float(region.area))
     if abs(scale - 1.0) > 0.01:

@@ -16,15 +16,7 @@ MOST_SWAPPED = 2.0
 
 @kernel
 def _run_end(
-    labels: Ints,
-    free: Bools,
-    j: int,
-    i: int,
-    tj: int,
-    ti: int,
-    sj: int,
-    si: int,
-    whole: bool,
+    labels: Ints, free: Bools, j: int, i: int, tj: int, ti: int, sj: int, si: int, whole: bool
 ) -> int:
     """Return how many cells the wall beside cell (j, i) goes on in direction (tj, ti).
 
@@ -97,17 +89,7 @@ def shift_wall(
                 step -= 1
             if labels[yy, xx] != new:
                 made = repaint(
-                    geometry,
-                    near,
-                    labels,
-                    stats,
-                    contact,
-                    straddle,
-                    changes,
-                    made,
-                    yy,
-                    xx,
-                    new,
+                    geometry, near, labels, stats, contact, straddle, changes, made, yy, xx, new
                 )
     return made
 

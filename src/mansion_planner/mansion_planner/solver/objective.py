@@ -24,14 +24,7 @@ from mansion_planner.solver.state import (
 )
 from mansion_planner.solver.widths import LARGE, border_sums, scan_runs
 
-__all__ = [
-    "WEIGHTS",
-    "edge_energy",
-    "room_cost",
-    "room_energy",
-    "thin_energy",
-    "total_energy",
-]
+__all__ = ["WEIGHTS", "edge_energy", "room_cost", "room_energy", "thin_energy", "total_energy"]
 
 WEIGHTS = (
     "area",
@@ -173,13 +166,6 @@ def total_energy(cells: Cells, goal: Goal, state: State) -> float:
         costs[r] = room_cost(rooms, weights, state.stats, state.contact, outside, r)
     energy = room_energy(rooms, weights, state.stats, state.straddle, costs)
     energy += edge_energy(
-        goal.links,
-        goal.need,
-        goal.apart,
-        weights,
-        state.stats,
-        state.contact,
-        state.run,
-        True,
+        goal.links, goal.need, goal.apart, weights, state.stats, state.contact, state.run, True
     )
     return energy + thin_energy(rooms, weights, state.thin)

@@ -68,13 +68,7 @@ def _corners_at(stats: Floats, a: int, b: int, c: int, d: int, sign: float) -> N
 
 @kernel
 def _border(
-    contact: Floats,
-    straddle: Floats,
-    old: int,
-    new: int,
-    other: int,
-    length: float,
-    wall: float,
+    contact: Floats, straddle: Floats, old: int, new: int, other: int, length: float, wall: float
 ) -> float:
     """Move one border of a cell from label `old` to `new`; return what both perimeters gain by their common wall."""
     if other == old:
@@ -186,12 +180,7 @@ def _meet(stats: Floats, contact: Floats, x: int, y: int, length: float) -> None
 @kernel
 def recount(cells: Cells, state: State) -> None:
     """Compute every running statistic of `state` from its labels."""
-    labels, stats, contact, straddle = (
-        state.labels,
-        state.stats,
-        state.contact,
-        state.straddle,
-    )
+    labels, stats, contact, straddle = state.labels, state.stats, state.contact, state.straddle
     geometry, near = cells.geometry, cells.near
     rows, columns = labels.shape
     stats[:, :] = 0.0
@@ -206,14 +195,7 @@ def recount(cells: Cells, state: State) -> None:
             stats[x, MX] += a * geometry[j, i, CX]
             stats[x, MY] += a * geometry[j, i, CY]
             if j + 1 < rows and i + 1 < columns:
-                _corners_at(
-                    stats,
-                    x,
-                    labels[j, i + 1],
-                    labels[j + 1, i],
-                    labels[j + 1, i + 1],
-                    1.0,
-                )
+                _corners_at(stats, x, labels[j, i + 1], labels[j + 1, i], labels[j + 1, i + 1], 1.0)
             if i + 1 < columns and labels[j, i + 1] != x:
                 _meet(stats, contact, x, labels[j, i + 1], geometry[j, i, VB])
             elif i + 1 < columns:

@@ -37,13 +37,7 @@ def png_bytes(pixels: NDArray[np.uint8]) -> bytes:
 
 
 def render_preview(
-    xs: Floats,
-    ys: Floats,
-    labels: Ints,
-    parent: int,
-    rooms: int,
-    outside: int,
-    size: int = 384,
+    xs: Floats, ys: Floats, labels: Ints, parent: int, rooms: int, outside: int, size: int = 384
 ) -> bytes:
     """Render labelled cells from above, y up, with walls dark and the parent highlighted.
 

@@ -12,24 +12,11 @@ from shapely.geometry.base import BaseGeometry
 
 from mansion_geometry.rasters import raster_over
 from mansion_geometry.rings import as_polygon, corner_points, polygon_parts
-from mansion_geometry.shared_walls import (
-    edge_array,
-    longest_wall,
-    shared_walls,
-    total_length,
-)
+from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls, total_length
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
 from mansion_planner.solver.options import SolverOptions
 
-__all__ = [
-    "Interval",
-    "PlanScore",
-    "TrueProblem",
-    "figures",
-    "run_protocol",
-    "score_plan",
-    "table",
-]
+__all__ = ["Interval", "PlanScore", "TrueProblem", "figures", "run_protocol", "score_plan", "table"]
 
 SLACK = 1e-3
 

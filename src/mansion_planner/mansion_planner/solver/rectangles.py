@@ -142,17 +142,7 @@ def place_rectangle(
         for i in range(i0, i1):
             if free[j, i] and labels[j, i] != r:
                 made = repaint(
-                    geometry,
-                    near,
-                    labels,
-                    stats,
-                    contact,
-                    straddle,
-                    changes,
-                    made,
-                    j,
-                    i,
-                    r,
+                    geometry, near, labels, stats, contact, straddle, changes, made, j, i, r
                 )
     if made == 0:
         return 0
@@ -168,16 +158,6 @@ def place_rectangle(
                     left += 1
                 else:
                     made = repaint(
-                        geometry,
-                        near,
-                        labels,
-                        stats,
-                        contact,
-                        straddle,
-                        changes,
-                        made,
-                        j,
-                        i,
-                        best,
+                        geometry, near, labels, stats, contact, straddle, changes, made, j, i, best
                     )
     return made

@@ -103,13 +103,7 @@ def anneal(
     float
         Energy of the best partition.
     """
-    xs, ys, geometry, near, free = (
-        cells.xs,
-        cells.ys,
-        cells.geometry,
-        cells.near,
-        cells.free,
-    )
+    xs, ys, geometry, near, free = cells.xs, cells.ys, cells.geometry, cells.near, cells.free
     labels, stats, contact = state.labels, state.stats, state.contact
     run, thin, straddle = state.run, state.thin, state.straddle
     rooms, links, need, side = goal.rooms, goal.links, goal.need, goal.side
@@ -166,16 +160,7 @@ def anneal(
             )
         else:
             made = shift_wall(
-                geometry,
-                near,
-                free,
-                labels,
-                stats,
-                contact,
-                straddle,
-                changes,
-                rng,
-                reach,
+                geometry, near, free, labels, stats, contact, straddle, changes, rng, reach
             )
         if made == 0:
             continue
@@ -201,16 +186,7 @@ def anneal(
                 if energy < best - 1e-9:
                     best = energy
                     best_labels[:, :] = labels
-                _copy(
-                    stats,
-                    contact,
-                    costs,
-                    kept_stats,
-                    kept_contact,
-                    kept_costs,
-                    touched,
-                    count,
-                )
+                _copy(stats, contact, costs, kept_stats, kept_contact, kept_costs, touched, count)
                 kept_straddle = straddle[0]
                 continue
         for k in range(made - 1, -1, -1):

@@ -37,11 +37,7 @@ def _coarse_grid(model: FloorModel, major: tuple[Floats, Floats], options: Solve
 
 
 def _without_search(
-    model: FloorModel,
-    goal: Goal,
-    grid: Grid,
-    rounds: RoundsResult,
-    options: SolverOptions,
+    model: FloorModel, goal: Goal, grid: Grid, rounds: RoundsResult, options: SolverOptions
 ) -> Measured | None:
     """Return the cut rounds' own layout, what they left open filled."""
     labels = rounds.labels.copy()

@@ -114,12 +114,7 @@ def fit_rectangles(cells: Cells, goal: Goal, keep: int) -> tuple[Ints, Floats]:
                             k -= 1
                         costs[k] = cost
                         boxes[k, 0] = r
-                        boxes[k, 1], boxes[k, 2], boxes[k, 3], boxes[k, 4] = (
-                            j0,
-                            j1,
-                            i0,
-                            i1,
-                        )
+                        boxes[k, 1], boxes[k, 2], boxes[k, 3], boxes[k, 4] = j0, j1, i0, i1
                         made += 1
     return boxes[:made], costs[:made]
 

@@ -22,16 +22,7 @@ AREA, CX, CY, HB, VB, HS, VS, NEAR = range(8)
 SIZE, MX, MY, PERIMETER, COUNT, CORNERS = range(6)
 """Last index of `State.stats`."""
 
-(
-    TARGET,
-    SEED_X,
-    SEED_Y,
-    SEED_WEIGHT,
-    MIN_WIDTH,
-    SHAPE_WEIGHT,
-    CORNER_WEIGHT,
-    WALL_WEIGHT,
-) = range(8)
+TARGET, SEED_X, SEED_Y, SEED_WEIGHT, MIN_WIDTH, SHAPE_WEIGHT, CORNER_WEIGHT, WALL_WEIGHT = range(8)
 """Last index of `Goal.rooms`."""
 
 

@@ -22,14 +22,7 @@ from mansion_planner.solver.model import FloorModel, Obstacle
 from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.usable import shape_faults, straddled_lengths
 
-__all__ = [
-    "MOST_STRADDLED",
-    "Verdict",
-    "figures_of",
-    "judge",
-    "on_side",
-    "realise_edges",
-]
+__all__ = ["MOST_STRADDLED", "Verdict", "figures_of", "judge", "on_side", "realise_edges"]
 
 SLACK = 1e-3
 GAP = 1e-3
@@ -77,11 +70,7 @@ def on_side(wall: SharedWall, obstacle: Obstacle) -> bool:
 
 
 def _walls(
-    edges: dict[str, NDArray[np.float64]],
-    obstacles: dict[str, Obstacle],
-    a: str,
-    b: str,
-    kind: str,
+    edges: dict[str, NDArray[np.float64]], obstacles: dict[str, Obstacle], a: str, b: str, kind: str
 ) -> list[SharedWall]:
     """Return the walls between `a` and `b` that count for an edge of `kind`."""
     walls = shared_walls(edges[a], edges[b], GAP)

@@ -192,13 +192,7 @@ class WallSearch:
         share = max(1, self.options.round_candidates // self.rooms)
         budget = Budget(min(share, self.budget.left))
         found = run_rounds(
-            self.model,
-            self.goal,
-            self.grid,
-            self.options,
-            budget,
-            self.rng,
-            root=roots[turn],
+            self.model, self.goal, self.grid, self.options, budget, self.rng, root=roots[turn]
         )
         self.budget.take(budget.used)
         return found

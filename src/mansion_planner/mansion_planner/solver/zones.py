@@ -34,11 +34,7 @@ def select_hub(nodes: list[ProblemNode], graph: "nx.Graph[str]", cores: set[str]
             1 for _, _, data in graph.edges(node.id, data=True) if data["kind"] == "access"
         )
         main = node.type == "main"
-        return (
-            int(main) + int(node.type != "area"),
-            0 if main else degree,
-            node.area or 0.0,
-        )
+        return int(main) + int(node.type != "area"), 0 if main else degree, node.area or 0.0
 
     return max(rooms, key=rank).id
 
