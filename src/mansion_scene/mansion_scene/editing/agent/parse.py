@@ -1,7 +1,7 @@
 """Instructions to facts: the clauses of each sentence, with what was spoken of before in mind."""
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Final
 
@@ -18,6 +18,7 @@ from mansion_scene.editing.agent.facts import (
     Thing,
 )
 from mansion_scene.editing.agent.phrases import Phrase, read_phrase, read_place, rooms_named
+from mansion_scene.editing.agent.scopes import divisions, merged, moved, on_that_of
 from mansion_scene.editing.agent.things import is_known
 from mansion_scene.editing.agent.ways import read_way
 from mansion_scene.editing.agent.wording import sentences
@@ -33,11 +34,6 @@ _WITH: Final = re.compile(
     r"^(?P<a>.+?) with (?P<b>(?:a|an|one|two|three|four|five|six|some|another|no|cold|\d+)\b.+?)"
     r"(?: (?P<rel>on|in|inside|within)(?: (?:it|them|top))?)?(?P<loc> (?:in|on|at) (?!it\b|them\b|top\b).+)?$",
     re.IGNORECASE,
-)
-_TO: Final = (
-    r"^(?P<what>.+?)(?: from (?P<source>.+?))? (?:over |back |up |down |upstairs |downstairs )?(?P<to>to|into|onto) (?P<target>.+)$",
-    r"^(?P<what>.+?) from (?P<source>.+?) => (?P<to>on|in|inside) "
-    r"(?P<target>(?!(?:the )?(?:\w+ )?(?:floor|storey|level)\b).+)$",
 )
 _STATES: Final = {
     **dict.fromkeys(["open", "opened"], ("open", True)),
@@ -115,9 +111,7 @@ class _Reader:
         self._frame, self._clause = None, None
         for clause in clauses:
             if clause.kind == "place" and self._clause is None:
-                self._frame = _merged(
-                    read_place(self.state, clause.words["loc"]).where, self._frame
-                )
+                self._frame = merged(read_place(self.state, clause.words["loc"]).where, self._frame)
             elif not clause.kind and self._clause is None:
                 early.append(clause.words["x"])
             elif not clause.kind or clause.kind == "place":
@@ -141,19 +135,24 @@ class _Reader:
         if before is None:
             raise _not_understood(words)
         if before.kind in ("path", "reach"):
-            return self._read(replace(before, words={**before.words, "b": words}))
+            self._read(replace(before, words={**before.words, "b": words}))
+            return
         if before.kind == "clear":
-            return self._read(Clause("clear", {"y": words}))
+            self._read(Clause("clear", {"y": words}))
+            return
         state = re.match(r"^(?:be |is |are |stays? |kept |left )?(open|closed|shut|on|off)$", words)
         if state and self._last is not None:
             self._flush()
-            return self._switch(replace(self._last, placed=True), state[1])
+            self._switch(replace(self._last, placed=True), state[1])
+            return
         bare = re.sub(r"^(?:the|in|on)\s+", "", words)
         if before.kind == "have" and words.lower().startswith("the ") and self._is_carrier(words):
-            return self._again(f"on {words}")
+            self._again(f"on {words}")
+            return
         if clause.kind == "place" or rooms_named(self.state, bare, None):
-            return self._again(words if clause.kind == "place" else f"in {words}")
-        return self._read(replace(before, words={**before.words, "x": words, "loc": ""}))
+            self._again(words if clause.kind == "place" else f"in {words}")
+            return
+        self._read(replace(before, words={**before.words, "x": words, "loc": ""}))
 
     def _is_carrier(self, words: str) -> bool:
         """Whether words name furniture while the last thing stands on some: another place for it."""
@@ -174,9 +173,9 @@ class _Reader:
             raise _not_understood(words)
         closer = not place.receptacle and not last.where.rooms and last.where.floor is None
         if closer:
-            self.facts[-1] = replace(last, where=_merged(last.where, place))
+            self.facts[-1] = replace(last, where=merged(last.where, place))
             return
-        same = place if place.receptacle else _on_that_of(place, last.where)
+        same = place if place.receptacle else on_that_of(place, last.where)
         self.facts.append(replace(last, where=same))
 
     def _read(self, clause: Clause) -> None:
@@ -212,12 +211,13 @@ class _Reader:
     def _have(self, text: str) -> None:
         if re.match(r"^(?:no|not any|none of)\b", text, re.IGNORECASE):
             bare = re.sub(r"^(?:no|not any|none of)\s+", "", text, flags=re.IGNORECASE)
-            return self._wait("absent", read_phrase(self.state, bare))
+            self._wait("absent", read_phrase(self.state, bare))
+            return
         match = _WITH.match(text)
         if match is None:
-            return self._wait("have", read_phrase(self.state, text))
+            self._wait("have", read_phrase(self.state, text))
+            return
         self._with(match, read_phrase(self.state, f"{match['a']}{match['loc'] or ''}"))
-        return None
 
     def _with(self, match: re.Match[str], carrier: Phrase) -> None:
         """Read ``a table with two mugs on it``."""
@@ -247,9 +247,10 @@ class _Reader:
         match = _WITH.match(text)
         if match is not None and kind == "have":
             carrier = read_phrase(self.state, f"{match['a']}{match['loc'] or ''}")
-            return self._with(match, replace(carrier, where=place.where, placed=True))
+            self._with(match, replace(carrier, where=place.where, placed=True))
+            return
         thing = read_phrase(self.state, text)
-        where = _merged(thing.where, place.where) if thing.placed else place.where
+        where = merged(thing.where, place.where) if thing.placed else place.where
         self._wait(kind, replace(thing, where=where, placed=True, each=place.each, back=place.back))
 
     def _clear(self, text: str) -> None:
@@ -279,7 +280,8 @@ class _Reader:
     def _move(self, text: str) -> None:
         parts = self._parts(text)
         if parts is None:
-            return self._wait("move", read_phrase(self.state, text))
+            self._wait("move", read_phrase(self.state, text))
+            return
         phrase, goal = parts
         if not phrase.thing.noun and not phrase.placed and self._last is not None:
             phrase = self._last
@@ -289,16 +291,16 @@ class _Reader:
         for kind, waiting in self._waiting:
             if kind == "move":
                 where = waiting.where if waiting.placed else phrase.where
-                self.facts.append(MoveFact(_moved(waiting.thing), where, target))
+                self.facts.append(MoveFact(moved(waiting.thing), where, target))
         self._waiting = [entry for entry in self._waiting if entry[0] != "move"]
         self._flush()
-        self.facts.append(MoveFact(_moved(phrase.thing), self._resolved(phrase), target))
+        self.facts.append(MoveFact(moved(phrase.thing), self._resolved(phrase), target))
         self._last = replace(phrase, where=target)
 
     def _parts(self, text: str) -> tuple[Phrase, Phrase] | None:
         """Return what moves from where, and where to; the first division of the words that can be read."""
         fault: MansionError | None = None
-        for match in _divisions(text):
+        for match in divisions(text):
             source = f" on {match['source']}" if match["source"] else ""
             inward = match["to"].lower() in ("into", "in", "inside")
             try:
@@ -365,7 +367,8 @@ class _Reader:
         elif kind in ("absent", "no"):
             self.facts.append(AbsentFact(phrase.thing, where))
         elif kind.startswith("state "):
-            return self._switch(replace(phrase, where=where), kind[6:])
+            self._switch(replace(phrase, where=where), kind[6:])
+            return
         else:
             raise _not_understood(kind)
         self._last = replace(phrase, where=where)
@@ -382,7 +385,7 @@ class _Reader:
         where = phrase.where
         if phrase.back and self._last is not None:
             where = self._within(self._last, where.relation)
-        return _merged(where, self._frame) if self._frame is not None else where
+        return merged(where, self._frame) if self._frame is not None else where
 
     def _within(self, carrier: Phrase, relation: str) -> Scope:
         """Return the place on or in a thing that was spoken of; its own place when it carries nothing."""
@@ -398,44 +401,3 @@ class _Reader:
         return Scope(
             "in" if relation == "in" else "on", noun, own.rooms, own.floor, carrier.thing.colour
         )
-
-
-def _divisions(text: str) -> Iterator[re.Match[str]]:
-    """Yield the ways to divide words into a thing, its source and its target, the plain ones first."""
-    plain = re.match(_TO[0], text, re.IGNORECASE)
-    if plain:
-        yield plain
-    for joint in re.finditer(r" (?:on|in|inside) ", text, re.IGNORECASE):
-        head, tail = text[: joint.start()], text[joint.start() :]
-        if re.search(r" from .+", head, re.IGNORECASE):
-            match = re.match(_TO[1], f"{head} =>{tail}", re.IGNORECASE)
-            if match:
-                yield match
-
-
-def _moved(thing: Thing) -> Thing:
-    return replace(thing, count=0 if thing.every and not thing.count else max(1, thing.count))
-
-
-def _on_that_of(own: Scope, other: Scope) -> Scope:
-    """Return a place with the receptacle of another."""
-    return replace(
-        own,
-        relation=other.relation,
-        receptacle=other.receptacle,
-        colour=other.colour,
-        base=other.base,
-    )
-
-
-def _merged(own: Scope, other: Scope | None) -> Scope:
-    """Return a place with what it leaves open taken from another."""
-    if other is None:
-        return own
-    placed = own if own.receptacle else _on_that_of(own, other)
-    return replace(
-        placed,
-        rooms=own.rooms or other.rooms,
-        floor=other.floor if own.floor is None else own.floor,
-        near=own.near or other.near,
-    )

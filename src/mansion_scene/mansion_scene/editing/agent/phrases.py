@@ -19,10 +19,14 @@ from mansion_scene.editing.vocabulary import COLOUR_WORDS, stems
 
 __all__ = ["MOST_THINGS", "Phrase", "read_phrase", "read_place", "rooms_named"]
 
-_PREPOSITIONS: Final = r"\b(next to|inside of|inside|into|in|within|onto|on|under|underneath|below|at|by|off|out of|from|to|for)\b"
+_PREPOSITIONS: Final = (
+    r"\b(next to|inside of|inside|into|in|within|onto|on|under|underneath|below|at|by|off|"
+    r"out of|from|to|for)\b"
+)
 _ID: Final = re.compile(r"\b[fF]-?\d+/[A-Za-z0-9_./-]+")
 _EACH: Final = re.compile(
-    r"^(?:the )?(?:each|every|both|all|either)(?: (?:single|one))?(?: of)?(?: the)?(?: (?:two|three|four|five|six|\d+))?\b",
+    r"^(?:the )?(?:each|every|both|all|either)(?: (?:single|one))?(?: of)?(?: the)?(?: (?:two|three|four|five|"
+    r"six|\d+))?\b",
     re.IGNORECASE,
 )
 _EACH_FLOOR: Final = re.compile(

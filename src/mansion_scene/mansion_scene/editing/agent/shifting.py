@@ -3,6 +3,7 @@
 from collections.abc import Generator
 
 from mansion_msgs_py.editing import ObjectInfo
+from mansion_scene.editing.agent.clearing import free_up
 from mansion_scene.editing.agent.facts import AbsentFact, MoveFact
 from mansion_scene.editing.agent.looking import find_things, fits, look_at, receptacles
 from mansion_scene.editing.agent.protocol import Action, Outcome
@@ -85,7 +86,7 @@ def transfer(fact: MoveFact, state: SceneState) -> Work:
     movable = [i for i in loose if i.id not in there]
     if len(movable) < fact.thing.count:
         return f"there are only {len(movable)} {fact.thing.noun} {fact.source} to move"
-    for item in movable[: fact.thing.count]:
+    for item in movable[: fact.thing.count or len(movable)]:
         reason = "no place for it"
         for target in targets[:6]:
             answer = yield Action(
@@ -97,9 +98,28 @@ def transfer(fact: MoveFact, state: SceneState) -> Work:
                 reason = ""
                 break
             reason = answer.error.info.message
+        if reason and len(targets) == 1:
+            reason = yield from _squeeze(item, targets[0], reason, state)
         if reason:
             return reason
     return ""
+
+
+def _squeeze(item: ObjectInfo, target: str, reason: str, state: SceneState) -> Work:
+    """Move a thing to a full surface, from which another goes first."""
+    carriers = yield from _carrier(target)
+    found = state.find(item.id)
+    if not carriers or found is None:
+        return reason
+    freed = yield from free_up(item.name, [found[1].size], carriers[0], state)
+    if freed is None:
+        return reason
+    answer = yield Action(
+        f"{target} has room for {item.id} now.",
+        "MoveObject",
+        {"object_id": item.id, "receptacle_id": target},
+    )
+    return "" if answer.error is None else answer.error.info.message
 
 
 def _carrier(object_id: str) -> Generator[Action, Outcome, list[ObjectInfo]]:

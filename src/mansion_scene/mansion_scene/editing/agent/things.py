@@ -25,10 +25,10 @@ __all__ = [
 MOST_THINGS: Final = 20
 """Most copies of one thing that an instruction may ask for."""
 
-_COUNTING: Final = (
-    "one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen "
-    "eighteen nineteen twenty"
-).split()
+_COUNTING: Final = [
+    "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen",
+    "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty",
+]  # fmt: skip
 NUMBERS: Final = {
     **{word: number for number, word in enumerate(_COUNTING, start=1)},
     "a": 1, "an": 1, "another": 1, "single": 1, "couple": 2, "pair": 2, "dozen": 12,
@@ -38,19 +38,23 @@ NUMBERS: Final = {
 
 _EVERY: Final = frozenset(["the", "all", "every", "each", "any", "everything", "both", "whatever"])
 _COLD: Final = frozenset(["cold", "chilled", "cool", "cooled", "refrigerated", "iced"])
-_IDLE: Final = frozenset(
-    "fresh clean new small large big nice full empty least at please more exactly of these those that this is are "
-    "which my our your their its his her some only just additional extra further other precisely coloured colored "
-    "painted to be there atmost it them".split()
-)
-_BOUND: Final = frozenset(
-    "to from with without and or not no the off out run delete all wall door room floor building house system".split()
-)
+_IDLE: Final = frozenset([
+    "fresh", "clean", "new", "small", "large", "big", "nice", "full", "empty", "least", "at", "please", "more",
+    "exactly", "of", "these", "those", "that", "this", "is", "are", "which", "my", "our", "your", "their",
+    "its", "his", "her", "some", "only", "just", "additional", "extra", "further", "other", "precisely",
+    "coloured", "colored", "painted", "to", "be", "there", "atmost", "it", "them",
+])  # fmt: skip
+_BOUND: Final = frozenset([
+    "to", "from", "with", "without", "and", "or", "not", "no", "the", "off", "out", "run", "delete", "all",
+    "wall", "door", "room", "floor", "building", "house", "system",
+])  # fmt: skip
 """Words that are never a mere description of the noun after them."""
 
 MOST_BEFORE: Final = 2
 LIKE: Final = 0.8
-_ANYTHING: Final = frozenset("thing object stuff item content everything anything".split())
+_ANYTHING: Final = frozenset([
+    "thing", "object", "stuff", "item", "content", "everything", "anything",
+])  # fmt: skip
 
 
 @dataclass(frozen=True)

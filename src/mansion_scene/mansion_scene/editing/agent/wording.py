@@ -24,7 +24,8 @@ _COURTESIES: Final = re.compile(
     r"if (?:it is|they are|there is) not (?:there )?(?:already|yet)|if (?:it is )?missing|somewhere|anywhere|"
     r"as usual|at all times|in total|altogether|ready|neatly|carefully|quickly|already|again|currently|"
     r"somehow|simply|actually|really|definitely|certainly|always|still|furthermore|moreover|additionally|"
-    r"in addition|besides that|as well(?! as)|also|too|finally|lastly|firstly|first of all|next up|afterwards|after that|"
+    r"in addition|besides that|as well(?! as)|also|too|finally|lastly|firstly|first of all|next up|afterwards|"
+    r"after that|"
     r"at the same time|meanwhile|instead|though|however)\b(?! to\b)",
     re.IGNORECASE,
 )
@@ -35,12 +36,14 @@ _OPENINGS: Final = re.compile(
     r"(?:i|we) (?:want|need|have|would like|wish) to (?=(?:see|have|find)\b)|"
     r"(?:i|we) (?:need|have|want|would like) to (?=\w)|"
     r"(?:go ahead and|do not forget to|remember to|be sure to|make sure to|take care to|feel free to|try to) |"
-    r"(?:your|the) (?:task|job|goal|aim|mission) is to |it would be (?:nice|great|good|helpful|lovely) (?:if|to have) |"
+    r"(?:your|the) (?:task|job|goal|aim|mission) is to |it would be (?:nice|great|good|helpful|lovely) (?:if|"
+    r"to have) |"
     r"it is (?:important|essential|required|necessary|vital|crucial|mandatory) (?:that|to have|for) )+",
     re.IGNORECASE,
 )
 _REASONS: Final = re.compile(
-    r"[\s,]+(?:because|since|in case|in order to|as (?:i|we|they|people|the robot|the guests|guests|somebody|someone)\b|"
+    r"[\s,]+(?:because|since|in case|in order to|as (?:i|we|they|people|the robot|the guests|guests|somebody|"
+    r"someone)\b|"
     r"so (?:the|a) robot|for (?:the )?(?:robot|guests?|visitors?|staff|children|everyone|customers|patients|later|"
     r"testing|demo|lunch|breakfast|dinner|a test|the test|the demo|the meeting|tomorrow)\b)[^,;]*",
     re.IGNORECASE,
@@ -56,7 +59,8 @@ _TURNS: Final = (
     (r"\b(?:at least|no fewer than|no less than|a minimum of|not less than)\b", ""),
     (r"^(?:if|when|in case) there (?:is|are) (?:no|not an?|not any|not)\b(.+?), (?:then )?", r"there is \1, "),
     (r"^(?:if|unless)\b[^,]+, (?:then )?", ""),
-    (r",? (?:and )?(?:if|unless) (?:not|there is none|there is not|one is there|it is there|so|missing)\b,?(?: (?=\w))?", ", "),
+    (r",? (?:and )?(?:if|unless) (?:not|there is none|there is not|one is there|it is there|so|"
+        r"missing)\b,?(?: (?=\w))?", ", "),
     (r"\btake (.+?) away\b", r"remove \1"),
     (r"\b(?:no more than|not more than|at most|a maximum of)\b", "atmost"),
     (r"\bthe (?:presence|existence|availability) of\b", ""),
@@ -71,7 +75,8 @@ _TURNS: Final = (
     (r"\b(?:in|on) the (?:corner|middle|centre|center|back|front|left|right|far end|edge|inside) of\b", "in"),
     (r"\bin the (?:top|bottom|upper|lower|first|second|left|right)? ?drawers? of\b", "in"),
     (r"\b(?:that|which) (?:(?:is|are|lies|stands|sits|rests) )?(?=(?:on|in|inside|next|near|at|by|beside)\b)", ""),
-    (r"\b(?:lying|standing|sitting|resting|placed|located|situated|waiting|stored|kept|available|present|left|laid|set) "
+    (r"\b(?:lying|standing|sitting|resting|placed|located|situated|waiting|stored|kept|available|present|left|"
+        r"laid|set) "
         r"(?=(?:on|in|inside|next|near|at|by|beside|there)\b)", ""),
     (r"\b(?:right|directly|just|immediately) (?=(?:next|beside|near|by|on)\b)", ""),
     (r"\b(?:adjacent to|close to|alongside|beside|near to|nearby|around|in front of|near)\b", "next to"),
@@ -82,7 +87,8 @@ _TURNS: Final = (
     (r"(\w)'s? (?=[a-z])", r"\1 's "),
 )  # fmt: skip
 _QUESTION: Final = re.compile(
-    r"^(?:is|are) (there)\b(.*)$|^(?:can|could) (the robot|i|we|one|a robot|someone) (?=get|go|reach|walk|drive)(.*)$",
+    r"^(?:is|are) (there)\b(.*)$|^(?:can|could) (the robot|i|we|one|a robot|someone) (?=get|go|reach|walk|"
+    r"drive)(.*)$",
     re.IGNORECASE,
 )
 _STOPS: Final = re.compile(r"[.!?;\n]+(?=\s|$)|,\s+so\s+(?!that\b)")
