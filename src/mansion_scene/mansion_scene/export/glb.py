@@ -7,6 +7,7 @@ from mansion_scene.catalogue import Catalogue
 from mansion_scene.export.gltf import write_glb
 from mansion_scene.export.meshes import building_models, floor_model
 from mansion_scene.export.model import Model
+from mansion_scene.export.titles import building_title, floor_title
 
 __all__ = ["building_glb", "floor_glb"]
 
@@ -40,7 +41,7 @@ def building_glb(
     name = scenes[0].building_id if scenes else "building"
     if models is None:
         models = building_models(scenes, ceilings=ceilings, catalogue=catalogue)
-    return write_glb(models, name)
+    return write_glb(models, name, building_title(scenes))
 
 
 def floor_glb(
@@ -48,5 +49,7 @@ def floor_glb(
 ) -> bytes:
     """Write one floor as binary glTF, its finished floor at its elevation; see `building_glb`."""
     return write_glb(
-        [floor_model(scene, ceilings=ceilings, catalogue=catalogue)], scene.building_id
+        [floor_model(scene, ceilings=ceilings, catalogue=catalogue)],
+        scene.building_id,
+        floor_title(scene),
     )

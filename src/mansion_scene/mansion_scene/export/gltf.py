@@ -20,7 +20,7 @@ FLOAT, USHORT, UINT = 5126, 5123, 5125
 ARRAY, ELEMENTS = 34962, 34963
 
 
-def write_glb(models: Sequence[Model], name: str) -> bytes:
+def write_glb(models: Sequence[Model], name: str, title: str = "") -> bytes:
     """Write models as one binary glTF scene.
 
     Parameters
@@ -29,6 +29,8 @@ def write_glb(models: Sequence[Model], name: str) -> bytes:
         One a floor; each becomes a node ``floor_N`` at its elevation, with a child for each group.
     name : str
         Of the root node.
+    title : str
+        What a person calls the building, kept in the root node's extras.
 
     Returns
     -------
@@ -37,8 +39,12 @@ def write_glb(models: Sequence[Model], name: str) -> bytes:
     """
     writer = _Writer()
     floors = [writer.floor(model) for model in models]
-    root = writer.node({"name": name, "children": floors})
+    root = writer.node({"name": name, "children": floors, **_titled(title)})
     return writer.finish(root)
+
+
+def _titled(title: str) -> Json:
+    return {"extras": {"title": title}} if title else {}
 
 
 class _Writer:
@@ -69,7 +75,7 @@ class _Writer:
             self.node({"name": f"{model.name}/{group}", "children": members})
             for group, members in groups.items()
         ]
-        content: Json = {"name": model.name, "children": children}
+        content: Json = {"name": model.name, "children": children, **_titled(model.title)}
         if model.elevation:
             content["translation"] = [0.0, round(model.elevation, 5), 0.0]
         if not children:

@@ -48,7 +48,8 @@ def _text(name: str) -> str:
 
 
 def _name(glb: bytes) -> str:
-    """Return the name of the root node."""
+    """Return the title of the root node, or its name."""
     length = int.from_bytes(glb[12:16], "little")
     document = json.loads(glb[20 : 20 + length])
-    return str(document["nodes"][document["scenes"][0]["nodes"][0]]["name"])
+    root = document["nodes"][document["scenes"][0]["nodes"][0]]
+    return str(root.get("extras", {}).get("title", root["name"]))

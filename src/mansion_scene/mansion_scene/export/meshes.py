@@ -9,6 +9,7 @@ from mansion_scene.export.model import Model
 from mansion_scene.export.object_meshes import add_objects
 from mansion_scene.export.opening_meshes import add_doors, add_windows
 from mansion_scene.export.structure_meshes import add_ceilings, add_floors, add_roof, add_walls
+from mansion_scene.export.titles import floor_name
 
 __all__ = ["building_models", "floor_model"]
 
@@ -32,7 +33,9 @@ def floor_model(
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
     """
-    model = Model(f"floor_{scene.floor}", scene.floor, scene.elevation)
+    model = Model(
+        f"floor_{scene.floor}", scene.floor, scene.elevation, title=floor_name(scene).capitalize()
+    )
     add_floors(model, scene)
     add_walls(model, scene)
     if ceilings:

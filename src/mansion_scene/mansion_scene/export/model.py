@@ -90,6 +90,8 @@ class Model:
     ----------
     elevation : float
         Of the floor's frame in the building's, metres.
+    title : str
+        What a person calls the floor; empty where it has no such name.
     """
 
     name: str
@@ -97,6 +99,7 @@ class Model:
     elevation: float
     nodes: list[Node] = field(default_factory=list)
     meshes: dict[str, Mesh] = field(default_factory=dict)
+    title: str = ""
 
     def add(self, node: Node, surfaces: Iterable[Surface] | None = None) -> None:
         """Add a node, and its mesh where that is not there yet."""

@@ -18,6 +18,9 @@ __all__ = ["place_along_walls", "place_lattice", "place_rows", "repeated", "row_
 
 Floats = npt.NDArray[np.float64]
 
+_OFFSETS = 6
+"""Positions of a lattice that are tried at each pitch."""
+
 
 def repeated(unit: Unit, offsets: Floats) -> Unit:
     """Return one unit that holds a copy of `unit` at each offset, shape (n, 2), in the anchor's frame."""
@@ -171,7 +174,7 @@ def place_lattice(
     gap = max(min(spare, 2.5), 0.45)
     while gap >= 0.4:
         for turn in rng.permutation(2):
-            for _ in range(2):
+            for _ in range(_OFFSETS):
                 poses = _lattice(floor, x1 - x0 + gap, y1 - y0 + gap, 90.0 * int(turn), centre, rng)
                 if len(poses) < count:
                     continue

@@ -10,7 +10,7 @@ from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.pose_kernels import ring_rows, wall_rows
 from mansion_scene.placement.room import Wall, wall_array
 
-__all__ = ["floor_poses", "ring_poses", "wall_poses"]
+__all__ = ["floor_poses", "flush_poses", "ring_poses", "wall_poses"]
 
 Floats = npt.NDArray[np.float64]
 Extent = tuple[float, float, float, float]
@@ -76,6 +76,39 @@ def floor_poses(floor: Floor, rng: np.random.Generator, *, limit: int = 1200) ->
             u = unit_vector(angle + 90.0 * quarter)
             rows.append(np.hstack([xy, np.broadcast_to(np.array(u), (len(xy), 2))]))
     return np.concatenate(rows)
+
+
+def flush_poses(floor: Floor, extent: Extent, gaps: Sequence[float]) -> Floats:
+    """Return poses of a large unit at each gap from either end of the room's bounds, and amid them, shape (n, 4).
+
+    A block that only just fits is missed by a grid; it fits flush with the walls. Only for rooms along the axes.
+
+    Parameters
+    ----------
+    extent : (x min, x max, y min, y max)
+        Of the unit in its anchor's frame, metres.
+    gaps : sequence of float
+        Distances from the bounds, metres.
+    """
+    if floor.room.angles[:1] != [0.0]:
+        return np.zeros((0, 4))
+    x0, x1, y0, y1 = extent
+    left, low, right, high = (float(v) for v in floor.room.bounds)
+    rows = []
+    for a, b, c, d, u in (
+        (x0, x1, y0, y1, (1.0, 0.0)),
+        (-y1, -y0, x0, x1, (0.0, 1.0)),
+        (-x1, -x0, -y1, -y0, (-1.0, 0.0)),
+        (y0, y1, -x1, -x0, (0.0, -1.0)),
+    ):
+        xs = [
+            (left + right - a - b) / 2,
+            *(left + g - a for g in gaps),
+            *(right - g - b for g in gaps),
+        ]
+        ys = [(low + high - c - d) / 2, *(low + g - c for g in gaps), *(high - g - d for g in gaps)]
+        rows += [(x, y, *u) for x in xs for y in ys]
+    return np.array(rows)
 
 
 def ring_poses(

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_scene.placement.arrange import place_along_walls, repeated
-from mansion_scene.placement.candidates import floor_poses, wall_poses
+from mansion_scene.placement.candidates import floor_poses, flush_poses, wall_poses
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.scoring import pose_scores
@@ -166,7 +166,8 @@ def _macro_poses(
         poses = wall_poses(floor, macro.extent(), unit.sizes[0][1] / 2, rng)
     else:
         macro = repeated(unit, offsets - centre)
-        poses = floor_poses(floor, rng, limit=500)
+        flush = flush_poses(floor, macro.extent(), (floor.gap, floor.passage, floor.room.aisle))
+        poses = np.concatenate([flush, floor_poses(floor, rng, limit=1000)])
     poses = _facing(floor, spec, unit, poses)
     if not len(poses):
         return macro, poses

@@ -103,10 +103,10 @@ function start(building) {
     row.dataset.floor = floor.number;
     const box = document.createElement("input");
     box.type = "checkbox";
-    box.ariaLabel = `Show floor ${floor.number}`;
+    box.ariaLabel = `Show ${floor.title}`;
     box.onchange = () => show(every.filter((n) => (n === floor.number ? box.checked : shown.has(n))));
     const only = document.createElement("button");
-    only.textContent = `Floor ${floor.number}`;
+    only.textContent = floor.title;
     only.onclick = () => show([floor.number]);
     row.append(box, only);
     byId("floors").append(row);

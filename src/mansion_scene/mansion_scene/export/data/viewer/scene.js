@@ -32,7 +32,9 @@ function readBuilding(buffer) {
   for (const index of gltf.nodes[gltf.scenes[0].nodes[0]].children || []) {
     const node = gltf.nodes[index];
     const elevation = (node.translation || [0, 0, 0])[1];
-    const floor = { name: node.name, number: parseInt(node.name.split("_").pop(), 10), elevation, batches: [], labels: [] };
+    const number = parseInt(node.name.split("_").pop(), 10);
+    const title = (node.extras && node.extras.title) || `Floor ${number}`;
+    const floor = { name: node.name, title, number, elevation, batches: [], labels: [] };
     for (const groupIndex of node.children || []) {
       const groupNode = gltf.nodes[groupIndex];
       const batches = new Map();
