@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from shapely.geometry import Point, Polygon, box
 from shapely.ops import unary_union
 
+from mansion_msgs_py.scene import StairDetails
 from mansion_scene.export.glb import building_glb, floor_glb
 from mansion_scene.export.html import view_page
 from mansion_scene.export.meshes import floor_model
@@ -150,6 +151,21 @@ def test_the_overview_has_a_picture_for_each_floor(building):
 
 
 def test_floors_that_share_a_folder_never_give_one_name_to_two_meshes(building):
+    for scene, risers in zip(building, (2, 0)):
+        treads = [
+            ((i * 0.3, 0.0, 0.0), (i * 0.3 + 0.3, 1.2, 0.18 * (i + 1))) for i in range(risers)
+        ]
+        stair = next(core for core in scene.cores if core.type == "stair")
+        stair.details = StairDetails(
+            form="dog_leg",
+            risers=risers,
+            riser=0.18,
+            going=0.3,
+            width=1.2,
+            floor_landing=[],
+            treads=treads,
+            rails=[((0.0, 0.0, 1.0), (1.0 + risers, 0.0, 1.0))],
+        )
     files = {}
     for scene in building:
         for name, data in floor_mjcf(scene).meshes.items():
