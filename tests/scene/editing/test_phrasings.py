@@ -1,0 +1,139 @@
+"""The offline agent's parser: the same facts from many words, and no guesses."""
+
+import pytest
+
+from mansion_msgs_py.errors import MansionError
+from mansion_scene.editing.agent.facts import ObjectFact
+from mansion_scene.editing.agent.parse import parse_instruction
+from mansion_scene.editing.agent.wording import sentences
+from mansion_scene.editing.state import SceneState
+
+
+def _facts(state: SceneState, text: str) -> list[str]:
+    return [str(fact) for fact in parse_instruction(state, text)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "There ought to be a laptop on the dining table in the kitchen.",
+        "A laptop should be on the dining table in the kitchen",
+        "Could you please put a laptop on top of the dining table in the kitchen?",
+        "The dining table in the kitchen needs a laptop.",
+        "In the kitchen, there must be a laptop on the dining table.",
+        "We're missing a laptop on the kitchen's dining table!",
+        "Check whether there is a laptop on the dining table in the kitchen, and if not, add one.",
+        "I'd like the dining table of the kitchen to have a laptop on it.",
+        "Set a laptop down on the dining table that is in the kitchen because the guests arrive soon.",
+        "place a lap-top on the dining table in the kitchen".replace("-", ""),
+        "equip the dining table in the kitchen with a labtop",
+        "It is a lovely day. Make sure that a laptop can be found on the dining table in the kitchen.",
+    ],
+)
+def test_one_wish_in_many_words(state: SceneState, text: str) -> None:
+    (fact,) = parse_instruction(state, text)
+    assert isinstance(fact, ObjectFact) and state.vocabulary.nouns(fact.thing.noun) == ["laptop"]
+    assert (fact.thing.count, fact.where.receptacle) == (1, "dining table")
+    assert fact.where.rooms == ("F1/kitchen",)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "There shouldn't be any mugs on the dining table.",
+        "Get rid of every mug on the dining table",
+        "The dining table must not have any mugs on it",
+        "No mugs should be left on the dining table.",
+        "Keep the dining table free of mugs",
+        "Take all the mugs off the dining table",
+        "All mugs on the dining table must go",
+        "don't leave any mugs on the dining table",
+    ],
+)
+def test_what_is_to_be_gone(state: SceneState, text: str) -> None:
+    (fact,) = _facts(state, text)
+    assert fact.startswith("gone: every mug") and fact.endswith("on the dining table")
+
+
+@pytest.mark.parametrize(
+    ("text", "facts"),
+    [
+        ("the dining table has to be empty", ["gone: everything on the dining table"]),
+        (
+            "neither pens nor books should be on the desk",
+            ["gone: every pens on the desk", "gone: every books on the desk"],
+        ),
+        ("put exactly two apples on the desk", ["exactly 2 apples on the desk"]),
+        ("no more than one mug on the desk", ["at most 1 mug on the desk"]),
+        ("add another mug to the desk", ["another 1 mug on the desk"]),
+        ("I want two mugs on the desk, and they must be red", ["2 red mugs on the desk"]),
+        (
+            "put a red book and a green one on the desk upstairs",
+            ["1 red book on the desk on floor 2", "1 green book on the desk on floor 2"],
+        ),
+        (
+            "set two pens next to the mug on the dining table",
+            ["2 pens on the dining table next to the mug"],
+        ),
+        (
+            "there should be a blue couch in the hall with a cellphone on it",
+            ["1 blue couch in F1/hall", "1 cellphone on the blue couch in F1/hall"],
+        ),
+        (
+            "three apples in a bowl on the dining table",
+            ["1 bowl on the dining table", "3 apples in the bowl on the dining table"],
+        ),
+        ("clear the desk and put a vase on it", ["gone: everything on the desk", "1 vase on the desk"]),
+        (
+            "replace the mug on the dining table with an apple",
+            ["gone: the mug on the dining table", "1 apple on the dining table"],
+        ),
+        ("the fridge should be left open", ["the fridge in the building open"]),
+        ("switch the floor lamp upstairs on", ["the floor lamp on floor 2 on"]),
+        ("turn off all lamps", ["every lamps in the building off"]),
+        (
+            "the kitchen must be reachable from the private office",
+            ["a way from F2/private_office_1 to F1/kitchen"],
+        ),
+        (
+            "keep the path between the hall and the kitchen clear",
+            ["a way from F1/hall to F1/kitchen"],
+        ),
+        ("one can walk to the fridge from here", ["a way from the entrance to F1/kitchen"]),
+        (
+            "bring the mug on the dining table over to the office",
+            ["1 mug on the dining table moved to in F2/private_office_1"],
+        ),
+    ],
+)  # fmt: skip
+def test_forms_of_wishes(state: SceneState, text: str, facts: list[str]) -> None:
+    assert _facts(state, text) == facts
+
+
+def test_each_room_and_each_receptacle_counts_for_itself(state: SceneState) -> None:
+    assert len(_facts(state, "there should be a mug on the floor of each floor")) == 2
+    assert _facts(state, "every desk needs a pen") == [
+        "1 pen on the F2/private_office_1/office_desk_1 in F2/private_office_1"
+    ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "the walls should be painted red",
+        "two hundred mugs on the desk",
+        "put a gizmotron on the desk",
+        "put a mug on the desk in the ballroom",
+        "demolish the stairs and leave",
+        "mug",
+        "nothing",
+    ],
+)
+def test_what_is_not_understood_is_refused(state: SceneState, text: str) -> None:
+    with pytest.raises(MansionError):
+        parse_instruction(state, text)
+
+
+def test_courtesies_and_contractions_fall_away() -> None:
+    text = "Hi robot, could you please see that there's a mug on the desk? Thanks!"
+    assert sentences(text) == ["see that there is a mug on the desk"]
