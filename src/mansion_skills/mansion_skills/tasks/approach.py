@@ -44,8 +44,10 @@ class Approach:
         robot = self._world.robots[self._session]
         facing = robot.pose.yaw if yaw is None else yaw
         values = " ".join(f"{name}={call.arguments[name]}" for name in sorted(call.arguments))
-        if call.arguments.get("target") == "floor":
-            x, y = robot.place
+        x, y = robot.place
+        if call.skill == "Place" and call.arguments.get("target") != "floor":
+            return f"{call.skill} {values} {robot.floor} {x:.1f} {y:.1f}"
+        if call.skill == "Place":
             return f"{call.skill} {values} {robot.floor} {x:.1f} {y:.1f} {round(facing) % 360}"
         if call.skill == "GoNearObject":
             return f"{call.skill} {values} {self._room()}"

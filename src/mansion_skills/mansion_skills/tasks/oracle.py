@@ -49,6 +49,8 @@ class Oracle:
         self._world = world
         self._robot_of = session
         self._vain: set[str] = set()
+        self._gone_near: set[str] = set()
+        self._cleared: set[str] = set()
         self._way = Approach(world, session, self._vain)
         self._work: dict[GoalKind, Callable[[Goal], SkillCall | None]] = {
             GoalKind.OBJECT_IN: self._put_in,
@@ -70,12 +72,36 @@ class Oracle:
             call = self._work[goal.kind](goal)
             if call is not None:
                 return call
+        return self._clear_the_way() if unmet else None
+
+    def _clear_the_way(self) -> SkillCall | None:
+        """Take up what stands on the floor near the robot, where nothing else is left: it may block the way."""
+        world, robot = self._world, self._world.robots[self._robot_of]
+        if world.objects.held_by(self._robot_of) is not None:
+            return None
+        around = [
+            state.id
+            for state in world.objects.on_floor(robot.floor)
+            if state.mount == "floor"
+            and world.objects.kinds[state.id].pickupable
+            and state.id not in self._cleared
+        ]
+        for name in self._way.nearest(around):
+            call = self._approach(name)
+            if call is None:
+                self._cleared.add(name)
+                return SkillCall(skill="PickUp", arguments={"object": name})
+            if self._way.key(call) not in self._vain:
+                return call
         return None
 
     def note(self, call: SkillCall, result: SkillResult) -> None:
         """Take notice of what a skill did, so that what failed is not tried again from the same place."""
         if result.status is not SkillStatus.SUCCESS:
             self._vain.add(self._way.key(call))
+        elif call.skill in ("PickUp", "OpenDoor"):
+            # Ways may be free now that were not.
+            self._vain -= {key for key in self._vain if key.startswith("Go")}
         elif call.skill == "GoNearObject":
             name = call.arguments["object"]
             if name in self._world.objects and not self._handles(name):
