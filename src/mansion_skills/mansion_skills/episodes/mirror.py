@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from mansion_msgs_py.codec import decode
-from mansion_msgs_py.world import WorldState
+from mansion_msgs_py.world import LiftDoor, LiftState, WorldState
 from mansion_skills.building import LoadedBuilding
 from mansion_skills.episodes.stand_in import SESSION, WORLD
 from mansion_skills.world.overlay import overlay_path
@@ -34,6 +34,7 @@ class Mirror:
         self.robot: RobotBody = self.world.add_robot(SESSION)
         self._first = {name: self.world.objects.state(name) for name in self.world.objects}
         self._last = b""
+        self._closing: dict[str, float] = {}
         self.follow()
 
     def follow(self) -> None:
@@ -57,7 +58,19 @@ class Mirror:
             world.doors.update(saved.doors)
             world.reload()
         for entry in saved.lifts:
-            world.lifts[entry.lift_name].restore(entry, saved.queues.get(entry.lift_name, []))
+            self._follow_lift(entry, saved)
         world.time, world.step = saved.time, saved.step
         self.robot.call = None
         restore_robot(world, saved, self.robot)
+
+    def _follow_lift(self, entry: LiftState, saved: WorldState) -> None:
+        """Restore a lift; doors that were let go are as far closed as their time allows, which no overlay says."""
+        name, lift = entry.lift_name, self.world.lifts[entry.lift_name]
+        lift.restore(entry, saved.queues.get(name, []))
+        if entry.door_state is not LiftDoor.MOVING:
+            self._closing.pop(name, None)
+            return
+        lift.opening = 1.0
+        since = self._closing.setdefault(name, saved.time)
+        for _ in lift.advance(saved.time - since, since, saved.building_id):
+            continue
