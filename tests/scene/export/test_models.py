@@ -156,6 +156,7 @@ def test_floors_that_share_a_folder_never_give_one_name_to_two_meshes(building):
             ((i * 0.3, 0.0, 0.0), (i * 0.3 + 0.3, 1.2, 0.18 * (i + 1))) for i in range(risers)
         ]
         stair = next(core for core in scene.cores if core.type == "stair")
+        stair.id = "stair_1"
         stair.details = StairDetails(
             form="dog_leg",
             risers=risers,
