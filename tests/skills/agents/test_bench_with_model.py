@@ -81,3 +81,21 @@ def test_an_outage_keeps_what_is_finished_and_the_next_run_goes_on(
         assert len(server.requests) == 2
     assert [row.task for row in result.episodes] == ["mug_up", "find_fridge"]
     assert json.loads((tmp_path / "out" / "results.json").read_text())["summary"]
+
+
+def test_a_recorded_bench_repeats_without_the_model(
+    building: Path, chat: ModuleType, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    file = write_tasks(building, mug_task(), search_task())
+    with chat.ChatServer(hasty(chat)) as server:
+        use(server, monkeypatch)
+        monkeypatch.setenv("MANSION_LLM_RECORD", str(tmp_path / "tape.jsonl"))
+        live = run_bench(Bench((file,), ("bumble",), tmp_path / "live"))
+    monkeypatch.delenv("MANSION_LLM_RECORD")
+    monkeypatch.setenv("MANSION_LLM_REPLAY", str(tmp_path / "tape.jsonl"))
+    replayed = run_bench(Bench((file,), ("bumble",), tmp_path / "replayed"))
+    assert len(replayed.episodes) == 2
+    for one, other in zip(live.episodes, replayed.episodes):
+        first = read_log(tmp_path / "live" / one.log)
+        second = read_log(tmp_path / "replayed" / other.log)
+        assert first.steps == second.steps and first.end.lessons == second.end.lessons

@@ -58,10 +58,10 @@ def likelihood(noun: str, room: str) -> int:
     """
     for things, rooms in _KEPT:
         if any(match_score(noun, thing) == 3 for thing in things) and any(
-            match_score(name, room) for name in rooms
+            match_score(name, room) > 1 for name in rooms
         ):
             return 2
-    return 0 if any(match_score(name, room) for name in _BARE) else 1
+    return 0 if any(match_score(name, room) > 1 for name in _BARE) else 1
 
 
 def shut_away_in(noun: str) -> str:

@@ -115,8 +115,8 @@ class Surroundings:
         on = (carrier, room_words(thing.parent))
         color = parent.thing.color if parent is not None else ""
         places = sum(
-            bool(match_score(word, room_words(thing.room)))
-            or (any(match_score(word, name) for name in on) and tint in ("", color))
+            match_score(word, room_words(thing.room)) > 1
+            or (any(match_score(word, name) > 1 for name in on) and tint in ("", color))
             for word, tint in zip(phrase.places, phrase.place_colors)
         )
         return places + bool(phrase.color and phrase.color == thing.color)

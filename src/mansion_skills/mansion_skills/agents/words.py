@@ -78,10 +78,9 @@ def match_score(noun: str, name: str) -> int:
         return 0
     if any(a == b for a in _spellings(wanted) for b in _spellings(known)):
         return 3 if asked in ("", given) else 2
-    pairs = [(f" {a}", f" {b}") for a in _spellings(wanted) for b in _spellings(known)]
-    if any(b.endswith(a) for a, b in pairs):
+    if any(f" {known}".endswith(f" {a}") for a in _spellings(wanted)):
         return 2
-    return int(any(a.endswith(b) for a, b in pairs))
+    return int(any(f" {wanted}".endswith(f" {b}") for b in _spellings(known)))
 
 
 def matches(noun: str, name: str) -> bool:
