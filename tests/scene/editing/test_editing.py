@@ -1,5 +1,6 @@
 """Edits land whole or not at all, can be undone, and do not lose each other."""
 
+import json
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -31,6 +32,24 @@ def test_a_placement_lands_with_the_next_revision(open_editor: EditorFactory, fo
     assert (cola.id, cola.mount, cola.parent) == ("F1/kitchen/cola_can_1", "inside", FRIDGE)
     assert scene.revision == 2 and cola.states["temperature"] == "cold"
     assert [t.who for t in open_editor().store.log()] == ["ann"]
+
+
+def test_the_building_counts_its_objects_after_every_edit(
+    open_editor: EditorFactory, folder: Path
+) -> None:
+    def counts() -> list[int]:
+        building = json.loads((folder / "building.json").read_text())
+        return [entry["objects"] for entry in building["floors"]]
+
+    editor = open_editor()
+    before = counts()
+    editor.call(
+        "PlaceOnSurface",
+        {"asset_id": "Apple_1", "receptacle_id": "F2/private_office_1/office_desk_1"},
+    )
+    assert counts() == [before[0], before[1] + 1]
+    editor.call("Undo")
+    assert counts() == before
 
 
 def test_undo_restores_the_bytes_and_redo_the_edit(

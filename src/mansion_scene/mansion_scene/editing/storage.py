@@ -179,9 +179,23 @@ class BuildingStore:
                     scene = changed(scene, change)
             scene = msgspec.structs.replace(scene, revision=revision)
             write_whole(self._file(floor), encode_bytes(scene, indent=1))
+        self._recount(int(name) for name in transaction.revisions)
         if len(self.log()) < transaction.number:
             append_line(self._edits / "log.jsonl", encode_bytes(transaction))
         (self._edits / "pending.json").unlink()
+
+    def _recount(self, floors: Iterable[int]) -> None:
+        """Let ``building.json`` say how many objects the floors have."""
+        file = self.folder / "building.json"
+        building = msgspec.json.decode(self._read(file))
+        counts = {floor: len(self.scene(floor).objects) for floor in floors}
+        stale = [
+            e for e in building["floors"] if e["objects"] != counts.get(e["floor"], e["objects"])
+        ]
+        for entry in stale:
+            entry["objects"] = counts[entry["floor"]]
+        if stale:
+            write_whole(file, encode_bytes(building, indent=1))
 
     def undo(self, who: str) -> Transaction:
         """Take back the last transaction of `who` that is not undone.

@@ -8,7 +8,7 @@ from mansion_msgs_py.errors import ErrorCode
 from mansion_scene.editing.agent.facts import Thing
 from mansion_scene.editing.agent.protocol import Action, Outcome
 from mansion_scene.editing.state import SceneState
-from mansion_scene.editing.vocabulary import colour_of
+from mansion_scene.editing.vocabulary import colour_of, stems
 
 __all__ = ["Assets", "Placed", "assets_of", "place_any"]
 
@@ -48,6 +48,8 @@ def assets_of(thing: Thing, state: SceneState) -> Assets:
     ]
     if not mine:
         return f"the catalogue has no {words}"
+    exact = state.vocabulary.exact(stems(thing.noun))
+    mine = [a for a in mine if a.category in exact] or mine
     first = mine[0].category
     alike = [a for a in mine if a.category == first]
     if thing.colour:
