@@ -1,0 +1,80 @@
+"""``mansion task`` from making to running."""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "skills"))
+
+from sample_building import write_building
+
+from mansion_bringup.cli.app import app
+from mansion_msgs_py.codec import decode
+from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.task import Task, TaskSet
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return write_building(tmp_path_factory.mktemp("sample") / "building")
+
+
+def run(*words: str) -> tuple[int, str]:
+    done = CliRunner().invoke(app, ["task", *words])
+    if isinstance(done.exception, MansionError):
+        raise done.exception
+    return done.exit_code, done.output
+
+
+def test_tasks_are_made_shown_and_done(folder: Path, tmp_path: Path) -> None:
+    file = tmp_path / "sets" / "tasks.json"
+    assert run("generate", str(folder), "-n", "3", "--seed", "1", "-o", str(file))[0] == 0
+    made = decode(TaskSet, file.read_bytes())
+    assert len(made.tasks) == 3 and made.building_id == "sample"
+    assert (file.parent / made.building).resolve() == folder.resolve()
+    assert run("show", str(file))[1].count("deliver_") >= 1
+    code, text = run("show", str(file), made.tasks[1].id)
+    assert code == 0 and json.loads(text)["instruction"] == made.tasks[1].instruction
+    for extra in ([], ["--plan"]):
+        code, text = run("run", str(file), *extra)
+        assert code == 0 and text.count(": done") == 3
+
+
+def test_a_plan_that_does_not_lead_there_fails(folder: Path, tmp_path: Path) -> None:
+    file = tmp_path / "tasks.json"
+    run("generate", str(folder), "-n", "1", "-o", str(file))
+    made = json.loads(file.read_text())
+    made["tasks"][0]["oracle"] = [{"skill": "Rotate", "arguments": {}}]
+    file.write_text(json.dumps(made))
+    code, text = run("run", str(file), "--plan")
+    assert code == 1 and "failed" in text
+
+
+def test_the_papers_tasks_are_listed_printed_and_grounded(folder: Path, tmp_path: Path) -> None:
+    code, text = run("paper")
+    assert code == 0 and "office_cellphone" in text and "mansion build" in text
+    file = tmp_path / "task.json"
+    assert run("paper", "apartment_laptop", "-o", str(file))[0] == 0
+    assert decode(Task, file.read_bytes()).id == "apartment_laptop"
+    with pytest.raises(MansionError, match="a laptop"):
+        run("ground", str(file), str(folder))
+    words = {
+        "id": "mine",
+        "kind": "search",
+        "instruction": "Find a ball.",
+        "needs": [{"noun": "ball", "floor": 2, "role": "target"}],
+    }
+    file.write_text(json.dumps(words))
+    code, text = run("ground", str(file), str(folder))
+    assert code == 0
+    assert json.loads(text)["tasks"][0]["goals"][0]["objects"] == ["F2/office/ball_1"]
+
+
+def test_unknown_tasks_and_files_are_named(folder: Path, tmp_path: Path) -> None:
+    with pytest.raises(MansionError, match="no paper task"):
+        run("paper", "nonsense")
+    with pytest.raises(MansionError, match="No such file"):
+        run("show", str(tmp_path / "missing.json"))
