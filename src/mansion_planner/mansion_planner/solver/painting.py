@@ -100,7 +100,7 @@ def paint(
     i: int,
     new: int,
 ) -> None:
-    """Give cell (j, i) the label `new` and update every statistic."""
+    """Give cell (j, i) the label `new`, which it has not, and update every statistic."""
     old = labels[j, i]
     n, s, e, w = labels[j + 1, i], labels[j - 1, i], labels[j, i + 1], labels[j, i - 1]
     ne, nw = labels[j + 1, i + 1], labels[j + 1, i - 1]

@@ -48,6 +48,9 @@ POSTPONED = 4
 MOST_NARROW = 0.05
 """Share of a room's area (of `LARGE` in larger rooms) that may be narrow after a coarse search."""
 
+SHAPE_SHARE = 0.5
+"""Share of the candidates that rooms of an unusable shape are worth when no edge is open."""
+
 REPAIR_LEVELS = ((0.3, 0.1),)
 
 REPAIRS = (6.0,)
@@ -136,8 +139,10 @@ class WallSearch:
         return second if keys[1] < keys[0] else first
 
     def _enough(self, best: Measured) -> bool:
-        """Tell whether to stop: no fault is left, or no budget."""
-        return self.faults(best) == (0, 0) or self.budget.left == 0
+        """Tell whether to stop: no fault is left, only shapes after their share of the budget, or no budget."""
+        hard, soft = self.faults(best)
+        spent = self.budget.used >= SHAPE_SHARE * self.budget.limit
+        return self.budget.left == 0 or (hard == 0 and (soft == 0 or spent))
 
     def _postponed(self, coarse: Partition, attempt: int) -> bool:
         """Tell whether another coarse search is worth more than refining one with faults."""

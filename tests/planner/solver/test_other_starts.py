@@ -1,0 +1,100 @@
+"""Starts of later attempts: rounds rooted at another room, and open access edges carved through other rooms."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mansion_msgs_py.layout import FloorProblem, ProblemNode
+from mansion_msgs_py.topology import Edge
+from mansion_planner.solver import SolverOptions
+from mansion_planner.solver.budget import Budget
+from mansion_planner.solver.carving import carve_open_links
+from mansion_planner.solver.cutting import RoundsResult, run_rounds
+from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
+from mansion_planner.solver.model import FloorModel, make_model
+from mansion_planner.solver.objective import total_energy
+from mansion_planner.solver.painting import recount
+from mansion_planner.solver.refine import make_goal
+from mansion_planner.solver.rounds import build_cut_rounds
+from mansion_planner.solver.starts import flood
+from mansion_planner.solver.state import Goal, State, make_state
+
+sys.path.insert(0, str(Path(__file__).parent))
+from floors import box, flat
+
+OPTIONS = SolverOptions()
+
+
+def prepared(problem: FloorProblem, spacing: float) -> tuple[FloorModel, Goal, Grid]:
+    """Return the model, the goal and a grid of a problem."""
+    model = make_model(problem, OPTIONS)
+    xs, ys = major_lines(model)
+    grid = make_grid(model, spaced_lines(xs, spacing), spaced_lines(ys, spacing))
+    return model, make_goal(model, OPTIONS), grid
+
+
+def rooted(root: str | None, candidates: int) -> tuple[FloorModel, RoundsResult]:
+    """Return the rounds of the small flat from `root`."""
+    model, goal, grid = prepared(flat(), 0.5)
+    rng = np.random.default_rng(0)
+    return model, run_rounds(model, goal, grid, OPTIONS, Budget(candidates), rng, root=root)
+
+
+def three_in_a_row() -> tuple[Goal, Grid, State]:
+    """Return a left, a middle and a right room side by side, of which the outer two want a door."""
+    nodes = [
+        ProblemNode(id="left", type="main", area=16.0),
+        ProblemNode(id="middle", type="Entities", area=16.0),
+        ProblemNode(id="right", type="Entities", area=8.0),
+    ]
+    edges = [Edge(source="left", target="right")]
+    problem = FloorProblem(boundary=box(0, 0, 10, 4), nodes=nodes, edges=edges)
+    _, goal, grid = prepared(problem, 0.5)
+    labels = grid.base.copy()
+    x = grid.cells.geometry[..., 1]
+    for label, (low, high) in enumerate([(0, 4), (4, 8), (8, 10)]):
+        labels[grid.cells.free & (x > low) & (x < high)] = label
+    state = make_state(labels, 3, 4)
+    recount(grid.cells, state)
+    total_energy(grid.cells, goal, state)
+    return goal, grid, state
+
+
+@pytest.mark.parametrize("root", ["bed", "kitchen"])
+def test_rounds_may_start_at_any_room(root: str) -> None:
+    model, found = rooted(root, 1000)
+    assert found.records[0].parent == root == build_cut_rounds(model, root)[0].parent
+    children = [child for record in found.records for child in record.children]
+    assert sorted([root, *children]) == sorted(room.id for room in model.rooms)
+    assert set(range(len(model.rooms))) <= set(np.unique(found.labels).tolist())
+
+
+def test_rounds_from_another_room_are_another_start() -> None:
+    from_hub, from_bed = rooted(None, 400)[1], rooted("bed", 400)[1]
+    assert (from_hub.labels != from_bed.labels).any()
+
+
+def test_a_small_budget_is_shared_by_all_rounds() -> None:
+    found = rooted(None, 30)[1]
+    assert [record.candidates for record in found.records] == [15, 15]
+
+
+def test_an_open_access_edge_is_carved_through_the_room_between() -> None:
+    goal, grid, state = three_in_a_row()
+    assert state.run[0, 2] == 0.0
+    carved = carve_open_links(grid.cells, goal, state)
+    assert (state.labels == three_in_a_row()[2].labels).all()
+    assert flood(carved, grid.cells, goal, np.array([[2.0, 2.0], [6.0, 2.0], [9.0, 2.0]]))
+    after = make_state(carved, 3, 4)
+    recount(grid.cells, after)
+    total_energy(grid.cells, goal, after)
+    assert after.run[0, 2] >= goal.need[0]
+    assert set(np.unique(carved).tolist()) == {0, 1, 2, 3}
+
+
+def test_what_is_met_is_not_carved() -> None:
+    goal, grid, state = three_in_a_row()
+    met = goal._replace(links=np.array([[0, 1, 0]]))
+    assert (carve_open_links(grid.cells, met, state) == state.labels).all()
