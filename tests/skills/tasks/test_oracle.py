@@ -159,3 +159,19 @@ def test_nothing_is_left_to_do_when_it_is_done(shared: Sandbox) -> None:
     assert Oracle(task, shared.world, SESSION).next_call() is None
     solution = solve(task, shared)
     assert solution is not None and solution.plan == [] and solution.tries == 0
+
+
+def test_it_turns_away_from_a_doorway_through_which_it_put_something(shared: Sandbox) -> None:
+    mug = "F1/office/mug_1"
+    goal = Goal(kind=GoalKind.OBJECT_IN_ROOM, objects=[mug], rooms=["F1/kitchen"])
+    shared.reset()
+    shared.skill("GoNearObject", object=mug)
+    shared.skill("PickUp", object=mug)
+    shared.skill("MoveTo", x=6.15, y=4.45, yaw=180.0)
+    oracle = Oracle(a_task(goal), shared.world, SESSION)
+    down = SkillCall(skill="Place", arguments={"target": "floor", "relation": "on"})
+    oracle.note(down, shared.run(down))
+    assert shared.world.objects.state(mug).room == "F1/office"
+    shared.skill("PickUp", object=mug)
+    shared.skill("MoveTo", x=6.15, y=4.45, yaw=180.0)
+    assert oracle._put_away() == SkillCall(skill="Rotate", arguments={"degrees": 90.0})

@@ -97,7 +97,8 @@ class Oracle:
 
     def note(self, call: SkillCall, result: SkillResult) -> None:
         """Take notice of what a skill did, so that what failed is not tried again from the same place."""
-        if result.status is not SkillStatus.SUCCESS:
+        failed = result.status is not SkillStatus.SUCCESS
+        if failed or (call.skill == "Place" and self._missed_the_room(result)):
             self._vain.add(self._way.key(call))
         elif call.skill in ("PickUp", "OpenDoor"):
             # Ways may be free now that were not.
@@ -106,6 +107,19 @@ class Oracle:
             name = call.arguments["object"]
             if name in self._world.objects and not self._handles(name):
                 self._vain.add(self._way.key(call))
+
+    def _missed_the_room(self, result: SkillResult) -> bool:
+        """Whether a thing was put down from the room where it shall be, but through the door of that."""
+        world, robot = self._world, self._world.robots[self._robot_of]
+        name = str(result.data.get("object", ""))
+        here = world.view(robot.floor).map.room_at(*robot.place)
+        return any(
+            goal.kind is GoalKind.OBJECT_IN_ROOM
+            and name in goal.objects
+            and here in goal.rooms
+            and world.objects.state(name).room not in goal.rooms
+            for goal in self._task.goals
+        )
 
     def _handles(self, name: str) -> bool:
         """Whether the hand reaches a thing, or the closed thing that it lies in."""
