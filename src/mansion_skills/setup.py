@@ -28,7 +28,7 @@ setup(
         "networkx>=2.8",
         "numba>=0.59",
         "numpy>=1.26",
-        "pillow>=10",
+        "pillow>=10.1",
         "shapely>=2.0",
     ],
     extras_require={

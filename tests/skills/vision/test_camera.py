@@ -315,6 +315,18 @@ def test_a_building_without_models_is_refused(pictured: Path, renders: None) -> 
     assert "mansion export" in str(error.value)
 
 
+def test_an_object_that_the_models_do_not_have_is_left_out(pictured: Path, renders: None) -> None:
+    robot = Robot(pictured)
+    mug = "F1/office/mug_1"
+    done(robot.go_near_object(mug))
+    done(robot.pick_up(mug))
+    path = pictured / "floors" / "floor_1" / "model.xml"
+    path.write_text(path.read_text().replace(f'"{mug}"', '"gone"'))
+    with Camera(robot, 120, 120) as camera:
+        assert mug not in camera.render().visible()
+        assert camera.render().visible()["F1/office/desk_1"] > 100
+
+
 def test_without_opengl_the_packages_are_named(
     robot: Robot, monkeypatch: pytest.MonkeyPatch
 ) -> None:

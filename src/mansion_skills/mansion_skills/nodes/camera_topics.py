@@ -93,7 +93,11 @@ class CameraTopics:
             self._info.publish(camera_info(camera.intrinsics, stamp))
         if not (rgb or depth or labels):
             return
-        frame = camera.render(rgb=rgb, depth=depth, segmentation=labels)
+        try:
+            frame = camera.render(rgb=rgb, depth=depth, segmentation=labels)
+        except MansionError as error:
+            self._fail(error)
+            return
         if labels and self._told != len(frame.names):
             self._told = len(frame.names)
             building = self._seat.world.building.building_id
@@ -115,9 +119,16 @@ class CameraTopics:
             try:
                 self._camera = Camera(self._seat, size.width, size.height, size.fov)
             except MansionError as error:
-                self._failed = True
-                self._node.get_logger().error(f"there will be no camera images: {error}")
+                self._fail(error)
         return self._camera
+
+    def _fail(self, error: MansionError) -> None:
+        """Say once why there are no pictures, and make no more of them until the building is loaded anew."""
+        self._failed = True
+        self._node.get_logger().error(f"there will be no camera images: {error}")
+        if self._camera is not None:
+            self._camera.close()
+            self._camera = None
 
 
 def image(pixels: Any, encoding: str, stamp: Time) -> Image:

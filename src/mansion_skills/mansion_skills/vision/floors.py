@@ -30,6 +30,7 @@ class _Loaded:
     follower: Follower
     renderer: Renderer
     portals: Portals
+    guests: list[str]
 
 
 class Floors:
@@ -65,7 +66,7 @@ class Floors:
         loaded = self._loaded.get(floor)
         known = loaded.model.bodies if loaded is not None else self._file(floor).bodies
         guests = guests_of(self.world, floor, known)
-        if loaded is None or guests:
+        if loaded is None or not set(guests) <= set(loaded.guests):
             if loaded is not None:
                 loaded.renderer.close()
                 guests = guests_of(self.world, floor, self._file(floor).bodies)
@@ -102,14 +103,19 @@ class Floors:
             self._file(floor),
             scene,
             world.objects.kinds,
-            [(self._file(homes[name]), name) for name in guests],
+            # A scene that was edited while the world was loaded may have lost some.
+            [
+                (self._file(homes[name]), name)
+                for name in guests
+                if name in self._file(homes[name]).bodies
+            ],
             None
             if below is None
             else (self._file(below), scene.elevation - world.building.entry(below).elevation),
         )
         model = FloorModel(source, scene, self._names)
         follower = Follower(world, floor, model, self._names)
-        return _Loaded(model, follower, Renderer(model, *self._size), Portals(scene))
+        return _Loaded(model, follower, Renderer(model, *self._size), Portals(scene), guests)
 
     def draw(self, floor: int, eye: Eye, intrinsics: Intrinsics, parts: Parts) -> Frame:
         """Draw a floor that `follow` has brought up to date."""
