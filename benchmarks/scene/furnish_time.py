@@ -37,7 +37,7 @@ def furnish_seconds(plan: PlanReply, layout: FloorLayout, *, check: bool) -> tup
     begin = time.process_time()
     scene = steps.furnish(stages, plan, layout, 0)
     if check:
-        faults = check_floors(plan.program.building_id, [scene], plan.topologies)
+        faults = list(check_floors(plan.program.building_id, [scene], plan.topologies))
         if faults:
             raise SystemExit(f"the check found {faults}")
     spent = time.process_time() - begin
