@@ -44,6 +44,19 @@ def test_what_leaves_its_room_is_refused() -> None:
     assert any("stand out of F1/hall" in fault for fault in new_faults({1: inside}, {1: outside}))
 
 
+def test_what_lies_in_a_bowl_in_a_box_stands_in_neither() -> None:
+    box = _box("F1/hall/box_1", 2.0)
+    bowl = msgspec.structs.replace(
+        _box("F1/hall/bowl_1", 2.0), size=(0.4, 0.4, 0.3), mount="inside", parent=box.id
+    )
+    apple = msgspec.structs.replace(
+        _box("F1/hall/apple_1", 2.0), size=(0.1, 0.1, 0.1), mount="inside", parent=bowl.id
+    )
+    loose = msgspec.structs.replace(apple, parent=None, mount="floor")
+    assert not any("stand in" in f for f in _whole_check(_scene(box, bowl, apple)))
+    assert any("stand in" in f for f in _whole_check(_scene(box, bowl, loose)))
+
+
 def _whole_check(scene: FloorScene) -> set[str]:
     faults = [*check_identity("b", [scene]), *check_objects(scene), *check_reach([scene])]
     return {str(fault) for fault in faults}

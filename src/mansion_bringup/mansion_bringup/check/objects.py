@@ -73,16 +73,30 @@ def _overlaps(scene: FloorScene) -> Iterator[Fault]:
     shapes = [footprint(thing) for thing in things]
     tree = STRtree(shapes)
     first, second = tree.query(shapes, predicate="intersects")
+    known = {thing.id: thing for thing in scene.objects}
+    carriers = [_carriers(thing, known) for thing in things]
     for index, other in sorted(zip(first.tolist(), second.tolist())):
+        if things[index].id in carriers[other] or things[other].id in carriers[index]:
+            continue
         if other > index and _collide(things[index], things[other], shapes[index], shapes[other]):
             where = f"{things[index].id} and {things[other].id}"
             yield Fault("OBJECT_OVERLAP", where, "stand in each other")
 
 
+def _carriers(thing: SceneObject, things: dict[str, SceneObject]) -> set[str]:
+    """Return the ids of what carries an object, and of what carries that (a cup on a tray on a table)."""
+    found: set[str] = set()
+    while thing.parent is not None and thing.parent not in found:
+        found.add(thing.parent)
+        if thing.parent not in things:
+            break
+        thing = things[thing.parent]
+    return found
+
+
 def _collide(one: SceneObject, other: SceneObject, shape: Polygon, second: Polygon) -> bool:
-    carried = one.parent == other.id or other.parent == one.id
     nested = one.parent is not None and one.parent == other.parent and one.mount != other.mount
-    if carried or nested:
+    if nested:
         return False
     (low, high), (low2, high2) = vertical(one), vertical(other)
     in_height = min(high, high2) - max(low, low2) > 5e-3
