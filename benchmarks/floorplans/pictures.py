@@ -76,7 +76,7 @@ def rounds(output: Path) -> None:
     def listen(request: SeedRequest) -> None:
         seen.append(request)
 
-    problem = floor(11, 0)
+    problem = floor(56, 0)
     layout: FloorLayout = solve_floor(problem, seed_callback=listen)
     shown = seen[:4]
     figure, axes = plt.subplots(1, len(shown) + 1, figsize=(3.4 * (len(shown) + 1), 3.4))
