@@ -101,6 +101,6 @@ class SolverOptions:
     seeded: SearchWeights = field(default_factory=lambda: SearchWeights(thin=0.7, narrow=0.1))
     unseeded: SearchWeights = field(
         default_factory=lambda: SearchWeights(
-            area=2.8, corner=0.32, compact=0.7, thin=3.0, wall=0.1, narrow=0.5
+            area=3.2, corner=0.32, compact=0.7, thin=3.0, wall=0.1, narrow=0.5
         )
     )
