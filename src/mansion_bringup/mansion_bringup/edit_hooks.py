@@ -75,7 +75,7 @@ def _meet(one: SceneObject, other: SceneObject) -> bool:
 
 def _carriers(thing: SceneObject, things: Mapping[str, SceneObject]) -> Iterator[str]:
     seen = {thing.id}
-    while thing.parent in things and thing.parent not in seen:
+    while thing.parent is not None and thing.parent in things and thing.parent not in seen:
         seen.add(thing.parent)
         thing = things[thing.parent]
         yield thing.id
