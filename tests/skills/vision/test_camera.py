@@ -252,6 +252,20 @@ def test_few_floors_stay_loaded(camera: Camera, robot: Robot) -> None:
     assert len(camera.loaded_floors) == KEPT
 
 
+def test_a_floor_looks_the_same_after_another_was_drawn(camera: Camera, robot: Robot) -> None:
+    body = robot.engine.seat("").robot
+
+    def picture(floor: int, yaw: float) -> np.ndarray:
+        body.floor, body.pose.yaw = floor, yaw
+        return camera.render(depth=False, segmentation=False).rgb
+
+    below, above = picture(1, 0.0), picture(2, 90.0)
+    assert not np.array_equal(below, above)
+    for _ in range(2):
+        assert np.array_equal(picture(1, 0.0), below)
+        assert np.array_equal(picture(2, 90.0), above)
+
+
 def test_threads_may_share_a_camera(camera: Camera) -> None:
     expected = camera.render().rgb
     found: list[bool] = []

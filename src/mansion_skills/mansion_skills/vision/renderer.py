@@ -85,6 +85,8 @@ class Renderer:
         """
         mj, height, width = self._mj, intrinsics.height, intrinsics.width
         self._look(eye, intrinsics)
+        # Another floor's renderer may have drawn since, into a buffer of its own.
+        mj.mjr_setBuffer(mj.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
         rect = mj.MjrRect(0, 0, width, height)
         rgb = np.empty((height, width, 3) if parts.rgb else (0, 0, 3), dtype=np.uint8)
         window = np.empty((height, width) if parts.depth else (0, 0), dtype=np.float32)
