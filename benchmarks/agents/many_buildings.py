@@ -11,12 +11,12 @@ from pathlib import Path
 
 from mansion_bringup.cli.console import progress_bar
 from mansion_msgs_py.codec import encode_bytes
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.task import TaskSet
 from mansion_skills.episodes.benching import Bench, local_port, run_bench
 from mansion_skills.episodes.log import read_log
 from mansion_skills.episodes.replaying import replay
 from mansion_skills.episodes.table import BenchResult, render
-from mansion_skills.episodes.whole import write_whole
 from mansion_skills.tasks.generate import generate
 from mansion_skills.tasks.sandbox import Sandbox
 
@@ -31,7 +31,7 @@ def task_file(building: Path, output: Path, count: int, seed: int) -> Path:
         found = TaskSet(
             building=relative, building_id=sandbox.building.building_id, tasks=list(tasks)
         )
-        write_whole(file, encode_bytes(found, indent=1))
+        write_atomic(file, encode_bytes(found, indent=1))
     return file
 
 

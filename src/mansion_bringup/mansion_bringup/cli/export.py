@@ -7,13 +7,13 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.building.atomic import write_atomic
 from mansion_bringup.building.floor_files import floor_directory
 from mansion_bringup.building.read import BuildingFolder
 from mansion_bringup.cli.console import err
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
 
 __all__ = ["EXPORTS", "register"]
 

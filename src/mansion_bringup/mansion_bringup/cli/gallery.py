@@ -5,10 +5,10 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.building.atomic import write_atomic
 from mansion_bringup.cli.console import err
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.placement import PlacementResult
 
 __all__ = ["gallery"]

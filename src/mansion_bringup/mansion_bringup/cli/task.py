@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.table import Table
 
-from mansion_bringup.building.atomic import write_atomic
 from mansion_bringup.cli.console import err, out, print_json
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.task import Task, TaskKind, TaskSet
 
 if TYPE_CHECKING:

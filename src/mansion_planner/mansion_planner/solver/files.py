@@ -1,8 +1,6 @@
 """``mansion solve``: a JSON list of problems to a JSON list of layouts, in one process or several."""
 
 import multiprocessing
-import os
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -12,6 +10,7 @@ import msgspec
 
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, UnmetEdge
 from mansion_msgs_py.world import Progress
 from mansion_planner.solver.options import SolverOptions
@@ -91,20 +90,6 @@ def _solutions(problems: list[FloorProblem], jobs: int) -> Iterator[FloorLayout]
             yield decode(FloorLayout, data)
 
 
-def _write_atomic(path: Path, data: bytes) -> None:
-    """Write `data` through a temporary file beside `path`, so that a reader sees all or nothing."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(data)
-        Path(name).chmod(0o644)
-        Path(name).replace(path)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
-
-
 def solve_file(
     problems: Path,
     output: Path,
@@ -148,5 +133,5 @@ def solve_file(
             message = f"plan {layout.plan_id}: {met}"
             progress(Progress(stage="solve", message=message, done=len(layouts), total=len(asked)))
     lines = b",\n".join(encode_bytes(layout) for layout in layouts)
-    _write_atomic(output, b"[" + lines + b"]\n")
+    write_atomic(output, b"[" + lines + b"]\n")
     return layouts

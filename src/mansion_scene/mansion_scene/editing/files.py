@@ -1,8 +1,7 @@
-"""Files that are whole or not there, and the lock that editors of one building share."""
+"""Lines appended whole, and the lock that editors of one building share."""
 
 import fcntl
 import os
-import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -10,27 +9,10 @@ from pathlib import Path
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["append_line", "locked", "write_whole"]
+__all__ = ["append_line", "locked"]
 
 PATIENCE = 30.0
 """Seconds to wait for another editor; one holds the lock for a single transaction."""
-
-
-def write_whole(path: Path, data: bytes) -> None:
-    """Write a file through a temporary one beside it, synced before it takes the name."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    mode = path.stat().st_mode & 0o777 if path.exists() else 0o644
-    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(data)
-            stream.flush()
-            os.fsync(stream.fileno())
-        Path(name).chmod(mode)
-        Path(name).replace(path)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
 
 
 def append_line(path: Path, line: bytes) -> None:

@@ -13,8 +13,9 @@ from mansion_msgs_py.building import FloorEntry
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.editing import ObjectChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.scene import FloorScene
-from mansion_scene.editing.files import append_line, locked, write_whole
+from mansion_scene.editing.files import append_line, locked
 from mansion_scene.editing.merging import rebase
 from mansion_scene.editing.sessions import refuse_touched
 from mansion_scene.editing.state import changed, inverse
@@ -142,7 +143,7 @@ class BuildingStore:
                 redoes=redoes,
                 time=self._clock(),
             )
-            write_whole(self._edits / "pending.json", encode_bytes(transaction))
+            write_atomic(self._edits / "pending.json", encode_bytes(transaction), durable=True)
             self._finish(transaction, before)
         return transaction
 
@@ -178,7 +179,7 @@ class BuildingStore:
                 if change.floor == floor:
                     scene = changed(scene, change)
             scene = msgspec.structs.replace(scene, revision=revision)
-            write_whole(self._file(floor), encode_bytes(scene, indent=1))
+            write_atomic(self._file(floor), encode_bytes(scene, indent=1), durable=True)
         self._recount(int(name) for name in transaction.revisions)
         if len(self.log()) < transaction.number:
             append_line(self._edits / "log.jsonl", encode_bytes(transaction))
@@ -195,7 +196,7 @@ class BuildingStore:
         for entry in stale:
             entry["objects"] = counts[entry["floor"]]
         if stale:
-            write_whole(file, encode_bytes(building, indent=1))
+            write_atomic(file, encode_bytes(building, indent=1), durable=True)
 
     def undo(self, who: str) -> Transaction:
         """Take back the last transaction of `who` that is not undone.
@@ -257,9 +258,9 @@ class BuildingStore:
                 files.update(files_of(scenes[floor]))
             files.update(whole([scenes[floor] for floor in sorted(scenes)]))
             for name, data in sorted(files.items()):
-                write_whole(self.folder / name, data)
+                write_atomic(self.folder / name, data, durable=True)
             made.update({str(floor): scenes[floor].revision for floor in behind})
-            write_whole(record, encode_bytes(made))
+            write_atomic(record, encode_bytes(made), durable=True)
         return behind
 
 

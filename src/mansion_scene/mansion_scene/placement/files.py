@@ -1,7 +1,6 @@
 """``mansion place``: a JSON list of rooms to a JSON list of placements, in one process or several."""
 
 import multiprocessing
-import os
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
@@ -10,6 +9,7 @@ from pathlib import Path
 
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.placement import Discarded, PlacementResult, PlacementRoom
 from mansion_msgs_py.world import Progress
 from mansion_scene.placement import PlacementOptions, place_room, warm
@@ -110,16 +110,5 @@ def place_file(
             left = sum(entry.count for entry in result.discarded)
             text = f"{result.room_id}: {len(result.placements)} placed, {left} left out"
             progress(Progress(stage="place", message=text, done=len(results), total=len(asked)))
-    _replace(output, b"[" + b",\n".join(encode_bytes(result) for result in results) + b"]\n")
+    write_atomic(output, b"[" + b",\n".join(encode_bytes(result) for result in results) + b"]\n")
     return results
-
-
-def _replace(path: Path, data: bytes) -> None:
-    """Put a file of `data` in the place of `path` in one step."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    fresh = path.with_name(f".{path.name}.{os.getpid()}.new")
-    try:
-        fresh.write_bytes(data)
-        fresh.replace(path)
-    finally:
-        fresh.unlink(missing_ok=True)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.task import Task, TaskSet
 from mansion_msgs_py.world import Progress
 from mansion_skills.agents.interface import Agent
@@ -16,7 +17,6 @@ from mansion_skills.episodes.log import EpisodeLog, read_log, write_log
 from mansion_skills.episodes.port import LocalPort, SkillPort
 from mansion_skills.episodes.running import EpisodeOptions, run_episode
 from mansion_skills.episodes.table import BenchResult, EpisodeRow, row_of, summarise
-from mansion_skills.episodes.whole import write_whole
 
 __all__ = ["Bench", "Ports", "Unit", "local_port", "log_path", "run_bench", "run_unit"]
 
@@ -95,7 +95,7 @@ def run_bench(
             text = f"{found[-1].agent}: {found[-1].task}, {found[-1].stop}"
             progress(Progress(stage="bench", message=text, done=len(rows), total=total))
     result = BenchResult(seed=bench.seed, graph=bench.graph, summary=summarise(rows), episodes=rows)
-    write_whole(bench.output / "results.json", encode_bytes(result, indent=1))
+    write_atomic(bench.output / "results.json", encode_bytes(result, indent=1))
     return result
 
 

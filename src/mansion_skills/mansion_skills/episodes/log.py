@@ -7,9 +7,9 @@ import msgspec
 
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.task import SkillCall, Task
 from mansion_msgs_py.world import Pose2D, SkillStatus
-from mansion_skills.episodes.whole import write_whole
 
 __all__ = [
     "EpisodeEnd",
@@ -107,7 +107,7 @@ class EpisodeLog(msgspec.Struct, kw_only=True):
 def write_log(path: Path, log: EpisodeLog) -> None:
     """Write a log, whole or not at all."""
     lines = [encode_bytes(line) for line in (log.start, *log.steps, log.end)]
-    write_whole(path, b"\n".join(lines) + b"\n")
+    write_atomic(path, b"\n".join(lines) + b"\n")
 
 
 def read_log(path: Path) -> EpisodeLog:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import SkillStatus
 from mansion_skills.episodes.eyes import CameraEyes
@@ -15,7 +16,6 @@ from mansion_skills.episodes.marking import png
 from mansion_skills.episodes.plan_view import plan_view
 from mansion_skills.episodes.port import SkillPort
 from mansion_skills.episodes.replaying import replay
-from mansion_skills.episodes.whole import write_whole
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
@@ -157,7 +157,7 @@ def write_sheet(path: Path, log: EpisodeLog, frames: Sequence[Any]) -> None:
     for k, frame in enumerate(frames):
         place = (8 + k % columns * (width + 8), top + k // columns * (height + 8))
         sheet.paste(frame, place)
-    write_whole(path, png(sheet))
+    write_atomic(path, png(sheet))
 
 
 def write_gif(path: Path, frames: Sequence[Any], *, milliseconds: int = 900) -> None:
@@ -173,4 +173,4 @@ def write_gif(path: Path, frames: Sequence[Any], *, milliseconds: int = 900) -> 
         loop=0,
         optimize=True,
     )
-    write_whole(path, stream.getvalue())
+    write_atomic(path, stream.getvalue())

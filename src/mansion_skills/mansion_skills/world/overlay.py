@@ -1,13 +1,12 @@
 """``DIR/state/SESSION/world.json``: a session's world across restarts of the server."""
 
-import os
 import re
 import shutil
-import tempfile
 from pathlib import Path
 
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.world import WorldState
 
 __all__ = [
@@ -57,18 +56,7 @@ def save_overlay(path: Path, state: WorldState, *, durable: bool = True) -> None
     durable : bool
         Sync to the disk first, so that it also outlives a loss of power; a killed process loses nothing either way.
     """
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(prefix=".world.", dir=path.parent)
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(encode_bytes(state))
-            if durable:
-                stream.flush()
-                os.fsync(stream.fileno())
-        Path(name).replace(path)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
+    write_atomic(path, encode_bytes(state), durable=durable, mode=0o600)
 
 
 def load_overlay(path: Path) -> WorldState | None:

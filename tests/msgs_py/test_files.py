@@ -1,0 +1,59 @@
+"""Writing files whole."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from mansion_msgs_py.files import write_atomic
+
+
+def _mode(path: Path) -> int:
+    return path.stat().st_mode & 0o777
+
+
+def test_a_file_is_written_with_its_folders_and_nothing_beside_it(tmp_path: Path) -> None:
+    path = tmp_path / "a" / "b" / "scene.json"
+    write_atomic(path, b"one")
+    write_atomic(path, b"two", durable=True)
+    assert path.read_bytes() == b"two"
+    assert list(path.parent.iterdir()) == [path]
+
+
+def test_a_failed_write_leaves_the_former_file_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "scene.json"
+    write_atomic(path, b"former")
+
+    def full(descriptor: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(OSError, match="No space left"):
+        write_atomic(path, b"new", durable=True)
+    assert path.read_bytes() == b"former"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_only_a_durable_write_waits_for_the_disk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    synced: list[int] = []
+    monkeypatch.setattr(os, "fsync", synced.append)
+    write_atomic(tmp_path / "quick", b"x")
+    assert synced == []
+    write_atomic(tmp_path / "sure", b"x", durable=True)
+    assert len(synced) == 1
+
+
+def test_permissions_are_those_of_the_file_replaced_or_of_any_new_file(tmp_path: Path) -> None:
+    plain, path = tmp_path / "plain", tmp_path / "scene.json"
+    plain.write_bytes(b"")
+    write_atomic(path, b"one")
+    assert _mode(path) == _mode(plain)
+    path.chmod(0o640)
+    write_atomic(path, b"two")
+    assert _mode(path) == 0o640
+    write_atomic(path, b"three", mode=0o600)
+    assert _mode(path) == 0o600
