@@ -68,7 +68,7 @@ class OpenAITransport:
         except ImportError:
             raise MansionError(
                 ErrorCode.UNAVAILABLE,
-                "the language-model planner needs the openai package: pip install openai "
+                "a language-model endpoint needs the openai package: pip install openai "
                 "(or use --planner rules)",
             ) from None
         self._openai: Any = openai
@@ -110,6 +110,30 @@ class OpenAITransport:
         except (ValueError, TypeError, AttributeError, LookupError) as error:
             raise TransportError(
                 "failing", self._clean(f"the endpoint's reply has no answer: {error}")
+            ) from None
+
+    def embed(self, texts: list[str]) -> list[list[float]]:
+        """Return the model's embedding of each text, in the order of the texts; ask once.
+
+        Raises
+        ------
+        TransportError
+            For every failure, an answer of another form among them.
+        """
+        try:
+            # Without the format the package asks for base64, which not every endpoint knows.
+            answer = self._client.embeddings.create(
+                model=self._settings.model, input=texts, encoding_format="float"
+            )
+            rows = sorted(answer.data, key=lambda row: int(row.index))
+            if [int(row.index) for row in rows] != list(range(len(texts))):
+                raise ValueError(f"{len(rows)} vectors for {len(texts)} texts")
+            return [[float(value) for value in row.embedding] for row in rows]
+        except self._openai.OpenAIError as error:
+            raise self._failure(error) from None
+        except (ValueError, TypeError, AttributeError, LookupError) as error:
+            raise TransportError(
+                "failing", self._clean(f"the endpoint's reply holds no embeddings: {error}")
             ) from None
 
     def _retuned(self, refusal: str) -> bool:

@@ -102,12 +102,19 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "S
     from mansion_scene.catalogue import load_catalogue
     from mansion_scene.editing.editor import SceneEditor
     from mansion_scene.editing.physics.engines import engine_named
+    from mansion_scene.editing.retrieval.configured import configured_retriever
     from mansion_scene.editing.storage import BuildingStore
 
     if physics == "mujoco":
         ensure_extra("sim")
     store = BuildingStore(building, validator=new_faults, clock=_now)
-    return SceneEditor(store, load_catalogue(), engine_named(physics), who=who or getpass.getuser())
+    return SceneEditor(
+        store,
+        load_catalogue(),
+        engine_named(physics),
+        who=who or getpass.getuser(),
+        retriever=configured_retriever(),
+    )
 
 
 def _now() -> str:

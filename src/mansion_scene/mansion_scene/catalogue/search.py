@@ -18,7 +18,7 @@ from mansion_scene.catalogue.asset import Asset
 from mansion_scene.catalogue.catalogue import Catalogue
 from mansion_scene.catalogue.palette import COLOURS, FAMILIES
 
-__all__ = ["PROPERTIES", "SearchHit", "search_assets"]
+__all__ = ["PROPERTIES", "SearchHit", "having", "search_assets"]
 
 PROPERTIES: Final[dict[str, str]] = {
     "pickupable": "pickupable",
@@ -212,6 +212,18 @@ def search_assets(
     depth = max((len(g) for g in close), default=0)
     mixed = [g[level] for level in range(depth) for g in close if level < len(g)]
     return [*mixed, *far][:top_k]
+
+
+def having(catalogue: Catalogue, properties: Sequence[str]) -> list[Asset]:
+    """Return the assets that have all the properties (see `search_assets`), in the catalogue's order.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` for an unknown property.
+    """
+    fields = [_field(name) for name in properties]
+    return [asset for asset in catalogue.assets.values() if _holds(asset, fields)]
 
 
 def _field(name: str) -> str:

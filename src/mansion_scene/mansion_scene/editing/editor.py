@@ -28,6 +28,7 @@ from mansion_msgs_py.scene import SceneObject
 from mansion_scene.catalogue import Catalogue
 from mansion_scene.editing.merging import net_changes
 from mansion_scene.editing.physics.problem import PhysicsEngine
+from mansion_scene.editing.retrieval.retriever import Retriever
 from mansion_scene.editing.state import SceneState
 from mansion_scene.editing.storage import BuildingStore
 from mansion_scene.editing.tools import changing, paths, perception, placing
@@ -78,6 +79,8 @@ class SceneEditor:
         Written into the log.
     autosave : bool
         Land each edit at once.
+    retriever : Retriever, optional
+        What SearchAssets asks; text search when absent.
     """
 
     def __init__(
@@ -88,10 +91,11 @@ class SceneEditor:
         *,
         who: str = "",
         autosave: bool = True,
+        retriever: Retriever | None = None,
     ) -> None:
         self.store, self.catalogue, self.engine = store, catalogue, engine
-        self.who, self.autosave = who, autosave
-        self.state = SceneState([], catalogue)
+        self.who, self.autosave, self.retriever = who, autosave, retriever
+        self.state = SceneState([], catalogue, retriever)
         self._what: list[str] = []
         self._marks: list[int] = []
         self._redo: list[tuple[str, list[ObjectChange]]] = []
@@ -99,7 +103,8 @@ class SceneEditor:
 
     def reload(self) -> None:
         """Take the scenes from disk, dropping what waits to be saved."""
-        self.state = SceneState(list(self.store.scenes().values()), self.catalogue)
+        scenes = list(self.store.scenes().values())
+        self.state = SceneState(scenes, self.catalogue, self.retriever)
         self._what, self._marks, self._redo = [], [], []
 
     def refreshed(self) -> SceneState:

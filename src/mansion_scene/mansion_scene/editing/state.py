@@ -12,6 +12,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_scene.catalogue import Asset, Catalogue
 from mansion_scene.decor.frames import room_polygon
+from mansion_scene.editing.retrieval.retriever import Retriever, TextRetriever
 from mansion_scene.editing.vocabulary import Vocabulary, vocabulary_of
 
 __all__ = ["FloorIndex", "SceneState", "changed", "inverse"]
@@ -60,6 +61,8 @@ class SceneState:
     ----------
     scenes : sequence of FloorScene
     catalogue : Catalogue
+    retriever : Retriever, optional
+        What SearchAssets asks; text search when absent.
 
     Attributes
     ----------
@@ -67,8 +70,14 @@ class SceneState:
         What differs from the scenes handed in, in the order it was done.
     """
 
-    def __init__(self, scenes: Sequence[FloorScene], catalogue: Catalogue) -> None:
+    def __init__(
+        self,
+        scenes: Sequence[FloorScene],
+        catalogue: Catalogue,
+        retriever: Retriever | None = None,
+    ) -> None:
         self.catalogue = catalogue
+        self.retriever: Retriever = retriever or TextRetriever()
         self.scenes = {scene.floor: scene for scene in scenes}
         self.pending: list[ObjectChange] = []
         self._indexes: dict[int, FloorIndex] = {}

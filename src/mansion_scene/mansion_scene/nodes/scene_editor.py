@@ -21,6 +21,7 @@ from mansion_scene.catalogue import load_catalogue
 from mansion_scene.editing.agent.instruct import instruct
 from mansion_scene.editing.editor import TOOLS, SceneEditor
 from mansion_scene.editing.physics.engines import engine_named
+from mansion_scene.editing.retrieval.configured import configured_retriever
 from mansion_scene.editing.storage import BuildingStore
 
 __all__ = ["SceneEditorNode", "main"]
@@ -65,6 +66,7 @@ class SceneEditorNode(Node):
             engine,
             who=args.who or args.editor or "scene_editor",
             autosave=args.autosave,
+            retriever=configured_retriever(),
         )
         self._editors[args.editor] = editor
         self._finish(store)

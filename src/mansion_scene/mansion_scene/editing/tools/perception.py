@@ -17,7 +17,6 @@ from mansion_msgs_py.editing import (
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 from mansion_scene.catalogue import Asset
-from mansion_scene.catalogue.search import search_assets as search_catalogue
 from mansion_scene.editing import geometry
 from mansion_scene.editing.references import find_rooms, matching_objects
 from mansion_scene.editing.state import FloorIndex, SceneState
@@ -29,14 +28,14 @@ _PROPERTIES = ("pickupable", "receptacle", "openable", "toggleable")
 
 
 def search_assets(state: SceneState, args: SearchAssetsArgs) -> AssetHits:
-    """Retrieve assets by words; colours and materials choose among variants.
+    """Retrieve assets by words, with the state's retriever.
 
     Raises
     ------
     MansionError
         ``INVALID_PAYLOAD`` for an unknown property.
     """
-    hits = search_catalogue(state.catalogue, args.query, args.top_k, args.properties)
+    found = state.retriever.retrieve(state.catalogue, args.query, args.top_k, args.properties)
     assets = [
         AssetInfo(
             asset_id=hit.asset.key,
@@ -47,10 +46,10 @@ def search_assets(state: SceneState, args: SearchAssetsArgs) -> AssetHits:
             material=hit.asset.material,
             properties=_properties(hit.asset, None),
         )
-        for hit in hits
+        for hit in found.hits
     ]
-    names = ", ".join(asset.asset_id for asset in assets)
-    return AssetHits(message=names or f"nothing fits {args.query!r}", assets=assets)
+    names = ", ".join(asset.asset_id for asset in assets) or f"nothing fits {args.query!r}"
+    return AssetHits(message=names + (f" ({found.note})" if found.note else ""), assets=assets)
 
 
 def list_objects(state: SceneState, args: ListObjectsArgs) -> ObjectList:
