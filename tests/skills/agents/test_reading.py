@@ -7,7 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mansion_skills.agents.reading import Phrase, read_instruction
-from mansion_skills.agents.words import match_score, singular
+from mansion_skills.agents.words import match_score
+from mansion_skills.words.nouns import singular
 
 FLOORS, LABELS = (1, 2, 3, 4), ("G", "2", "3", "4")
 

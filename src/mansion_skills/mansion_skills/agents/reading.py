@@ -4,7 +4,9 @@ import re
 from dataclasses import dataclass, replace
 from typing import Final, Literal
 
-from mansion_skills.agents.words import COLORS, matches, singular
+from mansion_skills.agents.words import matches
+from mansion_skills.words.colours import SPOKEN_COLOURS
+from mansion_skills.words.nouns import singular
 
 __all__ = ["Errand", "Phrase", "read_instruction"]
 
@@ -208,8 +210,8 @@ def _phrase(text: str, number: "_Floors") -> Phrase:
 def _noun(text: str) -> tuple[str, str]:
     """Return the noun of a piece, and its colour."""
     words = _ARTICLE.sub("", _STOPS.split(text.strip(" ,."))[0].strip()).split()
-    color = next((word.replace("gray", "grey") for word in words if word in COLORS), "")
-    kept = [word for word in words if word not in COLORS | _FILLERS]
+    color = next((word.replace("gray", "grey") for word in words if word in SPOKEN_COLOURS), "")
+    kept = [word for word in words if word not in SPOKEN_COLOURS | _FILLERS]
     return " ".join([*kept[:-1], singular(kept[-1])]) if kept else "", color
 
 

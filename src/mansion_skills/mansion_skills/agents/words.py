@@ -1,59 +1,15 @@
-"""Words of instructions beside the names of categories and rooms."""
+"""How well a noun of an instruction names a category or a room."""
 
 from typing import Final
 
-__all__ = ["COLORS", "match_score", "matches", "singular"]
+from mansion_skills.words.nouns import singular
+from mansion_skills.words.things import ROOMS, THINGS
 
-# fmt: off
-COLORS: Final = frozenset((
-    "red", "orange", "yellow", "green", "blue", "purple", "violet", "pink", "brown", "beige", "black", "white",
-    "gray", "grey", "silver", "gold", "golden", "cream", "turquoise", "teal", "navy", "maroon", "tan", "transparent",
-))
-# fmt: on
+__all__ = ["match_score", "matches"]
 
-_ALIKE: Final = (
-    ("sofa", "couch", "settee"),
-    ("cell phone", "cellphone", "mobile phone", "smartphone", "phone", "mobile"),
-    ("television", "tv", "tv set"),
-    ("restroom", "toilet", "bathroom", "washroom", "wc", "lavatory"),
-    ("fridge", "refrigerator", "freezer"),
-    ("laptop", "notebook computer", "laptop computer"),
-    ("trash can", "garbage can", "waste bin", "bin", "trash bin", "dustbin", "wastebasket"),
-    ("cup", "coffee cup"),
-    ("cloth", "rag", "dish cloth", "dishcloth", "cleaning cloth"),
-    ("toolbox", "tool box"),
-    ("wardrobe", "closet"),
-    ("bookshelf", "bookcase", "shelf", "shelves", "shelving unit"),
-    ("lobby", "entrance hall", "foyer", "reception"),
-    ("living room", "lounge"),
-    ("corridor", "hallway", "hall", "passage"),
-    ("drawer", "dresser", "chest of drawers"),
-    ("remote", "remote control"),
-    ("key", "keychain", "key chain"),
-    ("lift", "elevator"),
-)
-_GROUPS: Final = {word: group for group in _ALIKE for word in group}
-
-
-def singular(word: str) -> str:
-    """Return an English noun in the singular, by its ending.
-
-    Examples
-    --------
-    >>> singular("boxes"), singular("shelves"), singular("knives"), singular("gloves"), singular("glass")
-    ('box', 'shelf', 'knife', 'glove', 'glass')
-    """
-    if word.endswith("ives"):
-        return word[:-3] + "fe"
-    if word.endswith(("lves", "aves")):
-        return word[:-3] + "f"
-    if word.endswith(("sses", "shes", "ches", "xes")):
-        return word[:-2]
-    if word.endswith("ies") and len(word) > 4:
-        return word[:-3] + "y"
-    if word.endswith("s") and not word.endswith(("ss", "us", "is")) and len(word) > 3:
-        return word[:-1]
-    return word
+_GROUPS: Final = {
+    word: group.same + group.talk for group in (*THINGS, *ROOMS) for word in group.same + group.talk
+}
 
 
 def match_score(noun: str, name: str) -> int:

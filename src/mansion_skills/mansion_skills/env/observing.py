@@ -14,7 +14,8 @@ from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import cast_rays
 from mansion_skills.skills.seeing import REACH, VIEW_ANGLE, VIEW_RANGE
 from mansion_skills.tasks.sandbox import Sandbox
-from mansion_skills.tasks.words import COLOURS, colour_of
+from mansion_skills.tasks.words import colour_of
+from mansion_skills.words.colours import COLOURS
 
 __all__ = ["BEAMS", "SCAN_RANGE", "SLOTS", "Describer", "Vocabulary", "state_space"]
 

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.task import Need
 from mansion_skills.building import LoadedBuilding
-from mansion_skills.tasks.words import article, colour_of, ordinal, plain, room_fits, thing_fits
+from mansion_skills.tasks.words import colour_of, room_fits, thing_fits
+from mansion_skills.words.nouns import article, ordinal, plain
 
 __all__ = ["describe", "floor_phrase", "matching_objects", "matching_rooms"]
 

@@ -9,7 +9,8 @@ from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.task import Need, TaskStart
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.building import LoadedBuilding
-from mansion_skills.tasks.words import colour_of, plain
+from mansion_skills.tasks.words import colour_of
+from mansion_skills.words.nouns import plain
 from mansion_skills.world.world import World
 
 __all__ = ["SURFACES", "call_place", "call_room", "call_thing", "draw", "draw_start", "things"]

@@ -7,7 +7,7 @@ import numpy as np
 from mansion_msgs_py.task import Need
 from mansion_skills.building import LoadedBuilding
 from mansion_skills.tasks.needs import describe
-from mansion_skills.tasks.words import is_plural, plain
+from mansion_skills.words.nouns import is_plural, plain
 
 __all__ = ["BRING", "FIND", "OPEN_AND_PUT", "PUT_ON", "THEN_CLOSE", "instruction"]
 
