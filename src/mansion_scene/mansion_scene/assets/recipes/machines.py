@@ -11,165 +11,199 @@ __all__: list[str] = []
 @recipe("machine")
 def machine(b: Builder) -> None:
     """Case with what its style adds: copier, printer, vents, doors, tower, medical, lathe, mill."""
+    _MACHINES.get(str(b.p.get("style", "vent")), _cabinet)(b)
+
+
+def _copier(b: Builder) -> None:
+    """Copier on the floor: trays below, scanner and panel on top."""
     w, d, h = b.w, b.d, b.h
-    style, m = str(b.p.get("style", "vent")), b.mat()
-    if style == "medical":
-        _medical(b)
-    elif style in ("lathe", "cnc"):
-        _tool(b, style)
-    elif style == "copier":
-        b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.04), (0.04, h * 0.78), m, "case")
+    m = b.mat()
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.04), (0.04, h * 0.78), m, "case")
+    b.box(
+        (-w / 2 + 0.04, w / 2 - 0.04),
+        (-d / 2 + 0.04, d / 2 - 0.1),
+        (0, 0.04),
+        "plastic_dark",
+        "feet",
+    )
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.08), (h * 0.86, h), m, "scanner")
+    b.box((-w * 0.3, w / 2), (-d / 2, d / 2 - 0.2), (h * 0.78, h * 0.86), "plastic_dark", "gap")
+    for k in range(3):
+        z = 0.1 + k * h * 0.19
         b.box(
-            (-w / 2 + 0.04, w / 2 - 0.04),
-            (-d / 2 + 0.04, d / 2 - 0.1),
-            (0, 0.04),
+            (-w * 0.46, w * 0.46),
+            (d / 2 - 0.04, d / 2 - 0.02),
+            (z, z + h * 0.16),
+            "plastic_light",
+            "trays",
+            False,
+        )
+        b.box(
+            (-0.08, 0.08),
+            (d / 2 - 0.02, d / 2 - 0.01),
+            (z + h * 0.1, z + h * 0.12),
             "plastic_dark",
-            "feet",
-        )
-        b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.08), (h * 0.86, h), m, "scanner")
-        b.box((-w * 0.3, w / 2), (-d / 2, d / 2 - 0.2), (h * 0.78, h * 0.86), "plastic_dark", "gap")
-        for k in range(3):
-            z = 0.1 + k * h * 0.19
-            b.box(
-                (-w * 0.46, w * 0.46),
-                (d / 2 - 0.04, d / 2 - 0.02),
-                (z, z + h * 0.16),
-                "plastic_light",
-                "trays",
-                False,
-            )
-            b.box(
-                (-0.08, 0.08),
-                (d / 2 - 0.02, d / 2 - 0.01),
-                (z + h * 0.1, z + h * 0.12),
-                "plastic_dark",
-                "trays",
-                False,
-            )
-        b.prism(
-            [
-                (d / 2 - 0.12, h * 0.86),
-                (d / 2, h * 0.84),
-                (d / 2, h * 0.87),
-                (d / 2 - 0.1, h * 0.93),
-            ],
-            (w * 0.05, w / 2),
-            "screen_blue",
-            part="panel",
-        )
-    elif style == "printer":
-        b.cushion((-w / 2, w / 2), (-d / 2, d / 2 - 0.05), (0, h), m, "case", 0.25, 12)
-        b.box(
-            (-w * 0.34, w * 0.34),
-            (d / 2 - 0.12, d / 2),
-            (h * 0.25, h * 0.3),
-            "paper_white",
-            "paper",
-        )
-        b.box(
-            (-w * 0.36, w * 0.36),
-            (d / 2 - 0.07, d / 2 - 0.045),
-            (h * 0.3, h * 0.5),
-            "plastic_dark",
-            "slot",
+            "trays",
             False,
         )
-        b.box(
-            (w * 0.15, w * 0.4),
-            (d / 2 - 0.06, d / 2 - 0.045),
-            (h * 0.68, h * 0.84),
-            "screen_blue",
-            "panel",
-            False,
-        )
-    elif style == "plotter":
-        for sx in (-1, 1):
-            x = sx * (w / 2 - 0.1)
-            b.box((x - 0.04, x + 0.04), (-d / 2, d / 2), (0, 0.06), "metal_dark", "feet")
-            b.box((x - 0.04, x + 0.04), (-0.06, 0.06), (0.05, h * 0.7), "metal_dark", "legs")
-        b.cushion((-w / 2, w / 2), (-d * 0.4, d * 0.4), (h * 0.68, h), m, "case", 0.35, 12)
-        b.prism(
-            [(d * 0.36, h * 0.74), (d * 0.38, h * 0.75), (d * 0.3, h * 0.25), (d * 0.28, h * 0.25)],
-            (-w * 0.4, w * 0.4),
-            "paper_white",
-            part="sheet",
-            solid=False,
-        )
-    elif style == "centrifuge":
-        b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.85), m, "case")
-        b.lathe(
-            [(0.42, h * 0.85), (0.4, h * 0.95), (0.2, h)],
-            "plastic_grey",
-            (0, -d * 0.04),
-            "lid",
-            24,
-            (w, w),
-        )
-        b.box(
-            (-w * 0.4, w * 0.4),
-            (d / 2 - 0.001, d / 2),
-            (h * 0.6, h * 0.78),
-            "screen_blue",
-            "panel",
-            False,
-        )
+    b.prism(
+        [
+            (d / 2 - 0.12, h * 0.86),
+            (d / 2, h * 0.84),
+            (d / 2, h * 0.87),
+            (d / 2 - 0.1, h * 0.93),
+        ],
+        (w * 0.05, w / 2),
+        "screen_blue",
+        part="panel",
+    )
+
+
+def _printer(b: Builder) -> None:
+    """Printer with a sheet in its mouth."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    b.cushion((-w / 2, w / 2), (-d / 2, d / 2 - 0.05), (0, h), m, "case", 0.25, 12)
+    b.box(
+        (-w * 0.34, w * 0.34),
+        (d / 2 - 0.12, d / 2),
+        (h * 0.25, h * 0.3),
+        "paper_white",
+        "paper",
+    )
+    b.box(
+        (-w * 0.36, w * 0.36),
+        (d / 2 - 0.07, d / 2 - 0.045),
+        (h * 0.3, h * 0.5),
+        "plastic_dark",
+        "slot",
+        False,
+    )
+    b.box(
+        (w * 0.15, w * 0.4),
+        (d / 2 - 0.06, d / 2 - 0.045),
+        (h * 0.68, h * 0.84),
+        "screen_blue",
+        "panel",
+        False,
+    )
+
+
+def _plotter(b: Builder) -> None:
+    """Plotter on two legs with a hanging sheet."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.1)
+        b.box((x - 0.04, x + 0.04), (-d / 2, d / 2), (0, 0.06), "metal_dark", "feet")
+        b.box((x - 0.04, x + 0.04), (-0.06, 0.06), (0.05, h * 0.7), "metal_dark", "legs")
+    b.cushion((-w / 2, w / 2), (-d * 0.4, d * 0.4), (h * 0.68, h), m, "case", 0.35, 12)
+    b.prism(
+        [(d * 0.36, h * 0.74), (d * 0.38, h * 0.75), (d * 0.3, h * 0.25), (d * 0.28, h * 0.25)],
+        (-w * 0.4, w * 0.4),
+        "paper_white",
+        part="sheet",
+        solid=False,
+    )
+
+
+def _centrifuge(b: Builder) -> None:
+    """Bench device under a round lid."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.85), m, "case")
+    b.lathe(
+        [(0.42, h * 0.85), (0.4, h * 0.95), (0.2, h)],
+        "plastic_grey",
+        (0, -d * 0.04),
+        "lid",
+        24,
+        (w, w),
+    )
+    b.box(
+        (-w * 0.4, w * 0.4),
+        (d / 2 - 0.001, d / 2),
+        (h * 0.6, h * 0.78),
+        "screen_blue",
+        "panel",
+        False,
+    )
+
+
+def _cabinet(b: Builder) -> None:
+    """Case on a foot, with doors or with vents."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    foot = min(0.06, h * 0.08)
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.02), (foot, h), m, "case")
+    b.box(
+        (-w / 2 + 0.03, w / 2 - 0.03),
+        (-d / 2 + 0.03, d / 2 - 0.05),
+        (0, foot),
+        "metal_dark",
+        "feet",
+    )
+    if b.p.get("style") == "doors":
+        _doors(b, foot)
     else:
-        foot = min(0.06, h * 0.08)
-        b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.02), (foot, h), m, "case")
+        _vents(b, foot)
+
+
+def _doors(b: Builder, foot: float) -> None:
+    """Two doors with a handle and a warning sign, above the foot."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    for k in range(2):
+        x0 = -w / 2 + k * w / 2
         b.box(
-            (-w / 2 + 0.03, w / 2 - 0.03),
-            (-d / 2 + 0.03, d / 2 - 0.05),
-            (0, foot),
-            "metal_dark",
-            "feet",
+            (x0 + 0.01, x0 + w / 2 - 0.01),
+            (d / 2 - 0.02, d / 2 - 0.006),
+            (foot + 0.02, h - 0.02),
+            m,
+            "door",
+            False,
         )
-        if style == "doors":
-            for k in range(2):
-                x0 = -w / 2 + k * w / 2
-                b.box(
-                    (x0 + 0.01, x0 + w / 2 - 0.01),
-                    (d / 2 - 0.02, d / 2 - 0.006),
-                    (foot + 0.02, h - 0.02),
-                    m,
-                    "door",
-                    False,
-                )
-            b.box(
-                (-0.05, -0.03),
-                (d / 2 - 0.006, d / 2),
-                (h * 0.5, h * 0.58),
-                "metal_dark",
-                "handle",
-                False,
-            )
-            b.prism(
-                [(w * 0.2, h * 0.7), (w * 0.3, h * 0.7), (w * 0.25, h * 0.8)],
-                (d / 2 - 0.006, d / 2 - 0.003),
-                "paint_yellow",
-                "y",
-                "warning",
-                False,
-            )
-        else:
-            for k in range(6):
-                z = foot + (h - foot) * (0.08 + 0.05 * k)
-                b.box(
-                    (-w * 0.38, w * 0.38),
-                    (d / 2 - 0.02, d / 2),
-                    (z, z + (h - foot) * 0.025),
-                    "plastic_dark",
-                    "vents",
-                    False,
-                )
-            b.box(
-                (-w * 0.3, w * 0.05),
-                (d / 2 - 0.02, d / 2 - 0.012),
-                (h * 0.68, h * 0.86),
-                "screen_dark" if style == "tower" else "screen_green",
-                "panel",
-                False,
-            )
-            b.cyl(w * 0.25, 0, (h - 0.001, h), min(w, d) * 0.1, "plastic_dark", "cap", solid=False)
+    b.box(
+        (-0.05, -0.03),
+        (d / 2 - 0.006, d / 2),
+        (h * 0.5, h * 0.58),
+        "metal_dark",
+        "handle",
+        False,
+    )
+    b.prism(
+        [(w * 0.2, h * 0.7), (w * 0.3, h * 0.7), (w * 0.25, h * 0.8)],
+        (d / 2 - 0.006, d / 2 - 0.003),
+        "paint_yellow",
+        "y",
+        "warning",
+        False,
+    )
+
+
+def _vents(b: Builder, foot: float) -> None:
+    """Vents, a screen and a cap, above the foot."""
+    w, d, h = b.w, b.d, b.h
+    style = str(b.p.get("style", "vent"))
+    for k in range(6):
+        z = foot + (h - foot) * (0.08 + 0.05 * k)
+        b.box(
+            (-w * 0.38, w * 0.38),
+            (d / 2 - 0.02, d / 2),
+            (z, z + (h - foot) * 0.025),
+            "plastic_dark",
+            "vents",
+            False,
+        )
+    b.box(
+        (-w * 0.3, w * 0.05),
+        (d / 2 - 0.02, d / 2 - 0.012),
+        (h * 0.68, h * 0.86),
+        "screen_dark" if style == "tower" else "screen_green",
+        "panel",
+        False,
+    )
+    b.cyl(w * 0.25, 0, (h - 0.001, h), min(w, d) * 0.1, "plastic_dark", "cap", solid=False)
 
 
 def _medical(b: Builder) -> None:
@@ -207,50 +241,55 @@ def _medical(b: Builder) -> None:
     )
 
 
-def _tool(b: Builder, style: str) -> None:
+def _mill(b: Builder) -> None:
+    """Enclosed milling machine with a door and a panel."""
     w, d, h = b.w, b.d, b.h
     m = b.mat()
-    if style == "cnc":
-        b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.08), (0.06, h), m, "case")
-        b.box(
-            (-w / 2 + 0.04, w / 2 - 0.04),
-            (-d / 2 + 0.04, d / 2 - 0.14),
-            (0, 0.06),
-            "metal_dark",
-            "feet",
-        )
-        b.box(
-            (-w * 0.4, w * 0.18),
-            (d / 2 - 0.08, d / 2 - 0.05),
-            (h * 0.4, h * 0.88),
-            "metal_light",
-            "door",
-            False,
-        )
-        b.box(
-            (-w * 0.34, w * 0.12),
-            (d / 2 - 0.05, d / 2 - 0.04),
-            (h * 0.5, h * 0.84),
-            "glass_black",
-            "window",
-            False,
-        )
-        b.box(
-            (w * 0.24, w * 0.46),
-            (d / 2 - 0.08, d / 2),
-            (h * 0.5, h * 0.85),
-            "plastic_dark",
-            "panel",
-        )
-        b.box(
-            (w * 0.27, w * 0.43),
-            (d / 2 - 0.002, d / 2),
-            (h * 0.68, h * 0.82),
-            "screen_blue",
-            "panel",
-            False,
-        )
-        return
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.08), (0.06, h), m, "case")
+    b.box(
+        (-w / 2 + 0.04, w / 2 - 0.04),
+        (-d / 2 + 0.04, d / 2 - 0.14),
+        (0, 0.06),
+        "metal_dark",
+        "feet",
+    )
+    b.box(
+        (-w * 0.4, w * 0.18),
+        (d / 2 - 0.08, d / 2 - 0.05),
+        (h * 0.4, h * 0.88),
+        "metal_light",
+        "door",
+        False,
+    )
+    b.box(
+        (-w * 0.34, w * 0.12),
+        (d / 2 - 0.05, d / 2 - 0.04),
+        (h * 0.5, h * 0.84),
+        "glass_black",
+        "window",
+        False,
+    )
+    b.box(
+        (w * 0.24, w * 0.46),
+        (d / 2 - 0.08, d / 2),
+        (h * 0.5, h * 0.85),
+        "plastic_dark",
+        "panel",
+    )
+    b.box(
+        (w * 0.27, w * 0.43),
+        (d / 2 - 0.002, d / 2),
+        (h * 0.68, h * 0.82),
+        "screen_blue",
+        "panel",
+        False,
+    )
+
+
+def _lathe(b: Builder) -> None:
+    """Lathe: base, bed, head, chuck, work, tail and slide."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
     b.box((-w / 2, -w * 0.2), (-d * 0.4, d * 0.4), (0, h * 0.5), m, "base")
     b.box((w * 0.25, w / 2), (-d * 0.4, d * 0.4), (0, h * 0.5), m, "base")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.5, h * 0.6), m, "bed")
@@ -267,6 +306,18 @@ def _tool(b: Builder, style: str) -> None:
     b.rod((-w * 0.14, 0, h * 0.78), (w * 0.3, 0, h * 0.78), 0.03, "metal_steel", "work")
     b.box((w * 0.3, w * 0.46), (-d * 0.2, d * 0.2), (h * 0.6, h * 0.86), m, "tail")
     b.box((0.0, w * 0.16), (-d * 0.3, d / 2), (h * 0.6, h * 0.7), "metal_steel", "slide")
+
+
+_MACHINES = {
+    "centrifuge": _centrifuge,
+    "cnc": _mill,
+    "copier": _copier,
+    "lathe": _lathe,
+    "medical": _medical,
+    "plotter": _plotter,
+    "printer": _printer,
+}
+"""Styles with a shape of their own; the others are cabinets."""
 
 
 @recipe("tank")
