@@ -1,6 +1,9 @@
 """`mansion solve`: files of problems."""
 
 import json
+import os
+import signal
+import subprocess
 import sys
 from pathlib import Path
 
@@ -13,6 +16,7 @@ from mansion_msgs_py.world import Progress
 from mansion_planner.solver import solve_floor
 from mansion_planner.solver.files import solve_file
 from mansion_planner.solver.protocol import TrueProblem, figures, score_plan, table
+from mansion_planner.solver.workers import largest_first
 
 sys.path.insert(0, str(Path(__file__).parent))
 from floors import box, flat, office
@@ -93,3 +97,59 @@ def test_the_protocol_compares_rooms_of_the_same_id_only() -> None:
     fields = {name: getattr(problem, name) for name in FloorProblem.__struct_fields__}
     swapped = [type(r)(id=i, polygon=r.polygon) for i, r in (("b", rooms["a"]), ("a", rooms["b"]))]
     assert score_plan(TrueProblem(**fields, truth=swapped), layout).intersection == 0
+
+
+# Prints after each problem how the workers were started; the process has no other thread, as on the command line.
+SOLVE = """
+import multiprocessing, pathlib, sys
+from mansion_planner.solver.files import solve_file
+
+def tell(progress):
+    print(*{type(child).__name__ for child in multiprocessing.active_children()}, flush=True)
+
+solve_file(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), jobs=2, progress=tell)
+"""
+
+
+def solving(source: Path, output: Path) -> "subprocess.Popen[str]":
+    return subprocess.Popen(
+        [sys.executable, "-c", SOLVE, str(source), str(output)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
+def test_a_process_without_threads_forks_its_workers_and_gets_the_same_layouts(
+    tmp_path: Path,
+) -> None:
+    source = write(tmp_path / "problems.json", [flat(), office(4), flat()])
+    solve_file(source, tmp_path / "one.json", jobs=1)
+    with solving(source, tmp_path / "two.json") as process:
+        said, complaint = process.communicate(timeout=120)
+    assert (process.returncode, complaint) == (0, "")
+    assert said.split()[0] == "ForkProcess"
+    assert timeless(tmp_path / "one.json") == timeless(tmp_path / "two.json")
+
+
+def test_an_interrupt_ends_every_process_and_writes_nothing(tmp_path: Path) -> None:
+    source = write(tmp_path / "problems.json", [office(8) for _ in range(60)])
+    with solving(source, tmp_path / "out.json") as process:
+        assert process.stdout is not None
+        assert process.stdout.readline()
+        os.killpg(process.pid, signal.SIGINT)
+        _, complaint = process.communicate(timeout=60)
+    assert process.returncode == -signal.SIGINT
+    assert complaint.count("Traceback") == 1
+    with pytest.raises(ProcessLookupError):
+        os.killpg(process.pid, 0)
+    assert [path.name for path in tmp_path.iterdir()] == ["problems.json"]
+
+
+def test_the_largest_floors_are_handed_out_first_and_equal_ones_in_order() -> None:
+    problems = [flat(), office(4), flat(), office(8)]
+    rooms = [len(problems[index].nodes) for index in largest_first(problems)]
+    assert rooms == sorted(rooms, reverse=True)
+    assert largest_first([flat(), flat(), flat()]) == [0, 1, 2]

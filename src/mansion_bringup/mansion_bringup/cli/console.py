@@ -24,7 +24,10 @@ def print_json(value: Any) -> None:
 
 @contextmanager
 def progress_bar() -> Iterator[Callable[[ProgressPayload], None]]:
-    """Show `Progress` payloads: a bar on a terminal, plain lines elsewhere."""
+    """Show `Progress` payloads: a bar on a terminal, plain lines elsewhere.
+
+    The bar's thread starts with the first payload, so that a command can fork its workers before.
+    """
     if not err.is_terminal:
         yield lambda p: err.print(
             f"[{p.done}/{p.total}] {p.message}", markup=False, highlight=False
@@ -37,6 +40,14 @@ def progress_bar() -> Iterator[Callable[[ProgressPayload], None]]:
         TextColumn("{task.completed}/{task.total}"),
         TimeElapsedColumn(),
     )
-    with Progress(*columns, console=err, transient=True) as bar:
-        task = bar.add_task("starting", total=None)
-        yield lambda p: bar.update(task, description=p.message, completed=p.done, total=p.total)
+    bar = Progress(*columns, console=err, transient=True)
+    task = bar.add_task("starting", total=None)
+
+    def show(payload: ProgressPayload) -> None:
+        bar.start()
+        bar.update(task, description=payload.message, completed=payload.done, total=payload.total)
+
+    try:
+        yield show
+    finally:
+        bar.stop()

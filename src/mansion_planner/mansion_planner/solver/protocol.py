@@ -233,8 +233,8 @@ def run_protocol(
     seed : int
         Added to each problem's own seed.
     """
-    from mansion_planner.solver.files import solve_timed
     from mansion_planner.solver.warming import warm
+    from mansion_planner.solver.workers import solve_timed
 
     warm()
     layouts = [
