@@ -40,6 +40,7 @@ _MODULES = (
     "toys",
     "vehicles",
     "wall",
+    "panels",
     "hangings",
 )
 
