@@ -201,6 +201,8 @@ class PathReport(msgspec.Struct, kw_only=True):
         Rooms that cannot be reached from the start.
     blocked_doors : list of str
         Doors before which an object leaves no way through.
+    cut_rooms : list of str
+        Rooms whose furniture leaves a robot no way between two parts of their floor, or to a door.
     """
 
     message: str
@@ -210,6 +212,7 @@ class PathReport(msgspec.Struct, kw_only=True):
     route: list[PathStep] = []
     unreachable: list[str] = []
     blocked_doors: list[str] = []
+    cut_rooms: list[str] = []
 
 
 class AssetInfo(msgspec.Struct, kw_only=True):

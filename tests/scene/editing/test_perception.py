@@ -11,6 +11,7 @@ from mansion_msgs_py.editing import (
     SearchContentsArgs,
 )
 from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.scene import SceneObject
 from mansion_scene.editing.state import SceneState
 from mansion_scene.editing.tools.paths import blocked_doors, check_path
 from mansion_scene.editing.tools.perception import (
@@ -49,6 +50,70 @@ def test_furniture_across_a_door_blocks_the_way(state: SceneState) -> None:
     state.replace(floor, sofa, across)
     assert blocked_doors(state, 1) == ["F1/door_1"]
     assert check_path(state, CheckPathArgs()).unreachable == ["F1/kitchen"]
+
+
+def row_of_cabinets(
+    state: SceneState, room: str, x: float, y: float, width: float
+) -> list[SceneObject]:
+    """Stand four cabinets side by side from a point eastward."""
+    _, sofa = state.get("F1/hall/sofa_1")
+    row = []
+    for number in range(4):
+        row.append(
+            msgspec.structs.replace(
+                sofa,
+                id=f"{room}/cabinet_{number + 1}",
+                category="cabinet",
+                room=room,
+                position=(x + (number + 0.5) * width / 4, y, 0.5),
+                size=(width / 4, 0.5, 1.0),
+                rotation=0.0,
+            )
+        )
+        state.add(1, row[-1])
+    return row
+
+
+def test_a_room_cut_in_two_by_cabinets_is_reported_with_them(state: SceneState) -> None:
+    row = row_of_cabinets(state, "F1/hall", 0.06, 3.0, 5.88)
+    report = check_path(state, CheckPathArgs())
+    assert report.cut_rooms == ["F1/hall"] and not report.blocked_doors and not report.reachable
+    assert report.unreachable == ["F1/kitchen", "F2/corridor", "F2/private_office_1"]
+    assert all(item.id in report.message for item in row) and "sofa" not in report.message
+    assert check_path(state, CheckPathArgs(start="kitchen", end="F2/corridor")).reachable
+
+
+@pytest.mark.parametrize(("gap", "passes"), [(0.30, False), (0.36, False), (0.42, True)])
+def test_a_robot_passes_a_gap_of_its_own_width(state: SceneState, gap: float, passes: bool) -> None:
+    row_of_cabinets(state, "F1/hall", 0.06, 3.0, 5.88 - gap)
+    report = check_path(state, CheckPathArgs(end="F1/kitchen"))
+    assert report.reachable == passes and bool(report.cut_rooms) != passes
+
+
+def test_a_room_of_one_door_is_reached_and_its_far_half_said_to_be_cut_off(
+    state: SceneState,
+) -> None:
+    row_of_cabinets(state, "F1/kitchen", 6.06, 2.0, 5.88)
+    report = check_path(state, CheckPathArgs())
+    assert report.reachable and report.cut_rooms == ["F1/kitchen"]
+    assert "F1/kitchen/cabinet_1" in report.message
+
+
+def test_an_edit_opens_the_way_again(state: SceneState) -> None:
+    row = row_of_cabinets(state, "F1/hall", 0.06, 3.0, 5.88)
+    assert not check_path(state, CheckPathArgs()).reachable
+    state.remove(1, row[1])
+    report = check_path(state, CheckPathArgs())
+    assert report.reachable and not report.cut_rooms
+
+
+def test_furniture_near_a_door_that_leaves_no_place_to_stand_shuts_it(state: SceneState) -> None:
+    _, sofa = state.get("F1/hall/sofa_1")
+    wall = msgspec.structs.replace(sofa, position=(7.5, 4.0, 0.5), size=(2.3, 3.5, 1.0), rotation=0)
+    state.add(1, msgspec.structs.replace(wall, id="F1/kitchen/wardrobe_1", room="F1/kitchen"))
+    report = check_path(state, CheckPathArgs())
+    assert report.unreachable == ["F1/kitchen"] and report.cut_rooms == ["F1/kitchen"]
+    assert "F1/kitchen/wardrobe_1" in report.message and not report.blocked_doors
 
 
 @pytest.mark.parametrize("end", ["the ballroom", "kitchen on the ninth floor", "../../etc"])

@@ -12,6 +12,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_scene.catalogue import Asset, Catalogue
 from mansion_scene.decor.frames import room_polygon
+from mansion_scene.editing.passages import Passages, passages_of
 from mansion_scene.editing.retrieval.retriever import Retriever, TextRetriever
 from mansion_scene.editing.vocabulary import Vocabulary, vocabulary_of
 
@@ -43,6 +44,11 @@ class FloorIndex:
             if item.parent is not None:
                 out.setdefault(item.parent, []).append(item)
         return out
+
+    @cached_property
+    def passages(self) -> Passages:
+        """Where a robot passes between the furniture."""
+        return passages_of(self._scene)
 
     def room_at(self, x: float, y: float) -> SceneRoom | None:
         """Return the room whose interior holds a point."""
