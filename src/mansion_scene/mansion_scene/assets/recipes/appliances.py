@@ -117,8 +117,25 @@ def display_fridge(b: Builder) -> None:
 @recipe("oven")
 def oven(b: Builder) -> None:
     """Oven, stove with a hob, microwave or dishwasher."""
+    w, d = b.w, b.d
+    face = d / 2 - min(0.05, d * 0.12)
+    side = b.p.get("panel") == "side"
+    right = b.cells[0].x1 + 0.01 if side else w / 2
+    grip = d / 2 - min(0.03, d * 0.06)
+    _oven_case(b, face)
+    _oven_door(b, right, (face + 0.004, grip))
+    if side:
+        _side_panel(b, right, face, grip)
+    else:
+        _knobs(b, face, grip)
+    if b.p.get("hob"):
+        _hob(b, face)
+
+
+def _oven_case(b: Builder, face: float) -> None:
+    """Case about the cell, open to the front."""
     w, d, h = b.w, b.d, b.h
-    main, face = b.mat(), d / 2 - min(0.05, d * 0.12)
+    main = b.mat()
     cell = b.cells[0]
     t = min(0.03, w * 0.06)
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + t), (0, h), main, "case")
@@ -126,9 +143,14 @@ def oven(b: Builder) -> None:
     b.box((cell.x1, w / 2), (-d / 2, face), (0, h), main, "case")
     b.box((-w / 2, w / 2), (-d / 2, face), (0, cell.z), main, "case")
     b.box((-w / 2, w / 2), (-d / 2, face), (cell.top, h), main, "case")
-    right = cell.x1 + 0.01 if b.p.get("panel") == "side" else w / 2
-    grip = min(0.03, d * 0.06)
-    front = (face + 0.004, d / 2 - grip)
+
+
+def _oven_door(b: Builder, right: float, front: tuple[float, float]) -> None:
+    """Door with a window."""
+    w = b.w
+    main = b.mat()
+    cell = b.cells[0]
+    t = min(0.03, w * 0.06)
     b.box(
         (-w / 2 + 0.005, right - 0.005),
         front,
@@ -145,72 +167,86 @@ def oven(b: Builder) -> None:
         "window",
         False,
     )
-    if b.p.get("panel") == "side":
+
+
+def _side_panel(b: Builder, right: float, face: float, grip: float) -> None:
+    """Handle, display and buttons beside the door."""
+    w, d, h = b.w, b.d, b.h
+    cell = b.cells[0]
+    b.box(
+        (right - 0.02, right - 0.01),
+        (grip, d / 2),
+        (cell.z, cell.top),
+        "metal_steel",
+        "handle",
+        False,
+    )
+    b.box(
+        (right + 0.01, w / 2 - 0.01),
+        (face, face + 0.01),
+        (h * 0.7, h * 0.85),
+        "screen_green",
+        "panel",
+        False,
+    )
+    for k in range(4):
         b.box(
-            (right - 0.02, right - 0.01),
-            (front[1], d / 2),
-            (cell.z, cell.top),
-            "metal_steel",
-            "handle",
+            (right + 0.015, w / 2 - 0.015),
+            (face, face + 0.012),
+            (h * (0.18 + 0.11 * k), h * (0.25 + 0.11 * k)),
+            "plastic_dark",
+            "buttons",
             False,
         )
-        b.box(
-            (right + 0.01, w / 2 - 0.01),
-            (face, face + 0.01),
-            (h * 0.7, h * 0.85),
-            "screen_green",
-            "panel",
-            False,
+
+
+def _knobs(b: Builder, face: float, grip: float) -> None:
+    """Handle and a row of knobs above the door."""
+    w, d, h = b.w, b.d, b.h
+    cell = b.cells[0]
+    b.box(
+        (-w * 0.38, w * 0.38),
+        (grip, d / 2),
+        (cell.top - 0.01, cell.top + 0.008),
+        "metal_steel",
+        "handle",
+        False,
+    )
+    for k in range(4 if h > 0.6 else 2):
+        x = -w * 0.3 + k * w * 0.2
+        b.rod(
+            (x, face, (cell.top + h) / 2),
+            (x, d / 2 - 0.005, (cell.top + h) / 2),
+            min(0.022, (h - cell.top) * 0.3),
+            "plastic_black",
+            "knobs",
+            12,
         )
-        for k in range(4):
-            b.box(
-                (right + 0.015, w / 2 - 0.015),
-                (face, face + 0.012),
-                (h * (0.18 + 0.11 * k), h * (0.25 + 0.11 * k)),
-                "plastic_dark",
-                "buttons",
-                False,
+
+
+def _hob(b: Builder, face: float) -> None:
+    """Glass hob with four burners."""
+    w, d, h = b.w, b.d, b.h
+    b.box(
+        (-w / 2 + 0.02, w / 2 - 0.02),
+        (-d / 2 + 0.04, face - 0.03),
+        (h - 0.006, h),
+        "glass_black",
+        "hob",
+        False,
+    )
+    for sx in (-1, 1):
+        for sy in (-1, 1):
+            b.cyl(
+                sx * w * 0.24,
+                sy * d * 0.2 - 0.01,
+                (h - 0.005, h),
+                0.075,
+                "metal_dark",
+                "burners",
+                n=20,
+                solid=False,
             )
-    else:
-        b.box(
-            (-w * 0.38, w * 0.38),
-            (front[1], d / 2),
-            (cell.top - 0.01, cell.top + 0.008),
-            "metal_steel",
-            "handle",
-            False,
-        )
-        for k in range(4 if h > 0.6 else 2):
-            x = -w * 0.3 + k * w * 0.2
-            b.rod(
-                (x, face, (cell.top + h) / 2),
-                (x, d / 2 - 0.005, (cell.top + h) / 2),
-                min(0.022, (h - cell.top) * 0.3),
-                "plastic_black",
-                "knobs",
-                12,
-            )
-    if b.p.get("hob"):
-        b.box(
-            (-w / 2 + 0.02, w / 2 - 0.02),
-            (-d / 2 + 0.04, face - 0.03),
-            (h - 0.006, h),
-            "glass_black",
-            "hob",
-            False,
-        )
-        for sx in (-1, 1):
-            for sy in (-1, 1):
-                b.cyl(
-                    sx * w * 0.24,
-                    sy * d * 0.2 - 0.01,
-                    (h - 0.005, h),
-                    0.075,
-                    "metal_dark",
-                    "burners",
-                    n=20,
-                    solid=False,
-                )
 
 
 @recipe("washer")

@@ -58,104 +58,128 @@ def _figure(
 @recipe("statue")
 def statue(b: Builder) -> None:
     """Figure, vase, modern sculpture, or an exhibit on a plinth."""
-    w, d, h = b.w, b.d, b.h
-    style, main = b.p.get("style"), b.mat()
+    style = b.p.get("style")
     if style == "vase":
-        b.lathe(
-            [(0.3, 0), (0.5, h * 0.3), (0.4, h * 0.6), (0.2, h * 0.75), (0.26, h * 0.8)],
-            main,
-            stretch=(w, d),
-            n=20,
-        )
-        for k in range(5):
-            a = k * 1.257
-            b.rod(
-                (0, 0, h * 0.7),
-                (math.cos(a) * w * 0.4, math.sin(a) * d * 0.4, h * (1.0 - 0.03 * k)),
-                0.008,
-                "wood_brown",
-                "twigs",
-                6,
-            )
-        return
-    if style == "abstract":
-        b.box((-w * 0.4, w * 0.4), (-d * 0.4, d * 0.4), (0, 0.12), "stone_dark", "base")
-        points = [
-            (w * 0.42 * math.cos(t * 5), d * 0.42 * math.sin(t * 5), 0.12 + (h - 0.25) * t)
-            for t in [k / 16 for k in range(17)]
-        ]
-        for p, q in itertools.pairwise(points):
-            b.rod(p, q, 0.07, main, "coil", 10, True)
-        b.ball((0, 0, h * 0.55), (w * 0.2, d * 0.2, h * 0.16), main, "core", 16)
-        b.ball(
-            (points[-1][0] * 0.9, points[-1][1] * 0.9, h - 0.1),
-            (0.1, 0.1, 0.1),
-            "metal_brass",
-            "tip",
-            12,
-        )
-        return
-    base = h * (0.55 if style == "plinth" else 0.12)
-    color = (
-        "stone_white"
-        if style == "plinth"
-        else "wood_walnut"
-        if main != "wood_oak"
-        else "wood_black"
+        _vase(b)
+    elif style == "abstract":
+        _sculpture(b)
+    elif style == "plinth":
+        _exhibit(b)
+    else:
+        w, d, base = b.w, b.d, b.h * 0.12
+        wood = "wood_walnut" if b.mat() != "wood_oak" else "wood_black"
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base), wood, "base")
+        _figure(b, 0.0, base, b.h - base, w, d, b.mat())
+
+
+def _vase(b: Builder) -> None:
+    """Floor vase with twigs."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    b.lathe(
+        [(0.3, 0), (0.5, h * 0.3), (0.4, h * 0.6), (0.2, h * 0.75), (0.26, h * 0.8)],
+        main,
+        stretch=(w, d),
+        n=20,
     )
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base), color, "base")
-    if style == "plinth":
-        b.box(
-            (-w * 0.2, w * 0.2),
-            (d / 2 - 0.002, d / 2 + 0.0),
-            (base * 0.6, base * 0.7),
-            "metal_brass",
-            "label",
-            False,
+    for k in range(5):
+        a = k * 1.257
+        b.rod(
+            (0, 0, h * 0.7),
+            (math.cos(a) * w * 0.4, math.sin(a) * d * 0.4, h * (1.0 - 0.03 * k)),
+            0.008,
+            "wood_brown",
+            "twigs",
+            6,
         )
-        kind = round(w * 1000) % 2
-        if kind:
-            b.cushion(
-                (-w * 0.3, w * 0.3),
-                (-d * 0.2, d * 0.2),
-                (base, base + (h - base) * 0.5),
-                "stone_light",
-                "bust",
-                0.7,
-                12,
-            )
-            b.cyl(
-                0,
-                0,
-                (base + (h - base) * 0.4, base + (h - base) * 0.65),
-                w * 0.09,
-                "stone_light",
-                "bust",
-                n=12,
-                solid=False,
-            )
-            b.ball(
-                (0, 0, h - (h - base) * 0.24),
-                (w * 0.16, d * 0.2, (h - base) * 0.24),
-                "stone_light",
-                "bust",
-                14,
-            )
-        else:
-            b.lathe(
-                [
-                    (0.14, base),
-                    (0.3, base + (h - base) * 0.4),
-                    (0.12, base + (h - base) * 0.8),
-                    (0.18, h),
-                ],
-                "ceramic_blue",
-                stretch=(w, d),
-                part="vase",
-                n=20,
-            )
-        return
-    _figure(b, 0.0, base, h - base, w, d, main)
+
+
+def _sculpture(b: Builder) -> None:
+    """Rising coil about a core."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    b.box((-w * 0.4, w * 0.4), (-d * 0.4, d * 0.4), (0, 0.12), "stone_dark", "base")
+    points = [
+        (w * 0.42 * math.cos(t * 5), d * 0.42 * math.sin(t * 5), 0.12 + (h - 0.25) * t)
+        for t in [k / 16 for k in range(17)]
+    ]
+    for p, q in itertools.pairwise(points):
+        b.rod(p, q, 0.07, main, "coil", 10, True)
+    b.ball((0, 0, h * 0.55), (w * 0.2, d * 0.2, h * 0.16), main, "core", 16)
+    b.ball(
+        (points[-1][0] * 0.9, points[-1][1] * 0.9, h - 0.1),
+        (0.1, 0.1, 0.1),
+        "metal_brass",
+        "tip",
+        12,
+    )
+
+
+def _exhibit(b: Builder) -> None:
+    """Plinth with a label; on it a bust or an urn."""
+    w, d, h = b.w, b.d, b.h
+    base = h * 0.55
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base), "stone_white", "base")
+    b.box(
+        (-w * 0.2, w * 0.2),
+        (d / 2 - 0.002, d / 2 + 0.0),
+        (base * 0.6, base * 0.7),
+        "metal_brass",
+        "label",
+        False,
+    )
+    if round(w * 1000) % 2:
+        _bust(b, base)
+    else:
+        _urn(b, base)
+
+
+def _bust(b: Builder, base: float) -> None:
+    """Shoulders, neck and head."""
+    w, d, h = b.w, b.d, b.h
+    b.cushion(
+        (-w * 0.3, w * 0.3),
+        (-d * 0.2, d * 0.2),
+        (base, base + (h - base) * 0.5),
+        "stone_light",
+        "bust",
+        0.7,
+        12,
+    )
+    b.cyl(
+        0,
+        0,
+        (base + (h - base) * 0.4, base + (h - base) * 0.65),
+        w * 0.09,
+        "stone_light",
+        "bust",
+        n=12,
+        solid=False,
+    )
+    b.ball(
+        (0, 0, h - (h - base) * 0.24),
+        (w * 0.16, d * 0.2, (h - base) * 0.24),
+        "stone_light",
+        "bust",
+        14,
+    )
+
+
+def _urn(b: Builder, base: float) -> None:
+    """Blue vase."""
+    w, d, h = b.w, b.d, b.h
+    b.lathe(
+        [
+            (0.14, base),
+            (0.3, base + (h - base) * 0.4),
+            (0.12, base + (h - base) * 0.8),
+            (0.18, h),
+        ],
+        "ceramic_blue",
+        stretch=(w, d),
+        part="vase",
+        n=20,
+    )
 
 
 @recipe("mannequin")
