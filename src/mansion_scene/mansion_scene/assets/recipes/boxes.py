@@ -9,101 +9,141 @@ __all__: list[str] = []
 @recipe("block")
 def block(b: Builder) -> None:
     """Box-shaped things, told apart by what is on them."""
+    _BLOCKS.get(str(b.p.get("style", "plain")), _plain)(b)
+
+
+def _plain(b: Builder) -> None:
+    """Plain box."""
     w, d, h = b.w, b.d, b.h
-    style, main = str(b.p.get("style", "plain")), b.mat()
     x, y = (-w / 2, w / 2), (-d / 2, d / 2)
-    maker = _BLOCKS.get(style)
-    if maker is not None:
-        maker(b)
-    elif style == "carton":
-        high = h * (0.86 if h > 1.3 * w else 1.0)
-        b.box(x, y, (0, high), main, "body")
-        if high < h:
-            b.prism(
-                [
-                    (-d / 2, high),
-                    (d / 2, high),
-                    (0.004, h * 0.97),
-                    (0.004, h),
-                    (-0.004, h),
-                    (-0.004, h * 0.97),
-                ],
-                x,
-                "paper_white",
-                part="gable",
-            )
-        b.box(
-            (-w * 0.32, w * 0.32),
-            (d / 2 - 0.001, d / 2),
-            (high * 0.3, high * 0.7),
-            "paper_white",
-            "label",
-            False,
-        )
-        b.box(
-            (-w * 0.36, w * 0.36),
-            (d / 2 - 0.001, d / 2),
-            (high * 0.74, high * 0.84),
-            "paper_yellow",
-            "label",
-            False,
-        )
-    elif style == "speaker":
-        b.box(x, (-d / 2, d / 2 - 0.012), (0, h), main, "case")
-        for z, r in ((0.32, 0.36), (0.74, 0.22)):
-            b.rod((0, d / 2 - 0.014, z * h), (0, d / 2, z * h), r * w, "plastic_dark", "cones", 20)
-            b.rod(
-                (0, d / 2 - 0.013, z * h),
-                (0, d / 2 - 0.001, z * h),
-                r * w * 0.4,
-                "metal_grey",
-                "cones",
-                12,
-            )
-    elif style == "screen":
-        b.box(x, y, (0, h), main, "case")
-        b.box(
-            (-w * 0.3, w * 0.3),
-            (d / 2 - 0.001, d / 2),
-            (h * 0.3, h * 0.7),
-            "screen_blue",
-            "panel",
-            False,
-        )
-        b.box(
-            (-w * 0.35, w * 0.35),
-            (-d * 0.2, d * 0.25),
-            (h - 0.001, h),
-            "plastic_light",
-            "plate",
-            False,
-        )
-    elif style in ("flatbox", "gift"):
-        b.box(x, y, (0, h * 0.95), main, "body")
-        b.box((-w * 0.06, w * 0.06), y, (0, h * 0.96), "paper_white", "band", False)
-        b.box(x, (-d * 0.06, d * 0.06), (0, h * 0.96), "paper_white", "band", False)
-        b.ball((0, 0, h * 0.96), (w * 0.12, d * 0.12, h * 0.04), "paper_white", "bow", 8, False)
-    elif style == "papers":
-        count = 4
-        for k in range(count):
-            shift = 0.004 * (k % 3) - 0.004
-            b.box(
-                (x[0] + max(0, shift), x[1] + min(0, shift)),
-                (y[0] + max(0, -shift), y[1]),
-                (h * k / count, h * (k + 1) / count),
-                "paper_white" if k % 2 else "paper_light",
-                "sheets",
-            )
-    elif style == "layers":
-        for k, color in enumerate(("food_beige", "food_green", "food_red", "food_beige")):
-            b.box(x, y, (h * k / 4, h * (k + 1) / 4), color, "layers")
-    elif style in ("wedge", "tent"):
-        tip = 0.004 if style == "tent" else d * 0.25
+    main = b.mat()
+    b.box(x, y, (0, h), main, "body")
+
+
+def _carton(b: Builder) -> None:
+    """Carton with labels; a tall one has a gable."""
+    w, d, h = b.w, b.d, b.h
+    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
+    main = b.mat()
+    high = h * (0.86 if h > 1.3 * w else 1.0)
+    b.box(x, y, (0, high), main, "body")
+    if high < h:
         b.prism(
-            [(-d / 2, 0), (d / 2, 0), (tip if style == "tent" else d / 2, h), (-tip, h)], x, main
+            [
+                (-d / 2, high),
+                (d / 2, high),
+                (0.004, h * 0.97),
+                (0.004, h),
+                (-0.004, h),
+                (-0.004, h * 0.97),
+            ],
+            x,
+            "paper_white",
+            part="gable",
         )
-    else:
-        b.box(x, y, (0, h), main, "body")
+    b.box(
+        (-w * 0.32, w * 0.32),
+        (d / 2 - 0.001, d / 2),
+        (high * 0.3, high * 0.7),
+        "paper_white",
+        "label",
+        False,
+    )
+    b.box(
+        (-w * 0.36, w * 0.36),
+        (d / 2 - 0.001, d / 2),
+        (high * 0.74, high * 0.84),
+        "paper_yellow",
+        "label",
+        False,
+    )
+
+
+def _speaker(b: Builder) -> None:
+    """Case with two cones."""
+    w, d, h = b.w, b.d, b.h
+    x = (-w / 2, w / 2)
+    main = b.mat()
+    b.box(x, (-d / 2, d / 2 - 0.012), (0, h), main, "case")
+    for z, r in ((0.32, 0.36), (0.74, 0.22)):
+        b.rod((0, d / 2 - 0.014, z * h), (0, d / 2, z * h), r * w, "plastic_dark", "cones", 20)
+        b.rod(
+            (0, d / 2 - 0.013, z * h),
+            (0, d / 2 - 0.001, z * h),
+            r * w * 0.4,
+            "metal_grey",
+            "cones",
+            12,
+        )
+
+
+def _screen(b: Builder) -> None:
+    """Case with a display and a plate on top."""
+    w, d, h = b.w, b.d, b.h
+    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
+    main = b.mat()
+    b.box(x, y, (0, h), main, "case")
+    b.box(
+        (-w * 0.3, w * 0.3),
+        (d / 2 - 0.001, d / 2),
+        (h * 0.3, h * 0.7),
+        "screen_blue",
+        "panel",
+        False,
+    )
+    b.box(
+        (-w * 0.35, w * 0.35),
+        (-d * 0.2, d * 0.25),
+        (h - 0.001, h),
+        "plastic_light",
+        "plate",
+        False,
+    )
+
+
+def _papers(b: Builder) -> None:
+    """Stack of sheets."""
+    w, d, h = b.w, b.d, b.h
+    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
+    count = 4
+    for k in range(count):
+        shift = 0.004 * (k % 3) - 0.004
+        b.box(
+            (x[0] + max(0, shift), x[1] + min(0, shift)),
+            (y[0] + max(0, -shift), y[1]),
+            (h * k / count, h * (k + 1) / count),
+            "paper_white" if k % 2 else "paper_light",
+            "sheets",
+        )
+
+
+def _layers(b: Builder) -> None:
+    """Layers of food."""
+    w, d, h = b.w, b.d, b.h
+    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
+    for k, color in enumerate(("food_beige", "food_green", "food_red", "food_beige")):
+        b.box(x, y, (h * k / 4, h * (k + 1) / 4), color, "layers")
+
+
+def _wrapped(b: Builder) -> None:
+    """Box with a band and a bow."""
+    w, d, h = b.w, b.d, b.h
+    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
+    main = b.mat()
+    b.box(x, y, (0, h * 0.95), main, "body")
+    b.box((-w * 0.06, w * 0.06), y, (0, h * 0.96), "paper_white", "band", False)
+    b.box(x, (-d * 0.06, d * 0.06), (0, h * 0.96), "paper_white", "band", False)
+    b.ball((0, 0, h * 0.96), (w * 0.12, d * 0.12, h * 0.04), "paper_white", "bow", 8, False)
+
+
+def _wedge(b: Builder) -> None:
+    """Wedge, or a tent with a thin ridge."""
+    w, d, h = b.w, b.d, b.h
+    x = (-w / 2, w / 2)
+    main = b.mat()
+    style = b.p.get("style")
+    tip = 0.004 if style == "tent" else d * 0.25
+    b.prism([(-d / 2, 0), (d / 2, 0), (tip if style == "tent" else d / 2, h), (-tip, h)], x, main)
 
 
 def _carton_open(b: Builder) -> None:
@@ -318,14 +358,23 @@ def _pad(b: Builder) -> None:
 
 _BLOCKS = {
     "bag": _bag,
+    "carton": _carton,
     "carton_open": _carton_open,
     "clipboard": _clipboard,
+    "flatbox": _wrapped,
+    "gift": _wrapped,
     "knives": _knives,
+    "layers": _layers,
     "lidbox": _lidbox,
     "napkins": _napkins,
     "pad": _pad,
+    "papers": _papers,
+    "screen": _screen,
+    "speaker": _speaker,
     "suitcase": _suitcase,
+    "tent": _wedge,
     "tissue": _tissue,
     "tray": _tray,
     "tube": _tube,
+    "wedge": _wedge,
 }

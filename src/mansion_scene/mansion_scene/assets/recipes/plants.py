@@ -44,58 +44,84 @@ def _crown(
 def plant(b: Builder) -> None:
     """Pot with leaves, a small tree, cut flowers, a fir, or a planted box."""
     w, d, h = b.w, b.d, b.h
-    style, pot = b.p.get("style", "bush"), b.mat()
     r = min(w, d) / 2
+    style = b.p.get("style", "bush")
     if style == "box":
-        low = h * 0.42
-        b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, low), pot, "box")
-        b.box(
-            (-w / 2 + 0.03, w / 2 - 0.03),
-            (-d / 2 + 0.03, d / 2 - 0.03),
-            (low - 0.01, low + 0.004),
-            "leaf_soil",
-            "soil",
+        _planter(b)
+    elif style == "cone":
+        _fir(b)
+    elif style == "tree":
+        _pot(b, h * 0.24, r * 0.55)
+        _tree(b, h * 0.24)
+    elif style == "flowers":
+        _pot(b, h * 0.5, r * 0.42)
+        _flowers(b, h * 0.5)
+    else:
+        low = h * 0.36
+        _pot(b, low, r * 0.7)
+        _crown(b, low * 0.85, (w / 2, d / 2), 34, low * 0.9, r * 0.17)
+        _crown(b, low * 0.85, (w * 0.3, d * 0.3), 14, low * 1.3, r * 0.13)
+
+
+def _planter(b: Builder) -> None:
+    """Box of soil with a row of bushes."""
+    w, d, h = b.w, b.d, b.h
+    pot = b.mat()
+    low = h * 0.42
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, low), pot, "box")
+    b.box(
+        (-w / 2 + 0.03, w / 2 - 0.03),
+        (-d / 2 + 0.03, d / 2 - 0.03),
+        (low - 0.01, low + 0.004),
+        "leaf_soil",
+        "soil",
+        False,
+    )
+    count = max(2, round(w / 0.28))
+    for k in range(count):
+        x = -w / 2 + (k + 0.5) * w / count
+        b.ball(
+            (x, 0, low + (h - low) * 0.5),
+            (w / count * 0.55, d * 0.45, (h - low) * (0.5 - 0.05 * (k % 2))),
+            "leaf_green",
+            "leaves",
+            10,
             False,
         )
-        count = max(2, round(w / 0.28))
-        for k in range(count):
-            x = -w / 2 + (k + 0.5) * w / count
-            b.ball(
-                (x, 0, low + (h - low) * 0.5),
-                (w / count * 0.55, d * 0.45, (h - low) * (0.5 - 0.05 * (k % 2))),
-                "leaf_green",
-                "leaves",
-                10,
-                False,
-            )
-        return
-    if style == "cone":
-        b.cyl(0, 0, (0, h * 0.16), 0.05, pot, "trunk")
-        for k in range(4):
-            z = h * (0.12 + 0.2 * k)
-            b.lathe(
-                [(0.5 * (1 - 0.22 * k), z), (0.06, z + h * 0.3 if k < 3 else h)],
-                "leaf_green",
-                stretch=(w, d),
-                part="tiers",
-                n=18,
-                solid=k == 0,
-            )
-        for k in range(12):
-            a = k * 2.4
-            level = k / 12
-            rr = 0.42 * (1 - level * 0.8)
-            b.ball(
-                (math.cos(a) * rr * w, math.sin(a) * rr * d, h * (0.2 + 0.65 * level)),
-                (0.035, 0.035, 0.035),
-                ("paint_red", "metal_brass")[k % 2],
-                "balls",
-                8,
-                False,
-            )
-        return
-    low = h * (0.24 if style == "tree" else 0.36 if style != "flowers" else 0.5)
-    rim = r * (0.55 if style == "tree" else 0.7 if style != "flowers" else 0.42)
+
+
+def _fir(b: Builder) -> None:
+    """Fir of four tiers, with balls."""
+    w, d, h = b.w, b.d, b.h
+    pot = b.mat()
+    b.cyl(0, 0, (0, h * 0.16), 0.05, pot, "trunk")
+    for k in range(4):
+        z = h * (0.12 + 0.2 * k)
+        b.lathe(
+            [(0.5 * (1 - 0.22 * k), z), (0.06, z + h * 0.3 if k < 3 else h)],
+            "leaf_green",
+            stretch=(w, d),
+            part="tiers",
+            n=18,
+            solid=k == 0,
+        )
+    for k in range(12):
+        a = k * 2.4
+        level = k / 12
+        rr = 0.42 * (1 - level * 0.8)
+        b.ball(
+            (math.cos(a) * rr * w, math.sin(a) * rr * d, h * (0.2 + 0.65 * level)),
+            (0.035, 0.035, 0.035),
+            ("paint_red", "metal_brass")[k % 2],
+            "balls",
+            8,
+            False,
+        )
+
+
+def _pot(b: Builder, low: float, rim: float) -> None:
+    """Pot with soil, up to the height `low`."""
+    pot = b.mat()
     b.lathe(
         [(rim * 0.72, 0), (rim, low), (rim * 0.9, low), (rim * 0.85, low * 0.88)],
         pot,
@@ -103,31 +129,37 @@ def plant(b: Builder) -> None:
         part="pot",
     )
     b.cyl(0, 0, (low * 0.8, low * 0.9), rim * 0.86, "leaf_soil", "soil", solid=False)
-    if style == "tree":
-        b.cyl(0, 0, (low * 0.85, h * 0.62), r * 0.06, "wood_brown", "trunk", r * 0.045, solid=True)
-        _crown(b, h * 0.5, (w / 2, d / 2), 44, h * 0.42, r * 0.16)
-        _crown(b, h * 0.6, (w * 0.4, d * 0.4), 26, h * 0.55, r * 0.15)
-    elif style == "flowers":
-        for k in range(9):
-            a = k * 2.4
-            x, y = (
-                math.cos(a) * w * 0.36 * math.sqrt((k + 1) / 9),
-                math.sin(a) * d * 0.36 * math.sqrt((k + 1) / 9),
-            )
-            z = h * (0.96 - 0.02 * k)
-            b.rod((x * 0.2, y * 0.2, low * 0.5), (x, y, z), 0.004, "leaf_green", "stems", 5)
-            b.ball(
-                (x, y, z - h * 0.02),
-                (w * 0.13, d * 0.13, h * 0.06),
-                ("leaf_red", "leaf_yellow", "leaf_pink", "leaf_white")[k % 4],
-                "blossoms",
-                8,
-                False,
-            )
-        _crown(b, low, (w * 0.5, d * 0.5), 8, low, w * 0.07)
-    else:
-        _crown(b, low * 0.85, (w / 2, d / 2), 34, low * 0.9, r * 0.17)
-        _crown(b, low * 0.85, (w * 0.3, d * 0.3), 14, low * 1.3, r * 0.13)
+
+
+def _tree(b: Builder, low: float) -> None:
+    """Trunk and crown above a pot as high as `low`."""
+    w, d, h = b.w, b.d, b.h
+    r = min(w, d) / 2
+    b.cyl(0, 0, (low * 0.85, h * 0.62), r * 0.06, "wood_brown", "trunk", r * 0.045, solid=True)
+    _crown(b, h * 0.5, (w / 2, d / 2), 44, h * 0.42, r * 0.16)
+    _crown(b, h * 0.6, (w * 0.4, d * 0.4), 26, h * 0.55, r * 0.15)
+
+
+def _flowers(b: Builder, low: float) -> None:
+    """Cut flowers above a pot as high as `low`."""
+    w, d, h = b.w, b.d, b.h
+    for k in range(9):
+        a = k * 2.4
+        x, y = (
+            math.cos(a) * w * 0.36 * math.sqrt((k + 1) / 9),
+            math.sin(a) * d * 0.36 * math.sqrt((k + 1) / 9),
+        )
+        z = h * (0.96 - 0.02 * k)
+        b.rod((x * 0.2, y * 0.2, low * 0.5), (x, y, z), 0.004, "leaf_green", "stems", 5)
+        b.ball(
+            (x, y, z - h * 0.02),
+            (w * 0.13, d * 0.13, h * 0.06),
+            ("leaf_red", "leaf_yellow", "leaf_pink", "leaf_white")[k % 4],
+            "blossoms",
+            8,
+            False,
+        )
+    _crown(b, low, (w * 0.5, d * 0.5), 8, low, w * 0.07)
 
 
 @recipe("parasol")
