@@ -21,5 +21,5 @@ def graph(tmp_path_factory: pytest.TempPathFactory) -> Iterator[GraphProcesses]:
         parameters={"building_director": {"output_root": str(root), "stage_timeout": "60.0"}},
     )
     with GraphProcesses(options) as running:
-        running.wait_ready(60.0)
+        running.wait_ready(300.0)
         yield running

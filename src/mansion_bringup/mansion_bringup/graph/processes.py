@@ -117,7 +117,7 @@ class GraphProcesses:
             if process.poll() is not None
         }
 
-    def wait_ready(self, timeout: float = 30.0) -> None:
+    def wait_ready(self, timeout: float = 180.0) -> None:
         """Wait until every node serves its service.
 
         Raises
