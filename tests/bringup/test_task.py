@@ -78,3 +78,27 @@ def test_unknown_tasks_and_files_are_named(folder: Path, tmp_path: Path) -> None
         run("paper", "nonsense")
     with pytest.raises(MansionError, match="No such file"):
         run("show", str(tmp_path / "missing.json"))
+
+
+def test_a_task_in_words_is_no_task_set_and_says_what_makes_one(tmp_path: Path) -> None:
+    file = tmp_path / "laptop.json"
+    run("paper", "office_laptop", "-o", str(file))
+    for command in ("run", "show"):
+        with pytest.raises(MansionError) as caught:
+            run(command, str(file))
+        assert "mansion task ground" in str(caught.value) and str(file) in str(caught.value)
+
+
+def test_a_folder_of_tasks_is_no_file(tmp_path: Path) -> None:
+    with pytest.raises(MansionError) as caught:
+        run("show", str(tmp_path))
+    assert "is a folder" in str(caught.value)
+
+
+def test_a_bench_of_no_agents_is_refused(folder: Path, tmp_path: Path) -> None:
+    file = tmp_path / "tasks.json"
+    run("generate", str(folder), "-n", "1", "-o", str(file))
+    words = ["bench", "agents", "--tasks", str(file), "--agents", " ,", "-o", str(tmp_path / "o")]
+    done = CliRunner().invoke(app, words)
+    assert isinstance(done.exception, MansionError) and "explorer" in str(done.exception)
+    assert not (tmp_path / "o").exists()

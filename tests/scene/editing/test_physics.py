@@ -1,5 +1,9 @@
 """Placed objects rest on or in their receptacle, or are refused."""
 
+import os
+import subprocess
+import sys
+
 import pytest
 
 from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
@@ -102,3 +106,22 @@ def test_what_hangs_is_not_put_on_a_table(state: SceneState, engine: PhysicsEngi
     args = PlaceOnSurfaceArgs(asset_id=painting, receptacle_id="F1/kitchen/dining_table_1")
     with pytest.raises(MansionError, match="hangs on a wall"):
         place_on_surface(state, args, engine)
+
+
+@pytest.mark.parametrize("backend", ["nonsense", "osmesa"])
+def test_physics_needs_no_opengl(backend: str) -> None:
+    pytest.importorskip("mujoco")
+    script = (
+        "import os\n"
+        "from mansion_scene.editing.physics.mujoco_engine import _mujoco\n"
+        "assert _mujoco().MjModel.from_xml_string('<mujoco/>').nbody == 1\n"
+        "print(os.environ['MUJOCO_GL'])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        env={**os.environ, "MUJOCO_GL": backend},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.stdout.strip() == backend, done.stderr

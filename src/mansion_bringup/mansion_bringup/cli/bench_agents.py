@@ -57,12 +57,17 @@ def agents(
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD, "--tasks and --output are needed (or --replay LOG)"
         )
+    from mansion_skills.agents.registry import AGENTS
     from mansion_skills.episodes.benching import Bench, local_port, run_bench
     from mansion_skills.episodes.table import render
 
+    chosen = tuple(name.strip() for name in names.split(",") if name.strip())
+    if not chosen:
+        known = ", ".join(AGENTS)
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"--agents names none; known are {known}")
     bench = Bench(
         files=tuple(_task_files(tasks)),
-        agents=tuple(name.strip() for name in names.split(",") if name.strip()),
+        agents=chosen,
         output=output,
         seed=seed,
         ports=_graph_port() if graph else local_port,

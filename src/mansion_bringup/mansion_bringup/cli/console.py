@@ -13,8 +13,11 @@ from mansion_msgs_py.world import Progress as ProgressPayload
 
 __all__ = ["err", "out", "print_json", "progress_bar"]
 
-out = Console()
-err = Console(stderr=True)
+PIPED = 1000
+"""Columns where no terminal says how wide it is: paths stay whole."""
+
+out = Console(width=None if sys.stdout.isatty() else PIPED)
+err = Console(stderr=True, width=None if sys.stderr.isatty() else PIPED)
 
 
 def print_json(value: Any) -> None:

@@ -31,6 +31,12 @@ def register(app: typer.Typer) -> None:
     app.add_typer(group, name="task")
 
 
+def _task_set(file: Path) -> TaskSet:
+    from mansion_skills.tasks.files import read_task_set
+
+    return read_task_set(file)
+
+
 def _sandbox(building: Path) -> "Sandbox":
     from mansion_skills.tasks.sandbox import Sandbox
 
@@ -102,7 +108,7 @@ def show(
 
       mansion task show tasks.json search_s0_3
     """
-    read = decode(TaskSet, _bytes(tasks))
+    read = _task_set(tasks)
     if name:
         print_json(_chosen(read.tasks, name)[0])
         return
@@ -184,7 +190,7 @@ def run(
     """
     from mansion_skills.tasks.solving import replay, solve
 
-    read = decode(TaskSet, _bytes(tasks))
+    read = _task_set(tasks)
     chosen = _chosen(read.tasks, name)
     sandbox = _sandbox(building or tasks.parent / read.building)
     failed = 0

@@ -5,8 +5,8 @@ from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.codec import encode_bytes
+from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.task import Task, TaskSet
 from mansion_msgs_py.world import Progress
@@ -17,6 +17,7 @@ from mansion_skills.episodes.log import EpisodeLog, read_log, write_log
 from mansion_skills.episodes.port import LocalPort, SkillPort
 from mansion_skills.episodes.running import EpisodeOptions, run_episode
 from mansion_skills.episodes.table import BenchResult, EpisodeRow, row_of, summarise
+from mansion_skills.tasks.files import read_task_set
 
 __all__ = ["Bench", "Ports", "Unit", "local_port", "log_path", "run_bench", "run_unit"]
 
@@ -86,7 +87,7 @@ def run_bench(
         finished episodes stay, so that the same call goes on from them.
     """
     check_agents(list(bench.agents))
-    total = sum(len(_read_tasks(file).tasks) for file in bench.files) * len(bench.agents)
+    total = sum(len(read_task_set(file).tasks) for file in bench.files) * len(bench.agents)
     units = [Unit(bench, agent, file) for agent in bench.agents for file in bench.files]
     rows: list[EpisodeRow] = []
     for found in _in_processes(units, jobs) if jobs > 1 else _here(units):
@@ -126,7 +127,7 @@ def run_unit(unit: Unit) -> Iterator[EpisodeRow]:
 
     The way to the robot is made for the first episode that has to run.
     """
-    tasks = _read_tasks(unit.file)
+    tasks = read_task_set(unit.file)
     building = (unit.file.parent / tasks.building).resolve()
     lessons: list[str] = []
     with ExitStack() as stack:
@@ -172,10 +173,3 @@ def _finished(path: Path, unit: Unit, task: Task, told: tuple[str, ...]) -> Epis
     start = log.start
     same = start.task == task and start.seed == unit.bench.seed and start.lessons == list(told)
     return log if same and start.agent == unit.agent else None
-
-
-def _read_tasks(file: Path) -> TaskSet:
-    try:
-        return decode(TaskSet, file.read_bytes())
-    except OSError as error:
-        raise MansionError(ErrorCode.NOT_FOUND, f"{file}: {error.strerror}") from None

@@ -1,6 +1,7 @@
 """MuJoCo behind the engine interface: a world of boxes for one placement, made and dropped within the call."""
 
 import math
+import os
 from typing import Any
 
 import numpy as np
@@ -50,6 +51,9 @@ class MujocoEngine:
 
 
 def _mujoco() -> Any:
+    # Importing MuJoCo also loads the OpenGL that this variable names, which physics does without.
+    backend = os.environ.get("MUJOCO_GL")
+    os.environ["MUJOCO_GL"] = "disable"
     try:
         import mujoco
     except ImportError as error:
@@ -58,6 +62,11 @@ def _mujoco() -> Any:
             "placing an object needs MuJoCo (the extra `sim`); install it, or choose the engine `static`",
             details={"extra": "sim", "reason": str(error)},
         ) from None
+    finally:
+        if backend is None:
+            del os.environ["MUJOCO_GL"]
+        else:
+            os.environ["MUJOCO_GL"] = backend
     return mujoco
 
 
