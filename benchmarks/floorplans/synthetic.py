@@ -42,10 +42,11 @@ def outline(rng: np.random.Generator, area: float) -> tuple[Ring, float, float]:
     return ring, wide, y
 
 
-def floor(index: int, seed: int) -> FloorProblem:
-    """Return one synthetic floor."""
+def floor(index: int, seed: int, rooms: int | None = None) -> FloorProblem:
+    """Return one synthetic floor, of 10 to 60 rooms where `rooms` is not given."""
     rng = item_generator(seed, "synthetic", index)
-    rooms = int(rng.integers(10, 61))
+    drawn = int(rng.integers(10, 61))
+    rooms = drawn if rooms is None else rooms
     area = float(np.clip(rooms * rng.uniform(18.0, 40.0), 200.0, 2000.0))
     ring, wide, high = outline(rng, area)
     x, y = wide * rng.uniform(0.15, 0.45), high * rng.uniform(0.2, 0.35)

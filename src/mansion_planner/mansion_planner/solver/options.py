@@ -74,6 +74,8 @@ class SolverOptions:
         Most candidate layouts (grown or moved) looked at for one floor, in all.
     spacing, unseeded_spacing : float
         Least distance of grid lines of the first search, with seeds and without, metres; it grows with the floor.
+    cells : float
+        About the most cells of the first search's grid; it decides what a candidate costs on large floors.
     min_width : float
         Minimum width of a room where its node gives none, metres.
     adjacent_wall : float
@@ -96,6 +98,7 @@ class SolverOptions:
     candidates: int = 600_000
     spacing: float = 0.4
     unseeded_spacing: float = 0.6
+    cells: float = 900.0
     min_width: float = 1.2
     adjacent_wall: float = 0.3
     seeded: SearchWeights = field(default_factory=lambda: SearchWeights(thin=0.7, narrow=0.1))

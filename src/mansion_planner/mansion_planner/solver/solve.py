@@ -21,18 +21,16 @@ from mansion_planner.solver.starts import flood
 from mansion_planner.solver.state import SEED_X, SEED_Y, Floats, Goal
 from mansion_planner.solver.wall_search import WallSearch
 
-__all__ = ["solve_floor"]
-
-MOST_CELLS = 900.0
+__all__ = ["coarse_grid", "solve_floor"]
 
 
-def _coarse_grid(model: FloorModel, major: tuple[Floats, Floats], options: SolverOptions) -> Grid:
-    """Return the first grid: about 900 cells, but fine enough for the smallest room."""
+def coarse_grid(model: FloorModel, major: tuple[Floats, Floats], options: SolverOptions) -> Grid:
+    """Return the first grid: about `options.cells` cells, up to four times as many for the smallest room."""
     area = float(model.region.area)
     finest = options.spacing if mostly_seeded(model) else options.unseeded_spacing
-    spacing = max(finest, (area / MOST_CELLS) ** 0.5)
+    spacing = max(finest, (area / options.cells) ** 0.5)
     smallest = 0.5 * float(np.sqrt(model.targets.min()))
-    spacing = max(min(spacing, smallest), (area / (4.0 * MOST_CELLS)) ** 0.5)
+    spacing = max(min(spacing, smallest), (area / (4.0 * options.cells)) ** 0.5)
     return make_grid(model, spaced_lines(major[0], spacing), spaced_lines(major[1], spacing))
 
 
@@ -98,7 +96,7 @@ def solve_floor(
         measured = measure(model, planned, options)
         if all(edge.satisfied for edge in measured.verdict.edges) and measured.faultless:
             return finish(model, measured, options, planned_rounds(model, planned), relaxed, 1)
-    grid = _coarse_grid(model, major, options)
+    grid = coarse_grid(model, major, options)
     budget = Budget(options.candidates)
     rng = np.random.default_rng(item_seed(problem.seed, "floor", problem.plan_id))
     share = options.candidates
