@@ -57,6 +57,20 @@ def agents(
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD, "--tasks and --output are needed (or --replay LOG)"
         )
+    _run(tasks, names, output, seed=seed, jobs=jobs, graph=graph, sheets=sheets)
+
+
+def _run(
+    tasks: list[Path],
+    names: str,
+    output: Path,
+    *,
+    seed: int,
+    jobs: int,
+    graph: bool,
+    sheets: int,
+) -> None:
+    """Run the bench, print its table, and draw what was asked for."""
     from mansion_skills.agents.registry import AGENTS
     from mansion_skills.episodes.benching import Bench, local_port, run_bench
     from mansion_skills.episodes.table import render

@@ -1,0 +1,357 @@
+"""Clauses to facts, read in order, with what was spoken of before in mind."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Final
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_scene.editing.agent.clauses import Clause
+from mansion_scene.editing.agent.distributing import distributed
+from mansion_scene.editing.agent.facts import (
+    AbsentFact,
+    Fact,
+    MoveFact,
+    ObjectFact,
+    Scope,
+    StateFact,
+    Thing,
+)
+from mansion_scene.editing.agent.phrases import Phrase, read_phrase, read_place, rooms_named
+from mansion_scene.editing.agent.scopes import divisions, merged, moved, on_that_of
+from mansion_scene.editing.agent.ways import read_way
+from mansion_scene.editing.state import SceneState
+from mansion_scene.editing.vocabulary import COLOUR_WORDS
+
+__all__ = ["ClauseReader", "not_understood"]
+
+_WITH: Final = re.compile(
+    r"^(?P<a>.+?) with (?P<b>(?:a|an|one|two|three|four|five|six|some|another|no|cold|\d+)\b.+?)"
+    r"(?: (?P<rel>on|in|inside|within)(?: (?:it|them|top))?)?(?P<loc> (?:in|on|at) (?!it\b|them\b|top\b).+)?$",
+    re.IGNORECASE,
+)
+_STATES: Final = {
+    **dict.fromkeys(["open", "opened"], ("open", True)),
+    **dict.fromkeys(["close", "closed", "shut"], ("open", False)),
+    **dict.fromkeys(["on", "switched on", "turned on", "running", "lit", "activate", "start", "light"], ("on", True)),
+    **dict.fromkeys(["off", "switched off", "turned off", "deactivate", "stop"], ("on", False)),
+}  # fmt: skip
+
+
+def not_understood(text: str) -> MansionError:
+    return MansionError(
+        ErrorCode.INVALID_PAYLOAD,
+        f"not understood: {text[:120]!r}; say what is to be there "
+        '("make sure there is a cola in the fridge on floor 2"), '
+        'to be gone ("remove the pens from the table"), moved, opened, closed, switched, or reached',
+        path="$.instruction",
+    )
+
+
+class ClauseReader:
+    """Reads clauses in order; remembers the last thing and the last place."""
+
+    def __init__(self, state: SceneState) -> None:
+        self.state = state
+        self.facts: list[Fact] = []
+        self._waiting: list[tuple[str, Phrase]] = []
+        self._last: Phrase | None = None
+        self._frame: Scope | None = None
+        self._clause: Clause | None = None
+
+    def sentence(self, clauses: Iterable[Clause]) -> None:
+        """Read one sentence."""
+        early: list[str] = []
+        self._frame, self._clause = None, None
+        for clause in clauses:
+            if clause.kind == "place" and self._clause is None:
+                self._frame = merged(read_place(self.state, clause.words["loc"]).where, self._frame)
+            elif not clause.kind and self._clause is None:
+                early.append(clause.words["x"])
+            elif not clause.kind or clause.kind == "place":
+                self._continue(clause)
+            else:
+                for words in early:
+                    self._read(Clause(clause.kind, {**clause.words, "x": words, "loc": ""}))
+                early = []
+                self._read(clause)
+                self._clause = clause
+        for words in early:
+            self._wait("have", read_phrase(self.state, words))
+        if early and self._waiting and self._frame is None:
+            raise not_understood(", ".join(early))
+        self._flush()
+
+    def _continue(self, clause: Clause) -> None:
+        """Read a piece without a verb of its own: more things, or the same at another place."""
+        before = self._clause
+        words = clause.words.get("loc") or clause.words["x"]
+        if before is None:
+            raise not_understood(words)
+        if before.kind in ("path", "reach"):
+            self._read(replace(before, words={**before.words, "b": words}))
+            return
+        if before.kind == "clear":
+            self._read(Clause("clear", {"y": words}))
+            return
+        state = re.match(r"^(?:be |is |are |stays? |kept |left )?(open|closed|shut|on|off)$", words)
+        if state and self._last is not None:
+            self._flush()
+            self._switch(replace(self._last, placed=True), state[1])
+            return
+        bare = re.sub(r"^(?:the|in|on)\s+", "", words)
+        if before.kind == "have" and words.lower().startswith("the ") and self._is_carrier(words):
+            self._again(f"on {words}")
+            return
+        if clause.kind == "place" or rooms_named(self.state, bare, None):
+            self._again(words if clause.kind == "place" else f"in {words}")
+            return
+        self._read(replace(before, words={**before.words, "x": words, "loc": ""}))
+
+    def _is_carrier(self, words: str) -> bool:
+        """Whether words name furniture while the last thing stands on some: another place for it."""
+        last = self.facts[-1] if self.facts else None
+        if self._waiting or not isinstance(last, ObjectFact) or not last.where.receptacle:
+            return False
+        noun = read_phrase(self.state, words).thing.noun
+        kinds = self.state.vocabulary.nouns(noun)[:1]
+        assets = [a for kind in kinds for a in self.state.catalogue.by_category(kind)[:1]]
+        return any(asset.surfaces and not asset.pickupable for asset in assets)
+
+    def _again(self, words: str) -> None:
+        """The things of the last clause at another place too, or at the place more closely."""
+        self._flush()
+        place = read_place(self.state, words).where
+        last = self.facts[-1] if self.facts else None
+        if not isinstance(last, ObjectFact | AbsentFact):
+            raise not_understood(words)
+        closer = not place.receptacle and not last.where.rooms and last.where.floor is None
+        if closer:
+            self.facts[-1] = replace(last, where=merged(last.where, place))
+            return
+        same = place if place.receptacle else on_that_of(place, last.where)
+        self.facts.append(replace(last, where=same))
+
+    def _read(self, clause: Clause) -> None:
+        words, kind = clause.words, clause.kind
+        if kind in ("path", "reach"):
+            self._flush()
+            ways = read_way(self.state, words.get("b", ""), words.get("a", ""))
+            self.facts += ways
+            ends = tuple(way.end for way in ways if self.state.room(way.end))
+            if ends:
+                self._last = Phrase(Thing(""), Scope("room", "", ends), True)
+        elif kind == "have":
+            self._have(f"{words['x']} {words.get('loc', '')}".strip())
+        elif kind == "hold":
+            self._hold(words)
+        elif kind in ("absent", "no"):
+            self._wait(kind, read_phrase(self.state, f"{words['x']} {words.get('loc', '')}"))
+        elif kind == "absent_on":
+            thing = read_phrase(self.state, words["x"])
+            where = read_place(self.state, f"on {words['y']}")
+            self._wait("absent", replace(where, thing=thing.thing))
+        elif kind == "clear":
+            self._clear(words["y"])
+        elif kind == "state":
+            self._wait(f"state {words['v'].lower()}", read_phrase(self.state, words["x"]))
+        elif kind == "quality":
+            self._qualify(words["v"].lower())
+        elif kind == "move":
+            self._move(f"{words['x']}{' ' + words['loc'] if words.get('loc') else ''}")
+        else:
+            self._swap(words["x"], words["z"])
+
+    def _have(self, text: str) -> None:
+        if re.match(r"^(?:no|not any|none of)\b", text, re.IGNORECASE):
+            bare = re.sub(r"^(?:no|not any|none of)\s+", "", text, flags=re.IGNORECASE)
+            self._wait("absent", read_phrase(self.state, bare))
+            return
+        match = _WITH.match(text)
+        if match is None:
+            self._wait("have", read_phrase(self.state, text))
+            return
+        self._with(match, read_phrase(self.state, f"{match['a']}{match['loc'] or ''}"))
+
+    def _with(self, match: re.Match[str], carrier: Phrase) -> None:
+        """Read ``a table with two mugs on it``."""
+        self._wait("have", carrier)
+        self._flush()
+        inward = (match["rel"] or "on") != "on"
+        where = self._within(carrier, "in" if inward else "on")
+        for words in re.split(r" and ", match["b"]):
+            self._wait("have", replace(read_phrase(self.state, words), where=where, placed=True))
+
+    def _hold(self, words: dict[str, str]) -> None:
+        holder = words["y"]
+        bare = re.sub(r"^(?:(?:the|every|each|all|both)\s+)+", "", holder, flags=re.IGNORECASE)
+        place = read_place(self.state, f"in {holder}")
+        if place.where.receptacle and not rooms_named(self.state, bare, None):
+            assets = [
+                asset
+                for category in self.state.vocabulary.nouns(place.where.receptacle)[:1]
+                for asset in self.state.catalogue.by_category(category)[:1]
+            ]
+            inward = bool(assets and assets[0].volumes and assets[0].openable)
+            place = read_place(self.state, f"{'in' if inward else 'on'} {holder}")
+        kind = "have"
+        text = words["x"]
+        if re.match(r"^(?:no|not any)\b", text, re.IGNORECASE):
+            kind, text = "absent", re.sub(r"^(?:no|not any)\s+", "", text, flags=re.IGNORECASE)
+        match = _WITH.match(text)
+        if match is not None and kind == "have":
+            carrier = read_phrase(self.state, f"{match['a']}{match['loc'] or ''}")
+            self._with(match, replace(carrier, where=place.where, placed=True))
+            return
+        thing = read_phrase(self.state, text)
+        where = merged(thing.where, place.where) if thing.placed else place.where
+        self._wait(kind, replace(thing, where=where, placed=True, each=place.each, back=place.back))
+
+    def _clear(self, text: str) -> None:
+        self._flush()
+        phrase = read_place(self.state, f"on {text}")
+        where = self._resolved(phrase)
+        if not where.receptacle:
+            raise not_understood(f"clear {text}")
+        self.facts.append(AbsentFact(Thing("", 0), replace(where, relation="on")))
+        carrier = Thing(where.receptacle, 1, where.colour)
+        self._last = Phrase(carrier, Scope("room", "", where.rooms, where.floor), True)
+
+    def _qualify(self, word: str) -> None:
+        """Take what was said of the last things: they must be red, it should be cold, it is open."""
+        self._flush()
+        last = self.facts[-1] if self.facts else None
+        if word in _STATES and self._last is not None:
+            self._switch(replace(self._last, placed=True), word)
+        elif isinstance(last, ObjectFact) and word in COLOUR_WORDS:
+            thing = replace(last.thing, colour=COLOUR_WORDS[word])
+            self.facts[-1] = replace(last, thing=thing)
+        elif isinstance(last, ObjectFact) and word in ("cold", "chilled", "cool"):
+            self.facts[-1] = replace(last, thing=replace(last.thing, cold=True))
+        else:
+            raise not_understood(word)
+
+    def _move(self, text: str) -> None:
+        parts = self._parts(text)
+        if parts is None:
+            self._wait("move", read_phrase(self.state, text))
+            return
+        phrase, goal = parts
+        if not phrase.thing.noun and not phrase.placed and self._last is not None:
+            phrase = self._last
+        if not goal.placed:
+            raise not_understood(f"move {text}")
+        target = self._resolved(goal)
+        for kind, waiting in self._waiting:
+            if kind == "move":
+                where = waiting.where if waiting.placed else phrase.where
+                self.facts.append(MoveFact(moved(waiting.thing), where, target))
+        self._waiting = [entry for entry in self._waiting if entry[0] != "move"]
+        self._flush()
+        self.facts.append(MoveFact(moved(phrase.thing), self._resolved(phrase), target))
+        self._last = replace(phrase, where=target)
+
+    def _parts(self, text: str) -> tuple[Phrase, Phrase] | None:
+        """Return what moves from where, and where to; the first division of the words that can be read."""
+        fault: MansionError | None = None
+        for match in divisions(text):
+            source = f" on {match['source']}" if match["source"] else ""
+            inward = match["to"].lower() in ("into", "in", "inside")
+            try:
+                what = read_phrase(self.state, match["what"] + source)
+                goal = read_place(self.state, f"{'in' if inward else 'on'} {match['target']}")
+            except MansionError as error:
+                fault = fault or error
+                continue
+            if goal.where.receptacle or goal.where.rooms or goal.back:
+                return what, goal
+        if fault is not None:
+            raise fault
+        return None
+
+    def _swap(self, old: str, new: str) -> None:
+        self._flush()
+        gone, come = read_phrase(self.state, old), read_phrase(self.state, new)
+        where = self._resolved(gone if gone.placed else come)
+        self.facts.append(AbsentFact(gone.thing, where))
+        self.facts.append(ObjectFact(replace(come.thing, count=max(1, come.thing.count)), where))
+        self._last = replace(come, where=where)
+
+    def _wait(self, kind: str, phrase: Phrase) -> None:
+        if not phrase.thing.noun and not (kind in ("absent", "no") and phrase.where.receptacle):
+            before = self._waiting[-1][1] if self._waiting else self._last
+            if before is None or not before.thing.noun:
+                raise not_understood(kind)
+            thing, last = phrase.thing, before.thing
+            if not phrase.placed and kind.startswith(("state", "absent")):
+                phrase = replace(phrase, where=before.where, placed=before.placed)
+            colour, cold = thing.colour or last.colour, thing.cold or last.cold
+            thing = replace(last, count=thing.count or last.count, colour=colour, cold=cold)
+            phrase = replace(phrase, thing=thing)
+        self._waiting.append((kind, phrase))
+        if phrase.placed:
+            self._flush()
+
+    def _flush(self) -> None:
+        """Turn what waits into facts; things without a place stand where the next, or the last, one does."""
+        if not self._waiting:
+            return
+        final = self._waiting[-1][1]
+        place = final
+        takes_up = self._waiting[-1][0] in ("have", "no") and self._frame is None
+        if not final.placed and takes_up and self._last is not None:
+            place = replace(self._last, each="")
+        for kind, phrase in self._waiting:
+            own = phrase if phrase.placed else replace(place, thing=phrase.thing)
+            self._fact(kind, replace(own, exact=phrase.exact, more=phrase.more, most=phrase.most))
+        self._waiting = []
+
+    def _fact(self, kind: str, phrase: Phrase) -> None:
+        where = self._resolved(phrase)
+        if kind == "have":
+            least = 2 if phrase.thing.every else 1
+            thing = replace(phrase.thing, count=phrase.thing.count or least, every=False)
+            if thing.cold and not where.receptacle:
+                where = replace(where, relation="in", receptacle="fridge")
+            if where.base:
+                outer = replace(where, relation="on", receptacle=where.base, base="", colour="")
+                self.facts.append(ObjectFact(Thing(where.receptacle, 1, where.colour), outer))
+            for scope in distributed(self.state, where, phrase.each):
+                self.facts.append(ObjectFact(thing, scope, phrase.exact, phrase.more, phrase.most))
+        elif kind in ("absent", "no"):
+            self.facts.append(AbsentFact(phrase.thing, where))
+        elif kind.startswith("state "):
+            self._switch(replace(phrase, where=where), kind[6:])
+            return
+        else:
+            raise not_understood(kind)
+        self._last = replace(phrase, where=where)
+
+    def _switch(self, phrase: Phrase, word: str) -> None:
+        name, value = _STATES[word.lower()]
+        where = self._resolved(phrase)
+        state = "open" if name == "open" else "on"
+        self.facts.append(StateFact(phrase.thing, where, state, value))  # type: ignore[arg-type]
+        self._last = replace(phrase, where=where)
+
+    def _resolved(self, phrase: Phrase) -> Scope:
+        """Return a phrase's place with its pronouns and the sentence's leading place filled in."""
+        where = phrase.where
+        if phrase.back and self._last is not None:
+            where = self._within(self._last, where.relation)
+        return merged(where, self._frame) if self._frame is not None else where
+
+    def _within(self, carrier: Phrase, relation: str) -> Scope:
+        """Return the place on or in a thing that was spoken of; its own place when it carries nothing."""
+        noun = carrier.thing.noun
+        carries = any(
+            asset.surfaces or asset.volumes
+            for category in self.state.vocabulary.nouns(noun)[:1]
+            for asset in self.state.catalogue.by_category(category)[:1]
+        )
+        if not carries or (carrier.where.receptacle and noun in ("", carrier.where.receptacle)):
+            return carrier.where
+        own = carrier.where
+        return Scope(
+            "in" if relation == "in" else "on", noun, own.rooms, own.floor, carrier.thing.colour
+        )
