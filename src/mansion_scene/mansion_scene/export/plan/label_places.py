@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import ceil
 
 import numpy as np
 import numpy.typing as npt
@@ -20,8 +21,14 @@ _CELL, _MOST = 0.12, 90
 _MARGIN = 1.0
 """Around a room, metres."""
 
-_COVERED, _OUTSIDE, _TURNED, _ASIDE = 2.0, 8.0, 0.15, 0.12
-"""What it costs to cover furniture or leave the room (for the whole label), to be turned, and to be off the middle."""
+_COVERED, _TURNED, _ASIDE = 4.0, 0.15, 0.12
+"""What it costs to cover furniture (for the whole label), to be turned, and to be off the middle."""
+
+_LEAVING = (0.4, 60.0)
+"""What it costs to touch a wall at all, and for the whole label: any label that fits is better."""
+
+_WALL = 0.08
+"""From a room's outline to where its letters may stand, metres: half a wall and a little paper."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +62,8 @@ def place_label(scene: FloorScene, room: SceneRoom, boxes: Sequence[LabelBox]) -
     """
     xs, ys, inside = _cells(room.polygon, room.holes)
     covered = _covered(scene, room, xs, ys)
-    outside_sums, covered_sums = _sums(~inside), _sums(covered & inside)
+    clear = _clear_of_walls(room, xs, ys)
+    outside_sums, covered_sums = _sums(~clear), _sums(covered & inside)
     aside = np.hypot(
         (xs[None, :] - xs[inside.any(0)].mean()) / np.ptp(xs),
         (ys[:, None] - ys[inside.any(1)].mean()) / np.ptp(ys),
@@ -67,7 +75,8 @@ def place_label(scene: FloorScene, room: SceneRoom, boxes: Sequence[LabelBox]) -
         for turned in (False, True):
             across, up = (box.height, box.width) if turned else (box.width, box.height)
             outside = _share(outside_sums, across, up, xs, ys)
-            cost = _OUTSIDE * outside + _COVERED * _share(covered_sums, across, up, xs, ys)
+            cost = _COVERED * _share(covered_sums, across, up, xs, ys)
+            cost += np.where(outside > 0.0, _LEAVING[0] + _LEAVING[1] * outside, 0.0)
             value = box.worth - cost - _ASIDE * aside - (_TURNED if turned else 0.0)
             value = np.where(inside, value, -np.inf)
             j, i = np.unravel_index(int(np.argmax(value)), value.shape)
@@ -115,6 +124,16 @@ def _cells(ring: Sequence[Point], holes: Sequence[Sequence[Point]]) -> tuple[Flo
     return xs, ys, inside
 
 
+def _clear_of_walls(room: SceneRoom, xs: Floats, ys: Floats) -> Bools:
+    """Return the cells of the room that no wall takes."""
+    clear = np.ones((len(ys), len(xs)), dtype=bool)
+    for dx, dy in ((-_WALL, -_WALL), (-_WALL, _WALL), (_WALL, -_WALL), (_WALL, _WALL)):
+        clear &= _inside(np.asarray(room.polygon, dtype=float), xs + dx, ys + dy)
+        for hole in room.holes:
+            clear &= ~_inside(np.asarray(hole, dtype=float), xs + dx, ys + dy)
+    return clear
+
+
 def _inside(ring: Floats, xs: Floats, ys: Floats) -> Bools:
     result = np.zeros((len(ys), len(xs)), dtype=bool)
     for (ax, ay), (bx, by) in zip(ring, np.roll(ring, -1, axis=0)):
@@ -136,8 +155,8 @@ def _sums(cells: Bools) -> Floats:
 def _share(sums: Floats, width: float, height: float, xs: Floats, ys: Floats) -> Floats:
     """Return the share of marked cells in a window around each cell."""
     ny, nx = sums.shape[0] - 1, sums.shape[1] - 1
-    rx = max(1, round(width / 2 / float(xs[1] - xs[0])))
-    ry = max(1, round(height / 2 / float(ys[1] - ys[0])))
+    rx = max(1, ceil(width / 2 / float(xs[1] - xs[0]) - 0.5))
+    ry = max(1, ceil(height / 2 / float(ys[1] - ys[0]) - 0.5))
     i0, i1 = np.clip(np.arange(nx) - rx, 0, nx), np.clip(np.arange(nx) + rx + 1, 0, nx)
     j0, j1 = np.clip(np.arange(ny) - ry, 0, ny), np.clip(np.arange(ny) + ry + 1, 0, ny)
     total = (

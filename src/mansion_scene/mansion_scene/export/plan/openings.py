@@ -15,6 +15,9 @@ __all__ = ["draw_doors", "draw_walls", "draw_windows"]
 
 DEFAULT_THICKNESS = 0.12
 
+SILL = 0.05
+"""Width of the lines that carry the wall's faces past a window, metres."""
+
 
 def draw_walls(scene: FloorScene) -> list[Canvas]:
     """Draw each wall in pieces between its openings, thick and dark."""
@@ -39,7 +42,7 @@ def segment_frame(segment: Segment) -> Frame:
 
 
 def draw_windows(scene: FloorScene) -> list[Canvas]:
-    """Draw windows as glass between the wall's faces."""
+    """Draw windows as a pane in the middle of the wall, whose two faces go on as sills."""
     walls = {wall.id: wall for wall in scene.walls}
     return [_window(window, walls.get(window.wall)) for window in scene.windows]
 
@@ -48,12 +51,17 @@ def _window(window: Window, wall: Wall | None) -> Canvas:
     frame = segment_frame(window.segment)
     half = (wall.thickness if wall else DEFAULT_THICKNESS) / 2
     length = _length(window.segment)
-    lines = [Line(frame.place([(0.0, y), (length, y)]), INK["glass"], 0.015) for y in (-0.02, 0.02)]
-    body = Area(
-        frame.place(rectangle(0.0, -half, length, half)), INK["glass_fill"], INK["outer_wall"], 0.02
-    )
+    sill = min(SILL, half / 2)
+    shapes: list[Shape] = [
+        Area(frame.place(rectangle(0.0, -half, length, half)), INK["glass_fill"], width=0.0),
+        *(
+            Area(frame.place(rectangle(0.0, y, length, y + sill)), INK["outer_wall"], width=0.0)
+            for y in (-half, half - sill)
+        ),
+        Line(frame.place([(0.0, 0.0), (length, 0.0)]), INK["glass"], 0.04),
+    ]
     title = f"{window.id}: {length:.2f} x {window.height:.2f} m, sill {window.sill:.2f} m"
-    return Canvas("windows", (body, *lines), window.id, title)
+    return Canvas("windows", tuple(shapes), window.id, title)
 
 
 def draw_doors(scene: FloorScene) -> list[Canvas]:
