@@ -139,10 +139,11 @@ def _medical(b: Builder, style: str) -> None:
 
 
 def _crib(b: Builder) -> None:
+    """Child's bed: mattress on a deck between barred sides."""
     w, d, h = b.w, b.d, b.h
     frame, z = b.mat("frame", "wood_white"), b.tops[0].z
-    b.legs((0, h), 0.022, frame, 0.0)
     low = z - 0.12
+    b.legs((0, h), 0.022, frame, 0.0)
     b.box(
         (-w / 2 + 0.02, w / 2 - 0.02),
         (-d / 2 + 0.02, d / 2 - 0.02),
@@ -158,48 +159,32 @@ def _crib(b: Builder) -> None:
         "mattress",
         0.35,
     )
-    for zr in (low, h - 0.03):
-        for sx in (-1, 1):
-            b.box(
-                (sx * (w / 2 - 0.015) - 0.015, sx * (w / 2 - 0.015) + 0.015),
-                (-d / 2, d / 2),
-                (zr, zr + 0.03),
-                frame,
-                "rails",
-            )
-        for sy in (-1, 1):
-            b.box(
-                (-w / 2, w / 2),
-                (sy * (d / 2 - 0.015) - 0.015, sy * (d / 2 - 0.015) + 0.015),
-                (zr, zr + 0.03),
-                frame,
-                "rails",
-            )
-    for k in range(1, 10):
-        y = -d / 2 + k * d / 10
-        for sx in (-1, 1):
-            b.rod(
-                (sx * (w / 2 - 0.015), y, low),
-                (sx * (w / 2 - 0.015), y, h - 0.02),
-                0.007,
-                frame,
-                "bars",
-                6,
-            )
-    for k in range(1, 6):
-        x = -w / 2 + k * w / 6
-        for sy in (-1, 1):
-            b.rod(
-                (x, sy * (d / 2 - 0.015), low),
-                (x, sy * (d / 2 - 0.015), h - 0.02),
-                0.007,
-                frame,
-                "bars",
-                6,
-            )
+    _crib_sides(b, low, frame)
     b.cushion(
         (-w * 0.3, w * 0.3), (-d / 2 + 0.08, -d / 2 + 0.28), (z, z + 0.06), b.mat(), "pillows", 0.6
     )
+
+
+def _crib_sides(b: Builder, low: float, frame: str) -> None:
+    """Rails around the deck and around the rim, with bars between them."""
+    w, d, h = b.w, b.d, b.h
+    for z in (low, h - 0.03):
+        for sx in (-1, 1):
+            x = sx * (w / 2 - 0.015)
+            b.box((x - 0.015, x + 0.015), (-d / 2, d / 2), (z, z + 0.03), frame, "rails")
+        for sy in (-1, 1):
+            y = sy * (d / 2 - 0.015)
+            b.box((-w / 2, w / 2), (y - 0.015, y + 0.015), (z, z + 0.03), frame, "rails")
+    for k in range(1, 10):
+        y = -d / 2 + k * d / 10
+        for sx in (-1, 1):
+            x = sx * (w / 2 - 0.015)
+            b.rod((x, y, low), (x, y, h - 0.02), 0.007, frame, "bars", 6)
+    for k in range(1, 6):
+        x = -w / 2 + k * w / 6
+        for sy in (-1, 1):
+            y = sy * (d / 2 - 0.015)
+            b.rod((x, y, low), (x, y, h - 0.02), 0.007, frame, "bars", 6)
 
 
 @recipe("pet_bed")

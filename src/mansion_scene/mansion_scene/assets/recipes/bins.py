@@ -10,54 +10,70 @@ __all__: list[str] = []
 def bin_(b: Builder) -> None:
     """Open bin, round or rectangular, its wall thick enough to see into; lids where it has one."""
     w, d, h = b.w, b.d, b.h
-    main, lid = b.mat(), b.p.get("lid")
+    lid = b.p.get("lid")
     high = h - (0.06 if lid else 0.0)
     t = min(0.02, w * 0.06)
     if b.p.get("shape", "round") == "round":
         b.lathe(
             [(0.4, 0), (0.5, high), (0.47, high), (0.37, 0.015)],
-            main,
+            b.mat(),
             stretch=(w, d),
             n=24,
             solid=False,
         )
-        shrink = 0.92
+        _hollow(b, high, t, 0.92)
     else:
-        shrink = 1.0
+        _tapered_walls(b, high, t)
+        _hollow(b, high, t, 1.0)
+    if lid:
+        cover = "plastic_dark" if lid == "slot" else b.mat()
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (high, h), cover, "lid", False)
+        b.box((-w * 0.3, w * 0.3), (-0.02, 0.0), (h - 0.003, h), "plastic_black", "slot", False)
+
+
+def _tapered_walls(b: Builder, high: float, t: float) -> None:
+    """Four walls `t` thick, narrower at the floor than at the rim."""
+    w, d, main = b.w, b.d, b.mat()
+    b.prism(
+        [
+            (-w * 0.45, 0),
+            (w * 0.45, 0),
+            (w / 2, high),
+            (w / 2 - t, high),
+            (-w / 2 + t, high),
+            (-w / 2, high),
+        ],
+        (-d / 2, -d / 2 + t),
+        main,
+        "y",
+        solid=False,
+    )
+    b.prism(
+        [(-w * 0.45, 0), (w * 0.45, 0), (w / 2, high), (-w / 2, high)],
+        (d / 2 - t, d / 2),
+        main,
+        "y",
+        solid=False,
+    )
+    for sx in (-1, 1):
         b.prism(
             [
-                (-w * 0.45, 0),
-                (w * 0.45, 0),
-                (w / 2, high),
-                (w / 2 - t, high),
-                (-w / 2 + t, high),
-                (-w / 2, high),
+                (sx * w * 0.45, 0),
+                (sx * w / 2, high),
+                (sx * (w / 2 - t), high),
+                (sx * (w * 0.45 - t), 0),
             ],
-            (-d / 2, -d / 2 + t),
+            (-d / 2, d / 2),
             main,
             "y",
+            solid=False,
         )
-        b.prism(
-            [(-w * 0.45, 0), (w * 0.45, 0), (w / 2, high), (-w / 2, high)],
-            (d / 2 - t, d / 2),
-            main,
-            "y",
-        )
-        for sx in (-1, 1):
-            b.prism(
-                [
-                    (sx * w * 0.45, 0),
-                    (sx * w / 2, high),
-                    (sx * (w / 2 - t), high),
-                    (sx * (w * 0.45 - t), 0),
-                ],
-                (-d / 2, d / 2),
-                main,
-                "y",
-                solid=False,
-            )
-        b.box((-w * 0.45, w * 0.45), (-d * 0.47, d * 0.47), (0, t), main, "floor", False)
-        b.boxes.clear()
+    b.box((-w * 0.45, w * 0.45), (-d * 0.47, d * 0.47), (0, t), main, "floor", False)
+
+
+def _hollow(b: Builder, high: float, t: float, shrink: float) -> None:
+    """Collision boxes of four walls and a floor, so that the inside stays free."""
+    w, d = b.w, b.d
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2 * shrink, sx * (w / 2 * shrink - t)))
         b.boxes.append(_box((lo, hi), (-d / 2 * shrink, d / 2 * shrink), (0, high)))
@@ -65,16 +81,6 @@ def bin_(b: Builder) -> None:
         lo, hi = sorted((sy * d / 2 * shrink, sy * (d / 2 * shrink - t)))
         b.boxes.append(_box((-w / 2 * shrink, w / 2 * shrink), (lo, hi), (0, high)))
     b.boxes.append(_box((-w * 0.4, w * 0.4), (-d * 0.4, d * 0.4), (0, 0.015)))
-    if lid:
-        b.box(
-            (-w / 2, w / 2),
-            (-d / 2, d / 2),
-            (high, h),
-            "plastic_dark" if lid == "slot" else main,
-            "lid",
-            False,
-        )
-        b.box((-w * 0.3, w * 0.3), (-0.02, 0.0), (h - 0.003, h), "plastic_black", "slot", False)
 
 
 def _box(x: tuple[float, float], y: tuple[float, float], z: tuple[float, float]) -> Box:

@@ -89,82 +89,90 @@ def _flat(b: Builder) -> Box:
 @recipe("utensil")
 def utensil(b: Builder) -> None:
     """Long things with the working end to the front: cutlery, pens, tools, rackets."""
-    w, d, h = b.w, b.d, b.h
-    style, main = str(b.p.get("style", "pen")), b.mat()
-    long = "z" if h > 2 * d and h > w else "y"
-    if long == "z":
+    style = str(b.p.get("style", "pen"))
+    if b.h > 2 * b.d and b.h > b.w:
         _upright(b, style)
-        return
-    grip = -d * 0.1
-    r = min(w, h) / 2
-    if style == "pen":
-        b.rod((0, -d / 2, h / 2), (0, d * 0.4, h / 2), r, main, "barrel", 8, True)
-        b.rod((0, d * 0.4, h / 2), (0, d / 2, h / 2), r * 0.4, "plastic_black", "tip", 8)
     elif style in ("knife", "wrench", "scissors"):
-        b.box(
-            (-w / 2, w / 2),
-            (-d / 2, grip),
-            (0, h),
-            "plastic_black" if style != "wrench" else main,
-            "handle",
-        )
+        _bladed(b, style)
+    elif style in ("fork", "spoon", "spatula", "brush", "racket"):
+        _headed(b, style)
+    else:
+        _straight(b, style)
+
+
+def _bladed(b: Builder, style: str) -> None:
+    """A flat handle and a blade that tapers to the front."""
+    w, d, h = b.w, b.d, b.h
+    main, grip = b.mat(), -d * 0.1
+    handle = "plastic_black" if style != "wrench" else main
+    b.box((-w / 2, w / 2), (-d / 2, grip), (0, h), handle, "handle")
+    left, right = (-w / 2, w / 2) if style != "knife" else (-w * 0.2, w * 0.2)
+    b.prism(
+        [(left, grip), (right, grip), (w * 0.2, d * 0.45), (0, d / 2)],
+        (h * 0.1, h * 0.9),
+        main,
+        "z",
+        "blade",
+    )
+    if style == "scissors":
         b.prism(
-            [
-                (-w / 2 if style != "knife" else -w * 0.2, grip),
-                (w / 2 if style != "knife" else w * 0.2, grip),
-                (w * 0.2, d * 0.45),
-                (0, d / 2),
-            ],
-            (h * 0.1, h * 0.9),
+            [(-w / 2, -d * 0.2), (-w * 0.2, -d * 0.2), (w / 2, d / 2 - 0.01)],
+            (0, h * 0.6),
             main,
             "z",
             "blade",
         )
-        if style == "scissors":
-            b.prism(
-                [(-w / 2, -d * 0.2), (-w * 0.2, -d * 0.2), (w / 2, d / 2 - 0.01)],
-                (0, h * 0.6),
-                main,
-                "z",
-                "blade",
-            )
-    elif style in ("fork", "spoon", "spatula", "brush", "racket"):
-        b.rod(
-            (0, -d / 2, h * 0.4),
-            (0, d * 0.2, h * 0.4),
-            min(w * 0.16, h * 0.3),
-            main if style != "brush" else "wood_oak",
-            "handle",
-            8,
-            True,
+
+
+def _headed(b: Builder, style: str) -> None:
+    """A round handle and a bowl, tines, a strung frame or a blade at its end."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    b.rod(
+        (0, -d / 2, h * 0.4),
+        (0, d * 0.2, h * 0.4),
+        min(w * 0.16, h * 0.3),
+        main if style != "brush" else "wood_oak",
+        "handle",
+        8,
+        True,
+    )
+    if style == "spoon":
+        b.ball((0, d / 2 - d * 0.16, h / 2), (w / 2, d * 0.16, h / 2), main, "bowl", 10)
+    elif style == "fork":
+        b.box((-w / 2, w / 2), (d * 0.2, d * 0.3), (0, h * 0.5), main, "neck")
+        for k in range(4):
+            x = -w / 2 + (k + 0.5) * w / 4
+            b.box((x - w * 0.07, x + w * 0.07), (d * 0.3, d / 2), (h * 0.1, h), main, "tines")
+    elif style == "racket":
+        b.lathe(
+            [(0.5, 0), (0.5, h), (0.44, h), (0.44, h * 0.1)],
+            main,
+            (0, d * 0.26),
+            "frame",
+            24,
+            (w, d * 0.48),
         )
-        if style == "spoon":
-            b.ball((0, d / 2 - d * 0.16, h / 2), (w / 2, d * 0.16, h / 2), main, "bowl", 10)
-        elif style == "fork":
-            b.box((-w / 2, w / 2), (d * 0.2, d * 0.3), (0, h * 0.5), main, "neck")
-            for k in range(4):
-                x = -w / 2 + (k + 0.5) * w / 4
-                b.box((x - w * 0.07, x + w * 0.07), (d * 0.3, d / 2), (h * 0.1, h), main, "tines")
-        elif style == "racket":
-            b.lathe(
-                [(0.5, 0), (0.5, h), (0.44, h), (0.44, h * 0.1)],
-                main,
-                (0, d * 0.26),
-                "frame",
-                24,
-                (w, d * 0.48),
-            )
-            b.cyl(0, -d * 0.36, (0, h), min(w * 0.08, 0.02), "leather_black", "grip")
-        else:
-            b.box((-w / 2, w / 2), (d * 0.15, d / 2), (0, h), main, "blade")
+        b.cyl(0, -d * 0.36, (0, h), min(w * 0.08, 0.02), "leather_black", "grip")
+    else:
+        b.box((-w / 2, w / 2), (d * 0.15, d / 2), (0, h), main, "blade")
+
+
+def _straight(b: Builder, style: str) -> None:
+    """Bars one behind the other: pen, hammer, screwdriver, or a plain bar."""
+    w, d, h = b.w, b.d, b.h
+    main, r, z = b.mat(), min(w, h) / 2, h / 2
+    if style == "pen":
+        b.rod((0, -d / 2, z), (0, d * 0.4, z), r, main, "barrel", 8, True)
+        b.rod((0, d * 0.4, z), (0, d / 2, z), r * 0.4, "plastic_black", "tip", 8)
     elif style == "hammer":
-        b.rod((0, -d / 2, h / 2), (0, d * 0.4, h / 2), h * 0.35, main, "handle", 8, True)
+        b.rod((0, -d / 2, z), (0, d * 0.4, z), h * 0.35, main, "handle", 8, True)
         b.box((-w / 2, w / 2), (d * 0.36, d / 2), (0, h), "metal_steel", "head")
     elif style == "screwdriver":
-        b.rod((0, -d / 2, h / 2), (0, -d * 0.02, h / 2), r, main, "handle", 8, True)
-        b.rod((0, -d * 0.02, h / 2), (0, d / 2, h / 2), r * 0.3, "metal_steel", "shaft", 8, True)
+        b.rod((0, -d / 2, z), (0, -d * 0.02, z), r, main, "handle", 8, True)
+        b.rod((0, -d * 0.02, z), (0, d / 2, z), r * 0.3, "metal_steel", "shaft", 8, True)
     else:
-        b.rod((0, -d / 2, h / 2), (0, d / 2, h / 2), r, main, "body", 10, True)
+        b.rod((0, -d / 2, z), (0, d / 2, z), r, main, "body", 10, True)
 
 
 def _upright(b: Builder, style: str) -> None:

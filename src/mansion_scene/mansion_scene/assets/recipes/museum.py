@@ -213,8 +213,18 @@ def mannequin(b: Builder) -> None:
 def skeleton(b: Builder) -> None:
     """Dinosaur skeleton on a base: spine, ribs, skull, legs, tail."""
     w, d, h = b.w, b.d, b.h
-    m = b.mat()
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.15), "wood_black", "base")
+    _spine(b)
+    _skull(b)
+    for side in (-1, 1):
+        _limbs(b, side)
+    b.boxes.append(Box((0.0, 0.0, h * 0.5), (w * 0.5, d * 0.9, h * 0.6)))
+
+
+def _spine(b: Builder) -> None:
+    """Tail, back and neck in one line, and nine pairs of ribs."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
     spine = [
         (0.0, -d * 0.48, h * 0.42),
         (0.0, -d * 0.3, h * 0.52),
@@ -237,6 +247,12 @@ def skeleton(b: Builder) -> None:
                 m,
                 "ribs",
             )
+
+
+def _skull(b: Builder) -> None:
+    """Head with its lower jaw open."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
     b.prism(
         [(d * 0.3, h * 0.86), (d * 0.48, h * 0.84), (d * 0.5, h * 0.9), (d * 0.36, h)],
         (-w * 0.1, w * 0.1),
@@ -249,29 +265,33 @@ def skeleton(b: Builder) -> None:
         m,
         part="jaw",
     )
-    for sx in (-1, 1):
-        b.path(
-            [
-                (sx * 0.08, -d * 0.12, h * 0.6),
-                (sx * w * 0.28, -d * 0.02, h * 0.36),
-                (sx * w * 0.26, -d * 0.12, 0.2),
-                (sx * w * 0.26, 0.05, 0.16),
-            ],
-            0.045,
-            m,
-            "legs",
-        )
-        b.path(
-            [
-                (sx * 0.08, d * 0.14, h * 0.58),
-                (sx * w * 0.18, d * 0.2, h * 0.44),
-                (sx * w * 0.14, d * 0.27, h * 0.4),
-            ],
-            0.025,
-            m,
-            "arms",
-        )
-    b.boxes.append(Box((0.0, 0.0, h * 0.5), (w * 0.5, d * 0.9, h * 0.6)))
+
+
+def _limbs(b: Builder, side: int) -> None:
+    """Hind leg and short arm of one side."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    b.path(
+        [
+            (side * 0.08, -d * 0.12, h * 0.6),
+            (side * w * 0.28, -d * 0.02, h * 0.36),
+            (side * w * 0.26, -d * 0.12, 0.2),
+            (side * w * 0.26, 0.05, 0.16),
+        ],
+        0.045,
+        m,
+        "legs",
+    )
+    b.path(
+        [
+            (side * 0.08, d * 0.14, h * 0.58),
+            (side * w * 0.18, d * 0.2, h * 0.44),
+            (side * w * 0.14, d * 0.27, h * 0.4),
+        ],
+        0.025,
+        m,
+        "arms",
+    )
 
 
 def _tripod(b: Builder, top: float) -> None:

@@ -127,67 +127,74 @@ def arch(b: Builder) -> None:
     )
 
 
+_GARMENTS = (
+    "fabric_blue",
+    "fabric_red",
+    "fabric_dark",
+    "fabric_beige",
+    "fabric_green",
+    "fabric_white",
+)
+
+
 @recipe("rail")
 def rail(b: Builder) -> None:
     """Clothes rail with garments, or a drying rack."""
-    w, d, h = b.w, b.d, b.h
     if b.p.get("style") == "airer":
-        for sx in (-1, 1):
-            x = sx * (w / 2 - 0.012)
-            b.rod((x, -d / 2 + 0.01, 0), (x, d / 2 - 0.01, h - 0.012), 0.011, b.mat(), "legs")
-            b.rod((x, d / 2 - 0.01, 0), (x, -d / 2 + 0.01, h - 0.012), 0.011, b.mat(), "legs")
-        for k in range(7):
-            y = -d / 2 + 0.012 + k * (d - 0.024) / 6
-            b.rod((-w / 2, y, h - 0.012), (w / 2, y, h - 0.012), 0.006, b.mat(), "bars")
-        for k, color in enumerate(("fabric_white", "fabric_blue", "fabric_beige")):
-            x = -w * 0.4 + k * w * 0.28
-            b.box(
-                (x, x + w * 0.22),
-                (-d * 0.1 + k * 0.05, -d * 0.1 + k * 0.05 + 0.01),
-                (h * 0.5, h - 0.01),
-                color,
-                "laundry",
-                False,
-            )
-        b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))
+        _airer(b)
         return
+    w, d, h = b.w, b.d, b.h
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.03)
         b.box((x - 0.03, x + 0.03), (-d / 2, d / 2), (0.04, 0.07), b.mat(), "feet")
         b.cyl(x, 0, (0.05, h), 0.016, b.mat(), "posts", n=10)
     b.wheels(0.03, 0.05)
-    b.rod(
-        (-w / 2 + 0.03, 0, h - 0.014),
-        (w / 2 - 0.03, 0, h - 0.014),
-        0.014,
-        b.mat(),
-        "bar",
-        solid=True,
-    )
+    bar = h - 0.014
+    b.rod((-w / 2 + 0.03, 0, bar), (w / 2 - 0.03, 0, bar), 0.014, b.mat(), "bar", solid=True)
     count = max(6, round(w / 0.09))
     for k in range(count):
-        x = -w / 2 + 0.1 + k * (w - 0.2) / (count - 1)
-        color = (
-            "fabric_blue",
-            "fabric_red",
-            "fabric_dark",
-            "fabric_beige",
-            "fabric_green",
-            "fabric_white",
-        )[(k * 5 + k // 2) % 6]
-        deep = d * (0.42, 0.36, 0.4)[k % 3]
-        low = h * (0.35, 0.28, 0.42, 0.31)[k % 4]
-        b.prism(
-            [
-                (-deep, low),
-                (deep, low),
-                (deep * 0.95, h - 0.2),
-                (0.02, h - 0.06),
-                (-0.02, h - 0.06),
-                (-deep * 0.95, h - 0.2),
-            ],
-            (x - 0.018, x + 0.018),
+        _garment(b, k, -w / 2 + 0.1 + k * (w - 0.2) / (count - 1))
+
+
+def _garment(b: Builder, k: int, x: float) -> None:
+    """One piece on its hanger, sloping from the shoulders."""
+    d, h = b.d, b.h
+    deep = d * (0.42, 0.36, 0.4)[k % 3]
+    low = h * (0.35, 0.28, 0.42, 0.31)[k % 4]
+    b.prism(
+        [
+            (-deep, low),
+            (deep, low),
+            (deep * 0.95, h - 0.2),
+            (0.02, h - 0.06),
+            (-0.02, h - 0.06),
+            (-deep * 0.95, h - 0.2),
+        ],
+        (x - 0.018, x + 0.018),
+        _GARMENTS[(k * 5 + k // 2) % 6],
+        part="clothes",
+        solid=k % 3 == 0,
+    )
+
+
+def _airer(b: Builder) -> None:
+    """Drying rack on crossed legs, with three cloths."""
+    w, d, h = b.w, b.d, b.h
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.012)
+        b.rod((x, -d / 2 + 0.01, 0), (x, d / 2 - 0.01, h - 0.012), 0.011, b.mat(), "legs")
+        b.rod((x, d / 2 - 0.01, 0), (x, -d / 2 + 0.01, h - 0.012), 0.011, b.mat(), "legs")
+    for k in range(7):
+        y = -d / 2 + 0.012 + k * (d - 0.024) / 6
+        b.rod((-w / 2, y, h - 0.012), (w / 2, y, h - 0.012), 0.006, b.mat(), "bars")
+    for k, color in enumerate(("fabric_white", "fabric_blue", "fabric_beige")):
+        x = -w * 0.4 + k * w * 0.28
+        b.box(
+            (x, x + w * 0.22),
+            (-d * 0.1 + k * 0.05, -d * 0.1 + k * 0.05 + 0.01),
+            (h * 0.5, h - 0.01),
             color,
-            part="clothes",
-            solid=k % 3 == 0,
+            "laundry",
+            False,
         )
+    b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))

@@ -244,66 +244,55 @@ def sofa(b: Builder) -> None:
 @recipe("seat_row")
 def seat_row(b: Builder) -> None:
     """Seats on one beam, or a row of upholstered theatre seats."""
-    w, d, h = b.w, b.d, b.h
-    count, main = int(b.p.get("seats", 3)), b.mat()
-    seat = b.tops[0].z
-    step = w / count
+    count, z = int(b.p.get("seats", 3)), b.tops[0].z
     plush = b.p.get("style") == "plush"
     if not plush:
-        b.box(
-            (-w / 2 + 0.05, w / 2 - 0.05),
-            (-0.04, 0.04),
-            (seat - 0.14, seat - 0.08),
-            "metal_black",
-            "beam",
-        )
-        for sx in (-1, 1):
-            x = sx * (w / 2 - 0.3)
-            b.box(
-                (x - 0.03, x + 0.03),
-                (-d / 2 + 0.02, d / 2 - 0.02),
-                (0, 0.04),
-                "metal_black",
-                "legs",
-            )
-            b.box((x - 0.03, x + 0.03), (-0.04, 0.04), (0.03, seat - 0.1), "metal_black", "legs")
+        _seat_beam(b, z)
+    step = b.w / count
     for k in range(count):
-        x0 = -w / 2 + k * step
-        b.cushion(
-            (x0 + 0.04, x0 + step - 0.04),
-            (-d / 2 + 0.14, d / 2),
-            (seat - (0.16 if plush else 0.06), seat),
-            main,
-            "seat",
-            0.4,
-        )
-        b.cushion(
-            (x0 + 0.03, x0 + step - 0.03),
-            (-d / 2, -d / 2 + 0.15),
-            (seat - 0.04 if plush else seat + 0.06, h),
-            main,
-            "back",
-            0.4,
-        )
+        _padded_seat(b, (-b.w / 2 + k * step, -b.w / 2 + k * step + step), z, plush)
     for k in range(count + 1):
-        x = min(max(-w / 2 + k * step, -w / 2 + 0.03), w / 2 - 0.03)
-        if plush:
-            b.box(
-                (x - 0.03, x + 0.03),
-                (-d / 2 + 0.05, d / 2 - 0.12),
-                (0, seat + 0.16),
-                "wood_black",
-                "arms",
-            )
-        else:
-            b.box(
-                (x - 0.02, x + 0.02),
-                (-d * 0.2, d * 0.3),
-                (seat + 0.15, seat + 0.18),
-                "metal_black",
-                "arms",
-                False,
-            )
+        x = min(max(-b.w / 2 + k * step, -b.w / 2 + 0.03), b.w / 2 - 0.03)
+        _seat_arm(b, x, z, plush)
+
+
+def _seat_beam(b: Builder, z: float) -> None:
+    """Beam below seats at height `z`, on two legs."""
+    w, d, black = b.w, b.d, "metal_black"
+    b.box((-w / 2 + 0.05, w / 2 - 0.05), (-0.04, 0.04), (z - 0.14, z - 0.08), black, "beam")
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.3)
+        b.box((x - 0.03, x + 0.03), (-d / 2 + 0.02, d / 2 - 0.02), (0, 0.04), black, "legs")
+        b.box((x - 0.03, x + 0.03), (-0.04, 0.04), (0.03, z - 0.1), black, "legs")
+
+
+def _padded_seat(b: Builder, x: tuple[float, float], z: float, plush: bool) -> None:
+    b.cushion(
+        (x[0] + 0.04, x[1] - 0.04),
+        (-b.d / 2 + 0.14, b.d / 2),
+        (z - (0.16 if plush else 0.06), z),
+        b.mat(),
+        "seat",
+        0.4,
+    )
+    b.cushion(
+        (x[0] + 0.03, x[1] - 0.03),
+        (-b.d / 2, -b.d / 2 + 0.15),
+        (z - 0.04 if plush else z + 0.06, b.h),
+        b.mat(),
+        "back",
+        0.4,
+    )
+
+
+def _seat_arm(b: Builder, x: float, z: float, plush: bool) -> None:
+    d = b.d
+    if plush:
+        y = (-d / 2 + 0.05, d / 2 - 0.12)
+        b.box((x - 0.03, x + 0.03), y, (0, z + 0.16), "wood_black", "arms")
+    else:
+        y, level = (-d * 0.2, d * 0.3), (z + 0.15, z + 0.18)
+        b.box((x - 0.02, x + 0.02), y, level, "metal_black", "arms", False)
 
 
 @recipe("recliner")

@@ -226,73 +226,72 @@ def dumbbell_rack(b: Builder) -> None:
 @recipe("gym_frame")
 def gym_frame(b: Builder) -> None:
     """Weight machines: cable tower, leg press, power rack."""
-    w, d, h = b.w, b.d, b.h
-    m, style = b.mat(), b.p.get("style", "cable")
+    style = b.p.get("style", "cable")
     if style == "rack":
-        b.legs((0, h), 0.035, m, 0.05)
-        for z in (0.03, h - 0.03):
-            for sx in (-1, 1):
-                x = sx * (w / 2 - 0.085)
-                b.box((x - 0.03, x + 0.03), (-d / 2, d / 2), (z - 0.03, z + 0.03), m, "frame")
-            b.box((-w / 2, w / 2), (-d / 2 + 0.05, -d / 2 + 0.11), (z - 0.03, z + 0.03), m, "frame")
-        _barbell(b, d / 2 - 0.14, h * 0.6)
-        return
-    if style == "seat":
-        b.box((-w * 0.4, w * 0.4), (-d / 2, d / 2), (0, 0.06), m, "base")
+        _power_rack(b)
+    elif style == "seat":
+        _leg_press(b)
+    else:
+        _cable_tower(b)
+
+
+def _power_rack(b: Builder) -> None:
+    """Frame of four posts with a barbell."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    b.legs((0, h), 0.035, m, 0.05)
+    for z in (0.03, h - 0.03):
         for sx in (-1, 1):
-            b.rod(
-                (sx * w * 0.3, d * 0.2, 0.05),
-                (sx * w * 0.3, -d / 2 + 0.05, h - 0.04),
-                0.035,
-                m,
-                "rails",
-                10,
-                True,
-            )
-            b.rod(
-                (sx * w * 0.34, -d * 0.22, h * 0.62),
-                (sx * w / 2, -d * 0.22, h * 0.62),
-                0.2,
-                "rubber_black",
-                "plates",
-                24,
-            )
-        b.prism(
-            [
-                (-d * 0.3, h * 0.5),
-                (-d * 0.24, h * 0.46),
-                (-d * 0.12, h * 0.78),
-                (-d * 0.2, h * 0.82),
-            ],
-            (-w * 0.3, w * 0.3),
-            "metal_dark",
-            part="sled",
-        )
-        b.cushion((-0.24, 0.24), (d * 0.12, d * 0.36), (0.2, 0.32), "leather_black", "seat")
-        b.prism(
-            [(d * 0.34, 0.28), (d * 0.4, 0.26), (d * 0.5, 0.85), (d * 0.42, 0.88)],
-            (-0.24, 0.24),
-            "leather_black",
-            part="back",
-        )
-        return
+            x = sx * (w / 2 - 0.085)
+            b.box((x - 0.03, x + 0.03), (-d / 2, d / 2), (z - 0.03, z + 0.03), m, "frame")
+        b.box((-w / 2, w / 2), (-d / 2 + 0.05, -d / 2 + 0.11), (z - 0.03, z + 0.03), m, "frame")
+    _barbell(b, d / 2 - 0.14, h * 0.6)
+
+
+def _leg_press(b: Builder) -> None:
+    """Sloped rails with a sled of plates, facing a reclined seat."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    b.box((-w * 0.4, w * 0.4), (-d / 2, d / 2), (0, 0.06), m, "base")
+    for sx in (-1, 1):
+        x, plate = sx * w * 0.3, (-d * 0.22, h * 0.62)
+        b.rod((x, d * 0.2, 0.05), (x, -d / 2 + 0.05, h - 0.04), 0.035, m, "rails", 10, True)
+        b.rod((sx * w * 0.34, *plate), (sx * w / 2, *plate), 0.2, "rubber_black", "plates", 24)
+    b.prism(
+        [
+            (-d * 0.3, h * 0.5),
+            (-d * 0.24, h * 0.46),
+            (-d * 0.12, h * 0.78),
+            (-d * 0.2, h * 0.82),
+        ],
+        (-w * 0.3, w * 0.3),
+        "metal_dark",
+        part="sled",
+    )
+    b.cushion((-0.24, 0.24), (d * 0.12, d * 0.36), (0.2, 0.32), "leather_black", "seat")
+    b.prism(
+        [(d * 0.34, 0.28), (d * 0.4, 0.26), (d * 0.5, 0.85), (d * 0.42, 0.88)],
+        (-0.24, 0.24),
+        "leather_black",
+        part="back",
+    )
+
+
+def _cable_tower(b: Builder) -> None:
+    """Stack of weights between posts, a grip on a cable, a seat before it."""
+    w, d, h = b.w, b.d, b.h
+    m, posts = b.mat(), (-d / 2 + 0.08, -d / 2 + 0.16)
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.3), (0, 0.06), m, "base")
     b.box((-0.05, 0.05), (-d / 2 + 0.1, d / 2), (0, 0.06), m, "base")
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.04)
-        b.box((x - 0.03, x + 0.03), (-d / 2 + 0.08, -d / 2 + 0.16), (0.05, h), m, "posts")
-    b.box((-w / 2, w / 2), (-d / 2 + 0.08, -d / 2 + 0.16), (h - 0.07, h), m, "head")
+        b.box((x - 0.03, x + 0.03), posts, (0.05, h), m, "posts")
+    b.box((-w / 2, w / 2), posts, (h - 0.07, h), m, "head")
     b.box((-0.04, 0.04), (-d / 2 + 0.1, 0.1), (h - 0.06, h), m, "head")
     for k in range(11):
         z = 0.12 + k * 0.06
-        b.box(
-            (-0.16, 0.16),
-            (-d / 2 + 0.04, -d / 2 + 0.22),
-            (z, z + 0.05),
-            "metal_dark",
-            "stack",
-            k in (0, 10),
-        )
+        y = (-d / 2 + 0.04, -d / 2 + 0.22)
+        b.box((-0.16, 0.16), y, (z, z + 0.05), "metal_dark", "stack", k in (0, 10))
     b.rod((0, 0.08, h - 0.06), (0, 0.12, h * 0.78), 0.005, "plastic_black", "cable")
     b.rod((-0.4, 0.12, h * 0.77), (0.4, 0.12, h * 0.77), 0.014, "metal_chrome", "grip")
     b.cushion((-0.17, 0.17), (0.08, d / 2 - 0.02), (0.42, 0.5), "leather_black", "seat")

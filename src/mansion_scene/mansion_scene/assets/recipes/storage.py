@@ -171,84 +171,75 @@ def cabinet(b: Builder) -> None:
             )
 
 
-def _front(
-    b: Builder,
-    style: str,
-    x: tuple[float, float],
-    z: tuple[float, float],
-    face: float,
-    place: tuple[int, int],
-) -> None:
+Span = tuple[float, float]
+
+
+def _front(b: Builder, style: str, x: Span, z: Span, face: float, place: tuple[int, int]) -> None:
     """One door or drawer front with its handle, slightly apart from its neighbours."""
     main, y = b.mat(), (face + 0.001, face + 0.016)
-    grip = (face + 0.016, b.d / 2)
-    xm, zm = (x[0] + x[1]) / 2, (z[0] + z[1]) / 2
+    grip = (y[1], b.d / 2)
     if style == "glass":
         b.box(x, y, z, "glass_clear", "doors", False)
         for z0, z1 in ((z[0], z[0] + 0.04), (z[1] - 0.04, z[1])):
             b.box(x, y, (z0, z1), main, "doors", False)
-    elif style == "recycle":
-        b.box(x, y, z, main, "doors", False)
-        color = ("plastic_blue", "plastic_yellow", "plastic_green", "plastic_grey")[place[1] % 4]
-        b.box(
-            (x[0] + 0.03, x[1] - 0.03),
-            (y[1], grip[1]),
-            (z[1] - 0.22, z[1] - 0.06),
-            color,
-            "labels",
-            False,
-        )
-        b.box(
-            (xm - 0.07, xm + 0.07),
-            (y[1], grip[1] - 0.001),
-            (z[1] - 0.36, z[1] - 0.27),
-            "plastic_black",
-            "slots",
-            False,
-        )
-        return
-    elif style == "slot":
-        b.box(x, y, z, main, "doors", False)
-        b.box(
-            (x[0] + 0.1, x[1] - 0.1),
-            (y[1], grip[1]),
-            (z[1] - 0.25, z[1] - 0.18),
-            "plastic_black",
-            "slots",
-            False,
-        )
-        return
     else:
         b.box(x, y, z, main, "doors" if style != "drawers" else "drawers", False)
+    if style in ("recycle", "slot"):
+        _slots(b, style, x, z[1], grip, place[1])
+        return
     if style == "locker":
-        for k in range(3):
-            b.box(
-                (xm - 0.06, xm + 0.06),
-                (y[1], y[1] + 0.003),
-                (z[1] - 0.1 - k * 0.02, z[1] - 0.09 - k * 0.02),
-                "plastic_dark",
-                "vents",
-                False,
-            )
-    if style == "safe":
-        b.rod((xm, y[1], zm), (xm, grip[1], zm), min(b.w, b.h) * 0.12, "metal_steel", "dial", 16)
-    elif style in ("doors", "glass", "locker"):
-        left = place[1] % 2 == 1 or b.p.get("cols", 2) == 1
-        hx = x[0] + 0.04 if left else x[1] - 0.04
+        _vents(b, x, z[1], grip[0])
+    _grip(b, style, x, z, grip, place[1])
+
+
+def _slots(b: Builder, style: str, x: Span, top: float, y: Span, column: int) -> None:
+    """A letter slot; or a label in the colour of what is collected, and the slot below it."""
+    if style == "slot":
+        slot = (x[0] + 0.1, x[1] - 0.1)
+        b.box(slot, y, (top - 0.25, top - 0.18), "plastic_black", "slots", False)
+        return
+    color = ("plastic_blue", "plastic_yellow", "plastic_green", "plastic_grey")[column % 4]
+    b.box((x[0] + 0.03, x[1] - 0.03), y, (top - 0.22, top - 0.06), color, "labels", False)
+    middle = (x[0] + x[1]) / 2
+    b.box(
+        (middle - 0.07, middle + 0.07),
+        (y[0], y[1] - 0.001),
+        (top - 0.36, top - 0.27),
+        "plastic_black",
+        "slots",
+        False,
+    )
+
+
+def _vents(b: Builder, x: Span, top: float, face: float) -> None:
+    """Three slits for air."""
+    middle = (x[0] + x[1]) / 2
+    for k in range(3):
         b.box(
-            (hx - 0.006, hx + 0.006), grip, (zm - 0.07, zm + 0.07), "metal_steel", "handles", False
+            (middle - 0.06, middle + 0.06),
+            (face, face + 0.003),
+            (top - 0.1 - k * 0.02, top - 0.09 - k * 0.02),
+            "plastic_dark",
+            "vents",
+            False,
         )
+
+
+def _grip(b: Builder, style: str, x: Span, z: Span, y: Span, column: int) -> None:
+    """The dial of a safe, an upright handle on the free side of a door, or a level one."""
+    xm, zm = (x[0] + x[1]) / 2, (z[0] + z[1]) / 2
+    if style == "safe":
+        b.rod((xm, y[0], zm), (xm, y[1], zm), min(b.w, b.h) * 0.12, "metal_steel", "dial", 16)
+        return
+    if style in ("doors", "glass", "locker"):
+        left = column % 2 == 1 or b.p.get("cols", 2) == 1
+        hx = x[0] + 0.04 if left else x[1] - 0.04
+        across, up = (hx - 0.006, hx + 0.006), (zm - 0.07, zm + 0.07)
     else:
         half = min(0.07, (x[1] - x[0]) * 0.3)
         level = zm if style != "lid" else z[1] - 0.05
-        b.box(
-            (xm - half, xm + half),
-            grip,
-            (level - 0.006, level + 0.006),
-            "metal_steel",
-            "handles",
-            False,
-        )
+        across, up = (xm - half, xm + half), (level - 0.006, level + 0.006)
+    b.box(across, y, up, "metal_steel", "handles", False)
 
 
 @recipe("trolley")

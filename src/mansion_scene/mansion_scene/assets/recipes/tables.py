@@ -1,5 +1,7 @@
 """Tables, desks, counters, workbenches."""
 
+from collections.abc import Callable
+
 from mansion_scene.assets.builder import Builder
 from mansion_scene.assets.registry import recipe
 
@@ -8,87 +10,103 @@ __all__: list[str] = []
 
 def _supports(b: Builder, style: str, z: float, frame: str) -> None:
     """Legs below a top at height `z`."""
+    _SUPPORTS.get(style, _four_legs)(b, z, frame)
+
+
+def _pedestal(b: Builder, z: float, frame: str) -> None:
+    """A column in the middle on a round foot."""
     w, d = b.w, b.d
-    if style == "pedestal":
-        b.lathe(
-            [(0.42, 0.0), (0.42, 0.02), (0.06, 0.05), (0.05, z * 0.9), (0.12, z)],
-            frame,
-            stretch=(min(w, d), min(w, d)),
-            part="legs",
-            n=20,
-        )
-        b.boxes.pop()
-        b.cyl(0, 0, (0.0, 0.03), min(w, d) * 0.42, frame, "legs", n=20)
-        b.cyl(0, 0, (0.03, z), 0.05, frame, "legs")
-    elif style == "panel":
-        for sx in (-1, 1):
-            x = sx * (w / 2 - 0.06)
-            b.box((x - 0.02, x + 0.02), (-d / 2 + 0.06, d / 2 - 0.06), (0, z), frame, "legs")
-        b.box(
-            (-w / 2 + 0.08, w / 2 - 0.08),
-            (-d / 2 + 0.12, -d / 2 + 0.14),
-            (z * 0.35, z),
-            frame,
-            "modesty",
-        )
-    elif style in ("tee", "sled", "cee"):
-        reach = (-d / 2 + 0.03, d / 2 - 0.03)
-        for sx in (-1, 1) if style != "cee" else (-1,):
-            x = sx * (w / 2 - 0.08)
-            b.box((x - 0.03, x + 0.03), reach, (0, 0.03), frame, "legs")
-            b.box((x - 0.03, x + 0.03), reach, (z - 0.03, z), frame, "legs")
-            posts = (reach[0] + 0.03, reach[1] - 0.03) if style == "sled" else (0.0,)
-            for y in posts:
-                b.box((x - 0.03, x + 0.03), (y - 0.03, y + 0.03), (0.02, z - 0.02), frame, "legs")
-        if style == "cee":
-            b.box((-w / 2 + 0.05, w / 2 - 0.05), (-0.04, 0.04), (0, 0.05), frame, "legs")
-    elif style == "trestle":
-        for sx in (-1, 1):
-            x = sx * (w / 2 - 0.2)
-            for sy in (-1, 1):
-                b.rod(
-                    (x - 0.08, sy * (d / 2 - 0.05), 0),
-                    (x, sy * d * 0.28, z),
-                    0.022,
-                    frame,
-                    "legs",
-                    solid=True,
-                )
-                b.rod(
-                    (x + 0.08, sy * (d / 2 - 0.05), 0), (x, sy * d * 0.28, z), 0.022, frame, "legs"
-                )
-            b.box((x - 0.03, x + 0.03), (-d * 0.3, d * 0.3), (z - 0.06, z), frame, "legs", False)
-    elif style == "cloth":
-        b.lathe([(0.5, 0.0), (0.47, z)], b.mat(), stretch=(w, d), part="cloth", n=28)
-    else:
-        r = min(0.035, w * 0.04)
-        b.legs((0, z), r, frame, 0.02)
-        b.box(
-            (-w / 2 + 0.05, w / 2 - 0.05),
-            (-d / 2 + 0.05, -d / 2 + 0.07),
-            (z - 0.07, z),
-            frame,
-            "apron",
-            False,
-        )
-        b.box(
-            (-w / 2 + 0.05, w / 2 - 0.05),
-            (d / 2 - 0.07, d / 2 - 0.05),
-            (z - 0.07, z),
-            frame,
-            "apron",
-            False,
-        )
-        for sx in (-1, 1):
-            x = sx * (w / 2 - 0.06)
-            b.box(
-                (x - 0.01, x + 0.01),
-                (-d / 2 + 0.05, d / 2 - 0.05),
-                (z - 0.07, z),
-                frame,
-                "apron",
-                False,
-            )
+    b.lathe(
+        [(0.42, 0.0), (0.42, 0.02), (0.06, 0.05), (0.05, z * 0.9), (0.12, z)],
+        frame,
+        stretch=(min(w, d), min(w, d)),
+        part="legs",
+        n=20,
+    )
+    b.boxes.pop()
+    b.cyl(0, 0, (0.0, 0.03), min(w, d) * 0.42, frame, "legs", n=20)
+    b.cyl(0, 0, (0.03, z), 0.05, frame, "legs")
+
+
+def _panels(b: Builder, z: float, frame: str) -> None:
+    """A panel at each end and one across the back."""
+    w, d = b.w, b.d
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.06)
+        b.box((x - 0.02, x + 0.02), (-d / 2 + 0.06, d / 2 - 0.06), (0, z), frame, "legs")
+    b.box(
+        (-w / 2 + 0.08, w / 2 - 0.08),
+        (-d / 2 + 0.12, -d / 2 + 0.14),
+        (z * 0.35, z),
+        frame,
+        "modesty",
+    )
+
+
+def _end_frame(b: Builder, side: int, z: float, frame: str, posts: tuple[float, ...]) -> None:
+    """A bar on the floor, posts at the `posts` (y) and a bar below the top, at one end."""
+    reach = (-b.d / 2 + 0.03, b.d / 2 - 0.03)
+    x = side * (b.w / 2 - 0.08)
+    b.box((x - 0.03, x + 0.03), reach, (0, 0.03), frame, "legs")
+    b.box((x - 0.03, x + 0.03), reach, (z - 0.03, z), frame, "legs")
+    for y in posts:
+        b.box((x - 0.03, x + 0.03), (y - 0.03, y + 0.03), (0.02, z - 0.02), frame, "legs")
+
+
+def _tee(b: Builder, z: float, frame: str) -> None:
+    for side in (-1, 1):
+        _end_frame(b, side, z, frame, (0.0,))
+
+
+def _sled(b: Builder, z: float, frame: str) -> None:
+    reach = (-b.d / 2 + 0.03, b.d / 2 - 0.03)
+    for side in (-1, 1):
+        _end_frame(b, side, z, frame, (reach[0] + 0.03, reach[1] - 0.03))
+
+
+def _cee(b: Builder, z: float, frame: str) -> None:
+    """A frame at one end that carries the top alone, as beside a bed."""
+    _end_frame(b, -1, z, frame, (0.0,))
+    b.box((-b.w / 2 + 0.05, b.w / 2 - 0.05), (-0.04, 0.04), (0, 0.05), frame, "legs")
+
+
+def _trestles(b: Builder, z: float, frame: str) -> None:
+    w, d = b.w, b.d
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.2)
+        for sy in (-1, 1):
+            foot, head = sy * (d / 2 - 0.05), (x, sy * d * 0.28, z)
+            b.rod((x - 0.08, foot, 0), head, 0.022, frame, "legs", solid=True)
+            b.rod((x + 0.08, foot, 0), head, 0.022, frame, "legs")
+        b.box((x - 0.03, x + 0.03), (-d * 0.3, d * 0.3), (z - 0.06, z), frame, "legs", False)
+
+
+def _cloth(b: Builder, z: float, frame: str) -> None:
+    """A cloth down to the floor."""
+    b.lathe([(0.5, 0.0), (0.47, z)], b.mat(), stretch=(b.w, b.d), part="cloth", n=28)
+
+
+def _four_legs(b: Builder, z: float, frame: str) -> None:
+    """Four legs joined by an apron."""
+    w, d = b.w, b.d
+    b.legs((0, z), min(0.035, w * 0.04), frame, 0.02)
+    rail = (z - 0.07, z)
+    for y in ((-d / 2 + 0.05, -d / 2 + 0.07), (d / 2 - 0.07, d / 2 - 0.05)):
+        b.box((-w / 2 + 0.05, w / 2 - 0.05), y, rail, frame, "apron", False)
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.06)
+        b.box((x - 0.01, x + 0.01), (-d / 2 + 0.05, d / 2 - 0.05), rail, frame, "apron", False)
+
+
+_SUPPORTS: dict[str, Callable[[Builder, float, str], None]] = {
+    "pedestal": _pedestal,
+    "panel": _panels,
+    "tee": _tee,
+    "sled": _sled,
+    "cee": _cee,
+    "trestle": _trestles,
+    "cloth": _cloth,
+}
 
 
 def _top(b: Builder, z: float, thick: float, round_: bool) -> None:

@@ -11,6 +11,15 @@ __all__: list[str] = []
 @recipe("car")
 def car(b: Builder) -> None:
     """Saloon: body, cabin with glass, wheels, lamps."""
+    _car_body(b)
+    for side in (-1, 1):
+        _car_wheels(b, side)
+        _car_lamps(b, side)
+        _car_pillar(b, side)
+
+
+def _car_body(b: Builder) -> None:
+    """Body on its sill, a cabin of dark glass, the roof."""
     w, d, h = b.w, b.d, b.h
     m = b.mat()
     side = [
@@ -40,49 +49,41 @@ def car(b: Builder) -> None:
         m,
         part="roof",
     )
-    for sx in (-1, 1):
-        for y in (-d * 0.31, d * 0.31):
-            r = h * 0.22
-            b.rod(
-                (sx * (w / 2 - 0.24), y, r),
-                (sx * (w / 2 - 0.01), y, r),
-                r,
-                "rubber_black",
-                "wheels",
-                24,
-                True,
-            )
-            b.rod(
-                (sx * (w / 2 - 0.03), y, r), (sx * w / 2, y, r), r * 0.6, "metal_steel", "rims", 16
-            )
-        b.box(
-            (sx * w * 0.36 - 0.14, sx * w * 0.36 + 0.14),
-            (d / 2 - 0.06, d / 2),
-            (h * 0.38, h * 0.46),
-            "light_white",
-            "lamps",
-            False,
-        )
-        b.box(
-            (sx * w * 0.36 - 0.14, sx * w * 0.36 + 0.14),
-            (-d / 2, -d / 2 + 0.05),
-            (h * 0.42, h * 0.52),
-            "light_red",
-            "lamps",
-            False,
-        )
-        b.prism(
-            [
-                (d * 0.02, h * 0.6),
-                (d * 0.035, h * 0.6),
-                (-d * 0.02, h - 0.05),
-                (-d * 0.035, h - 0.05),
-            ],
-            (min(sx * w * 0.41, sx * w * 0.425), max(sx * w * 0.41, sx * w * 0.425)),
-            m,
-            part="pillars",
-            solid=False,
-        )
+
+
+def _car_wheels(b: Builder, side: int) -> None:
+    w, r = b.w, b.h * 0.22
+    for y in (-b.d * 0.31, b.d * 0.31):
+        inner, outer = (side * (w / 2 - 0.24), y, r), (side * (w / 2 - 0.01), y, r)
+        b.rod(inner, outer, r, "rubber_black", "wheels", 24, True)
+        rim = (side * (w / 2 - 0.03), y, r)
+        b.rod(rim, (side * w / 2, y, r), r * 0.6, "metal_steel", "rims", 16)
+
+
+def _car_lamps(b: Builder, side: int) -> None:
+    """A white lamp at the front, a red one at the back."""
+    w, d, h = b.w, b.d, b.h
+    x = (side * w * 0.36 - 0.14, side * w * 0.36 + 0.14)
+    b.box(x, (d / 2 - 0.06, d / 2), (h * 0.38, h * 0.46), "light_white", "lamps", False)
+    b.box(x, (-d / 2, -d / 2 + 0.05), (h * 0.42, h * 0.52), "light_red", "lamps", False)
+
+
+def _car_pillar(b: Builder, side: int) -> None:
+    """The post between the side windows."""
+    w, d, h = b.w, b.d, b.h
+    low, high = sorted((side * w * 0.41, side * w * 0.425))
+    b.prism(
+        [
+            (d * 0.02, h * 0.6),
+            (d * 0.035, h * 0.6),
+            (-d * 0.02, h - 0.05),
+            (-d * 0.035, h - 0.05),
+        ],
+        (low, high),
+        b.mat(),
+        part="pillars",
+        solid=False,
+    )
 
 
 def _wheel(b: Builder, x: float, y: float, r: float, tyre: float = 0.02) -> None:
