@@ -3,7 +3,6 @@
 Decoding gives a value or raises `MansionError` with the JSON path of the fault, and nothing else, whatever the input.
 """
 
-import re
 from collections.abc import Hashable
 from functools import cache
 from typing import Any, TypeVar, cast
@@ -11,12 +10,11 @@ from typing import Any, TypeVar, cast
 import msgspec
 
 from mansion_msgs_py.errors import ErrorCode, ErrorInfo, ErrorReply, MansionError
+from mansion_msgs_py.faults import explained
 
-__all__ = ["decode", "decode_reply", "encode", "encode_bytes", "schema", "to_builtins"]
+__all__ = ["convert", "decode", "decode_reply", "encode", "encode_bytes", "schema", "to_builtins"]
 
 T = TypeVar("T")
-
-_PATH = re.compile(r"^(?P<what>.*) - at `(?P<path>\$.*)`$", re.DOTALL)
 
 
 @cache
@@ -78,10 +76,7 @@ def decode(kind: type[T], text: str | bytes) -> T:
         data = text.encode() if isinstance(text, str) else text
         value: T = _decoder(cast(Hashable, kind)).decode(data if data.strip() else b"{}")
     except msgspec.ValidationError as error:
-        what, path = _split_path(str(error))
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, what, path=path, details={"payload": name}
-        ) from None
+        raise _unfit(kind, error) from None
     except (msgspec.DecodeError, UnicodeError) as error:
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD, f"not JSON: {error}", details={"payload": name}
@@ -93,11 +88,24 @@ def decode(kind: type[T], text: str | bytes) -> T:
     return value
 
 
-def _split_path(message: str) -> tuple[str, str]:
-    match = _PATH.match(message)
-    if match is None:
-        return message, "$"
-    return match["what"], match["path"]
+def convert(kind: type[T], value: Any) -> T:
+    """Return dicts, lists and scalars as a value of type `kind`.
+
+    Raises
+    ------
+    MansionError
+        As `decode`.
+    """
+    try:
+        return msgspec.convert(value, kind)
+    except msgspec.ValidationError as error:
+        raise _unfit(kind, error) from None
+
+
+def _unfit(kind: Any, error: msgspec.ValidationError) -> MansionError:
+    what, path = explained(kind, str(error))
+    name = getattr(kind, "__name__", str(kind))
+    return MansionError(ErrorCode.INVALID_PAYLOAD, what, path=path, details={"payload": name})
 
 
 def decode_reply(success: bool, message: str, kind: type[T]) -> T:

@@ -3,14 +3,14 @@
 from pathlib import Path
 from typing import Any
 
-import msgspec
-
 from mansion_msgs_py.building import LoadBuilding
+from mansion_msgs_py.codec import convert
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.skills import Landmarks, Route, VisibleObjects, WhereAmI
+from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import SkillResult
 from mansion_skills.engine import Engine
-from mansion_skills.skills.registry import skill_named
+from mansion_skills.skills.registry import SKILLS, skill_named
 
 __all__ = ["Robot"]
 
@@ -64,11 +64,13 @@ class Robot:
         """
         found = skill_named(name)
         if found is None:
-            raise MansionError(ErrorCode.NOT_FOUND, f"there is no skill {name!r}")
+            known = choices(name, (skill.name for skill in SKILLS.values()), "skills")
+            raise MansionError(ErrorCode.NOT_FOUND, f"there is no skill {name!r}; {known}")
         try:
-            payload = msgspec.convert({"session": self.session, **arguments}, found.arguments)
-        except msgspec.ValidationError as error:
-            raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{found.name}: {error}") from None
+            payload = convert(found.arguments, {"session": self.session, **arguments})
+        except MansionError as error:
+            error.info.message = f"{found.name}: {error.info.message}"
+            raise
         return self.engine.run(name, payload)
 
     def _do(self, name: str, **arguments: Any) -> SkillResult:

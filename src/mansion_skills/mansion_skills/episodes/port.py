@@ -3,9 +3,7 @@
 from pathlib import Path
 from typing import Any, Protocol
 
-import msgspec
-
-from mansion_msgs_py.codec import to_builtins
+from mansion_msgs_py.codec import convert, to_builtins
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.skills import Landmarks, VisibleObjects
 from mansion_msgs_py.task import SkillCall
@@ -66,9 +64,9 @@ class LocalPort:
         if isinstance(skill, SkillResult):
             return skill
         try:
-            arguments = msgspec.convert({**call.arguments, "session": SESSION}, skill.arguments)
+            arguments = convert(skill.arguments, {**call.arguments, "session": SESSION})
             return as_result(skill, self.robot.engine.run(skill.name, arguments))
-        except (MansionError, msgspec.ValidationError) as error:
+        except MansionError as error:
             return invalid_call(skill.name, str(error))
 
     def visible(self) -> VisibleObjects:

@@ -10,6 +10,7 @@ from mansion_msgs_py.skills import (
     MoveToArgs,
     RotateArgs,
 )
+from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import SkillChange, SkillResult, SkillStatus
 from mansion_skills.skills.motion import blocking_door, drive, path_to, turn
 from mansion_skills.skills.outcome import Run, Step, done, invalid, number, refused
@@ -39,9 +40,10 @@ def go_to_landmark(
     wanted = arguments.landmark if isinstance(arguments.landmark, str) else ""
     landmark = landmark_named(wanted, view.landmarks, robot.floor, robot.place)
     if landmark is None:
-        known = ", ".join(entry.name for entry in view.landmarks)
-        text = f"floor {robot.floor} has no landmark {arguments.landmark!r}"
-        return invalid(world, robot, name, text, f"one of {known}")
+        known = [entry.name for entry in view.landmarks]
+        near = choices(arguments.landmark, known, "landmarks")
+        text = f"floor {robot.floor} has no landmark {str(arguments.landmark)[:80]!r}; {near}"
+        return invalid(world, robot, name, text, f"one of {', '.join(known)}")
     goal = (landmark.pose.x, landmark.pose.y)
     return (
         yield from go_along(

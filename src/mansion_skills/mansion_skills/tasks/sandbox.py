@@ -4,8 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
-import msgspec
-
+from mansion_msgs_py.codec import convert
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import SkillCall, TaskStart
 from mansion_msgs_py.world import Pose2D, SkillProgress, SkillResult, SkillStatus
@@ -137,10 +136,10 @@ class Sandbox:
             text = f"there is no skill {call.skill!r} that does something"
             return invalid(self.world, self.robot, call.skill, text, "a skill of docs/skills.md")
         try:
-            arguments = msgspec.convert({**call.arguments, "session": SESSION}, skill.arguments)
-        except msgspec.ValidationError as error:
+            arguments = convert(skill.arguments, {**call.arguments, "session": SESSION})
+        except MansionError as error:
             wish = "the arguments of docs/skills.md"
-            return invalid(self.world, self.robot, skill.name, str(error), wish)
+            return invalid(self.world, self.robot, skill.name, error.info.message, wish)
         result = perform(self._seat, skill, arguments, self._pace, _ignore)
         self.world.lift_changes.clear()
         return result

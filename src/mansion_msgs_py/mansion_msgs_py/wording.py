@@ -1,0 +1,114 @@
+"""Words of messages: names that would be accepted, articles and counts."""
+
+from collections.abc import Iterable
+from difflib import SequenceMatcher
+
+__all__ = ["choices", "counted", "nearest", "with_article"]
+
+FEW = 12
+"""So many names are all shown; of more, the nearest."""
+
+SHOWN = 6
+"""How many of the nearest are shown."""
+
+_NEAR = 0.6
+"""From this likeness on a name is offered as the one that was meant."""
+
+_LONG = 400
+"""Characters of a wrong name that are compared and shown: names may come from anywhere."""
+
+_SOUNDED = ("uni", "use", "usu", "uti", "eu", "one")
+"""Beginnings that are written with a vowel and spoken with a consonant."""
+
+_MUTE = ("hour", "honest", "heir")
+
+
+def with_article(words: str) -> str:
+    """Return words after ``a`` or ``an``, as they are spoken.
+
+    Examples
+    --------
+    >>> with_article("orange toolbox"), with_article("table"), with_article("unit"), with_article("urn")
+    ('an orange toolbox', 'a table', 'a unit', 'an urn')
+    """
+    first = words.lower()
+    vowel = first[:1] in tuple("aeiou") and not (
+        first.startswith(_SOUNDED) and not first.startswith(("unin", "unim"))
+    )
+    return f"{'an' if vowel or first.startswith(_MUTE) else 'a'} {words}"
+
+
+def counted(number: int, one: str, many: str = "") -> str:
+    """Return a number and its noun.
+
+    Examples
+    --------
+    >>> counted(1, "wish", "wishes"), counted(2, "wish", "wishes"), counted(0, "room")
+    ('1 wish', '2 wishes', '0 rooms')
+    """
+    return f"{number} {one if number == 1 else many or one + 's'}"
+
+
+def nearest(wanted: str, known: Iterable[str], count: int = SHOWN) -> list[str]:
+    """Return the known names that are most like one that is not among them, the likest first.
+
+    A name that contains the other, or the last part of it, counts as near: ``floor`` is near ``target_floor``.
+
+    Examples
+    --------
+    >>> nearest("floor", ["session", "target_floor", "token"], 1)
+    ['target_floor']
+    """
+    word = _plain(wanted)
+    likeness = {name: _likeness(word, _plain(name)) for name in known}
+    return sorted(likeness, key=lambda name: (-likeness[name], name))[:count]
+
+
+def choices(wanted: object, known: Iterable[str], noun: str) -> str:
+    """Say what would be accepted in place of a wrong name: all of a few, of many the nearest and their number.
+
+    Parameters
+    ----------
+    wanted : object
+        What was given; anything but a text is near nothing.
+    known : iterable of str
+        In the order to show them in.
+    noun : str
+        What they are, in the plural.
+
+    Examples
+    --------
+    >>> choices("floor", ["target_floor", "session"], "fields")
+    'did you mean target_floor? fields: target_floor, session'
+    >>> choices("room_7", [f"room_{n}" for n in range(70, 90)], "rooms")
+    'did you mean room_70? the nearest of 20 rooms: room_70, room_71, room_72, room_73, room_74, room_75'
+    >>> choices("x", [], "floors")
+    'there are no floors'
+    """
+    names = list(dict.fromkeys(known))
+    if not names:
+        return f"there are no {noun}"
+    word = wanted[:_LONG] if isinstance(wanted, str) else ""
+    near = nearest(word, names)
+    meant = _likeness(_plain(word), _plain(near[0])) >= _NEAR
+    hint = f"did you mean {near[0]}? " if meant else ""
+    if len(names) <= FEW:
+        return f"{hint}{noun}: {', '.join(names)}"
+    if not word:
+        return f"{len(names)} {noun}, among them {', '.join(names[:SHOWN])}"
+    return f"{hint}the nearest of {len(names)} {noun}: {', '.join(near)}"
+
+
+def _plain(name: str) -> str:
+    return "".join(mark for mark in name[:_LONG].casefold() if mark.isalnum() or mark == "/")
+
+
+def _likeness(word: str, name: str) -> float:
+    """Return 0 to 1; the parts of a path are compared as well as the whole."""
+    if not word or not name:
+        return 0.0
+    parts = (name, name.rpartition("/")[2])
+    whole = max(SequenceMatcher(None, word, part, autojunk=False).ratio() for part in parts)
+    short, long = sorted((word, name), key=len)
+    within = 0.7 + 0.3 * len(short) / len(long) if len(short) > 2 and short in long else 0.0
+    return max(whole, within)
