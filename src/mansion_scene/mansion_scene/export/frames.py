@@ -1,4 +1,4 @@
-"""Coordinates of other programs, converted here and nowhere else.
+"""Coordinates of other programs; AI2-THOR's, which the skills use too, come from `mansion_geometry.thor.axes`.
 
 Ours: x right, y up in the plan, z up, right-handed, rotations counter-clockwise from above (REP-103).
 
@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
+from mansion_geometry.thor.axes import thor_euler, thor_heading, thor_point
 from mansion_msgs_py.shapes import Point
 
 __all__ = [
@@ -23,11 +24,6 @@ __all__ = [
 ]
 
 
-def thor_point(x: float, y: float, z: float) -> dict[str, float]:
-    """Return a plan point in AI2-THOR's axes, to a tenth of a millimetre."""
-    return {"x": round(x, 4), "y": round(z, 4), "z": round(y, 4)}
-
-
 def thor_ring(ring: Sequence[Point]) -> list[dict[str, float]]:
     """Return a counter-clockwise ring as AI2-THOR's clockwise floor polygon."""
     return [thor_point(x, y, 0.0) for x, y in reversed(ring)]
@@ -38,12 +34,7 @@ def thor_rotation(rotation: float) -> dict[str, float]:
 
     AI2-THOR's assets face +z at 0 and turn clockwise seen from above.
     """
-    return {"x": 0, "y": round(-rotation % 360.0, 3) % 360.0, "z": 0}
-
-
-def thor_heading(yaw: float) -> float:
-    """Return a heading counted from +x counter-clockwise as AI2-THOR's, from +z clockwise."""
-    return round((90.0 - yaw) % 360.0, 3) % 360.0
+    return {"x": 0, "y": thor_euler(rotation)["y"], "z": 0}
 
 
 def gltf_points(points: npt.ArrayLike) -> npt.NDArray[np.float32]:

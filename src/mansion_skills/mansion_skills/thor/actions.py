@@ -4,10 +4,10 @@ from itertools import pairwise
 from math import atan2, degrees, dist
 from typing import Any
 
+from mansion_geometry.thor.axes import thor_heading, thor_point
 from mansion_msgs_py.skills import MoveAheadArgs, PlaceArgs, SessionArgs
 from mansion_msgs_py.world import Pose2D, SkillResult
 from mansion_skills.skills.outcome import number
-from mansion_skills.thor.axes import thor_heading, thor_point
 from mansion_skills.thor.houses import AGENT_HEIGHT
 from mansion_skills.world.robot_body import RobotBody, turn_between
 from mansion_skills.world.world import World

@@ -1,12 +1,11 @@
-"""What is used of AI2-THOR's ``Controller``, and where it comes from."""
+"""The controller of AI2-THOR with the settings of the skills."""
 
-import importlib
 from collections.abc import Mapping
-from typing import Any, Final, Protocol
+from typing import Any, Final
 
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_geometry.thor.controller import Controller, failure, first_line, start_controller
 
-__all__ = ["SETTINGS", "Controller", "Event", "act", "load_house", "open_controller"]
+__all__ = ["SETTINGS", "load_house", "open_controller"]
 
 SETTINGS: Final[Mapping[str, Any]] = {
     "agentMode": "default",
@@ -18,29 +17,8 @@ SETTINGS: Final[Mapping[str, Any]] = {
 """Parameters of each ``reset``: poses are not on a grid, and the hand reaches 1.5 m to the edge of a thing."""
 
 
-class Event(Protocol):
-    """What an action leads to: ``ai2thor.server.Event``."""
-
-    metadata: Mapping[str, Any]
-
-
-class Controller(Protocol):
-    """``ai2thor.controller.Controller``, version 5."""
-
-    last_event: Any
-
-    def reset(self, scene: Any = None, **parameters: Any) -> Any:
-        """Load a scene; a dict is a house."""
-
-    def step(self, action: Any = None, **arguments: Any) -> Any:
-        """Do one action; ``ValueError`` when the action or its arguments do not exist."""
-
-    def stop(self) -> None:
-        """End the simulator's process."""
-
-
 def open_controller(**parameters: Any) -> Controller:
-    """Start AI2-THOR.
+    """Start AI2-THOR with an empty procedural scene.
 
     Parameters
     ----------
@@ -50,32 +28,9 @@ def open_controller(**parameters: Any) -> Controller:
     Raises
     ------
     MansionError
-        ``UNAVAILABLE`` when the extra ``thor`` is not installed.
+        ``UNAVAILABLE`` when the extra ``thor`` is not installed or the simulator does not start.
     """
-    try:
-        module = importlib.import_module("ai2thor.controller")
-    except ImportError as error:
-        raise MansionError(
-            ErrorCode.UNAVAILABLE,
-            f"AI2-THOR is not installed ({error}); pip install 'mansion_skills[thor]'",
-        ) from None
-    controller: Controller = module.Controller(**{"scene": "Procedural", **SETTINGS, **parameters})
-    return controller
-
-
-def act(controller: Controller, action: str, **arguments: Any) -> str:
-    """Do one action.
-
-    Returns
-    -------
-    str
-        Empty, or AI2-THOR's error message.
-    """
-    try:
-        event = controller.step(action=action, **arguments)
-    except ValueError as error:
-        return f"{action}: {_sentence(str(error))}"
-    return _failure(event, action)
+    return start_controller(**{"scene": "Procedural", **SETTINGS, **parameters})
 
 
 def load_house(controller: Controller, house: Mapping[str, Any]) -> str:
@@ -83,17 +38,5 @@ def load_house(controller: Controller, house: Mapping[str, Any]) -> str:
     try:
         event = controller.reset(scene=house, **SETTINGS)
     except (RuntimeError, ValueError) as error:
-        return f"CreateHouse: {_sentence(str(error))}"
-    return _failure(event, "CreateHouse")
-
-
-def _failure(event: Event, action: str) -> str:
-    """Return an event's error message, empty when its action succeeded."""
-    if event.metadata["lastActionSuccess"]:
-        return ""
-    return f"{action}: {_sentence(str(event.metadata.get('errorMessage') or 'no reason given'))}"
-
-
-def _sentence(message: str) -> str:
-    """Return the first line of an error message: Unity appends its stack."""
-    return message.strip().partition("\n")[0]
+        return f"CreateHouse: {first_line(str(error))}"
+    return failure(event, "CreateHouse")

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from mansion_geometry.thor.controller import Controller, act
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.skills import ObjectArgs, PlaceArgs, SessionArgs
 from mansion_msgs_py.world import SkillChange, SkillResult, SkillStatus
@@ -12,7 +13,7 @@ from mansion_skills.skills.naming import object_named
 from mansion_skills.skills.outcome import invalid, refused
 from mansion_skills.skills.registry import Skill
 from mansion_skills.thor.actions import Action, actions_for, teleport
-from mansion_skills.thor.controller import Controller, act, load_house
+from mansion_skills.thor.controller import load_house
 from mansion_skills.thor.houses import Houses
 from mansion_skills.thor.readback import read_back
 from mansion_skills.thor.snapshot import Snapshot

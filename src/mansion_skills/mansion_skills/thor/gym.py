@@ -4,11 +4,12 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
+from mansion_geometry.thor.controller import Controller
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore
 from mansion_skills.engine.seat import Seat
 from mansion_skills.robot import Robot
-from mansion_skills.thor.controller import Controller, open_controller
+from mansion_skills.thor.controller import open_controller
 from mansion_skills.thor.engine import ThorEngine
 from mansion_skills.thor.houses import Houses
 from mansion_skills.world.landmarks import Landmark

@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from math import cos, radians, sin
 from typing import Any, TypeAlias
 
+from mansion_geometry.thor.axes import thor_euler, thor_heading, thor_point
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.shapes import Point3
 from mansion_msgs_py.world import ObjectState, Pose2D
 from mansion_skills.building import LoadedBuilding
-from mansion_skills.thor.axes import thor_euler, thor_heading, thor_point
 from mansion_skills.world.carrying import placed_at
 from mansion_skills.world.world import World
 

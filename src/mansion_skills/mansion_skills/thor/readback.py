@@ -6,10 +6,10 @@ from typing import Any
 
 import msgspec
 
+from mansion_geometry.thor.axes import from_point, heading, rotation
 from mansion_msgs_py.shapes import Point3
 from mansion_msgs_py.world import ObjectState, Pose2D, SkillChange
 from mansion_skills.skills.surfaces import can_contain
-from mansion_skills.thor.axes import from_point, heading, rotation
 from mansion_skills.world.carrying import put_down, take_up
 from mansion_skills.world.robot_body import RobotBody, turn_between
 from mansion_skills.world.world import World

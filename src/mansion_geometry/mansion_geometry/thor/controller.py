@@ -1,0 +1,99 @@
+"""AI2-THOR's ``Controller``: what is used of it, how it starts, and what its answers say."""
+
+import importlib
+from collections.abc import Mapping
+from typing import Any, Protocol
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+
+__all__ = ["Controller", "Event", "act", "failure", "first_line", "start_controller"]
+
+
+class Event(Protocol):
+    """What an action leads to: ``ai2thor.server.Event``."""
+
+    metadata: Mapping[str, Any]
+
+
+class Controller(Protocol):
+    """``ai2thor.controller.Controller``, version 5."""
+
+    last_event: Any
+
+    def reset(self, scene: Any = None, **parameters: Any) -> Any:
+        """Load a scene; a dict is a house."""
+
+    def step(self, action: Any = None, **arguments: Any) -> Any:
+        """Do one action; ``ValueError`` when the action or its arguments do not exist."""
+
+    def stop(self) -> None:
+        """End the simulator's process."""
+
+
+def start_controller(**parameters: Any) -> Controller:
+    """Start AI2-THOR.
+
+    Parameters
+    ----------
+    **parameters
+        Of ``ai2thor.controller.Controller``: ``width``, ``height``, ``platform="CloudRendering"``, ...
+
+    Raises
+    ------
+    MansionError
+        ``UNAVAILABLE`` when the extra ``thor`` is not installed or the simulator does not start; no process of it is
+        left then.
+    """
+    try:
+        module = importlib.import_module("ai2thor.controller")
+    except ImportError as error:
+        raise MansionError(
+            ErrorCode.UNAVAILABLE,
+            f"AI2-THOR is not installed ({error}); it is the extra `thor`: pip install 'ai2thor>=5.0'",
+            details={"extra": "thor"},
+        ) from None
+    # A constructor that fails half way has the simulator running; only the half-made object knows its process.
+    controller: Any = module.Controller.__new__(module.Controller)
+    try:
+        controller.__init__(**parameters)
+    except BaseException as error:
+        server = getattr(controller, "server", None)
+        if server is not None:
+            server.stop()
+        if not isinstance(error, Exception):
+            raise
+        raise MansionError(
+            ErrorCode.UNAVAILABLE,
+            f"AI2-THOR does not start: {first_line(str(error)) or type(error).__name__}; its client fetches the "
+            "simulator on first use, and the simulator needs Vulkan (platform CloudRendering) or an X display",
+            details={"extra": "thor"},
+        ) from error
+    started: Controller = controller
+    return started
+
+
+def act(controller: Controller, action: str, **arguments: Any) -> str:
+    """Do one action.
+
+    Returns
+    -------
+    str
+        Empty, or AI2-THOR's error message.
+    """
+    try:
+        event = controller.step(action=action, **arguments)
+    except ValueError as error:
+        return f"{action}: {first_line(str(error))}"
+    return failure(event, action)
+
+
+def failure(event: Event, action: str) -> str:
+    """Return an event's error message, empty when its action succeeded."""
+    if event.metadata["lastActionSuccess"]:
+        return ""
+    return f"{action}: {first_line(str(event.metadata.get('errorMessage') or 'no reason given'))}"
+
+
+def first_line(message: str) -> str:
+    """Return the first line of an error message: Unity appends its stack."""
+    return message.strip().partition("\n")[0]
