@@ -1,4 +1,4 @@
-"""Turned bodies (bottles, cups, jars), bins, baskets, sacks."""
+"""Turned bodies: bottles, cups, jars, pans, racks of tubes."""
 
 import math
 

@@ -176,36 +176,6 @@ def fume_hood(b: Builder) -> None:
         )
 
 
-@recipe("microscope")
-def microscope(b: Builder) -> None:
-    """Foot, arm, stage, tube."""
-    w, d, h = b.w, b.d, b.h
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.08), b.mat(), "foot")
-    b.box((-w * 0.16, w * 0.16), (-d / 2, -d * 0.25), (h * 0.08, h * 0.75), b.mat(), "arm")
-    b.box(
-        (-w * 0.36, w * 0.36), (-d * 0.25, d * 0.3), (h * 0.36, h * 0.4), "plastic_black", "stage"
-    )
-    b.box((-w * 0.16, w * 0.16), (-d / 2, d * 0.15), (h * 0.66, h * 0.78), b.mat(), "head")
-    b.cyl(0, d * 0.05, (h * 0.44, h * 0.66), w * 0.09, "metal_steel", "objective", n=12)
-    b.rod(
-        (0, -d * 0.05, h * 0.75),
-        (0, d * 0.3, h - w * 0.05),
-        w * 0.08,
-        "plastic_black",
-        "tube",
-        12,
-        True,
-    )
-    b.rod(
-        (-w * 0.3, -d * 0.38, h * 0.25),
-        (w * 0.3, -d * 0.38, h * 0.25),
-        h * 0.06,
-        "plastic_black",
-        "knobs",
-        14,
-    )
-
-
 @recipe("mixing_desk")
 def mixing_desk(b: Builder) -> None:
     """Sloped console with faders on a stand."""

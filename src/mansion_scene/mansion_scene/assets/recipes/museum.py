@@ -1,4 +1,4 @@
-"""Statues, skeletons, instruments on tripods."""
+"""Statues, exhibits, mannequins, skeletons."""
 
 import itertools
 import math
@@ -292,38 +292,3 @@ def _limbs(b: Builder, side: int) -> None:
         m,
         "arms",
     )
-
-
-def _tripod(b: Builder, top: float) -> None:
-    for k in range(3):
-        a = math.pi / 2 + k * 2 * math.pi / 3
-        b.rod(
-            (0, 0, top),
-            (math.cos(a) * b.w * 0.48, math.sin(a) * b.d * 0.48, 0.012),
-            0.016,
-            "metal_black",
-            "legs",
-            8,
-            True,
-        )
-
-
-@recipe("telescope")
-def telescope(b: Builder) -> None:
-    """Tube on a tripod, looking up to the front."""
-    _w, d, h = b.w, b.d, b.h
-    _tripod(b, h * 0.62)
-    b.rod((0, -d * 0.4, h * 0.5), (0, d * 0.42, h * 0.94), 0.09, b.mat(), "tube", 20, True)
-    b.rod((0, d * 0.4, h * 0.93), (0, d * 0.43, h * 0.945), 0.085, "glass_black", "lens", 20)
-    b.rod((0, -d * 0.4, h * 0.5), (0, -d * 0.45, h * 0.55), 0.03, "plastic_black", "eyepiece")
-    b.cyl(0, 0, (h * 0.58, h * 0.72), 0.06, "metal_dark", "mount")
-
-
-@recipe("tripod")
-def tripod(b: Builder) -> None:
-    """Film camera on a tripod."""
-    h = b.h
-    _tripod(b, h * 0.82)
-    b.box((-0.08, 0.08), (-0.16, 0.12), (h - 0.2, h - 0.03), "plastic_black", "camera")
-    b.rod((0, 0.1, h - 0.11), (0, 0.26, h - 0.11), 0.055, "plastic_black", "lens", 16, True)
-    b.box((-0.03, 0.03), (-0.1, 0.08), (h - 0.03, h), "plastic_dark", "grip", False)
