@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_skills import Robot
 from mansion_skills.vision import Camera
-from mansion_skills.vision.drawing import ACCENT, DOWN, UP, fitted
+from mansion_skills.vision.drawing import ACCENT, DOWN, UP, fitted, font, wrapped
 from mansion_skills.vision.floor_patterns import PATTERNS, pattern_of, pattern_png
 from mansion_skills.vision.lift_panel import Button, panel_picture
 from mansion_skills.vision.pages import TILE, tile_pages
@@ -135,3 +135,12 @@ def test_what_is_not_there_is_named(camera: Camera) -> None:
     assert error.value.code == ErrorCode.NOT_FOUND
     with pytest.raises(MansionError):
         camera.landmark_pages(floor=17)
+
+
+@given(st.text(st.characters(codec="ascii", min_codepoint=32), max_size=90), st.integers(90, 400))
+@settings(max_examples=40, deadline=None)
+def test_wrapped_rows_fit_and_keep_all_words(text: str, width: int) -> None:
+    rows = wrapped(text, width, 13)
+    assert all(font(13).getlength(row) <= width for row in rows)
+    if not any("…" in row for row in rows):
+        assert " ".join(rows).split() == text.split()

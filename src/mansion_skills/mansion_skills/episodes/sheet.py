@@ -8,7 +8,6 @@ from typing import Any
 
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.files import write_atomic
-from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import SkillStatus
 from mansion_skills.episodes.eyes import CameraEyes
 from mansion_skills.episodes.log import EpisodeLog, EpisodeStep
@@ -16,6 +15,8 @@ from mansion_skills.episodes.marking import png
 from mansion_skills.episodes.plan_view import plan_view
 from mansion_skills.episodes.port import SkillPort
 from mansion_skills.episodes.replaying import replay
+from mansion_skills.episodes.trail import Trail
+from mansion_skills.vision.drawing import INK, font, wrapped
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
@@ -24,7 +25,15 @@ __all__ = ["chosen_steps", "episode_frames", "write_gif", "write_sheet"]
 SIDE = 300
 """Pixels of a picture's edge."""
 
-CAPTION = 34
+LETTERS, TITLE_LETTERS = 13, 16
+"""Pixels of the captions' letters and of the heading's."""
+
+LEADING = 1.25
+"""Distance of rows over the height of their letters."""
+
+EDGE = 6
+"""Pixels left free beside text."""
+
 MOST_FRAMES = 12
 TELLING = ("PickUp", "Place", "UseElevator", "TakeStairs", "OpenObject", "OpenDoor")
 """Skills whose success is always shown."""
@@ -54,19 +63,21 @@ def episode_frames(log: EpisodeLog, building: Path, port: SkillPort) -> list[Any
     )
     targets = frozenset(name for goal in log.start.task.goals for name in goal.objects)
     frames: list[Any] = []
-    way: list[Point] = []
-    floors: list[int] = []
+    trail = Trail()
     with CameraEyes() as eyes:
 
         def look(number: int, world: World, robot: RobotBody) -> None:
-            if floors and floors[-1] != robot.floor:
-                way.clear()
-            floors.append(robot.floor)
-            way.append(robot.place)
+            trail.follow(robot)
             if number not in wanted:
                 return
             plan = plan_view(
-                world, robot.floor, way, robot.pose.yaw, size=SIDE, targets=targets, goals=goals
+                world,
+                robot.floor,
+                trail.points,
+                robot.pose.yaw,
+                size=SIDE,
+                targets=targets,
+                goals=goals,
             )
             step = log.steps[number - 1] if number else None
             frames.append(
@@ -106,54 +117,68 @@ def _caption(
 
 
 def _frame(camera: Any, plan: Any, caption: tuple[str, str]) -> Any:
-    from PIL import Image, ImageDraw
+    """Lay out a moment; it is never narrower than a camera's picture, so that its caption can be read."""
+    from PIL import Image
 
     pictures = [picture for picture in (camera, plan) if picture is not None]
-    frame = Image.new("RGB", (sum(p.width for p in pictures), SIDE + CAPTION), "white")
+    width = max(SIDE, sum(p.width for p in pictures))
+    rows = [row for text in caption for row in wrapped(text, width - 2 * EDGE, LETTERS)]
+    frame = Image.new("RGB", (width, SIDE + _height(rows, LETTERS)), "white")
     left = 0
     for picture in pictures:
         frame.paste(picture, (left, (SIDE - picture.height) // 2))
         left += picture.width
-    drawing = ImageDraw.Draw(frame)
-    for line, text in enumerate(caption):
-        drawing.text((6, SIDE + 3 + 15 * line), text, fill=(0, 0, 0))
+    _write(frame, SIDE, rows, LETTERS)
     return frame
 
 
+def _height(rows: Sequence[str], letters: int) -> int:
+    return round(LEADING * letters * len(rows)) + EDGE
+
+
+def _write(picture: Any, top: int, rows: Sequence[str], letters: int) -> None:
+    from PIL import ImageDraw
+
+    drawing = ImageDraw.Draw(picture)
+    for k, row in enumerate(rows):
+        place = (EDGE, top + EDGE // 2 + round(LEADING * letters * k))
+        drawing.text(place, row, fill=INK, font=font(letters))
+
+
 def _alike(frames: Sequence[Any]) -> list[Any]:
-    """Return frames of one width: floors may have different outlines."""
+    """Return frames of one size: floors may have different outlines, captions more or fewer rows."""
     from PIL import Image
 
-    width = max(frame.width for frame in frames)
+    size = (max(frame.width for frame in frames), max(frame.height for frame in frames))
     padded = []
     for frame in frames:
-        wide = Image.new("RGB", (width, frame.height), "white")
-        wide.paste(frame, (0, 0))
-        padded.append(wide)
+        large = Image.new("RGB", size, "white")
+        large.paste(frame, (0, 0))
+        padded.append(large)
     return padded
 
 
 def write_sheet(path: Path, log: EpisodeLog, frames: Sequence[Any]) -> None:
-    """Write the frames as one PNG with the instruction above and the result below it."""
-    from PIL import Image, ImageDraw, ImageFont
+    """Write the frames as one PNG with the instruction and the result above them."""
+    from PIL import Image
 
     columns = min(4 if frames[0].width < 460 else 3, len(frames))
     width, height = frames[0].size
-    top = 46
-    sheet = Image.new(
-        "RGB",
-        (columns * (width + 8) + 8, top + ceil(len(frames) / columns) * (height + 8)),
-        "white",
-    )
-    drawing = ImageDraw.Draw(sheet)
+    whole = columns * (width + 8) + 8
     end = log.end
     outcome = "success" if end.success else f"no success ({end.stop.replace('_', ' ')})"
     result = (
         f"{log.start.agent}: {outcome} after {end.steps} skills; "
         f"retrieval {end.retrieval:.2f}, navigation {end.navigation:.2f}"
     )
-    for line, text in enumerate((log.start.task.instruction, result)):
-        drawing.text((10, 4 + 20 * line), text, fill=(0, 0, 0), font=ImageFont.load_default(15))
+    rows = [
+        row
+        for text in (log.start.task.instruction, result)
+        for row in wrapped(text, whole - 2 * EDGE, TITLE_LETTERS)
+    ]
+    top = _height(rows, TITLE_LETTERS)
+    sheet = Image.new("RGB", (whole, top + ceil(len(frames) / columns) * (height + 8)), "white")
+    _write(sheet, 0, rows, TITLE_LETTERS)
     for k, frame in enumerate(frames):
         place = (8 + k % columns * (width + 8), top + k // columns * (height + 8))
         sheet.paste(frame, place)

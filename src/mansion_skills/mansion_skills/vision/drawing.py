@@ -12,6 +12,7 @@ __all__ = [
     "fitted",
     "floor_title",
     "font",
+    "wrapped",
     "write",
 ]
 
@@ -33,11 +34,30 @@ def fitted(text: str, width: float, size: int) -> tuple[str, Any]:
     """Return text and a font in which it is at most so wide: smaller, then cut in its middle."""
     while size > SMALLEST and font(size).getlength(text) > width:
         size -= 1
-    chosen, whole = font(size), text
+    chosen = font(size)
+    return _shortened(text, width, chosen), chosen
+
+
+def _shortened(text: str, width: float, chosen: Any) -> str:
+    """Cut out as much of a text's middle as makes it fit."""
+    whole = text
     while len(whole) > 3 and chosen.getlength(text) > width:
         whole = whole[: len(whole) // 2] + whole[len(whole) // 2 + 1 :]
         text = f"{whole[: len(whole) // 2]}…{whole[len(whole) // 2 :]}"
-    return text, chosen
+    return text
+
+
+def wrapped(text: str, width: float, size: int) -> list[str]:
+    """Break text into rows that are at most so wide; a word that is wider loses its middle."""
+    chosen = font(size)
+    rows: list[str] = []
+    for word in text.split():
+        longer = f"{rows[-1]} {word}" if rows else word
+        if rows and chosen.getlength(longer) <= width:
+            rows[-1] = longer
+        else:
+            rows.append(_shortened(word, width, chosen))
+    return rows or [""]
 
 
 def write(
