@@ -60,3 +60,21 @@ def test_pages_of_landmarks_are_numbered(house: Path, tmp_path: Path) -> None:
 def test_a_room_that_is_not_there_is_named(house: Path) -> None:
     with pytest.raises(MansionError, match="ballroom"):
         look(house, "--room", "ballroom")
+
+
+def test_what_is_not_there_is_answered_with_what_is(house: Path, tmp_path: Path) -> None:
+    with pytest.raises(MansionError) as caught:
+        look(house, "--room", "bathrom", "-o", str(tmp_path / "a.png"))
+    assert "did you mean F" in str(caught.value) and "bathroom" in str(caught.value)
+    with pytest.raises(MansionError, match="there is no floor 9; floors: 1, 2"):
+        look(house, "--floor", "9")
+    with pytest.raises(MansionError) as caught:
+        look(house, "--room", "F1/garage_99", "--floor", "2")
+    assert "on floor 2" in str(caught.value) and "F1/" not in str(caught.value).split(";")[1]
+
+
+def test_a_floor_is_looked_at_from_a_place_on_it(house: Path, tmp_path: Path) -> None:
+    a, b = tmp_path / "a.png", tmp_path / "b.png"
+    look(house, "-o", str(a))
+    look(house, "--floor", "2", "-o", str(b))
+    assert (picture(a) != picture(b)).any()

@@ -5,7 +5,7 @@ from difflib import SequenceMatcher
 
 __all__ = ["choices", "counted", "nearest", "with_article"]
 
-FEW = 12
+FEW = 16
 """So many names are all shown; of more, the nearest."""
 
 SHOWN = 6
@@ -13,6 +13,9 @@ SHOWN = 6
 
 _NEAR = 0.6
 """From this likeness on a name is offered as the one that was meant."""
+
+_FAR = 0.3
+"""Below this bound of their likeness names are not compared letter by letter."""
 
 _LONG = 400
 """Characters of a wrong name that are compared and shown: names may come from anywhere."""
@@ -59,8 +62,7 @@ def nearest(wanted: str, known: Iterable[str], count: int = SHOWN) -> list[str]:
     >>> nearest("floor", ["session", "target_floor", "token"], 1)
     ['target_floor']
     """
-    word = _plain(wanted)
-    likeness = {name: _likeness(word, _plain(name)) for name in known}
+    likeness = _likenesses(wanted, known)
     return sorted(likeness, key=lambda name: (-likeness[name], name))[:count]
 
 
@@ -90,11 +92,11 @@ def choices(wanted: object, known: Iterable[str], noun: str) -> str:
         return f"there are no {noun}"
     word = wanted[:_LONG] if isinstance(wanted, str) else ""
     near = nearest(word, names)
-    meant = _likeness(_plain(word), _plain(near[0])) >= _NEAR
-    hint = f"did you mean {near[0]}? " if meant else ""
+    likeness = _likenesses(word, near[:1])[near[0]]
+    hint = f"did you mean {near[0]}? " if likeness >= _NEAR else ""
     if len(names) <= FEW:
         return f"{hint}{noun}: {', '.join(names)}"
-    if not word:
+    if likeness < _FAR:
         return f"{len(names)} {noun}, among them {', '.join(names[:SHOWN])}"
     return f"{hint}the nearest of {len(names)} {noun}: {', '.join(near)}"
 
@@ -103,12 +105,22 @@ def _plain(name: str) -> str:
     return "".join(mark for mark in name[:_LONG].casefold() if mark.isalnum() or mark == "/")
 
 
-def _likeness(word: str, name: str) -> float:
-    """Return 0 to 1; the parts of a path are compared as well as the whole."""
+def _likenesses(wanted: str, known: Iterable[str]) -> dict[str, float]:
+    """Return 0 to 1 for each name; the parts of a path are compared as well as the whole."""
+    word = _plain(wanted)
+    # The matcher indexes its second sequence once.
+    matcher = SequenceMatcher(None, "", word, autojunk=False)
+    return {name: _likeness(matcher, word, _plain(name)) for name in known}
+
+
+def _likeness(matcher: SequenceMatcher[str], word: str, name: str) -> float:
     if not word or not name:
         return 0.0
-    parts = (name, name.rpartition("/")[2])
-    whole = max(SequenceMatcher(None, word, part, autojunk=False).ratio() for part in parts)
+    best = 0.0
+    for part in dict.fromkeys((name, name.rpartition("/")[2])):
+        matcher.set_seq1(part)
+        if matcher.real_quick_ratio() > best and matcher.quick_ratio() > max(best, _FAR):
+            best = max(best, matcher.ratio())
     short, long = sorted((word, name), key=len)
     within = 0.7 + 0.3 * len(short) / len(long) if len(short) > 2 and short in long else 0.0
-    return max(whole, within)
+    return max(best, within)

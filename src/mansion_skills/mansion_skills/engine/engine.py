@@ -9,6 +9,7 @@ from typing import Any
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.skills import Control, ControlArgs, Loaded, SessionArgs
+from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import (
     LiftCall,
     LiftDoor,
@@ -25,7 +26,7 @@ from mansion_skills.engine.pace import Pace
 from mansion_skills.engine.performing import catch_up, perform
 from mansion_skills.engine.seat import Seat, SharedWorld
 from mansion_skills.skills.asking import landmark_infos
-from mansion_skills.skills.registry import Skill, skill_named
+from mansion_skills.skills.registry import SKILLS, Skill, skill_named
 from mansion_skills.world.overlay import check_session, overlay_path
 from mansion_skills.world.world import ROBOT_RADIUS
 
@@ -194,7 +195,8 @@ class Engine:
         """
         skill = skill_named(name)
         if skill is None:
-            raise MansionError(ErrorCode.NOT_FOUND, f"there is no skill {name!r}")
+            known = choices(name, (entry.name for entry in SKILLS.values()), "skills")
+            raise MansionError(ErrorCode.NOT_FOUND, f"there is no skill {name!r}; {known}")
         seat = self.seat(arguments.session)
         if skill.question:
             with seat.shared.lock:

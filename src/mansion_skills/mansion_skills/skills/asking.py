@@ -15,6 +15,7 @@ from mansion_msgs_py.skills import (
     VisibleObjects,
     WhereAmI,
 )
+from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import SkillResult, SkillStatus
 from mansion_skills.navigation.paths import path_length
 from mansion_skills.navigation.routes import Leg, Ride, RouteGraph
@@ -156,7 +157,9 @@ def _goal(world: World, robot: RobotBody, target: object) -> tuple[int, str, Poi
         return robot.floor, world.view(robot.floor).map.room_at(*place) or "", place
     state = object_named(world, robot, target)
     if isinstance(state, str) or state.floor is None or state.position is None:
-        return f"there is no landmark or object {target!r} to go to"
+        rooms = (room.id for f in world.building.floors for room in world.building.scene(f).rooms)
+        near = choices(target, rooms, "rooms")
+        return f"there is no landmark or object {target[:80]!r} to go to; {near}"
     return state.floor, state.room or "", (state.position[0], state.position[1])
 
 

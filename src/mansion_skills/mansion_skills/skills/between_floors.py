@@ -103,7 +103,8 @@ def use_elevator(world: World, robot: RobotBody, arguments: UseElevatorArgs, rea
     name = "UseElevator"
     target = world.building.floor_number(arguments.target_floor)
     if target is None:
-        text = f"there is no floor {arguments.target_floor!r}"
+        known = ", ".join(map(str, world.building.floors))
+        text = f"there is no floor {str(arguments.target_floor)[:80]!r}; floors: {known}"
         return invalid(world, robot, name, text, f"one of {world.building.floors}")
     if target == robot.floor:
         text = f"the robot is on floor {target} already"

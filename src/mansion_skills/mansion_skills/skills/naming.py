@@ -1,6 +1,7 @@
 """Which object or door a caller means."""
 
 from mansion_msgs_py.scene import Door
+from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import ObjectState
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
@@ -26,7 +27,8 @@ def object_named(world: World, robot: RobotBody, name: object) -> ObjectState | 
     if len(found) == 1:
         return found[0]
     if not found:
-        return f"there is no object {wanted!r}"
+        near = choices(wanted, (state.id for state in here), f"objects of floor {robot.floor}")
+        return f"there is no object {wanted[:80]!r}; {near}"
     known = ", ".join(state.id for state in found[:5])
     return f"{len(found)} objects are called {wanted!r}: {known}"
 
@@ -38,4 +40,4 @@ def door_named(world: World, robot: RobotBody, name: object) -> Door | str:
         for wanted in (name.strip(), f"F{robot.floor}/{name.strip()}"):
             if wanted in doors:
                 return doors[wanted]
-    return f"floor {robot.floor} has no door {name!r}"
+    return f"floor {robot.floor} has no door {str(name)[:80]!r}; {choices(name, doors, 'doors')}"

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore
+from mansion_msgs_py.wording import choices
 from mansion_skills.engine.seat import Seat
 from mansion_skills.skills.seeing import CAMERA_HEIGHT
 from mansion_skills.vision.drawing import floor_title
@@ -156,8 +157,11 @@ class Camera:
             number = seat.robot.floor if floor is None else floor
             building = seat.world.building
             if number not in building.floors:
+                known = ", ".join(map(str, building.floors))
                 raise MansionError(
-                    ErrorCode.NOT_FOUND, f"there is no floor {number}", path="$.floor"
+                    ErrorCode.NOT_FOUND,
+                    f"there is no floor {number}; floors: {known}",
+                    path="$.floor",
                 )
             landmarks = seat.world.view(number).landmarks
             title = f"Landmarks of floor {floor_title(number, building.label(number))}"
@@ -239,9 +243,9 @@ def _landmark(seat: Seat, name: str) -> Landmark:
         found = landmark_named(name, world.view(floor).landmarks, floor, robot.place)
         if found is not None:
             return found
-    raise MansionError(
-        ErrorCode.NOT_FOUND, f"there is no landmark {name!r}; skills/list_landmarks names them"
-    )
+    marks = [mark.name for floor in world.building.floors for mark in world.view(floor).landmarks]
+    near = choices(name, marks, "rooms, stairs and lifts")
+    raise MansionError(ErrorCode.NOT_FOUND, f"there is no landmark {name!r}; {near}")
 
 
 def _nearest_core(seat: Seat, kind: str) -> SceneCore:
