@@ -1,20 +1,23 @@
 """Builds a mesh from boxes, turned bodies, rods and cushions, in metres from the floor below the asset's centre."""
 
 import itertools
-import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
+from mansion_scene.assets.solids import (
+    Axis,
+    Floats,
+    Ints,
+    Vec3,
+    bar,
+    box_solid,
+    extruded,
+    revolved,
+    rounded_box,
+)
 from mansion_scene.catalogue import Asset, Surface, Volume
 
 __all__ = ["Box", "Builder", "Piece", "Rect"]
-
-Floats = npt.NDArray[np.float64]
-Ints = npt.NDArray[np.int64]
-Vec3 = tuple[float, float, float]
 
 
 class Box(NamedTuple):
@@ -49,14 +52,6 @@ class Piece:
         self.vertices.append(vertices)
         self.faces.append(faces + self._count)
         self._count += len(vertices)
-
-
-_BOX_FACES = np.array(
-    [
-        (0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7), (0, 1, 5), (0, 5, 4),
-        (1, 2, 6), (1, 6, 5), (2, 3, 7), (2, 7, 6), (3, 0, 4), (3, 4, 7),
-    ]
-)  # fmt: skip
 
 
 class Builder:
@@ -131,14 +126,7 @@ class Builder:
                 self._lifted(y, self.d / 2),
                 self._lifted(z, self.h),
             )
-        (x0, x1), (y0, y1), (z0, z1) = x, y, z
-        vertices = np.array(
-            [
-                (x0, y0, z0), (x1, y0, z0), (x1, y1, z0), (x0, y1, z0),
-                (x0, y0, z1), (x1, y0, z1), (x1, y1, z1), (x0, y1, z1),
-            ]
-        )  # fmt: skip
-        self.raw(vertices, _BOX_FACES, material, part, solid)
+        self.raw(*box_solid(x, y, z), material, part, solid)
 
     @staticmethod
     def _lifted(span: tuple[float, float], limit: float) -> tuple[float, float]:
@@ -157,24 +145,7 @@ class Builder:
         solid: bool = True,
     ) -> None:
         """Add a body of revolution about a vertical axis; `profile` lists (radius, height) from pole to pole."""
-        angles = np.linspace(0.0, 2 * math.pi, n, endpoint=False)
-        circle = np.stack([np.cos(angles) * stretch[0], np.sin(angles) * stretch[1]], axis=1)
-        rings = [np.column_stack([circle * r + np.array(at), np.full(n, z)]) for r, z in profile]
-        vertices = np.concatenate([*rings, [[*at, profile[0][1]], [*at, profile[-1][1]]]])
-        i = np.arange(n)
-        j = (i + 1) % n
-        faces = []
-        for k in range(len(profile) - 1):
-            a, b = k * n, (k + 1) * n
-            faces += [
-                np.column_stack([a + i, a + j, b + j]),
-                np.column_stack([a + i, b + j, b + i]),
-            ]
-        first, last = len(profile) * n, len(profile) * n + 1
-        faces.append(np.column_stack([np.full(n, first), j, i]))
-        end = (len(profile) - 1) * n
-        faces.append(np.column_stack([np.full(n, last), end + i, end + j]))
-        self.raw(vertices, np.concatenate(faces), material, part, solid)
+        self.raw(*revolved(profile, at, n, stretch), material, part, solid)
 
     def cyl(
         self,
@@ -204,25 +175,7 @@ class Builder:
         solid: bool = False,
     ) -> None:
         """Add a round bar between two points."""
-        a, b = np.array(start), np.array(end)
-        axis = (b - a) / max(float(np.linalg.norm(b - a)), 1e-9)
-        side = np.cross(axis, (0.0, 0.0, 1.0) if abs(axis[2]) < 0.9 else (1.0, 0.0, 0.0))
-        side /= np.linalg.norm(side)
-        other = np.cross(axis, side)
-        angles = np.linspace(0.0, 2 * math.pi, n, endpoint=False)
-        ring = r * (np.outer(np.cos(angles), side) + np.outer(np.sin(angles), other))
-        vertices = np.concatenate([a + ring, b + ring, [a], [b]])
-        i = np.arange(n)
-        j = (i + 1) % n
-        faces = np.concatenate(
-            [
-                np.column_stack([i, j, n + j]),
-                np.column_stack([i, n + j, n + i]),
-                np.column_stack([np.full(n, 2 * n), j, i]),
-                np.column_stack([np.full(n, 2 * n + 1), n + i, n + j]),
-            ]
-        )
-        self.raw(vertices, faces, material, part, solid)
+        self.raw(*bar(start, end, r, n), material, part, solid)
 
     def path(self, points: Sequence[Vec3], r: float, material: str, part: str = "frame") -> None:
         """Add round bars along a line of points."""
@@ -262,69 +215,19 @@ class Builder:
         solid: bool = True,
     ) -> None:
         """Add a box with rounded edges; `round_` 1 makes an ellipsoid."""
-        half = np.array([(b - a) / 2 for a, b in (x, y, z)])
-        center = np.array([(a + b) / 2 for a, b in (x, y, z)])
-        radius = half if round_ >= 1.0 else np.minimum(half, round_ * float(half.min()))
-        m = max(4, 4 * (n // 4))
-        lon = (np.arange(m) + 0.5) * 2 * math.pi / m
-        lat = np.linspace(-math.pi / 2, math.pi / 2, m // 2 + 2)[1:-1]
-        if round_ >= 1.0:
-            lon = np.arange(m) * 2 * math.pi / m
-        rows = [
-            np.column_stack(
-                [math.cos(b) * np.cos(lon), math.cos(b) * np.sin(lon), np.full(m, math.sin(b))]
-            )
-            for b in lat
-        ]
-        unit = np.concatenate([*rows, [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]])
-        vertices = unit * radius + np.where(np.abs(unit) < 1e-9, 0.0, np.sign(unit)) * (
-            half - radius
-        )
-        peaks = np.abs(vertices).max(axis=0)
-        vertices = vertices * (half / np.maximum(peaks, 1e-9)) + center
-        i = np.arange(m)
-        j = (i + 1) % m
-        faces = []
-        for k in range(len(lat) - 1):
-            a, c = k * m, (k + 1) * m
-            faces += [
-                np.column_stack([a + i, a + j, c + j]),
-                np.column_stack([a + i, c + j, c + i]),
-            ]
-        south, north = len(lat) * m, len(lat) * m + 1
-        end = (len(lat) - 1) * m
-        faces.append(np.column_stack([np.full(m, south), j, i]))
-        faces.append(np.column_stack([np.full(m, north), end + i, end + j]))
-        self.raw(vertices, np.concatenate(faces), material, part, solid)
+        self.raw(*rounded_box(x, y, z, round_, n), material, part, solid)
 
     def prism(
         self,
         outline: Sequence[tuple[float, float]],
         span: tuple[float, float],
         material: str,
-        axis: str = "x",
+        axis: Axis = "x",
         part: str = "body",
         solid: bool = True,
     ) -> None:
         """Add a convex outline drawn out along an axis: (y, z) along x, (x, z) along y, (x, y) along z."""
-        n = len(outline)
-        order = {"x": (2, 0, 1), "y": (0, 2, 1), "z": (0, 1, 2)}[axis]
-        flat = [[(u, v, s) for u, v in outline] for s in span]
-        vertices = np.array(flat, dtype=float).reshape(2 * n, 3)[:, order]
-        area = sum(
-            a[0] * b[1] - b[0] * a[1]
-            for a, b in zip(outline, [*outline[1:], outline[0]], strict=True)
-        )
-        faces = []
-        for k in range(n):
-            q = (k + 1) % n
-            faces += [(k, q, n + q), (k, n + q, n + k)]
-        for k in range(1, n - 1):
-            faces += [(0, k + 1, k), (n, n + k, n + k + 1)]
-        table = np.array(faces)
-        if (area < 0) != (axis == "y"):
-            table = table[:, ::-1]
-        self.raw(vertices, table, material, part, solid)
+        self.raw(*extruded(outline, span, axis), material, part, solid)
 
     def legs(
         self,

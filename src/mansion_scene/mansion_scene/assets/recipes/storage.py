@@ -2,7 +2,7 @@
 
 from mansion_scene.assets.builder import Builder, Rect
 from mansion_scene.assets.registry import recipe
-from mansion_scene.catalogue.surfaces import BOARD
+from mansion_scene.catalogue.carriers import BOARD
 
 __all__: list[str] = []
 
