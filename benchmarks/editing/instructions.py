@@ -1,94 +1,23 @@
 """The editing agent on instructions over many buildings; what must be true afterwards is checked from scene.json alone.
 
-    python benchmarks/editing/instructions.py BUILDINGS [--each 10] [--seed 0] [--physics mujoco] [--work FOLDER]
+    python benchmarks/editing/instructions.py BUILDINGS [--each 10] [--seed 0] [--physics mujoco]
 
 BUILDINGS is a folder of building folders. Each instruction is made from what a building holds together with the facts
-that it asks for; the verdict comes from code that shares nothing with the agent but the scene's payload types: it
-reads the object's category, its parent and its box. An instruction counts when every fact is true, the number of edits
-is at most one above the least, and ``mansion check`` finds no fault that was not there before.
+that it asks for; `cases.py` says how it is judged.
 """
 
-import argparse
-import shutil
-import tempfile
 from collections import Counter
-from collections.abc import Callable
-from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
+from cases import CARRIERS, COLD, SMALL, Case, Scenes, count, options, read, room_words, run
 
-from mansion_bringup.check import check_building
-from mansion_bringup.cli.edit import open_editor
-from mansion_bringup.edit_hooks import building_files, floor_files
-from mansion_msgs_py.codec import decode
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_scene.editing.agent.instruct import instruct
-
-SMALL = {
-    "mug": "mug", "apple": "apple", "banana": "banana", "book": "book", "cola": "cola_can", "pen": "pen",
-    "newspaper": "newspaper", "laptop": "laptop", "stapler": "stapler", "remote control": "remote_control",
-    "wine bottle": "wine_bottle", "cell phone": "cell_phone", "vase": "vase", "toilet paper": "toilet_paper",
-}  # fmt: skip
-COLD = {
-    "cola": "cola_can",
-    "milk": "milk_carton",
-    "yogurt": "yogurt",
-    "apple": "apple",
-    "juice": "juice_carton",
-}
-CARRIERS = ("dining_table", "coffee_table", "desk", "office_desk", "conference_table", "side_table", "counter_top",
-            "console_table", "kitchen_counter", "sideboard", "nightstand", "cafe_table", "training_table")  # fmt: skip
-ORDINALS = ("", "first", "second", "third", "fourth")
-MARGIN = 0.02
-
-
-@dataclass
-class Case:
-    """An instruction, the least number of edits, and what must be true of the scenes."""
-
-    text: str
-    least: int
-    holds: Callable[[list[FloorScene]], bool]
-    kind: str
-
-
-def within(item: SceneObject, carrier: SceneObject) -> bool:
-    """Whether an object's centre lies over a carrier and at its height."""
-    reach = max(carrier.size[:2]) / 2 + MARGIN
-    dx, dy = (abs(item.position[k] - carrier.position[k]) for k in (0, 1))
-    foot = item.position[2] - item.size[2] / 2
-    low = carrier.position[2] - carrier.size[2] / 2
-    return (
-        dx <= reach
-        and dy <= reach
-        and low - MARGIN <= foot <= carrier.position[2] + carrier.size[2] / 2 + 0.05
-    )
-
-
-def count(scenes: list[FloorScene], carrier: str, category: str) -> int:
-    """Count objects of a category that name a carrier as parent and lie within its reach."""
-    for scene in scenes:
-        own = next((item for item in scene.objects if item.id == carrier), None)
-        if own is not None:
-            return sum(
-                item.parent == carrier and item.category == category and within(item, own)
-                for item in scene.objects
-            )
-    return -1
-
-
-def room_words(scene: FloorScene, room: str, several_floors: bool) -> str:
-    """Name a room as a person would, unambiguously."""
-    name = room.split("/", 1)[1]
-    words = name.replace("_", " ") if not name[-1].isdigit() else name
-    return f"the {words} on the {ORDINALS[scene.floor]} floor" if several_floors else f"the {words}"
 
 
 class Maker:
     """Makes the cases of one building."""
 
-    def __init__(self, scenes: list[FloorScene], rng: np.random.Generator) -> None:
+    def __init__(self, scenes: Scenes, rng: np.random.Generator) -> None:
         self.scenes, self.rng = scenes, rng
         self.tall = len(scenes) > 1
         rooms = [o.room + o.category for s in scenes for o in s.objects]
@@ -175,7 +104,7 @@ class Maker:
             for o in scene.objects
         )
 
-        def holds(scenes: list[FloorScene]) -> bool:
+        def holds(scenes: Scenes) -> bool:
             return (
                 sum(
                     o.parent == carrier.id and o.category == "mug" and o.material.endswith(colour)
@@ -281,7 +210,7 @@ class Maker:
         scene, source, item = self.pick(loaded)
         target_scene, target = self.pick([(s, c) for s, c in self.carriers if c.id != source.id])
 
-        def holds(scenes: list[FloorScene]) -> bool:
+        def holds(scenes: Scenes) -> bool:
             there = count(scenes, target.id, item.category)
             return there > before and count(scenes, source.id, item.category) == 0
 
@@ -294,53 +223,12 @@ class Maker:
         )
 
 
-def read(folder: Path) -> list[FloorScene]:
-    """Return the scenes of a folder."""
-    files = sorted(folder.glob("floors/*/scene.json"))
-    return [decode(FloorScene, file.read_bytes()) for file in files]
-
-
 def main() -> None:
     """Run the cases and print the score."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("buildings", type=Path)
-    parser.add_argument("--each", type=int, default=10)
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--physics", default="mujoco")
-    args = parser.parse_args()
-    met: Counter[str] = Counter()
-    asked: Counter[str] = Counter()
-    unclean = 0
-    folders = [path.parent for path in sorted(args.buildings.glob("*/building.json"))]
-    with tempfile.TemporaryDirectory() as work:
-        for number, folder in enumerate(folders):
-            copy = Path(work) / folder.name
-            shutil.copytree(folder, copy)
-            faults = set(check_building(copy))
-            editor = open_editor(copy, physics=args.physics, who="bench")
-            for turn in range(args.each):
-                rng = np.random.default_rng([args.seed, number, turn])
-                case = Maker(read(copy), rng).make(turn)
-                report = instruct(editor, case.text)
-                true = case.holds(read(copy))
-                frugal = report.edits <= case.least + 1
-                asked[case.kind] += 1
-                met[case.kind] += report.done and true and frugal
-                if not (report.done and true and frugal):
-                    verdict = f"true: {true}, edits {report.edits}, least {case.least}"
-                    print(f"{folder.name}: {case.text!r}: {report.message} ({verdict})")
-            editor.store.refresh(floor_files, building_files)
-            new = set(check_building(copy)) - faults
-            unclean += bool(new)
-            for fault in sorted(new, key=str):
-                print(f"{folder.name}: new fault {fault}")
-    for kind in asked:
-        print(f"{kind:8s} {met[kind]:4d} of {asked[kind]}")
-    total = sum(asked.values())
-    print(
-        f"met {sum(met.values())} of {total} ({sum(met.values()) / max(1, total):.1%}); "
-        f"{unclean} of {len(folders)} buildings with new faults"
-    )
+    run(
+        options(__doc__, 10).parse_args(),
+        lambda editor, folder, rng, number, turn: Maker(read(folder), rng).make(turn),
+    ).show()
 
 
 if __name__ == "__main__":

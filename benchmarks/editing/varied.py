@@ -6,25 +6,32 @@ As `instructions.py`, with the phrasings of `phrasings.py`: things that ought to
 beside something, exactly so many, furniture that is not there yet, several wishes in one sentence.
 """
 
-import argparse
 import math
-import shutil
-import tempfile
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import phrasings
-from instructions import COLD, SMALL, Case, Maker, count, read, room_words
+from cases import (
+    COLD,
+    SMALL,
+    Case,
+    Scenes,
+    article,
+    count,
+    objects,
+    options,
+    plural,
+    read,
+    room_words,
+    run,
+)
+from instructions import Maker
 
-from mansion_bringup.check import check_building
-from mansion_bringup.cli.edit import open_editor
-from mansion_bringup.edit_hooks import building_files, floor_files
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_scene.editing.agent.instruct import instruct
+from mansion_scene.editing.editor import SceneEditor
 
-Scenes = list[FloorScene]
 THINGS = [w for w in SMALL if w not in ("laptop", "toilet paper")]
 FURNITURE = {
     "armchair": "armchair",
@@ -33,21 +40,6 @@ FURNITURE = {
     "stool": "stool",
 }
 NUMBERS = ("", "one", "two", "three")
-
-
-def objects(scenes: Scenes) -> list[SceneObject]:
-    """Return all objects."""
-    return [item for scene in scenes for item in scene.objects]
-
-
-def plural(word: str) -> str:
-    """Return a noun in the plural."""
-    return word + ("es" if word.endswith(("s", "sh", "x", "ch")) else "s")
-
-
-def article(word: str) -> str:
-    """Return a noun with its article."""
-    return f"{'an' if word[0] in 'aeiou' else 'a'} {word}"
 
 
 class Varied(Maker):
@@ -311,46 +303,17 @@ class Varied(Maker):
 
 def main() -> None:
     """Run the cases and print the score."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("buildings", type=Path)
-    parser.add_argument("--each", type=int, default=12)
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--physics", default="mujoco")
-    args = parser.parse_args()
-    met: Counter[str] = Counter()
-    asked: Counter[str] = Counter()
+    args = options(__doc__, 12).parse_args()
     turns: Counter[str] = Counter()
-    unclean = 0
-    folders = [path.parent for path in sorted(args.buildings.glob("*/building.json"))]
-    with tempfile.TemporaryDirectory() as work:
-        for number, folder in enumerate(folders):
-            copy = Path(work) / folder.name
-            shutil.copytree(folder, copy)
-            faults = set(check_building(copy))
-            editor = open_editor(copy, physics=args.physics, who="bench")
-            for turn in range(args.each):
-                rng = np.random.default_rng([args.seed, number, turn])
-                case = Varied(read(copy), rng, turns).make(number * args.each + turn)
-                report = instruct(editor, case.text)
-                true = case.holds(read(copy))
-                good = report.done and true and report.edits <= case.least + 1
-                asked[case.kind] += 1
-                met[case.kind] += good
-                if not good:
-                    verdict = f"true: {true}, edits {report.edits}, least {case.least}"
-                    print(f"{folder.name}: {case.text!r}: {report.message} ({verdict})")
-            editor.store.refresh(floor_files, building_files)
-            new = set(check_building(copy)) - faults
-            unclean += bool(new)
-            for fault in sorted(new, key=str):
-                print(f"{folder.name}: new fault {fault}")
-    for kind in sorted(asked):
-        print(f"{kind:8s} {met[kind]:4d} of {asked[kind]}")
-    total = sum(asked.values())
-    share = sum(met.values()) / max(1, total)
+
+    def make(
+        editor: SceneEditor, folder: Path, rng: np.random.Generator, number: int, turn: int
+    ) -> Case:
+        return Varied(read(folder), rng, turns).make(number * args.each + turn)
+
+    run(args, make).show()
     forms = sum(min(turns[kind], len(getattr(phrasings, kind))) for kind in turns)
-    print(f"met {sum(met.values())} of {total} ({share:.1%}) in {forms} phrasings")
-    print(f"{unclean} of {len(folders)} buildings with new faults")
+    print(f"{forms} phrasings")
 
 
 if __name__ == "__main__":
