@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from mansion_msgs_py.scene import FloorScene
 from mansion_scene.catalogue import Catalogue
+from mansion_scene.export.cutaway import quarter_turns
 from mansion_scene.export.gltf import write_glb
 from mansion_scene.export.meshes import building_models, floor_model
 from mansion_scene.export.model import Model
@@ -41,7 +42,7 @@ def building_glb(
     name = scenes[0].building_id if scenes else "building"
     if models is None:
         models = building_models(scenes, ceilings=ceilings, catalogue=catalogue)
-    return write_glb(models, name, building_title(scenes))
+    return write_glb(models, name, building_title(scenes), quarter_turns(scenes))
 
 
 def floor_glb(

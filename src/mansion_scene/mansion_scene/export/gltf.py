@@ -20,7 +20,7 @@ FLOAT, USHORT, UINT = 5126, 5123, 5125
 ARRAY, ELEMENTS = 34962, 34963
 
 
-def write_glb(models: Sequence[Model], name: str, title: str = "") -> bytes:
+def write_glb(models: Sequence[Model], name: str, title: str = "", turns: int = 0) -> bytes:
     """Write models as one binary glTF scene.
 
     Parameters
@@ -31,6 +31,8 @@ def write_glb(models: Sequence[Model], name: str, title: str = "") -> bytes:
         Of the root node.
     title : str
         What a person calls the building, kept in the root node's extras.
+    turns : int
+        Quarters by which to turn the building so that its entrance faces a viewer in the south; kept there, too.
 
     Returns
     -------
@@ -39,7 +41,8 @@ def write_glb(models: Sequence[Model], name: str, title: str = "") -> bytes:
     """
     writer = _Writer()
     floors = [writer.floor(model) for model in models]
-    root = writer.node({"name": name, "children": floors, **_titled(title)})
+    extras = {key: value for key, value in (("title", title), ("turns", turns)) if value}
+    root = writer.node({"name": name, "children": floors, **({"extras": extras} if extras else {})})
     return writer.finish(root)
 
 

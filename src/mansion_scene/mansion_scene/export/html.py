@@ -12,7 +12,15 @@ from mansion_scene.export.glb import building_glb
 
 __all__ = ["view_page"]
 
-SCRIPTS = ("matrix.js", "scene.js", "renderer.js", "main.js")
+SCRIPTS = (
+    "matrix.js",
+    "scene.js",
+    "renderer.js",
+    "camera.js",
+    "labels.js",
+    "input.js",
+    "main.js",
+)
 
 
 def view_page(building: bytes | Sequence[FloorScene]) -> str:
@@ -27,7 +35,7 @@ def view_page(building: bytes | Sequence[FloorScene]) -> str:
     -------
     str
         An HTML document with the model inside (gzip, base64) and a viewer in plain JavaScript over WebGL 2: floors
-        shown and hidden, spread and cut open, room names, ids on a click.
+        shown and hidden, spread and cut open, room names, what is pointed at.
     """
     glb = building if isinstance(building, bytes) else building_glb(building)
     parts = {

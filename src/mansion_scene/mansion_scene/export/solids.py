@@ -105,11 +105,15 @@ class WallBodies:
         """Return the doors and windows of a wall from its start to its end."""
         return self._openings[wall.id]
 
+    def stretch(self, wall: Wall) -> tuple[float, float]:
+        """Return from where to where a wall goes along its centre line, lengthened to close corners."""
+        i = self._index[wall.id]
+        before, after = self._beyond_ends[i].tolist()
+        return -before, float(self._lengths[i]) + after
+
     def pieces(self, wall: Wall) -> list[tuple[float, float]]:
         """Return the full-height parts of a wall between its openings, lengthened to close corners."""
-        i = self._index[wall.id]
-        end = float(self._lengths[i]) + float(self._beyond_ends[i, 1])
-        reached = -float(self._beyond_ends[i, 0])
+        reached, end = self.stretch(wall)
         pieces = []
         for opening in self._openings[wall.id]:
             if opening.low > reached + 1e-6:

@@ -1,54 +1,28 @@
 """Walls, floors, slabs and ceilings of a floor as nodes of a model."""
 
-from collections.abc import Sequence
-
-import numpy as np
 from shapely.geometry import Polygon
 
-from mansion_msgs_py.scene import FloorScene, StairDetails, Wall
+from mansion_msgs_py.scene import FloorScene, StairDetails
 from mansion_msgs_py.shapes import Ring
 from mansion_scene.export.appearance import named, surface_material
 from mansion_scene.export.model import Material, Model, Node, Surface
 from mansion_scene.export.plan.labels import room_title
-from mansion_scene.export.solids import Box, WallBodies
-from mansion_scene.export.solids3d import boxes_surface, polygon_surface
-from mansion_scene.structure.facade_materials import DEFAULT_FACADE, facade_of
+from mansion_scene.export.solids import WallBodies
+from mansion_scene.export.solids3d import polygon_surface
+from mansion_scene.export.wall_meshes import wall_surfaces
+from mansion_scene.structure.facade_materials import facade_of
 
 __all__ = ["add_ceilings", "add_floors", "add_roof", "add_walls", "slab_polygon"]
 
 FINISH = 0.02
 """Thickness of the floor finish on the slab, metres."""
 
-LEFT, RIGHT = slice(6, 8), slice(4, 6)
-"""Triangles of a box on the left and right of its x axis, of the twelve that `boxes_surface` makes."""
-
 
 def add_walls(model: Model, scene: FloorScene) -> None:
     """Add each wall, cut at its openings, each face in the material of its room."""
     bodies = WallBodies(scene)
     for wall in scene.walls:
-        model.add(Node(wall.id, wall.id, "structure"), _wall(wall, bodies.boxes(wall)))
-
-
-def _wall(wall: Wall, boxes: Sequence[Box]) -> list[Surface]:
-    left = surface_material(wall.left_material, "wall")
-    right = surface_material(
-        wall.right_material or (DEFAULT_FACADE if wall.exterior else ""), "wall"
-    )
-    body = boxes_surface(boxes, named("white_drywall"))
-    faces = body.faces.reshape(-1, 12, 3)
-    rest = np.concatenate([faces[:, :4], faces[:, 8:]], axis=1).reshape(-1, 3)
-    return [
-        _compact(Surface(left, body.vertices, faces[:, LEFT].reshape(-1, 3))),
-        _compact(Surface(right, body.vertices, faces[:, RIGHT].reshape(-1, 3))),
-        _compact(Surface(body.material, body.vertices, rest)),
-    ]
-
-
-def _compact(surface: Surface) -> Surface:
-    """Drop vertices that no face uses."""
-    used, faces = np.unique(surface.faces, return_inverse=True)
-    return Surface(surface.material, surface.vertices[used], faces.reshape(surface.faces.shape))
+        model.add(Node(wall.id, wall.id, "structure"), wall_surfaces(wall, bodies))
 
 
 def add_floors(model: Model, scene: FloorScene) -> None:

@@ -60,7 +60,8 @@ class Renderer {
     }
     this.buffers = new Map();
     for (const floor of building.floors) floor.draws = floor.batches.map((batch) => this.upload(building, batch));
-    this.target = null;
+    this.ids = null;
+    this.stale = true;
   }
 
   link() {
@@ -126,6 +127,7 @@ class Renderer {
 
   draw(floors, options, picking = false) {
     const gl = this.gl;
+    if (!picking) this.stale = true;
     gl.useProgram(this.program);
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(...(picking ? [0, 0, 0, 0] : [0.965, 0.968, 0.974, 1]));
@@ -160,25 +162,36 @@ class Renderer {
     gl.bindVertexArray(null);
   }
 
+  // The id below a pixel. The picture of ids is kept until something else is drawn.
   pick(floors, options, x, y) {
     const gl = this.gl;
     const [width, height] = [this.canvas.width, this.canvas.height];
-    const frame = gl.createFramebuffer();
-    const color = gl.createRenderbuffer();
-    const depth = gl.createRenderbuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-    for (const [buffer, format, place] of [[color, gl.RGBA8, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
-      gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-      gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
-      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
-    }
-    this.draw(floors, options, true);
+    if (!this.ids || this.ids.width !== width || this.ids.height !== height) this.prepare(width, height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.ids.frame);
+    if (this.stale) this.draw(floors, options, true);
+    this.stale = false;
     const pixel = new Uint8Array(4);
     gl.readPixels(x, height - 1 - y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.deleteFramebuffer(frame);
-    gl.deleteRenderbuffer(color);
-    gl.deleteRenderbuffer(depth);
     return pixel[0] + 256 * pixel[1] + 65536 * pixel[2];
+  }
+
+  prepare(width, height) {
+    const gl = this.gl;
+    if (this.ids) {
+      gl.deleteFramebuffer(this.ids.frame);
+      this.ids.buffers.forEach((buffer) => gl.deleteRenderbuffer(buffer));
+    }
+    const frame = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    const buffers = [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]].map(([format, place]) => {
+      const buffer = gl.createRenderbuffer();
+      gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+      gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
+      return buffer;
+    });
+    this.ids = { frame, buffers, width, height };
+    this.stale = true;
   }
 }

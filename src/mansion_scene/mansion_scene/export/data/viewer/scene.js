@@ -22,43 +22,51 @@ function parseGlb(buffer) {
   return { gltf, read };
 }
 
-// floors: [{name, number, elevation, batches: [{mesh, primitive, group, matrices, ids}], labels: [...]}]
+// floors: [{title, number, elevation, low, high, batches: [{primitive, group, matrices, ids}], labels: [...]}]; an id counts in items from 1]
 function readBuilding(buffer) {
   const { gltf, read } = parseGlb(buffer);
-  const names = [];
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
+  const root = gltf.nodes[gltf.scenes[0].nodes[0]];
+  const items = [];
   const floors = [];
-  for (const index of gltf.nodes[gltf.scenes[0].nodes[0]].children || []) {
+  for (const index of root.children || []) {
     const node = gltf.nodes[index];
     const elevation = (node.translation || [0, 0, 0])[1];
     const number = parseInt(node.name.split("_").pop(), 10);
     const title = (node.extras && node.extras.title) || `Floor ${number}`;
-    const floor = { name: node.name, title, number, elevation, batches: [], labels: [] };
+    const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
+    const floor = { title, number, elevation, low, high, batches: [], labels: [] };
     for (const groupIndex of node.children || []) {
       const groupNode = gltf.nodes[groupIndex];
+      const group = groupNode.name.split("/").pop();
       const batches = new Map();
       for (const child of groupNode.children || []) {
         const item = gltf.nodes[child];
         const matrix = compose(item);
         if (!batches.has(item.mesh)) batches.set(item.mesh, { matrices: [], ids: [] });
         batches.get(item.mesh).matrices.push(matrix);
-        batches.get(item.mesh).ids.push(names.length + 1);
-        names.push(item.name);
-        grow(gltf, item.mesh, matrix, elevation, low, high);
-        if (item.extras && item.extras.label) floor.labels.push({ lines: item.extras.label, at: item.extras.label_at });
+        batches.get(item.mesh).ids.push(items.length + 1);
+        const box = bounds(gltf, item.mesh, matrix, elevation);
+        const { room, label, label_at: at } = item.extras || {};
+        items.push({ id: item.name, room, label, group, floor, size: extent(gltf, item), ...box });
+        for (let i = 0; i < 3; i++) {
+          floor.low[i] = Math.min(floor.low[i], box.low[i]);
+          floor.high[i] = Math.max(floor.high[i], box.high[i]);
+        }
+        if (label) floor.labels.push({ lines: label, at, ...box });
       }
-      const group = groupNode.name.split("/").pop();
       for (const [mesh, { matrices, ids }] of batches) {
         for (const primitive of gltf.meshes[mesh].primitives) floor.batches.push({ primitive, group, matrices, ids });
       }
     }
     floors.push(floor);
   }
-  return { gltf, read, floors, names, low, high, title: gltf.nodes[gltf.scenes[0].nodes[0]].name };
+  const rooms = new Map(items.filter((item) => item.label).map((item) => [item.id, item.label]));
+  return { gltf, read, floors, items, rooms, turns: (root.extras || {}).turns || 0 };
 }
 
-function grow(gltf, mesh, matrix, elevation, low, high) {
+// Lowest and highest corner of a placed mesh, in the building's frame.
+function bounds(gltf, mesh, matrix, elevation) {
+  const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
   for (const primitive of gltf.meshes[mesh].primitives) {
     const { min, max } = gltf.accessors[primitive.attributes.POSITION];
     for (let corner = 0; corner < 8; corner++) {
@@ -70,4 +78,29 @@ function grow(gltf, mesh, matrix, elevation, low, high) {
       }
     }
   }
+  return { low, high };
+}
+
+// Width, depth and height of an element before it is turned, metres.
+function extent(gltf, node) {
+  const corners = gltf.meshes[node.mesh].primitives.map((primitive) => gltf.accessors[primitive.attributes.POSITION]);
+  const scale = node.scale || [1, 1, 1];
+  const [w, h, d] = [0, 1, 2].map((i) => scale[i] * (Math.max(...corners.map((c) => c.max[i])) - Math.min(...corners.map((c) => c.min[i]))));
+  return [w, d, h];
+}
+
+const words = (text) => {
+  const plain = text.replace(/_/g, " ");
+  return plain.charAt(0).toUpperCase() + plain.slice(1);
+};
+
+// What a person calls an element and where it is.
+function describe(building, item) {
+  const parts = item.id.split("/");
+  const own = parts.length > 2 && item.group === "doors" ? parts.slice(1).join(" ") : parts[parts.length - 1];
+  const room = building.rooms.get(item.room || "");
+  const [name, area] = item.label || [words(own), ""];
+  const where = [room && !item.label ? room[0] : "", building.floors.length > 1 ? item.floor.title : ""].filter(Boolean).join(", ");
+  const size = item.group === "objects" ? `${item.size.map((value) => value.toFixed(2)).join(" × ")} m (w × d × h)` : area || "";
+  return { id: item.id, name, where, size };
 }
