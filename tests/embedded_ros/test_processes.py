@@ -195,3 +195,17 @@ def test_localhost_only_is_honoured_with_a_warning() -> None:
 
     with pytest.warns(UserWarning, match="deprecated"):
         assert 'address="localhost"' in configuration({"ROS_LOCALHOST_ONLY": "1"})
+
+
+def test_nodes_of_one_process_and_domain_have_one_discovery_range(
+    ros: Any, node: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "OFF")
+    context = ros.context.Context()
+    ros.init(args=[], context=context)
+    try:
+        with pytest.raises(Exception, match="different discovery parameters") as caught:
+            ros.create_node("elsewhere", context=context)
+        assert type(caught.value).__name__ == "RCLError"
+    finally:
+        ros.shutdown(context=context)

@@ -16,6 +16,7 @@ from rclpy.client import Client
 from rclpy.context import Context
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 from rclpy.node import Node
+from rclpy.task import Future
 from std_msgs.msg import String
 
 from mansion_bringup.discovery import stay_on_this_machine
@@ -64,7 +65,9 @@ class MansionClient:
         namespace: str = interfaces.DEFAULT_NAMESPACE,
         timeout: float = 600.0,
     ) -> None:
-        stay_on_this_machine()
+        if not rclpy.ok():
+            # Where nodes run already, their range holds: a process has but one for a domain.
+            stay_on_this_machine()
         self.timeout = timeout
         self._context = Context()
         rclpy.init(context=self._context, args=[], domain_id=domain_id)
@@ -79,22 +82,28 @@ class MansionClient:
         self._lock = threading.Lock()
         self._executor = MultiThreadedExecutor(num_threads=2, context=self._context)
         self._executor.add_node(self.node)
+        self._closed = Future()
         self._thread = threading.Thread(target=self._spin, name="mansion_client", daemon=True)
         self._thread.start()
 
     def _spin(self) -> None:
         try:
-            self._executor.spin()
+            self._executor.spin_until_future_complete(self._closed)
         except ExternalShutdownException:
             return
+        except Exception:
+            # A signal may end the context between two calls of the executor, which then fail in many ways.
+            if self._context.ok():
+                raise
 
     def close(self) -> None:
         """End the client and its context."""
-        if self._context.ok():
-            self._executor.shutdown(timeout_sec=2.0)
-            self.node.destroy_node()
-            rclpy.shutdown(context=self._context)
+        # The executor's thread ends first: what it waits for must not be taken away under it.
+        self._closed.set_result(None)
         self._thread.join(timeout=2.0)
+        self._executor.shutdown(timeout_sec=2.0)
+        self.node.destroy_node()
+        rclpy.try_shutdown(context=self._context)
 
     def __enter__(self) -> "MansionClient":
         return self

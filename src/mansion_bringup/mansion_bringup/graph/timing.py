@@ -10,6 +10,7 @@ from pathlib import Path
 from statistics import median
 
 from mansion_bringup.client import MansionClient
+from mansion_bringup.discovery import stays_on_this_machine
 from mansion_bringup.graph.domain import free_domain
 from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 from mansion_bringup.pipeline.build import build_building
@@ -54,7 +55,11 @@ def compare_builds(
     options = GraphOptions(domain_id=free_domain(), quiet=True)
     local: list[float] = []
     remote: list[float] = []
-    with tempfile.TemporaryDirectory() as folder, GraphProcesses(options) as graph:
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        stays_on_this_machine(),
+        GraphProcesses(options) as graph,
+    ):
         root = Path(folder)
         graph.wait_ready(180.0)
         with MansionClient(domain_id=options.domain_id) as client:

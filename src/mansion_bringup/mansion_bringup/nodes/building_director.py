@@ -5,7 +5,7 @@ import threading
 from collections.abc import Sequence
 from pathlib import Path
 
-from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.node import Node
 
@@ -43,7 +43,10 @@ class BuildingDirector(Node):
         self.declare_parameter(
             "stage_timeout",
             120.0,
-            ParameterDescriptor(description="seconds that one stage of one floor may take"),
+            ParameterDescriptor(
+                description="seconds that one stage of one floor may take",
+                floating_point_range=[FloatingPointRange(from_value=0.1, to_value=86_400.0)],
+            ),
         )
         self.declare_parameter(
             "floors_at_once",

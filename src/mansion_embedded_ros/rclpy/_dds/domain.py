@@ -29,7 +29,8 @@ _LOOPBACK = "<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>16000B</Fragme
 """Fragments that loopback carries whole; a fifth of the time for 5 MB."""
 
 _lock = threading.Lock()
-_domains: dict[int, tuple[int, int]] = {}
+_domains: dict[int, tuple[int, int, str]] = {}
+"""Entity, number of users, and configuration of each domain of this process."""
 
 
 def domain_id_from_environment(environment: Mapping[str, str] = os.environ) -> int:
@@ -93,23 +94,37 @@ def configuration(environment: Mapping[str, str] = os.environ) -> str:
 
 
 def acquire_domain(number: int) -> None:
-    """Create the domain with our configuration if this process has not got it yet."""
+    """Create the domain with our configuration if this process has not got it yet.
+
+    Raises
+    ------
+    DDSError
+        If the domain cannot be made, or was made when the environment asked for another range: as in Jazzy, all nodes
+        of a process that are in one domain have the same.
+    """
     with _lock:
-        entity, users = _domains.get(number, (0, 0))
+        own = configuration()
+        entity, users, used = _domains.get(number, (0, 0, own))
+        if used != own:
+            raise DDSError(
+                PRECONDITION_NOT_MET,
+                f"use domain {number}: attempt at creating nodes in the same domain with different discovery "
+                "parameters",
+            )
         if users == 0:
-            entity = dds.dds_create_domain(number, configuration().encode())
+            entity = dds.dds_create_domain(number, own.encode())
             # Somebody else's domain (a plain cyclonedds participant) is used as it is.
             if entity < 0 and entity != PRECONDITION_NOT_MET:
                 raise DDSError(entity, f"create domain {number} (check CYCLONEDDS_URI)")
-        _domains[number] = (entity, users + 1)
+        _domains[number] = (entity, users + 1, own)
 
 
 def release_domain(number: int) -> None:
     """Give one use back; the domain ends with its last."""
     with _lock:
-        entity, users = _domains.get(number, (0, 0))
+        entity, users, used = _domains.get(number, (0, 0, ""))
         if users > 1:
-            _domains[number] = (entity, users - 1)
+            _domains[number] = (entity, users - 1, used)
         elif users == 1:
             del _domains[number]
             if entity > 0:

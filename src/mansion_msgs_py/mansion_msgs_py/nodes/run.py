@@ -1,10 +1,15 @@
 """How every node process starts, spins and ends."""
 
+import sys
 from collections.abc import Callable, Sequence
 
 import rclpy
+from rclpy.exceptions import ParameterException
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.logging import get_logger
 from rclpy.node import Node
+
+from mansion_msgs_py.errors import MansionError
 
 __all__ = ["run_node"]
 
@@ -12,7 +17,7 @@ __all__ = ["run_node"]
 def run_node(
     make: Callable[[], Node], args: Sequence[str] | None = None, *, threads: int = 4
 ) -> None:
-    """Make a node and spin it until the process is told to end.
+    """Make a node and spin it until the process is told to end, which leaves no traceback.
 
     Parameters
     ----------
@@ -22,18 +27,36 @@ def run_node(
         Command line with ``--ros-args``; ``sys.argv`` when absent.
     threads : int
         Of the executor.
+
+    Raises
+    ------
+    SystemExit
+        With status 1 when `make` refuses, as it does for a parameter that it cannot use; the reason is logged.
     """
     rclpy.init(args=list(args) if args is not None else None)
+    node: Node | None = None
     try:
         node = make()
-        executor = MultiThreadedExecutor(num_threads=threads)
-        executor.add_node(node)
-        try:
-            executor.spin()
-        except (KeyboardInterrupt, ExternalShutdownException):
-            node.get_logger().debug("told to end")
-        finally:
-            executor.shutdown()
-            node.destroy_node()
+        _spin(node, threads)
+    except (MansionError, ParameterException) as error:
+        get_logger("mansion").fatal(str(error))
+        sys.exit(1)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        return
+    except Exception:
+        # A signal shuts the context down between two calls of rclpy, which then fail in many ways.
+        if rclpy.ok():
+            raise
     finally:
+        if node is not None:
+            node.destroy_node()
         rclpy.try_shutdown()
+
+
+def _spin(node: Node, threads: int) -> None:
+    executor = MultiThreadedExecutor(num_threads=threads)
+    executor.add_node(node)
+    try:
+        executor.spin()
+    finally:
+        executor.shutdown()

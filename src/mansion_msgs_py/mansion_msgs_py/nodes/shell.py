@@ -64,14 +64,18 @@ class JsonPublisher:
 
 
 def run_handler(node: Node, name: str, call: Callable[[], Any]) -> tuple[bool, str]:
-    """Run a handler and return (success, JSON); every failure becomes the error object, and the node lives on."""
+    """Run a handler and return (success, JSON); every failure becomes the error object, and the node lives on.
+
+    What fails because the process is being ended is not worth a traceback.
+    """
     try:
         return True, encode(call())
     except MansionError as error:
         node.get_logger().warning(f"{name}: {error}")
         return False, encode(error.reply())
     except Exception as error:
-        node.get_logger().error(f"{name}: {traceback.format_exc()}")
+        if node.context.ok():
+            node.get_logger().error(f"{name}: {traceback.format_exc()}")
         internal = MansionError(
             ErrorCode.INTERNAL,
             f"{name} failed inside Mansion: {type(error).__name__}: {error}",

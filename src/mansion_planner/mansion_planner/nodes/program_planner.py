@@ -25,7 +25,8 @@ class ProgramPlannerNode(rclpy.node.Node):  # type: ignore[misc]
             "knowledge",
             "",
             ParameterDescriptor(
-                description="Folder whose room_types.csv, building_types.toml and styles.toml extend Mansion's own"
+                description="Folder whose room_types.csv, building_types.toml and styles.toml extend Mansion's own",
+                read_only=True,
             ),
         )
         folder = str(self.get_parameter("knowledge").value or "")
