@@ -47,6 +47,7 @@ ROS_PACKAGES = {
     "rclpy",
     "rosgraph_msgs",
     "ros2launch",
+    "rviz2",
     "sensor_msgs",
     "std_msgs",
     "std_srvs",

@@ -2,6 +2,7 @@
 
 from array import array
 from math import radians
+from time import monotonic
 
 import numpy as np
 from geometry_msgs.msg import PoseArray, PoseStamped, Twist
@@ -46,6 +47,7 @@ class RobotStack:
         self.seat = seat
         self._prefix = "" if seat.session == DEFAULT_SESSION else seat.session
         self.drive = Drive()
+        self.closed = False
         self._floor: int | None = None
         self._mapped: tuple[int, int] | None = None
         self._viewers = 0
@@ -79,7 +81,8 @@ class RobotStack:
         return self._node.create_publisher(kind, self._name(name), qos_profile(entry.qos))
 
     def close(self) -> None:
-        """Take the topics away."""
+        """Take the topics away; the caller holds the world's lock."""
+        self.closed = True
         for publisher in (
             self._pose,
             self._landmarks,
@@ -95,8 +98,7 @@ class RobotStack:
         self._node.destroy_subscription(self._commands)
 
     def _command(self, message: Twist) -> None:
-        now = self._node.get_clock().now().nanoseconds * 1e-9
-        self.drive.command(message.linear.x, message.angular.z, now)
+        self.drive.command(message.linear.x, message.angular.z, monotonic())
 
     def _elevation(self) -> float:
         return self.seat.world.building.entry(self.seat.robot.floor).elevation

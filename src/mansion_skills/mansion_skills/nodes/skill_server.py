@@ -2,10 +2,12 @@
 
 import threading
 from collections.abc import Callable, Sequence
+from time import monotonic
 from typing import Any
 
-from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from rclpy.clock import Clock as RosClock
+from rclpy.clock import ClockType
 from rclpy.node import Node
 from rosgraph_msgs.msg import Clock
 
@@ -28,34 +30,14 @@ from mansion_skills.engine.pace import Pace
 from mansion_skills.engine.seat import Seat
 from mansion_skills.nodes.camera_topics import CameraSettings, CameraTopics
 from mansion_skills.nodes.robot_stack import PERIOD, RobotStack
+from mansion_skills.nodes.server_parameters import declare_parameters
 from mansion_skills.skills.registry import SKILLS
 from mansion_skills.world.overlay import DEFAULT_SESSION
-from mansion_skills.world.world import ROBOT_RADIUS
 
 __all__ = ["SkillServer", "main"]
 
 THREADS = 12
 """Enough for a full queue of skills beside cancel, questions and timers."""
-
-PARAMETERS: tuple[tuple[str, Any, str], ...] = (
-    ("building", "", "folder of a building to load at start"),
-    ("session", "", "session that loads it; the default robot when empty"),
-    ("motion", "fast", "fast: skills complete at once; realtime: they take their time"),
-    (
-        "real_time_factor",
-        1.0,
-        "seconds of the world for a second on the wall, with realtime motion",
-    ),
-    ("robot_radius", ROBOT_RADIUS, "metres"),
-    ("durable", True, "sync every save to the disk"),
-    ("robot_stack", True, "publish map, frames, odometry, scan and markers"),
-    ("camera", True, "publish what the robots see while someone listens"),
-    ("camera_width", 300, "pixels"),
-    ("camera_height", 300, "pixels"),
-    ("camera_fov", 90.0, "of the camera, across, degrees"),
-    ("camera_rate", 10.0, "images a second at most"),
-    ("publish_clock", False, "publish the world's clock on /clock"),
-)
 
 
 class SkillServer(Node):
@@ -63,11 +45,7 @@ class SkillServer(Node):
 
     def __init__(self) -> None:
         super().__init__("skill_server")
-        for name, default, text in PARAMETERS:
-            self.declare_parameter(name, default, ParameterDescriptor(description=text))
-        value = {name: self.get_parameter(name).value for name, _, _ in PARAMETERS}
-        if value["motion"] not in ("fast", "realtime"):
-            raise ValueError(f"motion {value['motion']!r}: fast or realtime is accepted")
+        value = declare_parameters(self)
         self._robot_state = JsonPublisher(self, topic("robot_state"))
         self._lift_state = JsonPublisher(self, topic("lift_state"))
         self._progress = JsonPublisher(self, topic("skill_progress"))
@@ -98,19 +76,23 @@ class SkillServer(Node):
         add_json_subscription(
             self, topic("lift_requests"), self._lift_request, callback_group=self._group
         )
-        self.create_timer(1.0, self._publish_lifts, MutuallyExclusiveCallbackGroup())
-        self._last = self.get_clock().now().nanoseconds
-        self.create_timer(PERIOD / 2, self._drive, MutuallyExclusiveCallbackGroup())
+        self._wall = RosClock(clock_type=ClockType.STEADY_TIME)
+        self._repeat(1.0, self._publish_lifts)
+        self._last = monotonic()
+        self._repeat(PERIOD / 2, self._drive)
         self._odd = False
-        self.create_timer(0.5, self._publish_markers, MutuallyExclusiveCallbackGroup())
+        self._repeat(0.5, self._publish_markers)
         if self._camera is not None:
             # Not more often than asked, and one after the other: pictures are made in their own callback.
-            period = 1.0 / value["camera_rate"]
-            self.create_timer(period, self._publish_pictures, MutuallyExclusiveCallbackGroup())
+            self._repeat(1.0 / value["camera_rate"], self._publish_pictures)
         # Last, because who starts the node takes this service for the sign that all of it is there.
         self._json("load_building", self.load)
         if value["building"]:
             self.load(LoadBuilding(path=value["building"], session=value["session"]))
+
+    def _repeat(self, period: float, callback: Callable[[], None]) -> None:
+        """Call back by the wall's clock: by /clock, which this node may publish itself, it would never begin."""
+        self.create_timer(period, callback, MutuallyExclusiveCallbackGroup(), self._wall)
 
     def _clock_publisher(self) -> Any:
         entry = topic("/clock")
@@ -146,7 +128,8 @@ class SkillServer(Node):
         if self._with_stack:
             former = self._stacks.pop(session, None)
             if former is not None:
-                former.close()
+                with former.seat.shared.lock:
+                    former.close()
             self._stacks[session] = RobotStack(self, seat, self._group)
         if self._camera is not None:
             with self._looking:
@@ -187,7 +170,7 @@ class SkillServer(Node):
         if stack is not None:
             stack.publish_all()
         for other in list(self._stacks.values()):
-            if other is not stack and other.seat.shared is seat.shared:
+            if other is not stack and other.seat.shared is seat.shared and not other.closed:
                 other.follow(seat.robot.floor)
 
     def _report(self, progress: SkillProgress) -> None:
@@ -195,7 +178,7 @@ class SkillServer(Node):
         seat = self.engine.seat(progress.session)
         self._publish_changed_lifts(seat)
         stack = self._stacks.get(progress.session)
-        if stack is not None and self.engine.pace.realtime:
+        if stack is not None and not stack.closed and self.engine.pace.realtime:
             stack.publish_pose()
 
     def _publish_changed_lifts(self, seat: Seat) -> None:
@@ -217,7 +200,8 @@ class SkillServer(Node):
     def _publish_markers(self) -> None:
         for stack in list(self._stacks.values()):
             with stack.seat.shared.lock:
-                stack.publish_markers()
+                if not stack.closed:
+                    stack.publish_markers()
 
     def _publish_pictures(self) -> None:
         with self._looking:
@@ -244,14 +228,16 @@ class SkillServer(Node):
 
     def _drive(self) -> None:
         """Twenty times a second: drive as commanded, publish poses, and every other time scans."""
-        now = self.get_clock().now().nanoseconds
-        seconds, self._last = min(max((now - self._last) * 1e-9, 0.0), 0.5), now
+        now = monotonic()
+        seconds, self._last = min(now - self._last, 0.5), now
         self.engine.tick()
         self._odd = not self._odd
         for stack in list(self._stacks.values()):
             seat = stack.seat
             with seat.shared.lock:
-                moved = drive_for(seat, stack.drive, seconds, now * 1e-9)
+                if stack.closed:
+                    continue
+                moved = drive_for(seat, stack.drive, seconds, now)
                 if not moved and stack.drive.moved:
                     stack.drive.moved = False
                     seat.save()

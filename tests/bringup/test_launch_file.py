@@ -1,0 +1,129 @@
+"""What the launch file starts, read through stand-ins that take what Jazzy's launch and launch_ros take."""
+
+import runpy
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import pytest
+
+from mansion_bringup.graph.nodes import GRAPH_NODES
+
+PACKAGE = Path(__file__).resolve().parents[2] / "src" / "mansion_bringup"
+
+
+@dataclass
+class Configuration:
+    """``launch.substitutions.LaunchConfiguration``."""
+
+    name: str
+
+    def perform(self, context: Any) -> str:
+        return context.launch_configurations[self.name]
+
+
+@dataclass
+class Argument:
+    """``launch.actions.DeclareLaunchArgument``."""
+
+    name: str
+    default_value: str
+    description: str
+    choices: list[str] | None = None
+
+
+@dataclass(kw_only=True)
+class NodeAction:
+    """``launch_ros.actions.Node``, with the keywords of ``ExecuteProcess`` that are used."""
+
+    package: str
+    executable: str
+    name: str | None = None
+    namespace: str | None = None
+    parameters: list[Any] = field(default_factory=list)
+    arguments: list[str] = field(default_factory=list)
+    ros_arguments: list[str] = field(default_factory=list)
+    output: str = "log"
+    respawn: bool = False
+    respawn_delay: float = 0.0
+
+
+@pytest.fixture
+def description(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """What `generate_launch_description` returns: the arguments, then the function that makes the nodes."""
+    modules = {
+        "launch": {"LaunchDescription": list},
+        "launch.actions": {
+            "DeclareLaunchArgument": Argument,
+            "OpaqueFunction": lambda *, function: function,
+        },
+        "launch.substitutions": {"LaunchConfiguration": Configuration},
+        "launch_ros": {},
+        "launch_ros.actions": {"Node": NodeAction},
+        "ament_index_python": {},
+        "ament_index_python.packages": {
+            "get_package_share_directory": lambda name: f"/share/{name}"
+        },
+    }
+    for name, content in modules.items():
+        module = ModuleType(name)
+        vars(module).update(content)
+        monkeypatch.setitem(sys.modules, name, module)
+    loaded = runpy.run_path(str(PACKAGE / "launch" / "mansion.launch.py"))
+    found: list[Any] = loaded["generate_launch_description"]()
+    return found
+
+
+def started(description: list[Any], **given: str) -> dict[str, NodeAction]:
+    """The nodes by executable, for arguments as on the command line."""
+    *arguments, make = description
+    values = {argument.name: argument.default_value for argument in arguments}
+    assert given.keys() <= values.keys()
+    context = SimpleNamespace(launch_configurations=values | given)
+    return {action.executable: action for action in make(context)}
+
+
+def test_every_argument_has_a_default_and_says_what_it_is(description: list[Any]) -> None:
+    for argument in description[:-1]:
+        assert argument.description
+        assert argument.choices is None or argument.default_value in argument.choices
+
+
+def test_all_nodes_of_the_graph_start_below_mansion(description: list[Any]) -> None:
+    nodes = started(description)
+    assert list(nodes) == [entry.executable for entry in GRAPH_NODES]
+    for entry in GRAPH_NODES:
+        node = nodes[entry.executable]
+        assert (node.package, node.name, node.namespace) == (
+            entry.package,
+            entry.executable,
+            "/mansion",
+        )
+        assert node.ros_arguments == ["--log-level", "info"]
+        assert (node.parameters, node.output, node.respawn) == ([], "screen", False)
+
+
+def test_parameter_files_come_after_the_switches_and_the_own_one_last(
+    description: list[Any],
+) -> None:
+    nodes = started(
+        description, params_file="/all.yaml", skill_server_params="/own.yaml", use_sim_time="true"
+    )
+    assert nodes["skill_server"].parameters == [{"use_sim_time": True}, "/all.yaml", "/own.yaml"]
+    assert nodes["floor_solver"].parameters == [{"use_sim_time": True}, "/all.yaml"]
+
+
+def test_the_clock_is_published_by_the_skill_server_alone(description: list[Any]) -> None:
+    nodes = started(description, publish_clock="true")
+    assert nodes.pop("skill_server").parameters == [{"publish_clock": True}]
+    assert all(node.parameters == [] for node in nodes.values())
+
+
+def test_nodes_come_back_and_rviz_opens_its_view_when_asked(description: list[Any]) -> None:
+    nodes = started(description, respawn="true", rviz="true", namespace="/site/mansion")
+    view = nodes.pop("rviz2")
+    assert view.arguments == ["-d", "/share/mansion_bringup/rviz/mansion.rviz"]
+    assert (PACKAGE / "rviz" / "mansion.rviz").is_file()
+    assert all(node.respawn and node.namespace == "/site/mansion" for node in nodes.values())
