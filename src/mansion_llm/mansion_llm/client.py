@@ -9,7 +9,7 @@ from typing import Any, Generic, TypeVar
 from mansion_llm.accounting import Meter
 from mansion_llm.extraction import json_candidates
 from mansion_llm.prompt import Message, Prompt, request_digest
-from mansion_llm.settings import LlmSettings, load_settings
+from mansion_llm.settings import WITHOUT_MODEL, LlmSettings, load_settings
 from mansion_llm.store import (
     AnswerStore,
     CacheFolder,
@@ -81,6 +81,8 @@ class LlmClient:
         Over the ``openai`` package when absent; never made in replay.
     sleep, clock : callables
         For tests.
+    otherwise : str
+        What the user can do without a model, for messages.
 
     Raises
     ------
@@ -95,9 +97,10 @@ class LlmClient:
         transport: ChatTransport | None = None,
         sleep: Callable[[float], None] = time.sleep,
         clock: Callable[[], float] = time.perf_counter,
+        otherwise: str = WITHOUT_MODEL,
     ) -> None:
-        settings.require_endpoint()
-        self.settings = settings
+        settings.require_endpoint(otherwise)
+        self.settings, self._otherwise = settings, otherwise
         self._sleep, self._clock = sleep, clock
         self._stores: list[AnswerStore] = []
         recording = Recording(settings.replay) if settings.replay is not None else None
@@ -119,9 +122,11 @@ class LlmClient:
         self._meter = Meter(self.model, settings.input_price, settings.output_price)
 
     @classmethod
-    def from_environment(cls, environment: Mapping[str, str] | None = None) -> "LlmClient":
+    def from_environment(
+        cls, environment: Mapping[str, str] | None = None, *, otherwise: str = WITHOUT_MODEL
+    ) -> "LlmClient":
         """Return the client that the environment and the configuration file describe."""
-        return cls(load_settings(environment))
+        return cls(load_settings(environment), otherwise=otherwise)
 
     @property
     def usage(self) -> LlmUsage:
@@ -194,7 +199,7 @@ class LlmClient:
             raise MansionError(
                 ErrorCode.UNAVAILABLE,
                 f"the recording holds no answer to this {name} question; it was made from another "
-                "request, seed or version (record it again, or use --planner rules)",
+                f"request, seed or version (record it again, or {self._otherwise})",
                 details={"prompt": name, "digest": digest},
             )
         started = self._clock()
@@ -235,7 +240,7 @@ class LlmClient:
                     raise MansionError(
                         ErrorCode.UNAVAILABLE,
                         f"{error}; check MANSION_LLM_BASE_URL, MANSION_LLM_MODEL and "
-                        "MANSION_LLM_API_KEY (or use --planner rules)",
+                        f"MANSION_LLM_API_KEY (or {self._otherwise})",
                     ) from None
                 if error.kind == "rejected" and self._plainer(messages):
                     continue

@@ -10,13 +10,16 @@ from typing import Any, Literal, get_args
 from mansion_llm.secret import Secret, shown_url
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["PIECES", "LlmSettings", "load_settings"]
+__all__ = ["PIECES", "WITHOUT_MODEL", "LlmSettings", "load_settings"]
 
 Structured = Literal["auto", "schema", "object", "text"]
 Images = Literal["auto", "yes", "no"]
 
 PIECES = ("numbers", "materials", "program", "topology", "seeds", "objects")
 """What a model can be asked for; the rest is then planned by rules."""
+
+WITHOUT_MODEL = "use --planner rules"
+"""What commands that can ask a model offer without one."""
 
 _PREFIX = "MANSION_LLM_"
 
@@ -75,8 +78,13 @@ class LlmSettings:
     replay: Path | None = None
     pieces: tuple[str, ...] = PIECES
 
-    def require_endpoint(self) -> None:
+    def require_endpoint(self, otherwise: str = WITHOUT_MODEL) -> None:
         """Refuse settings that name no model to ask.
+
+        Parameters
+        ----------
+        otherwise : str
+            What the user can do without a model, for the message.
 
         Raises
         ------
@@ -95,8 +103,8 @@ class LlmSettings:
             "no language model is configured: set "
             + " and ".join(_PREFIX + name for name in missing)
             + " (and MANSION_LLM_API_KEY where the endpoint wants a key), or name a TOML file in "
-            "MANSION_LLM_CONFIG, or set MANSION_LLM_REPLAY to a recording; or use --planner rules",
-            path="$.planner",
+            f"MANSION_LLM_CONFIG, or set MANSION_LLM_REPLAY to a recording; or {otherwise}",
+            path="$.planner" if otherwise == WITHOUT_MODEL else "$",
             details={"missing": [_PREFIX + name for name in missing]},
         )
 

@@ -68,8 +68,7 @@ class OpenAITransport:
         except ImportError:
             raise MansionError(
                 ErrorCode.UNAVAILABLE,
-                "a language-model endpoint needs the openai package: pip install openai "
-                "(or use --planner rules)",
+                "a language-model endpoint needs the openai package: pip install openai",
             ) from None
         self._openai: Any = openai
         self._settings = settings

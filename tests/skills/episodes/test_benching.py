@@ -14,7 +14,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.world import Progress
 from mansion_skills.agents.registry import AGENTS, make_agent
 from mansion_skills.episodes import benching
-from mansion_skills.episodes.benching import Bench, run_bench
+from mansion_skills.episodes.benching import TAKEN_OVER, Bench, run_bench
 from mansion_skills.episodes.statistics import bootstrap_interval, wilson_interval
 from mansion_skills.episodes.table import BenchResult, render
 
@@ -43,9 +43,30 @@ def test_the_oracle_succeeds_and_chance_does_not(building: Path, tmp_path: Path)
 
 
 def test_processes_do_not_change_the_result(building: Path, tmp_path: Path) -> None:
+    told: list[Progress] = []
     one = run_bench(bench(building, tmp_path / "one"))
-    two = run_bench(bench(building, tmp_path / "two"), jobs=2)
+    two = run_bench(bench(building, tmp_path / "two"), jobs=2, progress=told.append)
     assert facts(one) == facts(two)
+    assert [(p.done, p.total, p.stage) for p in told] == [(k, 6, "bench") for k in range(1, 7)]
+
+
+def test_episodes_of_an_earlier_run_are_told_as_such(building: Path, tmp_path: Path) -> None:
+    first = run_bench(bench(building, tmp_path / "out"))
+    (tmp_path / "out" / first.episodes[2].log).unlink()
+    for jobs in (1, 2):
+        told: list[Progress] = []
+        run_bench(bench(building, tmp_path / "out"), jobs=jobs, progress=told.append)
+        assert sum(p.stage == TAKEN_OVER for p in told) == (5 if jobs == 1 else 6)
+        assert len(told) == 6
+
+
+def test_what_fails_in_a_process_is_raised_here(building: Path, tmp_path: Path) -> None:
+    file = write_tasks(building)
+    tasks = json.loads(file.read_text())
+    tasks["tasks"][1]["building_id"] = "another"
+    file.write_text(json.dumps(tasks))
+    with pytest.raises(MansionError, match="is for building 'another'"):
+        run_bench(Bench((file,), ("random", "oracle"), tmp_path / "out"), jobs=2)
 
 
 def test_a_finished_episode_is_not_run_again_and_a_damaged_log_is(
@@ -94,7 +115,9 @@ def test_an_interrupted_bench_goes_on(
 def test_agents_that_do_not_exist_and_files_that_are_none_are_refused(
     building: Path, tmp_path: Path
 ) -> None:
-    with pytest.raises(MansionError, match="known are random, oracle") as caught:
+    with pytest.raises(
+        MansionError, match="did you mean oracle\\? agents: random, oracle"
+    ) as caught:
         run_bench(bench(building, tmp_path, "oracel"))
     assert caught.value.code == ErrorCode.NOT_FOUND
     with pytest.raises(MansionError) as caught:
@@ -117,6 +140,8 @@ def test_agents_that_ask_a_model_say_that_none_is_configured(
     with pytest.raises(MansionError) as caught:
         make_agent("bumble")
     assert caught.value.code == ErrorCode.UNAVAILABLE
+    assert "take an agent of random, oracle, explorer" in str(caught.value)
+    assert "planner" not in str(caught.value)
 
 
 def test_the_command_prints_the_table_writes_pictures_and_repeats_a_log(

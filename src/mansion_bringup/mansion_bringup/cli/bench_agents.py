@@ -4,12 +4,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
+from msgspec.structs import replace
 
-from mansion_bringup.cli.console import err, progress_bar
+from mansion_bringup.cli.console import EXIT_INTERRUPTED, err, progress_bar
+from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.wording import counted
+from mansion_msgs_py.world import Progress
 
 if TYPE_CHECKING:
-    from mansion_skills.episodes.benching import Ports
+    from mansion_skills.episodes.benching import Bench, Ports
+    from mansion_skills.episodes.table import BenchResult
 
 __all__ = ["agents"]
 
@@ -72,7 +77,7 @@ def _run(
 ) -> None:
     """Run the bench, print its table, and draw what was asked for."""
     from mansion_skills.agents.registry import AGENTS
-    from mansion_skills.episodes.benching import Bench, local_port, run_bench
+    from mansion_skills.episodes.benching import Bench, local_port
     from mansion_skills.episodes.table import render
 
     chosen = tuple(name.strip() for name in names.split(",") if name.strip())
@@ -87,15 +92,61 @@ def _run(
         ports=_graph_port() if graph else local_port,
         graph=graph,
     )
-    with progress_bar() as report:
-        result = run_bench(bench, jobs=jobs, progress=report)
+    _provide(chosen, sheets)
+    result, taken_over = _followed(bench, jobs)
     typer.echo(render(result.summary))
     seen: dict[str, int] = {}
     for row in result.episodes:
         seen[row.agent] = seen.get(row.agent, 0) + 1
         if seen[row.agent] <= sheets:
             _picture(output / row.log, output)
-    err.print(f"{output / 'results.json'}: {len(result.episodes)} episodes", highlight=False)
+    earlier = f", {taken_over} of them taken over from an earlier run" if taken_over else ""
+    episodes = counted(len(result.episodes), "episode")
+    err.print(f"{output / 'results.json'}: {episodes}{earlier}", highlight=False)
+
+
+def _provide(names: tuple[str, ...], sheets: int) -> None:
+    """Install what agents and pictures need; a model that is not configured is complained of when it is asked."""
+    from mansion_llm import load_settings
+    from mansion_skills.agents.registry import ASKING
+
+    asking = [name for name in names if name in ASKING]
+    settings = load_settings() if asking else None
+    if settings is not None and settings.base_url and settings.replay is None:
+        ensure_extra("llm")
+    if settings is not None and (settings.base_url or settings.replay):
+        ensure_extra("sim")
+    if sheets:
+        try:
+            ensure_extra("sim")
+        except MansionError as error:
+            err.print(f"the sheets show the plan alone: {error}", highlight=False)
+
+
+def _followed(bench: "Bench", jobs: int) -> tuple["BenchResult", int]:
+    """Run the bench and show its progress; return its result and how many episodes an earlier run had done."""
+    from mansion_skills.episodes.benching import TAKEN_OVER, run_bench
+
+    taken_over, last = 0, Progress(stage="bench", message="", done=0, total=0)
+    try:
+        with progress_bar() as report:
+
+            def show(payload: Progress) -> None:
+                nonlocal taken_over, last
+                last = payload
+                if payload.stage == TAKEN_OVER:
+                    taken_over += 1
+                    payload = replace(payload, message=f"{payload.message} (of an earlier run)")
+                report(payload)
+
+            return run_bench(bench, jobs=jobs, progress=show), taken_over
+    except KeyboardInterrupt:
+        done = f"{last.done} of {last.total}" if last.total else "none of the"
+        err.print(
+            f"interrupted: {done} episodes are done; the same command goes on from the logs in {bench.output}",
+            highlight=False,
+        )
+        raise typer.Exit(EXIT_INTERRUPTED) from None
 
 
 def _graph_port() -> "Ports":

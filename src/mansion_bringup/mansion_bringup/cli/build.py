@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from mansion_bringup.cli.console import err, out, progress_bar
+from mansion_bringup.cli.console import EXIT_INTERRUPTED, err, out, progress_bar
 from mansion_bringup.pipeline.build import BuildResult, build_building
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.codec import decode
@@ -14,8 +14,6 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import BuildRequest, Footprint
 
 __all__ = ["planner_name", "prepare_planner", "read_footprint", "register", "request_from_options"]
-
-EXIT_INTERRUPTED = 130
 
 
 def register(app: typer.Typer) -> None:

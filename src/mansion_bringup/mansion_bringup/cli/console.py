@@ -11,7 +11,10 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeEl
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.world import Progress as ProgressPayload
 
-__all__ = ["err", "out", "print_json", "progress_bar"]
+__all__ = ["EXIT_INTERRUPTED", "err", "out", "print_json", "progress_bar"]
+
+EXIT_INTERRUPTED = 130
+"""Exit status after Ctrl-C, as shells have it: 128 and the signal's number."""
 
 PIPED = 1000
 """Columns where no terminal says how wide it is: paths stay whole."""

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from mansion_llm import LlmClient
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.wording import choices
 from mansion_skills.agents.bumble import Bumble
 from mansion_skills.agents.come import Come
 from mansion_skills.agents.explorer import Explorer
@@ -11,7 +12,7 @@ from mansion_skills.agents.interface import Agent
 from mansion_skills.agents.oracle_agent import OracleAgent
 from mansion_skills.agents.random_agent import RandomAgent
 
-__all__ = ["AGENTS", "LEARNING", "check_agents", "make_agent"]
+__all__ = ["AGENTS", "ASKING", "LEARNING", "check_agents", "make_agent"]
 
 _SCRIPTED: dict[str, Callable[[], Agent]] = {
     "random": RandomAgent,
@@ -26,6 +27,9 @@ _MODELLED: dict[str, Callable[[LlmClient], Agent]] = {
 
 AGENTS = (*_SCRIPTED, *_MODELLED)
 """Names of all agents."""
+
+ASKING = tuple(_MODELLED)
+"""Agents that ask a language model."""
 
 LEARNING = ("bumble", "bumble_text")
 """Agents that keep lessons between episodes, whose episodes in a building therefore run in order."""
@@ -42,11 +46,16 @@ def check_agents(names: list[str]) -> None:
     for name in names:
         if name not in AGENTS:
             raise MansionError(
-                ErrorCode.NOT_FOUND, f"there is no agent {name!r}; known are {', '.join(AGENTS)}"
+                ErrorCode.NOT_FOUND,
+                f"there is no agent {name!r}; {choices(name, AGENTS, 'agents')}",
             )
 
 
-def make_agent(name: str, client: Callable[[], LlmClient] = LlmClient.from_environment) -> Agent:
+def _client() -> LlmClient:
+    return LlmClient.from_environment(otherwise=f"take an agent of {', '.join(_SCRIPTED)}")
+
+
+def make_agent(name: str, client: Callable[[], LlmClient] = _client) -> Agent:
     """Return an agent.
 
     Parameters

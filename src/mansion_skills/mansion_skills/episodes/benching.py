@@ -1,7 +1,7 @@
 """Many episodes: every agent at every task, over processes, going on where an interrupted run ended."""
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, ExitStack, contextmanager
+from collections.abc import Callable, Generator, Iterator, Sequence
+from contextlib import AbstractContextManager, ExitStack, closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,9 +17,22 @@ from mansion_skills.episodes.log import EpisodeLog, read_log, write_log
 from mansion_skills.episodes.port import LocalPort, SkillPort
 from mansion_skills.episodes.running import EpisodeOptions, run_episode
 from mansion_skills.episodes.table import BenchResult, EpisodeRow, row_of, summarise
+from mansion_skills.episodes.worker_pool import in_processes
 from mansion_skills.tasks.files import read_task_set
 
-__all__ = ["Bench", "Ports", "Unit", "local_port", "log_path", "run_bench", "run_unit"]
+__all__ = [
+    "TAKEN_OVER",
+    "Bench",
+    "Ports",
+    "Unit",
+    "local_port",
+    "log_path",
+    "run_bench",
+    "run_unit",
+]
+
+TAKEN_OVER = "taken over"
+"""Stage of the progress of an episode that an earlier run finished."""
 
 MOST_LESSONS = 20
 """Lessons of earlier episodes that an agent is told, the newest."""
@@ -78,7 +91,7 @@ def run_bench(
     jobs : int
         Processes; apart from wall times the results are the same for any number.
     progress : callable
-        Told of each episode, or of each unit with several processes.
+        Told of each episode as it ends; stage `TAKEN_OVER` where it was read from its log.
 
     Raises
     ------
@@ -89,41 +102,28 @@ def run_bench(
     check_agents(list(bench.agents))
     total = sum(len(read_task_set(file).tasks) for file in bench.files) * len(bench.agents)
     units = [Unit(bench, agent, file) for agent in bench.agents for file in bench.files]
-    rows: list[EpisodeRow] = []
-    for found in _in_processes(units, jobs) if jobs > 1 else _here(units):
-        rows += found
-        if found:
-            text = f"{found[-1].agent}: {found[-1].task}, {found[-1].stop}"
-            progress(Progress(stage="bench", message=text, done=len(rows), total=total))
+    by_unit: list[list[EpisodeRow]] = [[] for _ in units]
+    coming = in_processes(run_unit, units, jobs) if jobs > 1 else _here(units)
+    with closing(coming) as episodes:
+        for done, (number, (row, taken_over)) in enumerate(episodes, start=1):
+            by_unit[number].append(row)
+            text = f"{row.agent}: {row.task}, {row.stop}"
+            stage = TAKEN_OVER if taken_over else "bench"
+            progress(Progress(stage=stage, message=text, done=done, total=total))
+    rows = [row for unit in by_unit for row in unit]
     result = BenchResult(seed=bench.seed, graph=bench.graph, summary=summarise(rows), episodes=rows)
     write_atomic(bench.output / "results.json", encode_bytes(result, indent=1))
     return result
 
 
-def _here(units: Sequence[Unit]) -> Iterator[list[EpisodeRow]]:
-    for unit in units:
-        for row in run_unit(unit):
-            yield [row]
+def _here(units: Sequence[Unit]) -> Generator[tuple[int, tuple[EpisodeRow, bool]]]:
+    for number, unit in enumerate(units):
+        for found in run_unit(unit):
+            yield number, found
 
 
-def _in_processes(units: Sequence[Unit], jobs: int) -> Iterator[list[EpisodeRow]]:
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import get_context
-
-    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-        try:
-            yield from pool.map(_whole_unit, units)
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
-
-
-def _whole_unit(unit: Unit) -> list[EpisodeRow]:
-    return list(run_unit(unit))
-
-
-def run_unit(unit: Unit) -> Iterator[EpisodeRow]:
-    """Yield the episodes of a unit, run now or read from the log of an earlier run.
+def run_unit(unit: Unit) -> Iterator[tuple[EpisodeRow, bool]]:
+    """Yield the episodes of a unit, and whether each was read from the log of an earlier run.
 
     The way to the robot is made for the first episode that has to run.
     """
@@ -135,7 +135,8 @@ def run_unit(unit: Unit) -> Iterator[EpisodeRow]:
         for task in tasks.tasks:
             told = tuple(lessons[-MOST_LESSONS:]) if unit.agent in LEARNING else ()
             path = log_path(unit, tasks, task)
-            log = _finished(path, unit, task, told)
+            earlier = _finished(path, unit, task, told)
+            log = earlier
             if log is None:
                 # A new agent for each episode: what one brings to the next are its lessons alone.
                 agent = make_agent(unit.agent)
@@ -147,7 +148,7 @@ def run_unit(unit: Unit) -> Iterator[EpisodeRow]:
                 log = run_episode(task, building, agent, port, options)
                 write_log(path, log)
             lessons += log.end.lessons
-            yield row_of(log, str(path.relative_to(unit.bench.output)))
+            yield row_of(log, str(path.relative_to(unit.bench.output))), earlier is not None
 
 
 def _crew(unit: Unit, agent: Agent, stack: ExitStack) -> tuple[SkillPort, CameraEyes | None]:
