@@ -13,8 +13,9 @@ from mansion_planner.llm.palette import Palette
 from mansion_planner.llm.program_prompt import program_prompt
 from mansion_planner.llm.reading import floor_piece, read_floor
 from mansion_planner.llm.refit import refit, with_cores
-from mansion_planner.program.allocation import allocate, floors_of, make_storeys
+from mansion_planner.program.allocation import allocate
 from mansion_planner.program.building import PlannedBuilding
+from mansion_planner.program.storeys import floors_of, make_storeys
 
 __all__ = ["plan_model_program"]
 

@@ -7,11 +7,12 @@ from mansion_msgs_py.program import AreaSummary, CorePlan, FloorProgram, RoomPro
 from mansion_planner.llm.chosen import ChosenFloor, ChosenRoom
 from mansion_planner.llm.palette import Palette
 from mansion_planner.program.bearing import bearing_walls
-from mansion_planner.program.building import PlannedBuilding, apart_pairs, hub_name, wanted_pairs
+from mansion_planner.program.building import PlannedBuilding
 from mansion_planner.program.filling import fit_areas
 from mansion_planner.program.footprint import sketch_free
 from mansion_planner.program.hall import sketch_hall
 from mansion_planner.program.model import CoreBox, PlannedRoom, Storey, box_area
+from mansion_planner.program.neighbours import apart_pairs, wanted_pairs
 from mansion_planner.program.placement import Sketch
 from mansion_planner.program.sketch import capacity, sketch_storey
 
@@ -92,7 +93,7 @@ def _planned(room: ChosenRoom) -> PlannedRoom:
 
 def _sketch(planned: PlannedBuilding, storey: Storey, placed: bool) -> Sketch:
     massing, decisions = planned.massing, planned.decisions
-    hub = hub_name(storey)
+    hub = storey.hub.name
     if decisions.free_form or not placed:
         cores = sum(box_area(core.box) for core in massing.cores)
         free = planned.envelopes[storey.index].area - cores
@@ -122,7 +123,7 @@ def _fill(
     given = {room.id: room for room in chosen.rooms}
     beside = _wished(planned, storey, sketch)
     floor.rooms = [
-        _room(chosen.hub, hub_name(storey), max(left - reserve, 1.0), palette, "circulation hub")
+        _room(chosen.hub, storey.hub.name, max(left - reserve, 1.0), palette, "circulation hub")
     ]
     floor.rooms[0].open_relation = "open"
     for placement in sketch.rooms:

@@ -1,23 +1,16 @@
-"""Give every storey its rooms: those that the brief asks for where it asks for them, then the building type's own."""
+"""Give every storey the rooms that the brief asks for, where it asks for them."""
 
 from dataclasses import dataclass, field
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_planner.brief.facts import FloorRef, RoomFact
-from mansion_planner.knowledge import BuildingType, KnowledgeBase, RoomEntry, RoomType
+from mansion_planner.brief.facts import RoomFact
+from mansion_planner.knowledge import KnowledgeBase, RoomType
 from mansion_planner.program.decisions import Decisions, quoted
 from mansion_planner.program.inference import note
 from mansion_planner.program.model import PlannedRoom, Storey
+from mansion_planner.program.storeys import floors_of
 
-__all__ = [
-    "Allocation",
-    "allocate",
-    "entries_of",
-    "floors_of",
-    "is_hall",
-    "make_storeys",
-    "planned_room",
-]
+__all__ = ["Allocation", "allocate", "planned_room"]
 
 _KIN = (
     frozenset({"bedroom", "master_bedroom", "guest_room", "childrens_room"}),
@@ -44,169 +37,7 @@ class Allocation:
     settled: frozenset[str] = frozenset()
 
 
-def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> list[Storey]:
-    """Return the storeys from the lowest to the highest, each with its role, its use and its hub."""
-    storeys = []
-    hall = is_hall(decisions)
-    for index in range(1 - decisions.basements, decisions.floors + 1):
-        use, role = _use(decisions, knowledge, index), _role(decisions, index)
-        entrance = role in ("ground", "single")
-        hub = knowledge.room(use.hub if entrance else use.hub_upper)
-        if role == "basement" and use.parti != "hall":
-            hub = knowledge.room("corridor" if use.family != "home" else "hallway")
-        elif use.parti == "hall" and not entrance:
-            hub = knowledge.room(_upper_hub(use))
-        lead = None
-        if use.parti == "hall" and not hall and role != "basement":
-            lead = knowledge.room(use.hub)
-            hub = knowledge.room(_passage_hub(decisions, entrance))
-        storeys.append(Storey(index=index, role=role, use=use, hub=hub, lead=lead))
-    _mark_copies(decisions, storeys)
-    _shape_storeys(decisions, storeys)
-    return storeys
-
-
-def _passage_hub(decisions: Decisions, entrance: bool) -> str:
-    if decisions.building.family == "home":
-        return "hallway"
-    return "lobby" if entrance else "corridor"
-
-
-def _mark_copies(decisions: Decisions, storeys: list[Storey]) -> None:
-    """Let storeys repeat the lowest of their group.
-
-    Raises
-    ------
-    MansionError
-        ``CONTRADICTION`` when the brief gives rooms to one storey of an identical group only.
-    """
-    by_index = {storey.index: storey for storey in storeys}
-    for fact in decisions.facts.copies:
-        group = [f for f in floors_of((fact.first,), decisions) if f in by_index]
-        if fact.first.kind == "every":
-            group = [f for f in group if f >= 1]
-        for room in decisions.facts.rooms:
-            pinned = set(floors_of(room.floors, decisions)) & set(group)
-            if (
-                pinned
-                and not pinned >= set(group)
-                and group[0] not in pinned
-                and any(ref.kind in ("number", "top") for ref in room.floors)
-            ):
-                raise MansionError(
-                    ErrorCode.CONTRADICTION,
-                    f"{quoted(fact.span)} makes storeys identical, {quoted(room.span)} is for storey "
-                    f"{min(pinned)} alone; keep one of the two",
-                    path="$.description",
-                    details={
-                        "first": fact.span.words,
-                        "second": room.span.words,
-                        "stage": "program",
-                    },
-                )
-        for floor in group[1:]:
-            by_index[floor].copy = group[0]
-            by_index[floor].role = by_index[group[0]].role
-            by_index[floor].use = by_index[group[0]].use
-            by_index[floor].hub = by_index[group[0]].hub
-        if len(group) > 1:
-            note(
-                decisions.trace,
-                fact.span,
-                f"storeys {group[1]} to {group[-1]} repeat storey {group[0]}",
-            )
-
-
-def _shape_storeys(decisions: Decisions, storeys: list[Storey]) -> None:
-    """Set upper storeys back, or let the ground floor protrude, where the brief says so."""
-    facts = decisions.facts
-    if facts.setback and decisions.floors > 1:
-        depth = 3.0 if decisions.area < 260 else 4.0
-        for storey in storeys:
-            if storey.index >= 2:
-                storey.setback = depth
-        note(
-            decisions.trace,
-            facts.setback[0],
-            f"storeys above the ground floor are {depth:g} m shorter",
-        )
-    elif facts.protruding and decisions.floors > 1:
-        for storey in storeys:
-            if storey.index <= 1:
-                storey.extension = 4.0
-        note(decisions.trace, facts.protruding[0], "the ground floor protrudes by 4 m")
-
-
-def is_hall(decisions: Decisions) -> bool:
-    """Whether the main room is the hub: the type is planned so, and the outline is a plain rectangle."""
-    plain = not decisions.facts.shapes or decisions.facts.shapes[0][0] in ("rectangle", "square")
-    return decisions.building.parti == "hall" and plain and not decisions.free_form
-
-
-def _upper_hub(use: BuildingType) -> str:
-    return {"sales_area": "sales_area", "living_room": "hallway"}.get(use.hub, use.hub_upper)
-
-
-def _use(decisions: Decisions, knowledge: KnowledgeBase, index: int) -> BuildingType:
-    for fact in decisions.facts.uses:
-        if index in floors_of(fact.floors, decisions):
-            return knowledge.buildings[fact.building_type]
-    return decisions.building
-
-
-def _role(decisions: Decisions, index: int) -> str:
-    if index < 1:
-        return "basement"
-    if decisions.floors == 1:
-        return "single"
-    if index == 1:
-        return "ground"
-    if index == decisions.floors and decisions.floors >= 3:
-        return "top"
-    return "second" if index == 2 and decisions.floors >= 4 else "upper"
-
-
-def entries_of(storey: Storey) -> tuple[RoomEntry, ...]:
-    """Return the room list that the building type has for the storey's role."""
-    lists = storey.use.storeys
-    fallback = {
-        "ground": ("ground", "single"),
-        "second": ("second", "upper", "ground", "single"),
-        "top": ("top", "upper", "ground", "single"),
-        "upper": ("upper", "ground", "single"),
-        "basement": ("basement",),
-        "single": ("single",),
-    }[storey.role]
-    lead = (RoomEntry(storey.lead.name),) if storey.lead is not None else ()
-    for role in fallback:
-        if role in lists:
-            return lead + lists[role]
-    return (RoomEntry("storage", 40.0), RoomEntry("mechanical_room"), RoomEntry("electrical_room"))
-
-
-def floors_of(refs: tuple[FloorRef, ...], decisions: Decisions) -> list[int]:
-    """Return the storeys that floor references mean, ascending."""
-    top = decisions.floors
-    found: set[int] = set()
-    for ref in refs:
-        if ref.kind in ("number", "range"):
-            found.update(range(ref.first, ref.last + 1))
-        elif ref.kind in ("top", "roof"):
-            found.update(range(max(top - max(ref.first, 1) + 1, 1), top + 1))
-        elif ref.kind == "every":
-            found.update(range(1, top + 1))
-        elif ref.kind == "upper":
-            found.update(range(2, top + 1) if top > 1 else [1])
-        elif ref.kind == "middle":
-            found.update(range(2, top) if top > 2 else [top])
-        elif ref.kind == "lower":
-            found.update(range(1, max(top // 2, 1) + 1))
-        elif ref.kind == "basement":
-            found.add(0)
-    return sorted(found)
-
-
-def people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFact]:
+def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFact]:
     """Return the rooms that stated occupants need: classrooms for pupils, bedrooms for a family."""
     facts, seats = decisions.facts, decisions.building.seats
     if not facts.occupants:
@@ -257,7 +88,7 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
     allocation = Allocation({storey.index: [] for storey in storeys})
     excluded = dict(decisions.facts.excluded)
     settled: set[str] = set()
-    for fact in [*decisions.facts.rooms, *people_rooms(decisions, knowledge)]:
+    for fact in [*decisions.facts.rooms, *_people_rooms(decisions, knowledge)]:
         if fact.room_type in excluded:
             raise MansionError(
                 ErrorCode.CONTRADICTION,
@@ -306,7 +137,7 @@ def _distribute(
     if beside and count == 1:
         floors = beside
     for _ in range(count):
-        floor = min(floors, key=lambda f: (_load(allocation, f, decisions), f))
+        floor = min(floors, key=lambda f: (_load(allocation, f), f))
         allocation.wanted[floor].append(fact)
     note(decisions.trace, fact.span, f"{fact.name} x{count}")
 
@@ -321,9 +152,8 @@ def _beside(fact: RoomFact, decisions: Decisions, allocation: Allocation) -> lis
     ]  # fmt: skip
 
 
-def _load(allocation: Allocation, floor: int, decisions: Decisions) -> float:
+def _load(allocation: Allocation, floor: int) -> float:
     """How full a storey is with what the brief asks for."""
-    del decisions
     return sum(fact.area or 14.0 for fact in allocation.wanted[floor])
 
 

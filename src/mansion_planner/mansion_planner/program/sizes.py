@@ -2,12 +2,14 @@
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.knowledge import KnowledgeBase
-from mansion_planner.program.allocation import Allocation, entries_of, is_hall, planned_room
-from mansion_planner.program.decisions import AREA_CAP, Decisions
+from mansion_planner.program.allocation import Allocation, planned_room
+from mansion_planner.program.areas import AREA_CAP
+from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.filling import base_rooms, hub_area
 from mansion_planner.program.inference import note
 from mansion_planner.program.massing import least_area
 from mansion_planner.program.model import Storey
+from mansion_planner.program.storeys import entries_of, is_hall
 
 __all__ = ["storey_area", "typical_room"]
 

@@ -3,9 +3,10 @@
 from typing import Literal
 
 from mansion_planner.knowledge import KnowledgeBase
-from mansion_planner.program.allocation import Allocation, entries_of
+from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.model import Storey
+from mansion_planner.program.storeys import entries_of
 
 __all__ = ["vertical_method"]
 

@@ -2,7 +2,7 @@
 
 from mansion_msgs_py.topology import Edge, FloorTopology, TopologyNode
 from mansion_planner.knowledge import KnowledgeBase
-from mansion_planner.program.building import PlannedBuilding, hub_name
+from mansion_planner.program.building import PlannedBuilding
 from mansion_planner.program.materials import materials_of
 from mansion_planner.program.model import Storey, box_area
 
@@ -54,7 +54,7 @@ def floor_topology(
         )  # fmt: skip
         edges.append(
             Edge(
-                source=sketch.core_parent.get(core.id, hub_name(storey)),
+                source=sketch.core_parent.get(core.id, storey.hub.name),
                 target=core.id,
                 kind="access",
             )

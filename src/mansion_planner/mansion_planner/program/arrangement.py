@@ -1,0 +1,150 @@
+"""Arrange the rooms of all storeys in a massing; try other proportions until neighbours meet."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from mansion_geometry.randomness import item_generator
+from mansion_planner.knowledge import KnowledgeBase
+from mansion_planner.program.allocation import Allocation
+from mansion_planner.program.decisions import Decisions
+from mansion_planner.program.envelope import Envelope, envelope_of
+from mansion_planner.program.filling import fill_storey, fit_areas, hub_area, name_rooms
+from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
+from mansion_planner.program.frame import Frame
+from mansion_planner.program.hall import sketch_hall
+from mansion_planner.program.massing import MassingWish, choose_massing, rectangle_massing
+from mansion_planner.program.model import Massing, Storey, box_area
+from mansion_planner.program.neighbours import apart_pairs, wanted_pairs
+from mansion_planner.program.placement import Sketch, short_edges
+from mansion_planner.program.sketch import capacity, sketch_storey
+
+__all__ = ["Arrangement", "best_arrangement"]
+
+Arrangement = tuple[Massing, Frame, dict[int, Sketch], dict[int, Envelope]]
+"""A massing, where it stands, and the sketch and the envelope of each storey by index."""
+
+
+def best_arrangement(
+    decisions: Decisions,
+    wish: MassingWish,
+    storeys: list[Storey],
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+) -> Arrangement:
+    """Lay the building out; when rooms lack a door's wall or wished neighbours stay apart, try other proportions."""
+    best: tuple[int, Arrangement] | None = None
+    attempts = 6 if decisions.outline is None and not decisions.free_form else 1
+    for attempt in range(attempts):
+        growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
+        generator = item_generator(decisions.seed, "massing", attempt)
+        layout = _arranged(
+            decisions,
+            replace(wish, area=wish.area * growth, variant=attempt),
+            storeys,
+            allocation,
+            knowledge,
+            generator,
+        )
+        apart = sum(len(apart_pairs(decisions, s, layout[2][s.index])) for s in storeys)
+        short = sum(len(short_edges(layout[2][s.index])) for s in storeys if s.copy is None)
+        missed = apart + short
+        if best is None or missed < best[0]:
+            best = (missed, layout)
+        if missed == 0:
+            break
+    assert best is not None
+    return best[1]
+
+
+def _arranged(
+    decisions: Decisions,
+    wish: MassingWish,
+    storeys: list[Storey],
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    generator: np.random.Generator,
+) -> Arrangement:
+    """Choose one massing, fill every storey with rooms and sketch it; a copy shares its original's."""
+    massing = _massing(decisions, wish, generator)
+    frame = _frame(decisions, massing, storeys, generator)
+    sketches: dict[int, Sketch] = {}
+    envelopes: dict[int, Envelope] = {}
+    pairs = wanted_pairs(decisions)
+    for storey in storeys:
+        source = next((s for s in storeys if s.index == storey.copy), None)
+        if source is None:
+            _furnish(storey, massing, allocation, knowledge, decisions)
+            sketches[storey.index] = _sketch(decisions, massing, storey, pairs)
+        else:
+            storey.rooms = source.rooms
+            sketches[storey.index] = sketches[source.index]
+        envelopes[storey.index] = (
+            Envelope.of(decisions.outline)
+            if decisions.free_form and decisions.outline is not None
+            else envelope_of(massing, storey, frame)
+        )
+    return massing, frame, sketches, envelopes
+
+
+def _massing(decisions: Decisions, wish: MassingWish, generator: np.random.Generator) -> Massing:
+    shape = decisions.outline
+    if shape is None:
+        return choose_massing(wish, generator)
+    if decisions.free_form:
+        return free_massing(shape, free_cores(shape, wish.stairs, wish.lifts))
+    x0, y0, x1, y1 = shape.bounds
+    return rectangle_massing(wish, max(x1 - x0, y1 - y0), min(x1 - x0, y1 - y0))
+
+
+def _frame(
+    decisions: Decisions, massing: Massing, storeys: list[Storey], generator: np.random.Generator
+) -> Frame:
+    """Turn and mirror by chance; a given outline stays where it is."""
+    mirror_x, mirror_y, swap = (bool(value) for value in generator.random(3) < 0.5)
+    length = massing.length + max(storey.extension for storey in storeys)
+    bounds = (0.0, -massing.drop, length, massing.depth)
+    shape = decisions.outline
+    if shape is None:
+        return Frame(bounds, mirror_x, mirror_y, swap)
+    if decisions.free_form:
+        return Frame((0.0, 0.0, 0.0, 0.0))
+    x0, y0, x1, y1 = shape.bounds
+    return Frame(bounds, mirror_x, mirror_y, y1 - y0 > x1 - x0, origin=(x0, y0))
+
+
+def _sketch(
+    decisions: Decisions, massing: Massing, storey: Storey, pairs: list[tuple[str, str]]
+) -> Sketch:
+    if decisions.free_form and decisions.outline is not None:
+        cores = sum(box_area(core.box) for core in massing.cores)
+        return sketch_free(storey, storey.hub.name, decisions.outline.area - cores)
+    lay_out = sketch_hall if massing.hall else sketch_storey
+    return lay_out(massing, storey, storey.hub.name, pairs)
+
+
+def _furnish(
+    storey: Storey,
+    massing: Massing,
+    allocation: Allocation,
+    knowledge: KnowledgeBase,
+    decisions: Decisions,
+) -> None:
+    """Choose a storey's rooms, settle their areas and name them."""
+    stated = hub_area(storey, allocation)
+    if decisions.free_form and decisions.outline is not None:
+        cores = sum(box_area(core.box) for core in massing.cores)
+        room, share = 0.84 * (decisions.outline.area - cores), 0.0
+    else:
+        room, share = capacity(massing, storey), 0.0
+    if massing.hall:
+        share = stated or max(storey.hub.usual, 0.38 * room)
+    storey.rooms = fill_storey(storey, allocation, knowledge, room, hub_share=share)
+    if massing.hall:
+        asked = sum(r.gross for r in storey.rooms)
+        fit_areas(
+            storey.rooms, room - share if stated else min(room - share, max(asked, 0.45 * room))
+        )
+    else:
+        fit_areas(storey.rooms, room)
+    name_rooms(storey, storey.hub.name)
