@@ -1,22 +1,21 @@
 """Read a brief: storeys, areas, building type, rooms and wishes, each from the words that state it."""
 
+from mansion_planner.brief.areas import read_areas
 from mansion_planner.brief.building import read_building
 from mansion_planner.brief.facts import BriefFacts
+from mansion_planner.brief.finishes import read_materials, read_style
+from mansion_planner.brief.neighbours import read_adjacency, repeated_mentions
 from mansion_planner.brief.places import find_places
-from mansion_planner.brief.quantities import read_areas, read_floor_counts, read_occupants
+from mansion_planner.brief.quantities import read_floor_counts, read_occupants
 from mansion_planner.brief.reading import start_reading
 from mansion_planner.brief.rooms import read_rooms
 from mansion_planner.brief.stacking import read_stacking
 from mansion_planner.brief.wishes import (
-    read_adjacency,
     read_copies,
     read_exclusions,
     read_massing,
-    read_materials,
     read_shape,
-    read_style,
     read_vertical,
-    repeated_mentions,
 )
 from mansion_planner.knowledge import KnowledgeBase
 

@@ -1,6 +1,6 @@
 """Areas that a brief gives to a room: "a 40 m2 gym", "a gym of about 40 m2"."""
 
-from mansion_planner.brief.quantities import area_at
+from mansion_planner.brief.areas import area_at
 from mansion_planner.brief.reading import Reading
 
 __all__ = ["area_after", "area_ending"]

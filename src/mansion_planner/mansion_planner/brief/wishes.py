@@ -1,52 +1,18 @@
-"""Read what a brief wishes besides rooms and numbers: exclusions, neighbours, style, shape, copies, lifts."""
+"""Read what a brief wishes of the building's shape: outline, setbacks, lifts, equal storeys, and what to leave out."""
 
-from mansion_planner.brief.facts import AdjacencyFact, CopyFact, FloorRef, MaterialFact, Shape
-from mansion_planner.brief.lexicon import Mention
+from mansion_planner.brief.facts import CopyFact, FloorRef, Shape
 from mansion_planner.brief.places import Place
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.similarity import AS_ROOM
 
-__all__ = [
-    "read_adjacency",
-    "read_copies",
-    "read_exclusions",
-    "read_materials",
-    "read_massing",
-    "read_shape",
-    "read_style",
-    "read_vertical",
-]
+__all__ = ["read_copies", "read_exclusions", "read_massing", "read_shape", "read_vertical"]
 
 _SHAPES: dict[str, Shape] = {"l": "L", "u": "U", "t": "T", "h": "H"}
 _LIFT = ("elevator", "lift")
 _NEGATIONS = (
-    "no",
-    "without",
-    "exclude",
-    "excluding",
-    "omit",
-    "not",
-    "neither",
-    "nor",
-    "avoid",
-    "skip",
-    "never",
-)
-_CLAUSE_ENDS = (".", ";", ":", "\n", "but", "with", "!", "?", "however", "only")
-_BESIDE = (("next", "to"), ("adjacent", "to"), ("beside",), ("adjoining",), ("near",), ("close", "to"),
-           ("alongside",), ("connected", "to"), ("attached", "to"), ("opening", "to"), ("opening", "onto"),
-           ("open", "to"), ("bordering",), ("connecting", "to"), ("directly", "off"), ("besides",),
-           ("adjacent",), ("neighboring",), ("neighbouring",), ("by", "the"), ("touching",))  # fmt: skip
-_MATERIALS = (
-    "oak", "walnut", "pine", "maple", "birch", "bamboo", "cherry", "ash", "parquet", "hardwood", "wooden", "wood",
-    "timber", "laminate", "marble", "granite", "limestone", "travertine", "slate", "stone", "terrazzo", "concrete",
-    "tile", "tiled", "ceramic", "porcelain", "carpet", "carpeted", "vinyl", "linoleum", "rubber", "cork", "brick",
-    "plaster", "wallpaper", "stucco", "glass", "terracotta", "mosaic", "epoxy", "panelled", "paneled", "panelling",
+    "no", "without", "exclude", "excluding", "omit", "not", "neither", "nor", "avoid", "skip", "never",
 )  # fmt: skip
-_COLOURS = ("white", "black", "gray", "grey", "beige", "blue", "green", "red", "yellow", "cream", "dark", "light",
-            "polished", "exposed", "warm", "brown", "pink", "painted", "glossy", "matte", "pale", "orange", "navy",
-            "turquoise", "purple", "ivory", "charcoal", "herringbone")  # fmt: skip
-_SURFACES = {"floor": "floor", "flooring": "floor", "wall": "wall"}
+_CLAUSE_ENDS = (".", ";", ":", "\n", "but", "with", "!", "?", "however", "only")
 
 
 def read_shape(reading: Reading) -> None:
@@ -129,150 +95,6 @@ def read_exclusions(reading: Reading) -> None:
                 listed = True
             index += 1
             steps += 1
-
-
-def read_adjacency(reading: Reading) -> None:
-    """Read pairs that are to be side by side: "kitchen next to the dining room"."""
-    for i in range(len(reading.tokens)):
-        phrase = next(
-            (p for p in _BESIDE if all(reading.word(i + k) == w for k, w in enumerate(p))), None
-        )
-        if phrase is None:
-            continue
-        left = _room_before(reading, i)
-        right = _room_after(reading, i + len(phrase))
-        if left is None and right is not None and phrase == ("adjacent",):
-            continue
-        if left is not None and right is not None:
-            first, second = _name(left), _name(right)
-            if first and second:
-                reading.facts.adjacent.append(
-                    AdjacencyFact(first, second, reading.span(left.first, right.last))
-                )
-
-
-def _name(mention: Mention) -> str:
-    return mention.room or AS_ROOM.get(mention.building, "")
-
-
-def _room_before(reading: Reading, index: int) -> Mention | None:
-    for back in range(index, max(index - 7, -1), -1):
-        mention = reading.mention_ending.get(back)
-        if mention is not None and _name(mention):
-            return mention
-        if reading.word(back - 1) in (".", ";", "\n"):
-            return None
-    return None
-
-
-def _room_after(reading: Reading, index: int) -> Mention | None:
-    for at in range(index, index + 4):
-        mention = reading.mention_at.get(at)
-        if mention is not None and _name(mention):
-            return mention
-        if reading.word(at) in (".", ";", ",", "\n"):
-            return None
-    return None
-
-
-def repeated_mentions(reading: Reading) -> set[int]:
-    """Return the first tokens of mentions that only repeat a room within a neighbour wish.
-
-    In "a kitchen next to the dining room" the second room stands with "the": it is the one that is there anyway when
-    the brief names it elsewhere.
-    """
-    seen: dict[str, int] = {}
-    repeated: set[int] = set()
-    for mention in reading.mentions:
-        name = _name(mention)
-        if not name or mention.first in reading.taken:
-            continue
-        definite = reading.word(mention.first - 1) in (
-            "the",
-            "its",
-            "their",
-            "this",
-            "that",
-            "each",
-            "every",
-            "both",
-            "all",
-        )
-        restated = (
-            not mention.plural
-            and reading.word(mention.last) in _BESIDE_STARTS
-            and reading.kind(mention.first - 1) not in ("number",)
-            and reading.word(mention.first - 1) not in ("a", "an")
-        )
-        sized = (
-            reading.word(mention.last)
-            in ("should", "must", "is", "has", "to", "shall", "will", "of")
-            and definite
-        )
-        if name in seen and (definite or restated or sized):
-            repeated.add(mention.first)
-        else:
-            seen.setdefault(name, mention.first)
-    return repeated
-
-
-_BESIDE_STARTS = frozenset(phrase[0] for phrase in _BESIDE) | {
-    "should",
-    "must",
-    "is",
-    "are",
-    "opens",
-}
-
-
-def read_style(reading: Reading) -> None:
-    """Read the style; a style word inside a room's name ("modern kitchen") counts as well."""
-    for mention in reading.mentions:
-        if mention.style and not reading.taken & set(range(mention.first, mention.last)):
-            following = reading.mention_at.get(mention.last)
-            if (
-                mention.room
-                or mention.building
-                or (
-                    following is not None and following.room and following.room in ("roof_terrace",)
-                )
-            ):
-                continue
-            reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
-
-
-def read_materials(reading: Reading) -> None:
-    """Read materials: "oak floors", "marble flooring in the lobby", "white walls", "a tiled kitchen"."""
-    for i in range(len(reading.tokens)):
-        surface = _SURFACES.get(reading.word(i))
-        if surface is None or (surface == "floor" and not _material_ending(reading, i)):
-            continue
-        first = _material_ending(reading, i)
-        if not first:
-            continue
-        words = reading.text[reading.tokens[first - 1].start : reading.tokens[i - 1].end].lower()
-        if surface == "floor" and not any(m in words for m in _MATERIALS):
-            continue
-        room = ""
-        if reading.word(i + 1) in ("in", "for", "throughout"):
-            target = _room_after(reading, i + 2)
-            room = _name(target) if target is not None else ""
-        reading.facts.materials.append(
-            MaterialFact(surface, words, room, reading.span(first - 1, i + 1))  # type: ignore[arg-type]
-        )
-        reading.take(first - 1, i + 1)
-
-
-def _material_ending(reading: Reading, end: int) -> int:
-    """Return one more than the first token of the material words that end before `end`, or 0."""
-    first = end
-    while (
-        first > 0
-        and (reading.word(first - 1) in _MATERIALS or reading.word(first - 1) in _COLOURS)
-        and end - first < 4
-    ):
-        first -= 1
-    return first + 1 if first < end else 0
 
 
 def read_copies(reading: Reading, places: list[Place]) -> None:
