@@ -3,15 +3,24 @@
 import json
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mansion_msgs_py.codec import decode, decode_reply, encode, encode_bytes, schema
+from mansion_msgs_py.codec import (
+    decode,
+    decode_reply,
+    encode,
+    encode_bytes,
+    schema,
+    to_builtins,
+)
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.payloads import PAYLOADS, payload_type
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.topology import FloorTopology
+from mansion_msgs_py.world import Pose2D
 
 JSON_VALUES = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
@@ -103,3 +112,11 @@ def test_a_failed_reply_becomes_the_error_that_the_server_raised() -> None:
 def test_a_failed_reply_that_is_no_error_object_still_becomes_an_error() -> None:
     with pytest.raises(MansionError, match="out of paper"):
         decode_reply(False, "out of paper", dict)
+
+
+def test_floats_of_numpy_are_floats() -> None:
+    origin = Pose2D(x=np.float64(0.1), y=2.0, yaw=np.float64(90.0))
+    assert encode(origin) == '{"x":0.1,"y":2.0,"yaw":90.0}'
+    assert to_builtins([np.float64(0.1)]) == [0.1]
+    with pytest.raises(TypeError, match="unsupported"):
+        encode([np.int64(3)])

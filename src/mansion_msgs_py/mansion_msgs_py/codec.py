@@ -22,7 +22,14 @@ def _decoder(kind: Any) -> msgspec.json.Decoder[Any]:
     return msgspec.json.Decoder(kind)
 
 
-_encoder = msgspec.json.Encoder()
+def _plain_number(value: Any) -> float:
+    """Return a float of another library as a float: shapely before 2.1 gives a point's x and y as numpy's."""
+    if isinstance(value, float):
+        return float(value)
+    raise NotImplementedError
+
+
+_encoder = msgspec.json.Encoder(enc_hook=_plain_number)
 
 
 def encode_bytes(value: Any, *, indent: int | None = None) -> bytes:
@@ -45,7 +52,7 @@ def encode(value: Any, *, indent: int | None = None) -> str:
 
 def to_builtins(value: Any) -> Any:
     """Return `value` as dicts, lists and scalars."""
-    return msgspec.to_builtins(value)
+    return msgspec.to_builtins(value, enc_hook=_plain_number)
 
 
 def decode(kind: type[T], text: str | bytes) -> T:
