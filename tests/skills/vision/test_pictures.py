@@ -1,6 +1,7 @@
 """Panoramas, pages of landmarks, the lift's panel and the stair's arrows."""
 
-from math import pi
+from math import cos, pi, radians, sin
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from mansion_skills.vision.lift_panel import Button, panel_picture
 from mansion_skills.vision.pages import TILE, tile_pages
 from mansion_skills.vision.panorama import HEIGHT, VIEW, WIDTH, stitch, view_yaws
 from mansion_skills.vision.stair_arrows import with_arrows
+from mansion_skills.vision.viewpoints import FARTHEST, core_viewpoint
 
 
 def view_of(yaw: float) -> np.ndarray:
@@ -144,3 +146,36 @@ def test_wrapped_rows_fit_and_keep_all_words(text: str, width: int) -> None:
     assert all(font(13).getlength(row) <= width for row in rows)
     if not any("…" in row for row in rows):
         assert " ".join(rows).split() == text.split()
+
+
+@pytest.mark.parametrize("kind", ["elevator", "stair"])
+def test_a_core_is_looked_at_from_before_its_door(building: Path, kind: str) -> None:
+    robot = Robot(building)
+    seat = robot.engine.seat(robot.session)
+    for floor in seat.world.building.floors:
+        grid = seat.world.view(floor).map
+        for core in (core for core in grid.scene.cores if core.type == kind):
+            x, y, yaw = core_viewpoint(grid, core)
+            door = next(door for door in grid.scene.doors if door.id == core.door)
+            (ax, ay), (bx, by) = door.segment
+            toward = (ax + bx) / 2 - x, (ay + by) / 2 - y
+            assert grid.is_free(x, y)
+            assert grid.room_at(x, y) == grid.room_at(core.entrance[0], core.entrance[1])
+            assert np.allclose((cos(radians(yaw)), sin(radians(yaw))), toward / np.hypot(*toward))
+            near = core_viewpoint(grid, core, 0.0)
+            assert np.hypot(near[0] - x, near[1] - y) <= FARTHEST + 1e-6
+
+
+def test_a_tile_shows_the_middle_of_the_round_above_and_what_is_behind_below() -> None:
+    round_ = np.zeros((HEIGHT, WIDTH, 3), np.uint8)
+    round_[:, WIDTH // 2 - 20 : WIDTH // 2 + 20] = (255, 0, 0)
+    round_[:, :20] = round_[:, -20:] = (0, 0, 255)
+    (page,) = tile_pages([("stair_1", round_)], "Landmarks")
+    above, below = page[-TILE[1] - 12 : -12 - TILE[1] // 2], page[-12 - TILE[1] // 2 : -12]
+    red, blue = (
+        np.nonzero((half[..., c] > 200) & (half[..., 1] < 50))[1]
+        for half, c in ((above, 0), (below, 2))
+    )
+    middle = page.shape[1] / 2
+    assert abs(red.mean() - middle) < 3
+    assert abs(blue.mean() - middle) < 3

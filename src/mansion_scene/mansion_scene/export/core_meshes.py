@@ -5,6 +5,7 @@ import numpy as np
 from mansion_msgs_py.scene import Box3, FloorScene, LiftDetails, SceneCore, StairDetails
 from mansion_msgs_py.shapes import Point3
 from mansion_scene.export.appearance import named
+from mansion_scene.export.core_signs import core_sign
 from mansion_scene.export.model import Material, Model, Node, Surface
 from mansion_scene.export.solids import Box, box_between
 from mansion_scene.export.solids3d import boxes_surface
@@ -17,7 +18,7 @@ WALL = 0.05
 
 
 def add_cores(model: Model, scene: FloorScene, cabins: frozenset[str] | None = None) -> None:
-    """Add flights, landings and handrails, and the lifts with their panels.
+    """Add flights, landings and handrails, the lifts with their panels, and the signs over the doors.
 
     Parameters
     ----------
@@ -25,6 +26,9 @@ def add_cores(model: Model, scene: FloorScene, cabins: frozenset[str] | None = N
         Ids of the cores whose cabin stands on this floor; all when it is left out.
     """
     for core in scene.cores:
+        if sign := core_sign(scene, core):
+            name = f"{core.id}/sign"
+            model.add(Node(name, _mesh_name(scene, name), "cores"), sign)
         if isinstance(core.details, StairDetails):
             node = Node(core.id, _mesh_name(scene, core.id), "cores", room=core.id)
             model.add(node, _stair(core.details))
@@ -94,9 +98,8 @@ def _outward(
 def _add_lift(
     model: Model, scene: FloorScene, core: SceneCore, details: LiftDetails, here: bool
 ) -> None:
-    panel = _plate(details.call_panel, details.facing, 0.1, 0.22, named("brushed_steel"))
     name = f"{core.id}/call_panel"
-    model.add(Node(name, _mesh_name(scene, name), "cores"), panel)
+    model.add(Node(name, _mesh_name(scene, name), "cores"), _call_panel(details))
     if not here:
         return
     surfaces = [
@@ -108,6 +111,16 @@ def _add_lift(
     for button in details.buttons:
         surfaces += _plate(button.position, details.facing, 0.05, 0.05, named("button_light"))
     model.add(Node(core.id, _mesh_name(scene, core.id), "cores", room=core.id), surfaces)
+
+
+def _call_panel(details: LiftDetails) -> list[Surface]:
+    """A dark plate with a lit button for each way; it stands out on light walls."""
+    (x, y, z), turn = details.call_panel, np.radians(details.facing)
+    face = (x + 0.012 * float(np.cos(turn)), y + 0.012 * float(np.sin(turn)))
+    plate = _plate(details.call_panel, details.facing, 0.14, 0.34, named("painted_steel"))
+    for up in (0.07, -0.07):
+        plate += _plate((*face, z + up), details.facing, 0.06, 0.06, named("button_light"))
+    return plate
 
 
 def _lamp_material() -> Material:

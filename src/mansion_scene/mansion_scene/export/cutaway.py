@@ -28,7 +28,8 @@ _SHAFT = 0.35
 
 def quarter_turns(scenes: Sequence[FloorScene]) -> int:
     """Return by how many quarters to turn a building so that its long side and its entrance face the viewer."""
-    ground = next((scene for scene in scenes if scene.floor >= 1), None)
+    above = (scene for scene in scenes if scene.floor >= 1)
+    ground = min(above, key=lambda scene: scene.floor, default=None)
     if ground is None:
         return 0
     points = np.array(ground.outline)

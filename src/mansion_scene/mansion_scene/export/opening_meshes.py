@@ -17,6 +17,12 @@ OPEN_ANGLE = 86.0
 
 JAMB = 0.04
 LEAF = 0.045
+TRIM = 0.1
+"""Breadth of the trims around a lift's door, metres."""
+
+SEAM = 0.012
+"""Breadth of the dark edge of a sliding panel, metres: closed, two panels are seen to be two."""
+
 PROUD = 0.01
 """Metres by which frames stand out from the wall's faces, so that no faces coincide."""
 
@@ -31,7 +37,11 @@ def add_doors(model: Model, scene: FloorScene) -> None:
         deep = thickness.get(door.wall, 0.12)
         name = f"door_frame:{length:.3f}x{door.height:.3f}x{deep:.3f}:{door.kind}"
         node = Node(door.id, name, "doors", (x, y, 0.0), rotation)
-        model.add(node, _frame(length, door.height, deep, _frame_material(door)))
+        material = _frame_material(door)
+        surfaces = _frame(length, door.height, deep, material)
+        if door.kind == "sliding":
+            surfaces.append(boxes_surface(_portal(length, door.height, deep), material))
+        model.add(node, surfaces)
     for node, surfaces in leaf_nodes(scene):
         model.add(node, surfaces)
 
@@ -43,11 +53,10 @@ def _base(segment: Segment) -> tuple[float, float, float, float]:
 
 
 def _frame_material(door: Door) -> Material:
-    if door.kind in ("sliding", "frame"):
+    if door.kind == "frame":
         return named("brushed_steel")
-    return named(
-        "painted_steel" if door.kind in ("glazed", "entrance", "balcony") else "painted_wood"
-    )
+    steel = ("sliding", "glazed", "entrance", "balcony")
+    return named("painted_steel" if door.kind in steel else "painted_wood")
 
 
 def _frame(length: float, height: float, deep: float, material: Material) -> list[Surface]:
@@ -58,6 +67,19 @@ def _frame(length: float, height: float, deep: float, material: Material) -> lis
         Box((length / 2, 0.0, height - JAMB / 2), (length - 2 * JAMB, wide, JAMB)),
     ]
     return [boxes_surface(boxes, material)]
+
+
+def _portal(length: float, height: float, deep: float) -> list[Box]:
+    """Broad trims around a lift's opening on both faces of the wall."""
+    boxes = []
+    for side in (-1, 1):
+        y = side * (deep / 2 + PROUD)
+        boxes += [
+            Box((-TRIM / 2, y, (height + TRIM) / 2), (TRIM, 2 * PROUD, height + TRIM)),
+            Box((length + TRIM / 2, y, (height + TRIM) / 2), (TRIM, 2 * PROUD, height + TRIM)),
+            Box((length / 2, y, height + TRIM / 2), (length, 2 * PROUD, TRIM)),
+        ]
+    return boxes
 
 
 def leaf_nodes(scene: FloorScene) -> list[tuple[Node, list[Surface]]]:
@@ -124,9 +146,16 @@ def _leaf(width: float, height: float, kind: str, *, handle: bool) -> list[Surfa
         pane = Box((width / 2, 0.0, height / 2), (width - 2 * rail, 0.01, height - 2 * rail))
         surfaces += [boxes_surface(bars, frame), boxes_surface([pane], named("glass"))]
     else:
-        body = Box((width / 2, 0.0, height / 2), (width, LEAF, height))
         steel = kind == "sliding"
+        edge = SEAM if steel else 0.0
+        body = Box((width / 2, 0.0, height / 2), (width - 2 * edge, LEAF, height))
         surfaces.append(boxes_surface([body], named("brushed_steel" if steel else "light_wood")))
+        if steel:
+            edges = [
+                Box((x, 0.0, height / 2), (edge, LEAF, height))
+                for x in (edge / 2, width - edge / 2)
+            ]
+            surfaces.append(boxes_surface(edges, named("rubber")))
     if handle:
         grips = [
             Box((width - 0.1, side * (LEAF / 2 + 0.025), 1.02), (0.12, 0.02, 0.02))

@@ -1,11 +1,11 @@
 """An agent's eyes: pictures of the moment from the robot's camera, made when they are asked for."""
 
-from types import TracebackType
 from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
+from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.errors import MansionError
 from mansion_skills.engine.seat import Seat, SharedWorld
 from mansion_skills.episodes.marking import marked_view, png
@@ -22,8 +22,8 @@ __all__ = ["CameraEyes", "MomentEyes"]
 VIEW = (640, 480)
 
 
-class CameraEyes:
-    """A camera that goes from world to world; a context manager that frees it.
+class CameraEyes(Closing):
+    """A camera that goes from world to world; a ``with`` block frees it.
 
     Where nothing can render (no MuJoCo, no OpenGL, a building without models), the pictures are empty.
     """
@@ -33,17 +33,6 @@ class CameraEyes:
         self._world: World | None = None
         self._blind = False
         self._pages: dict[int, list[bytes]] = {}
-
-    def __enter__(self) -> "CameraEyes":
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def close(self) -> None:
         """Free the camera."""

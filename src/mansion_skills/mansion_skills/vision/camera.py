@@ -1,9 +1,8 @@
 """The camera of one session's robot."""
 
-from math import cos, radians, sin
-from types import TracebackType
 from typing import TYPE_CHECKING
 
+from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore
 from mansion_msgs_py.wording import choices
@@ -19,6 +18,7 @@ from mansion_skills.vision.pages import tile_pages
 from mansion_skills.vision.panorama import VIEW, stitch, view_yaws
 from mansion_skills.vision.renderer import Eye, Parts
 from mansion_skills.vision.stair_arrows import with_arrows
+from mansion_skills.vision.viewpoints import core_viewpoint
 from mansion_skills.world.landmarks import Landmark, landmark_named
 
 if TYPE_CHECKING:
@@ -32,13 +32,13 @@ LARGEST = (640, 480)
 CORE_VIEW = Intrinsics(480, 480, 90.0)
 """The camera that looks into a stair or a lift."""
 
-STEP_BACK = {"elevator": 1.0, "stair": 0.3}
-"""How far behind a core's standard pose that camera stands, where there is room; metres."""
+CORE_DISTANCE = {"elevator": 1.4, "stair": 0.3}
+"""How far before a core's standard pose that camera stands at most, where there is room; metres."""
 
 COLOURS = Parts(depth=False, segmentation=False)
 
 
-class Camera:
+class Camera(Closing):
     """Pictures of the world as it is now, through the eyes of one robot.
 
     Parameters
@@ -135,10 +135,12 @@ class Camera:
         return self._round(seat, landmark)
 
     def _round(self, seat: Seat, landmark: Landmark) -> Picture:
-        pose = landmark.pose
-        # From a core's standard pose the robot looks away from it; the core belongs into the middle.
-        middle = pose.yaw if landmark.kind == "room" else pose.yaw + 180.0
-        eyes = [Eye(pose.x, pose.y, CAMERA_HEIGHT, yaw) for yaw in view_yaws(middle)]
+        x, y, middle = landmark.pose.x, landmark.pose.y, landmark.pose.yaw
+        if landmark.kind != "room":
+            grid = seat.world.view(landmark.floor).map
+            core = next(core for core in grid.scene.cores if core.id == landmark.name)
+            x, y, middle = core_viewpoint(grid, core)
+        eyes = [Eye(x, y, CAMERA_HEIGHT, yaw) for yaw in view_yaws(middle)]
         frames = self._thread.run(self._draw, seat, landmark.floor, eyes, VIEW, COLOURS)
         return stitch([frame.rgb for frame in frames])
 
@@ -176,12 +178,10 @@ class Camera:
         MansionError
             ``NOT_FOUND`` on a floor without a lift.
         """
-        seat = self._seat()
-        with seat.shared.lock:
-            core = _nearest_core(seat, "elevator")
-            building, floor = seat.world.building, seat.robot.floor
+        seat, floor, core, view = self._at_core("elevator")
+        building = seat.world.building
         buttons = [Button(f, building.label(f), f in core.floors) for f in building.floors]
-        return panel_picture(core.id, buttons, floor, self._into(seat, core))
+        return panel_picture(core.id, buttons, floor, view)
 
     def stairs_view(self) -> Picture:
         """Return the view into the nearest stair, with an arrow for each direction that exists.
@@ -191,30 +191,26 @@ class Camera:
         MansionError
             ``NOT_FOUND`` on a floor without a stair.
         """
-        seat = self._seat()
-        with seat.shared.lock:
-            core = _nearest_core(seat, "stair")
-            building, floor = seat.world.building, seat.robot.floor
+        seat, floor, core, view = self._at_core("stair")
         words = {
-            step: f"{word} to {building.label(floor + step)}"
+            step: f"{word} to {seat.world.building.label(floor + step)}"
             for word, step in (("Up", 1), ("Down", -1))
             if floor + step in core.floors
         }
-        return with_arrows(self._into(seat, core), words.get(1), words.get(-1))
+        return with_arrows(view, words.get(1), words.get(-1))
 
-    def _into(self, seat: Seat, core: SceneCore) -> Picture:
-        """Return the view into a core from some way before it."""
-        x, y, yaw = core.entrance
-        ux, uy = cos(radians(yaw)), sin(radians(yaw))
-        grid = seat.world.view(seat.robot.floor).map
-        away = 0.0
-        while away < STEP_BACK[core.type] and grid.is_free(
-            x + (away + 0.1) * ux, y + (away + 0.1) * uy
-        ):
-            away += 0.1
-        eye = Eye(x + away * ux, y + away * uy, CAMERA_HEIGHT, yaw + 180.0)
-        call = (self._draw, seat, seat.robot.floor, [eye], CORE_VIEW, COLOURS)
-        return self._thread.run(*call)[0].rgb
+    def _at_core(self, kind: str) -> tuple[Seat, int, SceneCore, Picture]:
+        """Return whose eyes these are, the floor, its nearest core of a kind, and the view of that core."""
+        seat = self._seat()
+        with seat.shared.lock:
+            floor = seat.robot.floor
+            core = seat.world.core_near(seat.robot, kind, float("inf"))
+            if core is None:
+                raise MansionError(ErrorCode.NOT_FOUND, f"floor {floor} has no {kind}")
+            x, y, yaw = core_viewpoint(seat.world.view(floor).map, core, CORE_DISTANCE[kind])
+        eyes = [Eye(x, y, CAMERA_HEIGHT, yaw)]
+        frames = self._thread.run(self._draw, seat, floor, eyes, CORE_VIEW, COLOURS)
+        return seat, floor, core, frames[0].rgb
 
     def close(self) -> None:
         """Free the OpenGL context; the camera is of no use afterwards."""
@@ -222,17 +218,6 @@ class Camera:
             self._thread.run(self._floors.close)
             self._floors = None
         self._thread.close()
-
-    def __enter__(self) -> "Camera":
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
 
 def _landmark(seat: Seat, name: str) -> Landmark:
@@ -246,10 +231,3 @@ def _landmark(seat: Seat, name: str) -> Landmark:
     marks = [mark.name for floor in world.building.floors for mark in world.view(floor).landmarks]
     near = choices(name, marks, "rooms, stairs and lifts")
     raise MansionError(ErrorCode.NOT_FOUND, f"there is no landmark {name!r}; {near}")
-
-
-def _nearest_core(seat: Seat, kind: str) -> SceneCore:
-    found = seat.world.core_near(seat.robot, kind, float("inf"))
-    if found is None:
-        raise MansionError(ErrorCode.NOT_FOUND, f"floor {seat.robot.floor} has no {kind}")
-    return found

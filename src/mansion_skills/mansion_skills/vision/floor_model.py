@@ -20,6 +20,9 @@ SHOWN, HIDDEN = 0, 5
 ANYWHERE, NOWHERE = 0, -1
 """Numbers of rooms: of what is always drawn, and of what never is."""
 
+LANDING_PARTS = ("call_panel", "sign")
+"""Bodies of a core that are seen from outside, though its door is shut."""
+
 SMALLEST = 0.6
 """What would be a disc of fewer pixels in radius is left out."""
 
@@ -90,6 +93,9 @@ class FloorModel:
             sides[window.id] = (window.room, window.room)
         for name in self.rooms:
             sides[name] = (name, name)
+        for core in scene.cores:
+            for part in LANDING_PARTS:
+                sides[f"{core.id}/{part}"] = sides.get(core.door, (core.id, None))
         for thing in scene.objects:
             sides[thing.id] = (thing.room, thing.room)
         numbers = np.full((len(names), 2), ANYWHERE, dtype=np.int32)

@@ -24,7 +24,9 @@ MOST = 16
 def tile_pages(
     entries: Sequence[tuple[str, Picture]], title: str, per_page: int = 9
 ) -> list[Picture]:
-    """Lay panoramas out as numbered, labelled tiles; each is folded into two halves, one above the other.
+    """Lay panoramas out as numbered, labelled tiles; each is folded into two halves of a round.
+
+    The upper half looks along the panorama's middle, the lower one back.
 
     Parameters
     ----------
@@ -78,8 +80,10 @@ def _page(entries: Sequence[tuple[str, Picture]], first: int, title: str, column
         draw.rectangle((x, y, x + 52, y + LABEL - 1), fill=ACCENT)
         write(draw, (x + 26, y + LABEL / 2), str(first + i), 28, width=48, anchor="mm")
         write(draw, (x + 62, y + LABEL / 2), label, 26, width=TILE[0] - 70, fill=PAPER)
+        # The upper half is the middle of the round: what the picture is of is not cut in two.
         half = picture.shape[1] // 2
-        folded = np.vstack([picture[:, :half], picture[:, half:]])
+        turned = np.roll(picture, -half // 2, axis=1)
+        folded = np.vstack([turned[:, :half], turned[:, half:]])
         tile = Image.fromarray(folded).resize(TILE, Image.Resampling.LANCZOS)
         sheet.paste(tile, (x, y + LABEL))
     return np.array(sheet)
