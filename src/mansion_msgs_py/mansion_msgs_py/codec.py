@@ -26,7 +26,7 @@ def _plain_number(value: Any) -> float:
     """Return a float of another library as a float: shapely before 2.1 gives a point's x and y as numpy's."""
     if isinstance(value, float):
         return float(value)
-    raise NotImplementedError
+    raise TypeError(f"no JSON for {type(value).__qualname__}")
 
 
 _encoder = msgspec.json.Encoder(enc_hook=_plain_number)
