@@ -46,7 +46,7 @@ def _cross(a: Floats, b: Floats) -> Floats:
 
 
 @kernel
-def _weld(vertices: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
+def _weld(vertices: Floats) -> Ints:
     """Number the places of vertices in order of first appearance; those within 0.01 mm are one place."""
     count = len(vertices)
     size = 16
@@ -79,17 +79,10 @@ def _weld(vertices: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
 
 
 @kernel
-def _join_corners(
-    vertices: npt.NDArray[np.float64],
-    faces: npt.NDArray[np.int64],
-    areas: npt.NDArray[np.float64],
-    units: npt.NDArray[np.float64],
-    smooth: float,
-) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64], npt.NDArray[np.int64]]:
-    """Sum, at each corner, the area normals of the faces around its place that look almost its way."""
+def _corners_by_place(place: Ints, faces: Ints) -> tuple[Ints, Ints]:
+    """Group corners: those of place p are ``members[starts[p] : starts[p + 1]]``; corner k is of face k // 3."""
     corners = 3 * len(faces)
-    place = _weld(vertices)
-    starts = np.zeros(len(vertices) + 1, dtype=np.int64)
+    starts = np.zeros(len(place) + 1, dtype=np.int64)
     for k in range(corners):
         starts[place[faces[k // 3, k % 3]] + 1] += 1
     starts = np.cumsum(starts)
@@ -99,44 +92,64 @@ def _join_corners(
         p = place[faces[k // 3, k % 3]]
         members[fill[p]] = k
         fill[p] += 1
+    return starts, members
+
+
+@kernel
+def _shared_normal(
+    f: int, around: Ints, areas: Floats, units: Floats, smooth: float
+) -> tuple[float, float, float]:
+    """Sum the area normals of the faces of the corners `around` a place that look almost the way of face `f`."""
+    x, y, z = 0.0, 0.0, 0.0
+    for k in around:
+        g = k // 3
+        alike = units[f, 0] * units[g, 0] + units[f, 1] * units[g, 1] + units[f, 2] * units[g, 2]
+        if alike > smooth:
+            x += areas[g, 0]
+            y += areas[g, 1]
+            z += areas[g, 2]
+    length = np.sqrt(x * x + y * y + z * z)
+    if length > 1e-12:
+        return x / length, y / length, z / length
+    return units[f, 0], units[f, 1], units[f, 2]
+
+
+@kernel
+def _equal_normal(normals: Floats, x: float, y: float, z: float) -> int:
+    """Return the first of `normals` that is (x, y, z), or -1."""
+    for q in range(len(normals)):
+        if (
+            abs(normals[q, 0] - x) < 1e-4
+            and abs(normals[q, 1] - y) < 1e-4
+            and abs(normals[q, 2] - z) < 1e-4
+        ):
+            return q
+    return -1
+
+
+@kernel
+def _join_corners(
+    vertices: Floats, faces: Ints, areas: Floats, units: Floats, smooth: float
+) -> tuple[Floats, Floats, Ints]:
+    """Give each corner its shared normal; corners of one place with the same normal become one point."""
+    corners = 3 * len(faces)
+    starts, members = _corners_by_place(_weld(vertices), faces)
     points = np.empty((corners, 3))
     normals = np.empty((corners, 3))
     joined = np.empty((len(faces), 3), dtype=np.int64)
     count = 0
     for p in range(len(vertices)):
         first = count
-        for i in range(starts[p], starts[p + 1]):
-            f = members[i] // 3
-            x, y, z = 0.0, 0.0, 0.0
-            for j in range(starts[p], starts[p + 1]):
-                g = members[j] // 3
-                alike = (
-                    units[f, 0] * units[g, 0]
-                    + units[f, 1] * units[g, 1]
-                    + units[f, 2] * units[g, 2]
-                )
-                if alike > smooth:
-                    x += areas[g, 0]
-                    y += areas[g, 1]
-                    z += areas[g, 2]
-            length = np.sqrt(x * x + y * y + z * z)
-            if length > 1e-12:
-                x, y, z = x / length, y / length, z / length
-            else:
-                x, y, z = units[f, 0], units[f, 1], units[f, 2]
-            mine = -1
-            for q in range(first, count):
-                if (
-                    abs(normals[q, 0] - x) < 1e-4
-                    and abs(normals[q, 1] - y) < 1e-4
-                    and abs(normals[q, 2] - z) < 1e-4
-                ):
-                    mine = q
-                    break
-            if mine < 0:
+        around = members[starts[p] : starts[p + 1]]
+        for k in around:
+            f = k // 3
+            x, y, z = _shared_normal(f, around, areas, units, smooth)
+            found = _equal_normal(normals[first:count], x, y, z)
+            mine = first + found
+            if found < 0:
                 mine = count
-                points[mine] = vertices[faces[f, members[i] % 3]]
+                points[mine] = vertices[faces[f, k % 3]]
                 normals[mine, 0], normals[mine, 1], normals[mine, 2] = x, y, z
                 count += 1
-            joined[f, members[i] % 3] = mine
+            joined[f, k % 3] = mine
     return points[:count].copy(), normals[:count].copy(), joined
