@@ -33,7 +33,12 @@ setup(
         "shapely>=2.0",
         "trimesh>=4.0",
     ],
-    extras_require={"test": ["pytest"], "usd": ["usd-core>=24"], "sim": ["mujoco>=3.0"]},
+    extras_require={
+        "test": ["pytest"],
+        "usd": ["usd-core>=24"],
+        "sim": ["mujoco>=3.0"],
+        "thor": ["ai2thor>=5.0"],
+    },
     entry_points={
         "console_scripts": [
             "object_placer = mansion_scene.nodes.object_placer:main",

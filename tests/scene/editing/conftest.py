@@ -1,5 +1,6 @@
 """A small building made by hand: a hall and a kitchen, and above them an office and a corridor, joined by a stair."""
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,6 +15,8 @@ from mansion_scene.editing.editor import SceneEditor
 from mansion_scene.editing.physics.static import StaticEngine
 from mansion_scene.editing.state import SceneState
 from mansion_scene.editing.storage import BuildingStore, Validator
+
+sys.path.insert(0, str(Path(__file__).parent))
 
 
 def _rectangle(x0: float, y0: float, x1: float, y1: float) -> list[tuple[float, float]]:

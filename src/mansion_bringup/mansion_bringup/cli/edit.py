@@ -9,9 +9,9 @@ import typer
 
 from mansion_bringup.cli.console import err, print_json
 from mansion_bringup.extras import ensure_extra
-from mansion_msgs_py.codec import decode
 from mansion_msgs_py.editing import AgentReport
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.reading import decode_from, read_bytes
 from mansion_msgs_py.task import Task, TaskSet
 
 if TYPE_CHECKING:
@@ -21,6 +21,9 @@ __all__ = ["open_editor", "read_tasks", "register"]
 
 _WRITES = ("PlaceInContainer", "PlaceOnSurface", "MoveObject")
 """Tools that may need physics."""
+
+_EXTRAS = {"mujoco": "sim", "thor": "thor"}
+"""What an engine needs."""
 
 
 def register(app: typer.Typer) -> None:
@@ -40,7 +43,7 @@ def edit(
     ] = "",
     planner: Annotated[str, typer.Option(help="Who plans an instruction: rules or llm.")] = "rules",
     physics: Annotated[
-        str, typer.Option(help="What settles objects: mujoco or static.")
+        str, typer.Option(help="What settles objects: mujoco, static or thor.")
     ] = "mujoco",
     who: Annotated[str, typer.Option(help="Name for the log; yours when absent.")] = "",
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Show it, change nothing.")] = False,
@@ -105,8 +108,8 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "S
     from mansion_scene.editing.retrieval.configured import configured_retriever
     from mansion_scene.editing.storage import BuildingStore
 
-    if physics == "mujoco":
-        ensure_extra("sim")
+    if physics in _EXTRAS:
+        ensure_extra(_EXTRAS[physics])
     store = BuildingStore(building, validator=new_faults, clock=_now)
     return SceneEditor(
         store,
@@ -143,12 +146,11 @@ def read_tasks(file: Path, task_id: str = "") -> list[Task]:
     MansionError
         ``NOT_FOUND`` for a file that cannot be read or an id that it lacks, ``INVALID_PAYLOAD`` for what is no task.
     """
-    try:
-        data = file.read_bytes()
-    except OSError as error:
-        raise MansionError(ErrorCode.NOT_FOUND, f"{file}: {error.strerror}") from None
-    head = decode(dict[str, Any], data)
-    tasks = decode(TaskSet, data).tasks if "tasks" in head else [decode(Task, data)]
+    data = read_bytes(file, "the JSON of a task, or of a set of tasks")
+    if "tasks" in decode_from(dict[str, Any], data, file):
+        tasks = decode_from(TaskSet, data, file).tasks
+    else:
+        tasks = [decode_from(Task, data, file)]
     wanted = [task for task in tasks if task_id in ("", task.id)]
     if not wanted:
         known = ", ".join(task.id for task in tasks[:20])

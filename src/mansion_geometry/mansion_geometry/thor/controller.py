@@ -2,11 +2,15 @@
 
 import importlib
 from collections.abc import Mapping
-from typing import Any, Protocol
+from typing import Any, Final, Protocol
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["Controller", "Event", "act", "failure", "first_line", "start_controller"]
+
+
+PATIENCE: Final = 10.0
+"""Seconds that a killed simulator may take to go."""
 
 
 class Event(Protocol):
@@ -57,9 +61,7 @@ def start_controller(**parameters: Any) -> Controller:
     try:
         controller.__init__(**parameters)
     except BaseException as error:
-        server = getattr(controller, "server", None)
-        if server is not None:
-            server.stop()
+        _end(getattr(controller, "server", None))
         if not isinstance(error, Exception):
             raise
         raise MansionError(
@@ -70,6 +72,16 @@ def start_controller(**parameters: Any) -> Controller:
         ) from error
     started: Controller = controller
     return started
+
+
+def _end(server: Any) -> None:
+    """End the simulator's process of a server, and wait until it is gone."""
+    if server is None:
+        return
+    server.stop()
+    process = getattr(server, "unity_proc", None)
+    if process is not None:
+        process.wait(timeout=PATIENCE)
 
 
 def act(controller: Controller, action: str, **arguments: Any) -> str:

@@ -28,9 +28,10 @@ __all__ = ["SceneEditorNode", "main"]
 
 _PARAMETERS = (
     ("hooks", "mansion_bringup.edit_hooks", "module that checks edits and writes derived files"),
-    ("physics", "mujoco", "engine that settles placed objects: mujoco or static"),
+    ("physics", "mujoco", "engine that settles placed objects: mujoco, static or thor"),
     ("building", "", "folder to open at the start"),
 )
+_READ_ONCE = ("hooks", "building")
 
 
 class SceneEditorNode(Node):
@@ -39,7 +40,8 @@ class SceneEditorNode(Node):
     def __init__(self) -> None:
         super().__init__("scene_editor")
         for name, value, text in _PARAMETERS:
-            self.declare_parameter(name, value, ParameterDescriptor(description=text))
+            descriptor = ParameterDescriptor(description=text, read_only=name in _READ_ONCE)
+            self.declare_parameter(name, value, descriptor)
         self._editors: dict[str, SceneEditor] = {}
         self._scenes = JsonPublisher(self, topic("floor_scene"))
         self._hooks = _load_hooks(str(self.get_parameter("hooks").value))

@@ -7,7 +7,7 @@ from mansion_scene.editing.physics.problem import PhysicsEngine
 
 __all__ = ["ENGINES", "engine_named"]
 
-ENGINES: Final = ("mujoco", "static")
+ENGINES: Final = ("mujoco", "static", "thor")
 
 
 def engine_named(name: str) -> PhysicsEngine:
@@ -26,6 +26,10 @@ def engine_named(name: str) -> PhysicsEngine:
         from mansion_scene.editing.physics.static import StaticEngine
 
         return StaticEngine()
+    if name == "thor":
+        from mansion_scene.editing.physics.thor_engine import ThorEngine
+
+        return ThorEngine()
     raise MansionError(
         ErrorCode.NOT_FOUND, f"no physics engine {name!r}; engines are {', '.join(ENGINES)}"
     )

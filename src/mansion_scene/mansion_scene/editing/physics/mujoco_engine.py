@@ -7,7 +7,14 @@ from typing import Any
 import numpy as np
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_scene.editing.physics.problem import PosedBox, SettleProblem, SettleResult
+from mansion_scene.editing.physics.problem import (
+    SLOW,
+    SLOW_TURN,
+    PosedBox,
+    SettleProblem,
+    SettleResult,
+    mass,
+)
 
 __all__ = ["MujocoEngine"]
 
@@ -17,10 +24,6 @@ QUIET_STEPS = 40
 """Steps in a row below the speed limits that count as rest."""
 
 FEWEST_STEPS = 120
-SLOW, SLOW_TURN = 0.01, 0.1
-"""Speed limits of rest, m/s and rad/s."""
-
-DENSITY, LEAST_MASS = 300.0, 0.02
 
 BODY, NEIGHBOUR, SUPPORT, SHELL = 1, 2, 4, 8
 """Collision classes: the shell stops the new object alone, because neighbours stand by what the scene says of them."""
@@ -93,8 +96,7 @@ def _world(problem: SettleProblem) -> str:
 
 
 def _free(name: str, box: PosedBox, kind: int, touches: int) -> str:
-    mass = max(LEAST_MASS, DENSITY * math.prod(box.size))
-    geom = _geom(box, f'mass="{mass:.5g}"', kind, touches)
+    geom = _geom(box, f'mass="{mass(box):.5g}"', kind, touches)
     return (
         f'<body name="{name}" pos="{_numbers(box.center)}" {_turn(box)}><freejoint/>{geom}</body>'
     )

@@ -1,11 +1,27 @@
 """What a physics engine is asked and what it answers; engines differ behind `PhysicsEngine`."""
 
 from dataclasses import dataclass, field
-from typing import NamedTuple, Protocol
+from math import prod
+from typing import Final, NamedTuple, Protocol
 
 from mansion_msgs_py.shapes import Point3
 
-__all__ = ["PhysicsEngine", "PosedBox", "SettleProblem", "SettleResult"]
+__all__ = [
+    "SLOW",
+    "SLOW_TURN",
+    "PhysicsEngine",
+    "PosedBox",
+    "SettleProblem",
+    "SettleResult",
+    "mass",
+]
+
+SLOW: Final = 0.01
+SLOW_TURN: Final = 0.1
+"""Speed limits of rest, m/s and rad/s."""
+
+DENSITY: Final = 300.0
+LEAST_MASS: Final = 0.02
 
 
 class PosedBox(NamedTuple):
@@ -14,6 +30,11 @@ class PosedBox(NamedTuple):
     center: Point3
     size: Point3
     rotation: float = 0.0
+
+
+def mass(box: PosedBox) -> float:
+    """Return what a box weighs that stands for a thing, kilograms."""
+    return max(LEAST_MASS, DENSITY * prod(box.size))
 
 
 @dataclass(frozen=True)
