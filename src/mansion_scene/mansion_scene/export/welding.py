@@ -97,12 +97,12 @@ def _corners_by_place(place: Ints, faces: Ints) -> tuple[Ints, Ints]:
 
 @kernel
 def _shared_normal(
-    f: int, around: Ints, areas: Floats, units: Floats, smooth: float
+    f: int, members: Ints, start: int, end: int, areas: Floats, units: Floats, smooth: float
 ) -> tuple[float, float, float]:
-    """Sum the area normals of the faces of the corners `around` a place that look almost the way of face `f`."""
+    """Sum the area normals of those faces of ``members[start:end]`` that look almost the way of face `f`."""
     x, y, z = 0.0, 0.0, 0.0
-    for k in around:
-        g = k // 3
+    for j in range(start, end):
+        g = members[j] // 3
         alike = units[f, 0] * units[g, 0] + units[f, 1] * units[g, 1] + units[f, 2] * units[g, 2]
         if alike > smooth:
             x += areas[g, 0]
@@ -115,16 +115,16 @@ def _shared_normal(
 
 
 @kernel
-def _equal_normal(normals: Floats, x: float, y: float, z: float) -> int:
-    """Return the first of `normals` that is (x, y, z), or -1."""
-    for q in range(len(normals)):
+def _equal_normal(normals: Floats, start: int, end: int, x: float, y: float, z: float) -> int:
+    """Return the first of ``normals[start:end]`` that is (x, y, z), or `end`."""
+    for q in range(start, end):
         if (
             abs(normals[q, 0] - x) < 1e-4
             and abs(normals[q, 1] - y) < 1e-4
             and abs(normals[q, 2] - z) < 1e-4
         ):
             return q
-    return -1
+    return end
 
 
 @kernel
@@ -140,16 +140,13 @@ def _join_corners(
     count = 0
     for p in range(len(vertices)):
         first = count
-        around = members[starts[p] : starts[p + 1]]
-        for k in around:
-            f = k // 3
-            x, y, z = _shared_normal(f, around, areas, units, smooth)
-            found = _equal_normal(normals[first:count], x, y, z)
-            mine = first + found
-            if found < 0:
-                mine = count
-                points[mine] = vertices[faces[f, k % 3]]
+        for i in range(starts[p], starts[p + 1]):
+            f, corner = members[i] // 3, members[i] % 3
+            x, y, z = _shared_normal(f, members, starts[p], starts[p + 1], areas, units, smooth)
+            mine = _equal_normal(normals, first, count, x, y, z)
+            if mine == count:
+                points[mine] = vertices[faces[f, corner]]
                 normals[mine, 0], normals[mine, 1], normals[mine, 2] = x, y, z
                 count += 1
-            joined[f, k % 3] = mine
+            joined[f, corner] = mine
     return points[:count].copy(), normals[:count].copy(), joined
