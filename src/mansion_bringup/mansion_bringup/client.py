@@ -8,7 +8,6 @@ import os
 import threading
 import time
 from collections.abc import Callable
-from types import TracebackType
 from typing import Any, TypeVar
 
 import rclpy
@@ -21,6 +20,7 @@ from std_msgs.msg import String
 
 from mansion_bringup.discovery import stay_on_this_machine
 from mansion_msgs_py import interfaces
+from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.codec import decode_reply, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import Qos, ServiceInterface
@@ -37,7 +37,7 @@ T = TypeVar("T")
 _numbers = itertools.count(1)
 
 
-class MansionClient:
+class MansionClient(Closing):
     """Calls the services of one graph, on this machine unless the environment's ROS 2 variables say otherwise.
 
     Parameters
@@ -104,17 +104,6 @@ class MansionClient:
         self._executor.shutdown(timeout_sec=2.0)
         self.node.destroy_node()
         rclpy.try_shutdown(context=self._context)
-
-    def __enter__(self) -> "MansionClient":
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def call(
         self,

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from sample_building import write_building
 
 from mansion_msgs_py.world import SkillStatus
-from mansion_skills.env.eyes import Eyes
+from mansion_skills.env.array_sight import ArraySight
 from mansion_skills.env.low_level import MOVE, TILT, TURN, act, low_level_actions
 from mansion_skills.skills.asking import list_visible
 from mansion_skills.tasks.sandbox import Sandbox
@@ -37,7 +37,7 @@ def test_motions_end_where_the_skills_end(pair: tuple[Sandbox, Sandbox], names: 
     fast.reset()
     slow.reset()
     for name in names:
-        outcome = act(fast, name, Eyes(fast.world).look(fast.robot))
+        outcome = act(fast, name, ArraySight(fast.world).look(fast.robot))
         result = slow.skill(MOTIONS[name][0], **MOTIONS[name][1])
         assert outcome.status == result.status
         ours, theirs = fast.robot.pose, slow.robot.pose
@@ -73,13 +73,13 @@ def test_the_eyes_see_what_list_visible_lists(
 
     sandbox, _ = pair
     sandbox.reset()
-    eyes = Eyes(sandbox.world)
+    sight = ArraySight(sandbox.world)
     for skill, arguments in [("Rotate", {"degrees": 0.0}), *deeds]:
         if sandbox.skill(skill, **arguments).status is SkillStatus.SUCCESS:
-            eyes.world_changed()
+            sight.world_changed()
         listed = list_visible(sandbox.world, sandbox.robot, VisibleArgs())
         assert isinstance(listed, VisibleObjects)
-        view = eyes.look(sandbox.robot)
+        view = sight.look(sandbox.robot)
         assert sorted(view.ids) == sorted(entry.id for entry in listed.objects)
         by_id = {entry.id: entry for entry in listed.objects}
         for name, away, bearing in zip(view.ids, view.distances, view.bearings):
@@ -93,27 +93,27 @@ def test_only_the_nearest_are_looked_for_and_what_is_always_wanted(
     sandbox, _ = pair
     sandbox.reset()
     sandbox.skill("GoToLandmark", landmark="office")
-    eyes = Eyes(sandbox.world)
+    sight = ArraySight(sandbox.world)
     for _ in range(8):
-        whole = eyes.look(sandbox.robot).ids
+        whole = sight.look(sandbox.robot).ids
         if len(whole) > 2:
             break
         sandbox.skill("Rotate", degrees=45.0)
-    assert eyes.look(sandbox.robot, 1).ids == whole[:1]
-    assert eyes.look(sandbox.robot, 1, [whole[-1]]).ids == [whole[0], whole[-1]]
+    assert sight.look(sandbox.robot, 1).ids == whole[:1]
+    assert sight.look(sandbox.robot, 1, [whole[-1]]).ids == [whole[0], whole[-1]]
 
 
 def test_hands_take_what_is_in_the_middle_of_the_picture(pair: tuple[Sandbox, Sandbox]) -> None:
     sandbox, _ = pair
     sandbox.reset()
     sandbox.skill("GoNearObject", object="F1/office/mug_1")
-    eyes = Eyes(sandbox.world)
-    taken = act(sandbox, "pick_up", eyes.look(sandbox.robot))
+    sight = ArraySight(sandbox.world)
+    taken = act(sandbox, "pick_up", sight.look(sandbox.robot))
     assert taken.changed and sandbox.world.objects.held_by("episode") == "F1/office/mug_1"
-    eyes.world_changed()
-    again = act(sandbox, "pick_up", eyes.look(sandbox.robot))
+    sight.world_changed()
+    again = act(sandbox, "pick_up", sight.look(sandbox.robot))
     assert again.status is SkillStatus.PRECONDITION_FAILURE and not again.changed
-    put = act(sandbox, "place", eyes.look(sandbox.robot))
+    put = act(sandbox, "place", sight.look(sandbox.robot))
     assert put.changed and sandbox.world.objects.state("F1/office/mug_1").parent is not None
 
 

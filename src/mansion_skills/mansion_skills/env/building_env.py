@@ -12,7 +12,7 @@ from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import ProgressScore, Task, TaskSet
 from mansion_msgs_py.world import SkillStatus
-from mansion_skills.env.eyes import Eyes
+from mansion_skills.env.array_sight import ArraySight
 from mansion_skills.env.low_level import Outcome, act, low_level_actions
 from mansion_skills.env.observing import SLOTS, Describer, Values, Vocabulary, state_space
 from mansion_skills.env.skill_level import SKILL_ACTIONS, skill_call
@@ -92,7 +92,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         self.tasks = _tasks(tasks, self._sandbox, task_seed)
         self.vocabulary = Vocabulary.of(self._sandbox)
         self._describer = Describer(self._sandbox, self.vocabulary)
-        self._eyes = Eyes(self._sandbox.world)
+        self._sight = ArraySight(self._sandbox.world)
         self._low = actions == "low"
         self._pictures = observation
         self._size = image_size
@@ -141,7 +141,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         super().reset(seed=seed)
         self._task = self._chosen((options or {}).get("task"))
         self._sandbox.reset(self._task.start)
-        self._eyes.world_changed()
+        self._sight.world_changed()
         self._tracker = ProgressTracker(self._task, self._sandbox.world, SESSION)
         self._goal = self._describer.goal(self._task)
         scale = MOVES_PER_SKILL if self._low else 1
@@ -166,7 +166,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         outcome = self._act(action)
         self._steps += 1
         if outcome.changed:
-            self._eyes.world_changed()
+            self._sight.world_changed()
         score = self._observe()
         truncated = self._steps >= self._limit and not score.success
         reward = _worth(score) - _worth(before)
@@ -195,7 +195,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         return Outcome(result.status, result.message, result.status is SkillStatus.SUCCESS)
 
     def _observe(self) -> ProgressScore:
-        view = self._view = self._eyes.look(self._sandbox.robot, SLOTS, self._tracker.targets)
+        view = self._view = self._sight.look(self._sandbox.robot, SLOTS, self._tracker.targets)
         return self._tracker.observe(dict(zip(view.ids, view.distances.tolist())))
 
     def _values(self) -> Values:

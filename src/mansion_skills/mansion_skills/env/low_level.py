@@ -8,7 +8,7 @@ from typing import Any, Final
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import ObjectState, Pose2D, SkillStatus
-from mansion_skills.env.eyes import View
+from mansion_skills.env.array_sight import View
 from mansion_skills.navigation.paths import free_run
 from mansion_skills.skills.motion import SPEED, TURN_SPEED
 from mansion_skills.skills.moving import PITCHES

@@ -9,7 +9,7 @@ import numpy.typing as npt
 from gymnasium import spaces
 
 from mansion_msgs_py.task import Task
-from mansion_skills.env.eyes import View
+from mansion_skills.env.array_sight import View
 from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import cast_rays
 from mansion_skills.skills.seeing import REACH, VIEW_ANGLE, VIEW_RANGE

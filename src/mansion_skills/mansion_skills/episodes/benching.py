@@ -12,7 +12,7 @@ from mansion_msgs_py.task import Task, TaskSet
 from mansion_msgs_py.world import Progress
 from mansion_skills.agents.interface import Agent
 from mansion_skills.agents.registry import LEARNING, check_agents, make_agent
-from mansion_skills.episodes.eyes import CameraEyes
+from mansion_skills.episodes.camera_eyes import CameraEyes
 from mansion_skills.episodes.log import EpisodeLog, read_log, write_log
 from mansion_skills.episodes.port import LocalPort, SkillPort
 from mansion_skills.episodes.running import EpisodeOptions, run_episode

@@ -9,7 +9,7 @@ from typing import Any
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.world import SkillStatus
-from mansion_skills.episodes.eyes import CameraEyes
+from mansion_skills.episodes.camera_eyes import CameraEyes
 from mansion_skills.episodes.log import EpisodeLog, EpisodeStep
 from mansion_skills.episodes.marking import png
 from mansion_skills.episodes.plan_view import plan_view

@@ -1,10 +1,10 @@
 """`ThorGym`: a robot of a building whose body is AI2-THOR's agent."""
 
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 from mansion_geometry.thor.controller import Controller
+from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore
 from mansion_skills.engine.seat import Seat
@@ -17,7 +17,7 @@ from mansion_skills.world.landmarks import Landmark
 __all__ = ["ThorGym"]
 
 
-class ThorGym(Robot):
+class ThorGym(Robot, Closing):
     """The skills of `Robot`, acted out in AI2-THOR (sections F.1 and E).
 
     The world checks what a skill needs and plans the way; the controller does it with ``Teleport``, ``MoveAhead``,
@@ -162,17 +162,6 @@ class ThorGym(Robot):
     def close(self) -> None:
         """End the simulator."""
         self.controller.stop()
-
-    def __enter__(self) -> "ThorGym":
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
 
 def _core_to(seat: Seat, target: int) -> SceneCore:

@@ -8,7 +8,7 @@ from episode_tasks import mug_task
 from PIL import Image
 
 from mansion_skills.agents.interface import Access
-from mansion_skills.episodes.eyes import CameraEyes
+from mansion_skills.episodes.camera_eyes import CameraEyes
 from mansion_skills.episodes.marking import marked_view
 from mansion_skills.episodes.observing import Watcher
 from mansion_skills.episodes.plan_view import plan_view

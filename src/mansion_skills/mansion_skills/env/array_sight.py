@@ -21,7 +21,7 @@ from mansion_skills.skills.seeing import (
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
-__all__ = ["Eyes", "View"]
+__all__ = ["ArraySight", "View"]
 
 Floats = npt.NDArray[np.float64]
 Labels = npt.NDArray[np.int16]
@@ -87,7 +87,7 @@ class View:
     is_open: Mask
 
 
-class Eyes:
+class ArraySight:
     """Sees for the robots of one world; `look` gives what ``list_visible`` lists.
 
     Parameters
