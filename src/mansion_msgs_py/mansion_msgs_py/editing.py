@@ -11,6 +11,7 @@ import msgspec
 
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point3
+from mansion_msgs_py.task import Task
 
 __all__ = [
     "AgentReport",
@@ -33,6 +34,7 @@ __all__ = [
     "PathStep",
     "PlaceInContainerArgs",
     "PlaceOnSurfaceArgs",
+    "ProvisionArgs",
     "ReceptacleContents",
     "ReceptacleReport",
     "RemoveObjectArgs",
@@ -182,6 +184,12 @@ class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
 
     instruction: Annotated[str, msgspec.Meta(max_length=4000)]
     planner: Literal["rules", "llm"] = "rules"
+
+
+class ProvisionArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+    """A task that shall become possible: what it needs is checked, and provided where it is missing."""
+
+    task: Task
 
 
 class PathStep(msgspec.Struct, kw_only=True):
@@ -354,12 +362,12 @@ class AgentStep(msgspec.Struct, kw_only=True):
 
 
 class AgentReport(msgspec.Struct, kw_only=True):
-    """Reply of ``scene/instruct``.
+    """Reply of ``scene/instruct`` and ``scene/provision``.
 
     Attributes
     ----------
     done : bool
-        Every fact that the instruction asks for holds.
+        Every fact that the instruction asks for, or the task needs, holds.
     facts, failed : list of str
         What was asked, in words; and what could not be met, each with its reason.
     edits : int

@@ -16,6 +16,7 @@ from mansion_msgs_py.editing import (
     PathReport,
     PlaceInContainerArgs,
     PlaceOnSurfaceArgs,
+    ProvisionArgs,
     ReceptacleReport,
     RemoveObjectArgs,
     SearchAssetsArgs,
@@ -157,5 +158,14 @@ SERVICES: tuple[ServiceInterface, ...] = (
         InstructArgs,
         AgentReport,
         '{"instruction": "make sure there is a cola in the fridge"}',
+    ),
+    ServiceInterface(
+        "scene/provision",
+        "scene_editor",
+        "Make a task possible: check what it needs, provide what is missing, check the ways.",
+        ProvisionArgs,
+        AgentReport,
+        '{"task": {"id": "pen", "kind": "deliver", "instruction": "Fetch a pen from the desk.", '
+        '"needs": [{"noun": "pen", "relation": "on", "receptacle": "desk", "role": "target"}]}}',
     ),
 )

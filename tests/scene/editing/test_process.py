@@ -108,3 +108,23 @@ def test_an_instruction_a_refusal_and_an_undo_by_service(
         assert call("check_path", end="private office")["reachable"]
         call("undo")
         assert not any("/laptop_" in name for name in _objects(folder, 2))
+
+
+def test_a_task_is_made_possible_over_the_graph(server: GraphProcesses, folder: Path) -> None:
+    need = {"noun": "pen", "relation": "on", "receptacle": "dining table", "room": "kitchen"}
+    task = {"id": "pen", "kind": "deliver", "instruction": "Fetch the pen.", "needs": [need]}
+    with MansionClient(domain_id=server.options.domain_id, timeout=60.0) as client:
+        client.call("scene/open", {"path": str(folder)})
+        first = client.call("scene/provision", {"task": task})
+        assert first["done"] and first["saved"] and first["edits"] == 1
+        (pen,) = first["object_ids"]
+        assert pen in _objects(folder, 1)
+        again = client.call("scene/provision", {"task": task})
+        assert again["done"] and again["edits"] == 0
+        absent = {**task, "needs": [{**need, "room": "ballroom"}]}
+        refused = client.call("scene/provision", {"task": absent})
+        assert not refused["done"] and "ballroom" in refused["message"]
+        with pytest.raises(MansionError) as error:
+            client.call("scene/provision", {"task": {"id": "pen"}})
+        assert error.value.code == "INVALID_PAYLOAD"
+    assert _objects(folder, 1).count(pen) == 1

@@ -12,13 +12,19 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.node import Node
 
-from mansion_msgs_py.editing import AgentReport, EditorInfo, InstructArgs, OpenEditorArgs
+from mansion_msgs_py.editing import (
+    AgentReport,
+    EditorInfo,
+    InstructArgs,
+    OpenEditorArgs,
+    ProvisionArgs,
+)
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
 from mansion_scene.catalogue import load_catalogue
-from mansion_scene.editing.agent.instruct import instruct
+from mansion_scene.editing.agent.instruct import instruct, provision
 from mansion_scene.editing.editor import TOOLS, SceneEditor
 from mansion_scene.editing.physics.engines import engine_named
 from mansion_scene.editing.retrieval.configured import configured_retriever
@@ -51,6 +57,7 @@ class SceneEditorNode(Node):
         group = MutuallyExclusiveCallbackGroup()
         add_json_service(self, service("scene/open"), self.open, callback_group=group)
         add_json_service(self, service("scene/instruct"), self.instruct, callback_group=group)
+        add_json_service(self, service("scene/provision"), self.provision, callback_group=group)
         for tool in TOOLS:
             name = f"scene/{_snake(tool)}"
             add_json_service(self, service(name), self._tool(tool), callback_group=group)
@@ -86,7 +93,14 @@ class SceneEditorNode(Node):
     def instruct(self, args: InstructArgs) -> AgentReport:
         """Carry out an instruction."""
         editor = self._editor(args.editor)
-        report = instruct(editor, args.instruction, args.planner)
+        return self._reported(editor, instruct(editor, args.instruction, args.planner))
+
+    def provision(self, args: ProvisionArgs) -> AgentReport:
+        """Make a task possible."""
+        editor = self._editor(args.editor)
+        return self._reported(editor, provision(editor, args.task))
+
+    def _reported(self, editor: SceneEditor, report: AgentReport) -> AgentReport:
         if report.saved:
             self._landed(editor, [])
         return report

@@ -17,9 +17,12 @@ from mansion_scene.editing.agent.facts import (
     StateFact,
     Thing,
 )
+from mansion_scene.editing.agent.limits import EXAMPLES
 from mansion_scene.editing.agent.phrases import Phrase, read_phrase, read_place, rooms_named
 from mansion_scene.editing.agent.scopes import divisions, merged, moved, on_that_of
+from mansion_scene.editing.agent.things import NUMBERS
 from mansion_scene.editing.agent.ways import read_way
+from mansion_scene.editing.agent.wholes import exchanged, only_things
 from mansion_scene.editing.state import SceneState
 from mansion_scene.editing.vocabulary import COLOUR_WORDS
 
@@ -36,16 +39,33 @@ _STATES: Final = {
     **dict.fromkeys(["on", "switched on", "turned on", "running", "lit", "activate", "start", "light"], ("on", True)),
     **dict.fromkeys(["off", "switched off", "turned off", "deactivate", "stop"], ("on", False)),
 }  # fmt: skip
+_OPPOSITES: Final = {
+    ("open", True): "closed",
+    ("open", False): "open",
+    ("on", True): "off",
+    ("on", False): "on",
+}
+_NEW: Final = re.compile(r"^(?:an?|one|two|three|four|five|six|some|another|\d+) ", re.IGNORECASE)
+_PRONOUN: Final = re.compile(r"^(?:it|them|that|this|these|those|both)\b", re.IGNORECASE)
 
 
 def not_understood(text: str) -> MansionError:
     return MansionError(
         ErrorCode.INVALID_PAYLOAD,
-        f"not understood: {text[:120]!r}; say what is to be there "
-        '("make sure there is a cola in the fridge on floor 2"), '
-        'to be gone ("remove the pens from the table"), moved, opened, closed, switched, or reached',
+        f"not understood: {text[:120]!r}; {EXAMPLES}",
         path="$.instruction",
     )
+
+
+def _able(state: SceneState, noun: str, word: str) -> bool:
+    """Whether things of a noun can be open, or on."""
+    assets = [
+        asset
+        for category in state.vocabulary.nouns(noun)[:1]
+        for asset in state.catalogue.by_category(category)[:1]
+    ]
+    name = _STATES[word][0]
+    return any(asset.openable if name == "open" else asset.toggleable for asset in assets)
 
 
 class ClauseReader:
@@ -106,6 +126,9 @@ class ClauseReader:
         if clause.kind == "place" or rooms_named(self.state, bare, None):
             self._again(words if clause.kind == "place" else f"in {words}")
             return
+        if before.kind in ("state", "unstate") and _NEW.match(words):
+            self._have(words)
+            return
         self._read(replace(before, words={**before.words, "x": words, "loc": ""}))
 
     def _is_carrier(self, words: str) -> bool:
@@ -136,7 +159,8 @@ class ClauseReader:
         words, kind = clause.words, clause.kind
         if kind in ("path", "reach"):
             self._flush()
-            ways = read_way(self.state, words.get("b", ""), words.get("a", ""))
+            end = words.get("b") or words.get("c") or ""
+            ways = read_way(self.state, end, words.get("a", ""))
             self.facts += ways
             ends = tuple(way.end for way in ways if self.state.room(way.end))
             if ends:
@@ -146,21 +170,56 @@ class ClauseReader:
         elif kind == "hold":
             self._hold(words)
         elif kind in ("absent", "no"):
-            self._wait(kind, read_phrase(self.state, f"{words['x']} {words.get('loc', '')}"))
+            phrase = read_phrase(self.state, f"{words['x']} {words.get('loc', '')}")
+            if _PRONOUN.match(words["x"]) and not phrase.thing.noun:
+                phrase = self._meant(phrase)
+            self._wait(kind, phrase)
         elif kind == "absent_on":
             thing = read_phrase(self.state, words["x"])
             where = read_place(self.state, f"on {words['y']}")
             self._wait("absent", replace(where, thing=thing.thing))
         elif kind == "clear":
             self._clear(words["y"])
-        elif kind == "state":
-            self._wait(f"state {words['v'].lower()}", read_phrase(self.state, words["x"]))
+        elif kind in ("state", "unstate"):
+            word = (
+                words["v"].lower() if kind == "state" else _OPPOSITES[_STATES[words["v"].lower()]]
+            )
+            self._wait(f"state {word}", read_phrase(self.state, words["x"]))
         elif kind == "quality":
             self._qualify(words["v"].lower())
         elif kind == "move":
             self._move(f"{words['x']}{' ' + words['loc'] if words.get('loc') else ''}")
-        else:
+        elif kind == "swap":
             self._swap(words["x"], words["z"])
+        else:
+            self._whole(kind, words)
+
+    def _whole(self, kind: str, words: dict[str, str]) -> None:
+        """Read a sentence that is one wish as a whole."""
+        self._flush()
+        if kind == "only":
+            facts, self._last = only_things(self.state, words["x"], words["y"])
+            self.facts += facts
+        elif kind == "exchange":
+            moves = exchanged(self.state, words["x"], words["z"])
+            if moves is None:
+                self._swap(words["x"], words["z"])
+            else:
+                self.facts += moves
+        elif kind == "mention":
+            bare = re.sub(r"^(?:in|on|at) ", "", words["y"])
+            at = "in" if rooms_named(self.state, re.sub(r"^the ", "", bare), None) else "on"
+            self._last = read_place(self.state, f"{at} {bare}")
+        else:
+            self._some(words["n"], words["v"].lower())
+
+    def _some(self, number: str, word: str) -> None:
+        """Read ``one of them should be green``: a part of the things that were asked for last."""
+        last = self.facts[-1] if self.facts else None
+        if not isinstance(last, ObjectFact) or word not in COLOUR_WORDS:
+            raise not_understood(f"{number} of them {word}")
+        part = replace(last.thing, count=NUMBERS[number.lower()], colour=COLOUR_WORDS[word])
+        self.facts.insert(-1, replace(last, thing=part, exact=False))
 
     def _have(self, text: str) -> None:
         if re.match(r"^(?:no|not any|none of)\b", text, re.IGNORECASE):
@@ -277,12 +336,25 @@ class ClauseReader:
         self.facts.append(ObjectFact(replace(come.thing, count=max(1, come.thing.count)), where))
         self._last = replace(come, where=where)
 
+    def _meant(self, phrase: Phrase) -> Phrase:
+        """Return the thing that a pronoun stands for, in the place that is given with it."""
+        before = self._waiting[-1][1] if self._waiting else self._last
+        if before is None or not before.thing.noun:
+            raise not_understood("it")
+        self._waiting = self._waiting[:-1]
+        thing = replace(before.thing, count=0)
+        return replace(phrase if phrase.placed else before, thing=thing)
+
     def _wait(self, kind: str, phrase: Phrase) -> None:
-        if not phrase.thing.noun and not (kind in ("absent", "no") and phrase.where.receptacle):
+        whole = phrase.where.receptacle if kind in ("absent", "no") else phrase.thing.every
+        if not phrase.thing.noun and not (whole and kind != "have"):
             before = self._waiting[-1][1] if self._waiting else self._last
             if before is None or not before.thing.noun:
                 raise not_understood(kind)
             thing, last = phrase.thing, before.thing
+            if kind.startswith("state ") and not phrase.placed:
+                before = self._able(kind[6:], before)
+                last = before.thing
             if not phrase.placed and kind.startswith(("state", "absent")):
                 phrase = replace(phrase, where=before.where, placed=before.placed)
             colour, cold = thing.colour or last.colour, thing.cold or last.cold
@@ -291,6 +363,16 @@ class ClauseReader:
         self._waiting.append((kind, phrase))
         if phrase.placed:
             self._flush()
+
+    def _able(self, word: str, before: Phrase) -> Phrase:
+        """Return what of the last thing and its receptacle can be open, or on."""
+        where = before.where
+        if _able(self.state, before.thing.noun, word) or not where.receptacle:
+            return before
+        if not _able(self.state, where.receptacle, word):
+            return before
+        place = replace(where, relation="room", receptacle="", colour="", base="")
+        return Phrase(Thing(where.receptacle, 1, where.colour), place, True)
 
     def _flush(self) -> None:
         """Turn what waits into facts; things without a place stand where the next, or the last, one does."""

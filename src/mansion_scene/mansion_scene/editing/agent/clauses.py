@@ -4,6 +4,8 @@ import re
 from dataclasses import dataclass, field
 from typing import Final
 
+from mansion_scene.editing.agent.wholes import whole_of
+
 __all__ = ["Clause", "clauses_of"]
 
 _MODAL = (
@@ -40,13 +42,16 @@ _CLAUSES: Final[tuple[tuple[str, str], ...]] = (
         rf"unobstructed|there))?"),
     ("have", rf"{_SUBJECT} (?:{_MODAL}|could|wants? to) (?:be able to )?(?:find|see|have|pick up|grab) "
         rf"(?P<x>(?!(?:my|its|the|a|his) way).+)"),
-    ("path", rf"{_SUBJECT} (?:(?:{_MODAL}|could|am|is|are) )?(?:be )?(?:able to )?{_GO} (?P<b>.+)"),
+    ("path", rf"{_SUBJECT} (?:(?:{_MODAL}|could|am|is|are) )?(?:be )?(?:able to )?(?:{_GO} (?P<b>(?:to|into|in|inside"
+             rf"|from|"
+        r"through|around|towards|up|down|over|upstairs|downstairs|there|anywhere|everywhere)\b.*)|(?:reach|access|"
+        r"enter) (?P<c>.+))"),
     ("path", rf"it {_MODAL}? ?(?:is|be) possible (?:for .+? )?to {_GO} (?P<b>.+)"),
     ("path", r"nothing (?:should |must |may |can )?blocks? (?:the )?(?:way|path|route|access)(?P<b> .+)"),
     ("reach", rf"(?P<b>.+?) (?:{_MODAL} )?(?:is|are|be|stays?|remains?) (?:reachable|accessible|reached|"
         rf"within reach|connected)"
         r"(?: (?:by|for) (?:the |a )?\w+)?(?: (?:from|to|with) (?P<a>.+))?"),
-    ("reach", r"(?P<b>.+?) (?:reachable|accessible)(?: from (?P<a>.+))?"),
+    ("reach", r"(?:make |keep )?(?P<b>.+?) (?:reachable|accessible)(?: from (?P<a>.+))?"),
     ("reach", rf"{_SUBJECT} (?:{_MODAL} )?(?:has|have) (?:an? )?(?:clear |free )?(?:access|way|path|route) to "
         rf"(?P<b>.+)"),
     # nothing, empty
@@ -63,6 +68,12 @@ _CLAUSES: Final[tuple[tuple[str, str], ...]] = (
     ("clear", r"(?:clear|empty|tidy|clean)(?: off| out| up)? (?P<y>.+?)(?: off| out| up| completely)?"),
     ("clear", r"remove (?:everything|all (?:things|objects|items)|anything|whatever is)(?: that is)? (?:from|"
         r"on|off|in) (?P<y>.+)"),
+    # not open, not on
+    ("unstate", rf"(?P<x>.+?) (?:{_MODAL} not (?:be |stay |remain |stand |run )?|(?:is|are) not (?:{_MODAL} )?(?:be "
+                rf")?)(?:switched |turned "
+        r"|left |kept )?(?P<v>open|opened|closed|shut|on|off|running|lit)"),
+    ("unstate", r"do not (?:leave|keep|let|have) (?P<x>.+?) (?:be )?(?:switched |turned )?(?P<v>open|opened|closed|"
+                r"shut|on|off|running|lit)"),
     # gone
     ("absent", rf"there (?:{_MODAL} )?(?:is|are|be|not be|is not|are not|be not)? ?(?:no longer (?:be )?|no|"
         rf"not|never|none of) (?:be )?(?:any |a |an |a single )?(?P<x>.+)"),
@@ -83,7 +94,7 @@ _CLAUSES: Final[tuple[tuple[str, str], ...]] = (
     ("absent", r"take (?P<x>.+? from (?!.*\b(?:to|into|on)\b).+)"),
     ("no", r"(?:no|none of the|not a single|without|neither|nor) (?P<x>.+)"),
     # replaced
-    ("swap", r"(?:replace|swap|exchange|substitute|switch)(?: out)? (?P<x>.+?) (?:with|by|for) (?P<z>.+)"),
+    ("swap", r"(?:replace|swap|exchange|trade|switch)(?: out)? (?P<x>.+?) (?:with|by|for) (?P<z>.+)"),
     # open, closed, on, off
     ("state", r"(?P<v>open|close|shut)(?: up)? (?P<x>.+)"),
     ("state", r"(?:turn|switch|power|put) (?P<v>on|off) (?P<x>.+)"),
@@ -144,7 +155,7 @@ class Clause:
     ----------
     kind : str
         ``have``, ``hold``, ``absent``, ``absent_on``, ``clear``, ``state``, ``move``, ``swap``, ``path``, ``reach``,
-        ``quality``;
+        ``quality``; of whole sentences ``only``, ``exchange``, ``mention`` and ``some``;
         ``place`` for a place alone; empty for things whose clause is the one before, or the one after.
     words : dict of str to str
         Its parts: `x` things, `y` the receptacle or room, `loc` a place, `z` what replaces, `a` and `b` ends of a way,
@@ -157,6 +168,9 @@ class Clause:
 
 def clauses_of(sentence: str) -> list[Clause]:
     """Return the clauses of a sentence in its order."""
+    whole = whole_of(sentence)
+    if whole is not None:
+        return [Clause(*whole)]
     out: list[Clause] = []
     for piece in _JOINTS.split(sentence):
         words = piece.strip(" ,")

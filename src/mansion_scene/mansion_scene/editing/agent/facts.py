@@ -106,13 +106,16 @@ class ObjectFact:
 
 @dataclass(frozen=True)
 class AbsentFact:
-    """Things are gone from there; an empty noun means everything."""
+    """Things are gone from there; an empty noun means everything, but for what is spared."""
 
     thing: Thing
     where: Scope = field(default_factory=Scope)
+    spare: tuple[Thing, ...] = ()
 
     def __str__(self) -> str:
         what = str(self.thing) if self.thing.noun else "everything"
+        if self.spare:
+            what += f" but {' and '.join(thing.noun for thing in self.spare)}"
         return f"gone: {what} {self.where}"
 
 

@@ -80,6 +80,8 @@ def _switch(fact: StateFact, state: SceneState) -> Work:
     found = yield from find_things(fact.thing, fact.where, state)
     if isinstance(found, str):
         return found
+    if not fact.thing.noun and not (fact.where.rooms or fact.where.floor is not None):
+        return "say in which room, or on which floor"
     if not found:
         return f"there is no {fact.thing.noun} {fact.where}"
     able = [

@@ -7,8 +7,10 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_scene.editing.agent.clause_reader import ClauseReader, not_understood
 from mansion_scene.editing.agent.clauses import Clause, clauses_of
 from mansion_scene.editing.agent.facts import Fact
+from mansion_scene.editing.agent.limits import refuse_beyond
 from mansion_scene.editing.agent.phrases import rooms_named
 from mansion_scene.editing.agent.things import is_known
+from mansion_scene.editing.agent.turns import rephrased
 from mansion_scene.editing.agent.wording import sentences
 from mansion_scene.editing.state import SceneState
 
@@ -27,7 +29,8 @@ def parse_instruction(state: SceneState, instruction: str) -> list[Fact]:
         ``INVALID_PAYLOAD`` for what is no instruction, ``NOT_FOUND`` for words that name nothing, ``INFEASIBLE`` for
         more than is allowed. Nothing is guessed: an instruction is understood whole or refused.
     """
-    said = [clauses_of(sentence) for sentence in sentences(instruction)]
+    refuse_beyond(instruction)
+    said = [clauses_of(sentence) for sentence in rephrased(sentences(instruction))]
     number = sum(len(clauses) for clauses in said)
     if not number:
         raise not_understood(instruction)

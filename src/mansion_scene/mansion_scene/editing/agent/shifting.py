@@ -50,13 +50,16 @@ def _clear(fact: AbsentFact, state: SceneState) -> Work:
             if isinstance(seen, str):
                 return seen
             there += seen
-        if not there:
-            continue
-        answer = yield Action(
-            f"{carrier.id} is to be empty.", "RemoveObject", {"receptacle_id": carrier.id}
-        )
-        if answer.error is not None:
-            return str(answer.error)
+        spared = [i for i in there if any(fits(thing, i, state) for thing in fact.spare)]
+        if spared:
+            gone = [i.id for i in there if i not in spared]
+            requests = [{"object_id": name} for name in dict.fromkeys(gone)]
+        else:
+            requests = [{"receptacle_id": carrier.id}] if there else []
+        for request in requests:
+            answer = yield Action(f"{carrier.id} is to be empty.", "RemoveObject", request)
+            if answer.error is not None:
+                return str(answer.error)
     return ""
 
 

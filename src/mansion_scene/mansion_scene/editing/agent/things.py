@@ -8,6 +8,7 @@ from typing import Final
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_scene.catalogue.search import search_assets
 from mansion_scene.editing.agent.facts import Thing
+from mansion_scene.editing.agent.limits import EXAMPLES
 from mansion_scene.editing.references import find_rooms
 from mansion_scene.editing.state import SceneState
 from mansion_scene.editing.vocabulary import COLOUR_WORDS, stems
@@ -50,6 +51,9 @@ _BOUND: Final = frozenset([
 ])  # fmt: skip
 """Words that are never a mere description of the noun after them."""
 
+_OF_ROOMS: Final = frozenset(["room", "floor", "building", "house", "system"])
+"""Those of them that a room's name may hold."""
+
 MOST_BEFORE: Final = 2
 LIKE: Final = 0.8
 _ANYTHING: Final = frozenset([
@@ -80,7 +84,8 @@ def unknown(what: str) -> MansionError:
     """Return the error for words that name nothing here."""
     return MansionError(
         ErrorCode.NOT_FOUND,
-        f"{what[:80]!r} names no room of this building and nothing that the catalogue knows",
+        f"not understood: {what[:80]!r} names no room of this building and nothing that the catalogue knows; "
+        f"{EXAMPLES}",
         details={"words": what[:200]},
     )
 
@@ -116,7 +121,8 @@ def known_noun(state: SceneState, words: list[str]) -> tuple[list[str], str]:
     for start in range(len(words)):
         noun = " ".join(words[start:])
         bound = set(words[:start]) & _BOUND or start > MOST_BEFORE
-        if bound and not find_rooms(state, " ".join(words[:start])):
+        named = not set(words[:start]) & (_BOUND - _OF_ROOMS)
+        if bound and not (named and find_rooms(state, " ".join(words[:start]))):
             break
         if is_known(state, noun):
             return words[:start], noun

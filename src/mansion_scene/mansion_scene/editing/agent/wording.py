@@ -24,7 +24,7 @@ _COURTESIES: Final = re.compile(
     r"if (?:it is|they are|there is) not (?:there )?(?:already|yet)|if (?:it is )?missing|somewhere|anywhere|"
     r"as usual|at all times|in total|altogether|ready|neatly|carefully|quickly|already|again|currently|"
     r"somehow|simply|actually|really|definitely|certainly|always|still|furthermore|moreover|additionally|"
-    r"in addition|besides that|as well(?! as)|also|too|finally|lastly|firstly|first of all|next up|afterwards|"
+    r"in addition|besides that|as well(?! as)|also|too(?! \w)|finally|lastly|firstly|first of all|next up|afterwards|"
     r"after that|"
     r"at the same time|meanwhile|instead|though|however)\b(?! to\b)",
     re.IGNORECASE,
