@@ -5,7 +5,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mansion_geometry.box_index import box_buckets
-from mansion_geometry.boxes import boxes_overlap, feasible_poses
+from mansion_geometry.boxes import boxes_overlap
+from mansion_geometry.fitting import feasible_poses
 
 ROOM = np.array([(0, 0, 20, 0), (20, 0, 20, 20), (20, 20, 0, 20), (0, 20, 0, 0)], dtype=float)
 

@@ -11,12 +11,11 @@ from mansion_geometry.boxes import (
     box_inside,
     boxes_overlap,
     compose,
-    feasible_poses,
-    front_clearance,
     gap_matrix,
     rotation_of,
     unit_vector,
 )
+from mansion_geometry.fitting import feasible_poses, front_clearance
 
 ROOM = np.array([(0, 0, 4, 0), (4, 0, 4, 3), (4, 3, 0, 3), (0, 3, 0, 0)], dtype=float)
 L_ROOM = [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0)]

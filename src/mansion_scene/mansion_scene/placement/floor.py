@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from mansion_geometry.boxes import feasible_poses
+from mansion_geometry.fitting import feasible_poses
 from mansion_scene.placement.effort import Effort
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.options import PlacementOptions

@@ -3,7 +3,8 @@
 import numpy as np
 import numpy.typing as npt
 
-from mansion_geometry.boxes import front_clearance, gap_matrix
+from mansion_geometry.boxes import gap_matrix
+from mansion_geometry.fitting import front_clearance
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.units import Unit
