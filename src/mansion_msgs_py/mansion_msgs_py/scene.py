@@ -31,9 +31,19 @@ __all__ = [
 ]
 
 DoorKind: TypeAlias = Literal[
-    "open", "doorway", "single", "double", "glazed", "sliding", "frame", "entrance", "balcony"
+    "open",
+    "doorway",
+    "single",
+    "double",
+    "glazed",
+    "sliding",
+    "frame",
+    "entrance",
+    "balcony",
+    "garage",
 ]
-"""``open`` is a stretch of missing wall; ``sliding`` a lift's landing door; ``frame`` a stair's door frame."""
+"""``open`` is a stretch of missing wall; ``sliding`` a lift's landing door; ``frame`` a stair's door frame;
+``garage`` an outer door for vehicles, of slats that roll up."""
 
 Mount: TypeAlias = Literal["floor", "wall", "ceiling", "surface", "inside"]
 

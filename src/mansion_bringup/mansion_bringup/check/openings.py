@@ -17,6 +17,9 @@ __all__ = ["check_openings"]
 CLEAR_WIDTH = 0.9
 """Least clear width of a door, metres."""
 
+GARAGE_WIDTH = 2.4
+"""Least clear width of a door for vehicles, metres."""
+
 ASIDE = 0.13
 """How far a door's line may lie from a room's polygon: an outer wall's centre line is half a wall off."""
 
@@ -54,8 +57,11 @@ def _places(scene: FloorScene) -> dict[str, BaseGeometry]:
 
 def _door(door: Door, places: dict[str, BaseGeometry], walls: dict[str, Wall]) -> Iterator[Fault]:
     length = segment_length(door.segment)
-    if length < CLEAR_WIDTH - ROUNDING:
-        yield Fault("DOOR_NARROW", door.id, f"{length:.2f} m clear; {CLEAR_WIDTH} m at least")
+    least = GARAGE_WIDTH if door.kind == "garage" else CLEAR_WIDTH
+    if length < least - ROUNDING:
+        yield Fault("DOOR_NARROW", door.id, f"{length:.2f} m clear; {least} m at least")
+    if door.kind == "garage" and None not in door.rooms:
+        yield Fault("DOOR_ROOMS", door.id, "is a garage door and does not lead outside")
     if abs(length - door.width) > 0.02:
         yield Fault(
             "DOOR_WIDTH", door.id, f"states {door.width:.2f} m, its opening has {length:.2f}"

@@ -10,16 +10,16 @@ from shapely.geometry.base import BaseGeometry
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import footprint, net_area, vertical
 from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_scene.spawn import BODY_RADIUS, ROBOT_RADIUS
 
 __all__ = ["check_reach"]
 
-ROBOT_RADIUS = 0.20
 ROBOT_HEIGHT = 1.5
 ARM = 0.30
 """Metres that the robot reaches beyond its body."""
 
 SLACK = 0.03
-"""Metres by which a grid of 0.05 m may differ from the exact region."""
+"""Metres by which what is near may lie off, for the grid of 0.05 m on which furniture is placed."""
 
 WALKABLE_HEIGHT = 0.03
 ENTRANCE_REACH = 0.8
@@ -51,7 +51,7 @@ def check_reach(scenes: Sequence[FloorScene]) -> Iterator[Fault]:
             for piece in walk.near(Point(core.entrance[:2]), ENTRANCE_REACH):
                 graph.add_edge(core.id, (scene.floor, piece))
         for door in scene.doors:
-            if None in door.rooms and scene.floor == 1:
+            if None in door.rooms and door.kind != "garage" and scene.floor == 1:
                 starts += [(1, piece) for piece in walk.near(LineString(door.segment), 0.5)]
     if not starts:
         yield Fault("ENTRANCE", "floor 1", "no door leads outside from where a robot can stand")
@@ -75,7 +75,7 @@ def _walkable(scene: FloorScene) -> _Walk:
     ]
     obstacles = [footprint(thing) for thing in scene.objects if _obstructs(thing)]
     region = union_all([*rooms, *passages]).difference(union_all(obstacles))
-    eroded = region.buffer(-(ROBOT_RADIUS - SLACK), quad_segs=4)
+    eroded = region.buffer(-BODY_RADIUS, quad_segs=16)
     parts = eroded.geoms if isinstance(eroded, MultiPolygon) else [eroded]
     pieces = [part for part in parts if not part.is_empty]
     return _Walk(pieces, STRtree(pieces))

@@ -5,6 +5,7 @@ import numpy as np
 from mansion_msgs_py.scene import Door, FloorScene, Window
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.export.appearance import named
+from mansion_scene.export.garage_door_meshes import garage_slats
 from mansion_scene.export.model import Material, Model, Node, Surface
 from mansion_scene.export.sides import swing_side
 from mansion_scene.export.solids import Box
@@ -55,7 +56,7 @@ def _base(segment: Segment) -> tuple[float, float, float, float]:
 def _frame_material(door: Door) -> Material:
     if door.kind == "frame":
         return named("brushed_steel")
-    steel = ("sliding", "glazed", "entrance", "balcony")
+    steel = ("sliding", "glazed", "entrance", "balcony", "garage")
     return named("painted_steel" if door.kind in steel else "painted_wood")
 
 
@@ -90,11 +91,24 @@ def leaf_nodes(scene: FloorScene) -> list[tuple[Node, list[Surface]]]:
     for door in scene.doors:
         if door.kind in ("open", "doorway", "frame"):
             continue
-        if door.kind == "sliding" or door.hinge == "none":
+        if door.kind == "garage":
+            leaves.append(_slats(door))
+        elif door.kind == "sliding" or door.hinge == "none":
             leaves += _panels(door)
         else:
             leaves += _hung(door, swing_side(door, rooms))
     return leaves
+
+
+def _slats(door: Door) -> tuple[Node, list[Surface]]:
+    """A garage door's slats, in the plane of the wall."""
+    x, y, rotation, length = _base(door.segment)
+    width, height = length - 2 * JAMB, door.height - JAMB - 0.01
+    ux, uy = float(np.cos(np.radians(rotation))), float(np.sin(np.radians(rotation)))
+    name = f"garage_door:{width:.3f}x{height:.3f}:{'open' if door.is_open else 'closed'}"
+    place = (x + ux * JAMB, y + uy * JAMB, 0.01)
+    node = Node(f"{door.id}/leaf", name, "doors", place, rotation)
+    return node, garage_slats(width, height, door)
 
 
 def _panels(door: Door) -> list[tuple[Node, list[Surface]]]:

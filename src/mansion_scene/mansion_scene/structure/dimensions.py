@@ -8,6 +8,7 @@ __all__ = [
     "DOOR_GAP",
     "DOOR_HEIGHT",
     "EXTERIOR_THICKNESS",
+    "GARAGE_DOOR_HEIGHT",
     "INTERIOR_THICKNESS",
     "JAMB",
     "MIN_CLEAR_WIDTH",
@@ -23,6 +24,7 @@ SLAB_THICKNESS: Final = 0.25
 PARAPET_HEIGHT: Final = 1.1
 
 DOOR_HEIGHT: Final = 2.1
+GARAGE_DOOR_HEIGHT: Final = 2.2
 CLEAR_WIDTH: Final = 0.9
 """What every door should leave clear."""
 MIN_CLEAR_WIDTH: Final = 0.7

@@ -15,7 +15,7 @@ from mansion_scene.structure.regions import FloorRegions, Region
 from mansion_scene.structure.room_classes import is_class
 from mansion_scene.structure.stretches import Stretch
 
-__all__ = ["entrance_room", "is_residential", "place_entrance"]
+__all__ = ["entrance_room", "facades_of", "is_residential", "place_entrance"]
 
 _RESIDENTIAL = frozenset(
     [
@@ -52,7 +52,7 @@ def is_residential(building_type: str) -> bool:
     return any(word in _RESIDENTIAL for word in words)
 
 
-def _facades(floor: FloorRegions, stretches: Sequence[Stretch], region: str) -> list[Stretch]:
+def facades_of(floor: FloorRegions, stretches: Sequence[Stretch], region: str) -> list[Stretch]:
     """Return the region's stretches on the outline itself, courtyards left out, longest first."""
     ring = floor.outline.exterior
     corners = reentrant_corners(floor.outline)
@@ -79,7 +79,7 @@ def entrance_room(floor: FloorRegions, stretches: Sequence[Stretch]) -> Region:
     choices = [
         (_entrance_rank(floor, region), -round(facades[0].length, 3), region.id)
         for region in floor.regions
-        if region.is_room and (facades := _facades(floor, stretches, region.id))
+        if region.is_room and (facades := facades_of(floor, stretches, region.id))
     ]
     if not choices:
         raise MansionError(
@@ -116,7 +116,7 @@ def place_entrance(
 ) -> Opening:
     """Place the entrance door in the region's facade: in the middle of a public one, out of the way in a house."""
     kind = entrance_kind(not residential)
-    facades = _facades(floor, stretches, region.id)
+    facades = facades_of(floor, stretches, region.id)
     for width in (kind.width, 1.2, CLEAR_WIDTH):
         for facade in facades:
             margin = WALL_END if residential else (facade.length - width) / 2 - 1e-6

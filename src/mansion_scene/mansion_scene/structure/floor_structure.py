@@ -15,6 +15,7 @@ from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
 from mansion_scene.structure.entrance import entrance_room, is_residential, place_entrance
 from mansion_scene.structure.facade_materials import facade_material
+from mansion_scene.structure.garage_doors import place_garage_doors
 from mansion_scene.structure.interiors import Partition, partition_floor
 from mansion_scene.structure.openings import (
     make_frontages,
@@ -97,6 +98,8 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
         )
     for opening in openings:
         take(opening, frontages)
+    wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets)
+    openings += wide
     placed, narrowed = place_doors(floor, plan, shared, frontages)
     openings, leafless = hang_doors(
         floor,
@@ -116,7 +119,7 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
         doors=doors,
         windows=number_windows(floor, walls, windows),
         cores=scene_cores(request, floor, partition, openings, doors),
-        downgrades=[*plan.downgrades, *_cut_off(floor, partition), *narrowed, *leafless],
+        downgrades=[*plan.downgrades, *_cut_off(floor, partition), *blocked, *narrowed, *leafless],
         ceiling=ceiling,
     )
 

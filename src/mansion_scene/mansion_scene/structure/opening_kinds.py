@@ -22,8 +22,8 @@ class OpeningKind:
 
     @property
     def leaves(self) -> int:
-        """Hinged leaves: 0 for a passage or a sliding door."""
-        if self.kind in ("open", "doorway", "sliding", "frame"):
+        """Hinged leaves: 0 for a passage, a sliding door or a garage door."""
+        if self.kind in ("open", "doorway", "sliding", "frame", "garage"):
             return 0
         return 2 if self.width >= 1.4 else 1
 

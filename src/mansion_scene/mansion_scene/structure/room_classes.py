@@ -70,6 +70,19 @@ ROOM_CLASSES: Final[dict[str, frozenset[str]]] = {
             "cleaning",
         ]
     ),
+    "vehicle": frozenset(
+        [
+            "garage",
+            "carport",
+            "car",
+            "parking",
+            "carpark",
+            "ambulance",
+            "apparatus",
+            "vehicle",
+            "dock",
+        ]
+    ),
     "outdoor": frozenset(["balcony", "terrace", "loggia", "patio", "veranda", "deck"]),
     "office": frozenset(
         [

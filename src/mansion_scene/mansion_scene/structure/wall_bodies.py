@@ -8,6 +8,7 @@ from mansion_msgs_py.shapes import Point, Segment
 from mansion_scene.structure.dimensions import (
     DOOR_HEIGHT,
     EXTERIOR_THICKNESS,
+    GARAGE_DOOR_HEIGHT,
     INTERIOR_THICKNESS,
     PARAPET_HEIGHT,
 )
@@ -137,6 +138,7 @@ def number_doors(
         kind = opening.kind
         is_open = kind.kind == "open"
         segment = _on_wall(opening.stretch, opening.segment)
+        tall = GARAGE_DOOR_HEIGHT if kind.kind == "garage" else DOOR_HEIGHT
         doors.append(
             Door(
                 id=f"F{floor.floor}/door_{number}",
@@ -144,11 +146,11 @@ def number_doors(
                 segment=segment,
                 rooms=opening.regions,
                 width=round(math.dist(*segment), 4),
-                height=ceiling if is_open else round(min(DOOR_HEIGHT, ceiling - 0.05), 4),
+                height=ceiling if is_open else round(min(tall, ceiling - 0.05), 4),
                 wall="" if is_open else _wall_of(walls, opening.stretch).id,
                 hinge=opening.hinge,
                 swing=opening.swing,
-                is_open=kind.kind not in ("sliding", "entrance"),
+                is_open=kind.kind not in ("sliding", "entrance", "garage"),
                 material=kind.material,
             )
         )

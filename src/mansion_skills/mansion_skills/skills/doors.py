@@ -62,7 +62,7 @@ def _chosen(world: World, robot: RobotBody, wanted: object) -> Door | str:
     doors = [
         door
         for door in world.view(robot.floor).scene.doors
-        if door.kind not in (*LEAFLESS, "sliding")
+        if door.kind not in (*LEAFLESS, "sliding", "garage")
     ]
     nearest = min(doors, key=lambda door: segment_distance(robot.place, door.segment), default=None)
     return nearest if nearest is not None else f"floor {robot.floor} has no door that moves"
@@ -77,6 +77,9 @@ def _refusal(
     if door.kind == "sliding":
         text = f"{door.id} is a lift's landing door"
         return invalid(world, robot, name, text, "CallElevator, which opens it")
+    if door.kind == "garage":
+        text = f"{door.id} is a garage door, which only its own drive lifts"
+        return invalid(world, robot, name, text, "another door")
     away = segment_distance(robot.place, door.segment)
     if away > DOOR_REACH or robot_room(world, robot, door) is None:
         text = f"{door.id} is {away:.2f} m away or behind a wall; the hand reaches {DOOR_REACH:g} m"

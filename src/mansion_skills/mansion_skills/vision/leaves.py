@@ -56,6 +56,8 @@ def leaves_of(
     length = hypot(bx - ax, by - ay) or 1.0
     ux, uy = (bx - ax) / length, (by - ay) / length
     rotation = degrees(atan2(uy, ux))
+    if door.kind == "garage":
+        return [Leaf(f"{door.id}/leaf", ax + ux * JAMB, ay + uy * JAMB, rotation)]
     if door.kind == "sliding" or door.hinge == "none":
         width = length / 2 - JAMB
         starts = (JAMB - ASIDE * width * opening, length / 2 + ASIDE * width * opening)

@@ -95,6 +95,8 @@ def _door(door: Door, wall: Wall | None, rooms: Mapping[str, Sequence[Point]]) -
             Line(frame.place([(0.0, y), (length, y)]), INK["furniture_detail"], 0.015, 0.08)
             for y in (-half, half)
         ]
+    elif door.kind == "garage":
+        shapes += _slats(frame, length, half)
     elif door.kind == "sliding" or (door.hinge == "none" and door.kind != "doorway"):
         shapes += _sliding(frame, length)
     else:
@@ -111,6 +113,16 @@ def _sliding(frame: Frame, length: float) -> list[Shape]:
             frame.place(rectangle(middle, 0.005, length, 0.035)), INK["furniture_line"], width=0.0
         ),
     ]
+
+
+def _slats(frame: Frame, length: float, half: float) -> list[Shape]:
+    """A garage door's slats in the wall, and the edges of its opening above them."""
+    edges = [
+        Line(frame.place([(0.0, y), (length, y)]), INK["furniture_detail"], 0.015, 0.08)
+        for y in (-half, half)
+    ]
+    slats = rectangle(0.0, -0.03, length, 0.03)
+    return [*edges, Area(frame.place(slats), INK["furniture_line"], width=0.0)]
 
 
 def _leaves(door: Door, frame: Frame, length: float, side: int) -> list[Shape]:
