@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import ctypes as ct
-from collections.abc import Callable as _Callable
 from enum import IntEnum
-from typing import Any, Callable  # noqa: UP035
+from typing import Any, Callable, ClassVar  # noqa: UP035
 
 import rclpy
 from rclpy import _rclpy_pybind11
-from rclpy._dds import library
 from rclpy._dds.endpoints import Endpoint
 from rclpy._dds.library import dds
+from rclpy._dds_events import QoSPublisherEventType, QoSSubscriptionEventType, source_of
 from rclpy._rclpy_pybind11 import UnsupportedEventTypeError
 from rclpy.callback_groups import CallbackGroup
 from rclpy.logging import get_logger
-from rclpy.qos import QoSPolicyKind, qos_policy_name_from_kind
+from rclpy.qos import qos_policy_name_from_kind
 from rclpy.waitable import NumberOfEntities, Waitable
 
 __all__ = [
@@ -27,129 +26,6 @@ __all__ = [
     "SubscriptionEventCallbacks",
     "UnsupportedEventTypeError",
 ]
-
-
-class QoSPublisherEventType(IntEnum):
-    """Events of a publisher."""
-
-    RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 0
-    RCL_PUBLISHER_LIVELINESS_LOST = 1
-    RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS = 2
-    RCL_PUBLISHER_INCOMPATIBLE_TYPE = 3
-    RCL_PUBLISHER_MATCHED = 4
-
-
-class QoSSubscriptionEventType(IntEnum):
-    """Events of a subscription."""
-
-    RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 0
-    RCL_SUBSCRIPTION_LIVELINESS_CHANGED = 1
-    RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS = 2
-    RCL_SUBSCRIPTION_MESSAGE_LOST = 3
-    RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE = 4
-    RCL_SUBSCRIPTION_MATCHED = 5
-
-
-# The number of a DDS policy: the kind of the ROS policy.
-_POLICY = {
-    2: QoSPolicyKind.DURABILITY,
-    4: QoSPolicyKind.DEADLINE,
-    8: QoSPolicyKind.LIVELINESS,
-    11: QoSPolicyKind.RELIABILITY,
-    13: QoSPolicyKind.HISTORY,
-    21: QoSPolicyKind.LIFESPAN,
-}
-
-
-def _matched(status: Any) -> Any:
-    return _rclpy_pybind11.rmw_matched_status_t(
-        status.total_count,
-        status.total_count_change,
-        status.current_count,
-        status.current_count_change,
-    )
-
-
-def _incompatible(status: Any) -> Any:
-    kind = _POLICY.get(status.last_policy_id, QoSPolicyKind.INVALID)
-    return _rclpy_pybind11.rmw_qos_incompatible_event_status_t(
-        status.total_count, status.total_count_change, int(kind)
-    )
-
-
-def _counted(make: _Callable[[int, int], Any]) -> _Callable[[Any], Any]:
-    return lambda status: make(status.total_count, status.total_count_change)
-
-
-def _liveliness(status: Any) -> Any:
-    return _rclpy_pybind11.rmw_liveliness_changed_status_t(
-        status.alive_count,
-        status.not_alive_count,
-        status.alive_count_change,
-        status.not_alive_count_change,
-    )
-
-
-_Event = tuple[int, str, type[ct.Structure], _Callable[[Any], Any]]
-# Event: bit of the DDS status, function that reads it, its structure, conversion
-_EVENTS: dict[IntEnum, _Event] = {
-    QoSPublisherEventType.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED: (
-        1 << 1,
-        "dds_get_offered_deadline_missed_status",
-        library.CountStatus,
-        _counted(_rclpy_pybind11.rmw_deadline_missed_status_t),
-    ),
-    QoSPublisherEventType.RCL_PUBLISHER_LIVELINESS_LOST: (
-        1 << 9,
-        "dds_get_liveliness_lost_status",
-        library.CountStatus,
-        _counted(_rclpy_pybind11.rmw_liveliness_lost_status_t),
-    ),
-    QoSPublisherEventType.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS: (
-        1 << 3,
-        "dds_get_offered_incompatible_qos_status",
-        library.IncompatibleQosStatus,
-        _incompatible,
-    ),
-    QoSPublisherEventType.RCL_PUBLISHER_MATCHED: (
-        1 << 11,
-        "dds_get_publication_matched_status",
-        library.MatchedStatus,
-        _matched,
-    ),
-}
-_SUBSCRIPTION_EVENTS: dict[IntEnum, _Event] = {
-    QoSSubscriptionEventType.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED: (
-        1 << 2,
-        "dds_get_requested_deadline_missed_status",
-        library.CountStatus,
-        _counted(_rclpy_pybind11.rmw_deadline_missed_status_t),
-    ),
-    QoSSubscriptionEventType.RCL_SUBSCRIPTION_LIVELINESS_CHANGED: (
-        1 << 10,
-        "dds_get_liveliness_changed_status",
-        library.LivelinessChangedStatus,
-        _liveliness,
-    ),
-    QoSSubscriptionEventType.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS: (
-        1 << 4,
-        "dds_get_requested_incompatible_qos_status",
-        library.IncompatibleQosStatus,
-        _incompatible,
-    ),
-    QoSSubscriptionEventType.RCL_SUBSCRIPTION_MESSAGE_LOST: (
-        1 << 5,
-        "dds_get_sample_lost_status",
-        library.CountStatus,
-        _counted(_rclpy_pybind11.rmw_message_lost_status_t),
-    ),
-    QoSSubscriptionEventType.RCL_SUBSCRIPTION_MATCHED: (
-        1 << 12,
-        "dds_get_subscription_matched_status",
-        library.MatchedStatus,
-        _matched,
-    ),
-}
 
 
 class EventHandler(Waitable):
@@ -164,11 +40,8 @@ class EventHandler(Waitable):
         parent_impl,
     ):
         super().__init__(callback_group)
-        table = _EVENTS if isinstance(event_type, QoSPublisherEventType) else _SUBSCRIPTION_EVENTS
-        found = table.get(event_type)
-        if found is None:
-            raise UnsupportedEventTypeError(f"Cyclone DDS reports no event {event_type!r}")
-        self.mask, self._function, self._status, self._convert = found
+        self._source = source_of(event_type)
+        self.mask = self._source.mask
         self.callback: Any = callback
         self.event_type = event_type
         self._parent = parent_impl
@@ -194,10 +67,10 @@ class EventHandler(Waitable):
             return None
         if not changed.value & self.mask:
             return None
-        status = self._status()
-        if getattr(dds, self._function)(endpoint.entity, ct.byref(status)) < 0:
+        status = self._source.status()
+        if getattr(dds, self._source.function)(endpoint.entity, ct.byref(status)) < 0:
             return None
-        return self._convert(status)
+        return self._source.convert(status)
 
     def _execute(self, status: Any) -> Any:
         return self.callback(status)
@@ -246,18 +119,60 @@ class QoSEventHandler(EventHandler):
         super().__init__(*args, **kwargs)
 
 
-def _handlers(
-    wanted: list[tuple[Any, IntEnum]], group: CallbackGroup, parent: Any
-) -> list[EventHandler]:
-    return [
-        EventHandler(callback_group=group, callback=callback, event_type=event, parent_impl=parent)
-        for callback, event in wanted
-        if callback is not None
-    ]
+class _EventCallbacks:
+    """The callbacks for the events of an endpoint, each in the attribute that `_EVENTS` names."""
+
+    _EVENTS: ClassVar[dict[str, IntEnum]]
+    _LOGGER: str
+    _INCOMPATIBLE: str
+
+    incompatible_qos: Any
+    incompatible_type: Any
+    use_default_callbacks: bool
+
+    def _create(self, group: CallbackGroup, endpoint: Any, topic: str) -> list[EventHandler]:
+        if self.incompatible_type is not None:
+            get_logger("rclpy").warning(
+                f"the callback for incompatible types of '{topic}' will not be called: the "
+                "embedded ROS announces no type information that could be found incompatible"
+            )
+        callbacks = {name: getattr(self, name) for name in self._EVENTS}
+        if self.incompatible_qos is None and self.use_default_callbacks:
+            callbacks["incompatible_qos"] = self._warner(topic)
+        return [
+            EventHandler(
+                callback_group=group,
+                callback=callbacks[name],
+                event_type=event,
+                parent_impl=endpoint,
+            )
+            for name, event in self._EVENTS.items()
+            if callbacks[name] is not None
+        ]
+
+    def _warner(self, topic: str) -> Callable[[Any], None]:
+        def warn(status: Any) -> None:
+            policy = qos_policy_name_from_kind(status.last_policy_kind)
+            get_logger(self._LOGGER).warning(self._INCOMPATIBLE.format(topic=topic, policy=policy))
+
+        return warn
 
 
-class SubscriptionEventCallbacks:
+class SubscriptionEventCallbacks(_EventCallbacks):
     """Callbacks for the events of a subscription; the default one warns of incompatible QoS."""
+
+    _EVENTS: ClassVar[dict[str, IntEnum]] = {
+        "deadline": QoSSubscriptionEventType.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED,
+        "incompatible_qos": QoSSubscriptionEventType.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS,
+        "liveliness": QoSSubscriptionEventType.RCL_SUBSCRIPTION_LIVELINESS_CHANGED,
+        "message_lost": QoSSubscriptionEventType.RCL_SUBSCRIPTION_MESSAGE_LOST,
+        "matched": QoSSubscriptionEventType.RCL_SUBSCRIPTION_MATCHED,
+    }
+    _LOGGER = "rclpy.subscription"
+    _INCOMPATIBLE = (
+        "New publisher discovered on topic '{topic}', offering incompatible QoS. "
+        "No messages will be received from it. Last incompatible policy: {policy}"
+    )
 
     def __init__(
         self,
@@ -290,31 +205,23 @@ class SubscriptionEventCallbacks:
         topic_name: str,
     ) -> list[EventHandler]:
         """The handlers of the events that have a callback."""
-        incompatible = self.incompatible_qos
-        if incompatible is None and self.use_default_callbacks:
-
-            def incompatible(status: Any) -> None:
-                policy = qos_policy_name_from_kind(status.last_policy_kind)
-                get_logger("rclpy.subscription").warning(
-                    f"New publisher discovered on topic '{topic_name}', offering incompatible QoS. "
-                    f"No messages will be received from it. Last incompatible policy: {policy}"
-                )
-
-        kind = QoSSubscriptionEventType
-        if self.incompatible_type is not None:
-            _warn_about_types(topic_name)
-        wanted: list[tuple[Any, IntEnum]] = [
-            (self.deadline, kind.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED),
-            (incompatible, kind.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS),
-            (self.liveliness, kind.RCL_SUBSCRIPTION_LIVELINESS_CHANGED),
-            (self.message_lost, kind.RCL_SUBSCRIPTION_MESSAGE_LOST),
-            (self.matched, kind.RCL_SUBSCRIPTION_MATCHED),
-        ]
-        return _handlers(wanted, callback_group, subscription)
+        return self._create(callback_group, subscription, topic_name)
 
 
-class PublisherEventCallbacks:
+class PublisherEventCallbacks(_EventCallbacks):
     """Callbacks for the events of a publisher; the default one warns of incompatible QoS."""
+
+    _EVENTS: ClassVar[dict[str, IntEnum]] = {
+        "deadline": QoSPublisherEventType.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED,
+        "liveliness": QoSPublisherEventType.RCL_PUBLISHER_LIVELINESS_LOST,
+        "incompatible_qos": QoSPublisherEventType.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS,
+        "matched": QoSPublisherEventType.RCL_PUBLISHER_MATCHED,
+    }
+    _LOGGER = "rclpy.publisher"
+    _INCOMPATIBLE = (
+        "New subscription discovered on topic '{topic}', requesting incompatible QoS. "
+        "No messages will be sent to it. Last incompatible policy: {policy}"
+    )
 
     def __init__(
         self,
@@ -345,30 +252,4 @@ class PublisherEventCallbacks:
         topic_name: str,
     ) -> list[EventHandler]:
         """The handlers of the events that have a callback."""
-        incompatible = self.incompatible_qos
-        if incompatible is None and self.use_default_callbacks:
-
-            def incompatible(status: Any) -> None:
-                policy = qos_policy_name_from_kind(status.last_policy_kind)
-                get_logger("rclpy.publisher").warning(
-                    f"New subscription discovered on topic '{topic_name}', requesting incompatible "
-                    f"QoS. No messages will be sent to it. Last incompatible policy: {policy}"
-                )
-
-        kind = QoSPublisherEventType
-        if self.incompatible_type is not None:
-            _warn_about_types(topic_name)
-        wanted: list[tuple[Any, IntEnum]] = [
-            (self.deadline, kind.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED),
-            (self.liveliness, kind.RCL_PUBLISHER_LIVELINESS_LOST),
-            (incompatible, kind.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS),
-            (self.matched, kind.RCL_PUBLISHER_MATCHED),
-        ]
-        return _handlers(wanted, callback_group, publisher)
-
-
-def _warn_about_types(topic_name: str) -> None:
-    get_logger("rclpy").warning(
-        f"the callback for incompatible types of '{topic_name}' will not be called: the embedded "
-        "ROS announces no type information that could be found incompatible"
-    )
+        return self._create(callback_group, publisher, topic_name)
