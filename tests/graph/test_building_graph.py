@@ -115,7 +115,7 @@ def wait_until(condition: object, seconds: float = 10.0) -> bool:
             ErrorCode.INVALID_PAYLOAD,
             "$.boundary",
         ),
-        ("build_building", {"descripton": "x"}, ErrorCode.INVALID_PAYLOAD, "$"),
+        ("build_building", {"descripton": "x"}, ErrorCode.INVALID_PAYLOAD, "$.descripton"),
         ("load_building", {"path": "/nowhere"}, ErrorCode.NOT_FOUND, "$.path"),
     ],
 )
