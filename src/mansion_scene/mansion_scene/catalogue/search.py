@@ -18,7 +18,7 @@ from mansion_scene.catalogue.asset import Asset
 from mansion_scene.catalogue.catalogue import Catalogue
 from mansion_scene.catalogue.palette import COLOURS, FAMILIES
 
-__all__ = ["PROPERTIES", "SearchHit", "having", "search_assets"]
+__all__ = ["PROPERTIES", "SearchHit", "having", "mixed", "search_assets", "word_scores"]
 
 PROPERTIES: Final[dict[str, str]] = {
     "pickupable": "pickupable",
@@ -197,7 +197,6 @@ def search_assets(
     index = _index(catalogue)
     scores = index.scores(query)
     order = sorted(range(len(scores)), key=lambda i: (-scores[i], i))
-    best = scores[order[0]] if order else 0.0
     groups: list[list[SearchHit]] = []
     for i in order:
         if scores[i] <= 0.0 or len(groups) > top_k:
@@ -207,11 +206,24 @@ def search_assets(
         hits.sort(key=lambda hit: -hit.score)
         if hits:
             groups.append(hits)
-    close = [g for g in groups if g[0].score >= 0.45 * best]
-    far = [hit for g in groups if g not in close for hit in g]
+    return mixed(groups, top_k)
+
+
+def mixed(groups: Sequence[Sequence[SearchHit]], top_k: int) -> list[SearchHit]:
+    """Return the first hits of groups, each sorted: in turn from those that fit about as well as the first group."""
+    best = groups[0][0].score if groups else 0.0
+    near = [g[0].score >= 0.45 * best for g in groups]
+    close = [g for g, is_near in zip(groups, near, strict=True) if is_near]
+    far = [hit for g, is_near in zip(groups, near, strict=True) if not is_near for hit in g]
     depth = max((len(g) for g in close), default=0)
-    mixed = [g[level] for level in range(depth) for g in close if level < len(g)]
-    return [*mixed, *far][:top_k]
+    turns = [g[level] for level in range(depth) for g in close if level < len(g)]
+    return [*turns, *far][:top_k]
+
+
+def word_scores(catalogue: Catalogue, query: str) -> dict[str, float]:
+    """Return how well each category fits a text by its words; they compare within one search only."""
+    index = _index(catalogue)
+    return dict(zip(index.categories, index.scores(query), strict=True))
 
 
 def having(catalogue: Catalogue, properties: Sequence[str]) -> list[Asset]:

@@ -4,6 +4,7 @@ import hashlib
 import io
 import json
 import zipfile
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -14,9 +15,45 @@ from mansion_msgs_py.files import write_atomic
 from mansion_scene.catalogue import Asset, Catalogue
 from mansion_scene.editing.retrieval.encoders import TextEncoder, unit_rows
 
-__all__ = ["CatalogueVectors", "asset_text", "picture_vectors"]
+__all__ = ["CatalogueVectors", "asset_text", "names_of", "picture_vectors"]
 
 Vectors = npt.NDArray[np.float32]
+Scores = npt.NDArray[np.float64]
+Rows = npt.NDArray[np.intp]
+
+
+@dataclass(frozen=True)
+class _Texts:
+    """The texts of a catalogue, each once, and which of them are an asset's.
+
+    Attributes
+    ----------
+    whole : (assets,)
+        Row of an asset's text.
+    names, starts : (n,), (assets,)
+        Rows of all names, asset after asset, and where an asset's begin.
+    """
+
+    unique: list[str]
+    whole: Rows
+    names: Rows
+    starts: Rows
+    digest: str
+
+    @staticmethod
+    def of(catalogue: Catalogue, encoder: str) -> "_Texts":
+        assets = list(catalogue.assets.values())
+        wholes, names = [asset_text(a) for a in assets], [names_of(a) for a in assets]
+        unique = list(dict.fromkeys([*wholes, *(name for each in names for name in each)]))
+        row = {text: number for number, text in enumerate(unique)}
+        digest = hashlib.sha256("\n".join([encoder, *unique]).encode()).hexdigest()[:32]
+        return _Texts(
+            unique,
+            np.array([row[text] for text in wholes]),
+            np.array([row[name] for each in names for name in each]),
+            np.cumsum([0, *(len(each) for each in names[:-1])]),
+            digest,
+        )
 
 
 def asset_text(asset: Asset) -> str:
@@ -25,6 +62,11 @@ def asset_text(asset: Asset) -> str:
     names = dict.fromkeys([asset.name, category, *asset.synonyms, *asset.tags])
     look = asset.material.replace("_", " ")
     return ", ".join(names) + (f"; {look}" if look else "")
+
+
+def names_of(asset: Asset) -> list[str]:
+    """Return what an asset is called, each name once."""
+    return list(dict.fromkeys([asset.name, asset.category.replace("_", " "), *asset.synonyms]))
 
 
 class CatalogueVectors:
@@ -36,48 +78,58 @@ class CatalogueVectors:
     cache : Path, optional
         Folder for files named by a digest of the model's name and the catalogue's texts. One that cannot be read or
         written costs time, not answers.
+
+    Notes
+    -----
+    Every name of an asset is embedded beside its whole text: one name that says what the query says is not drowned
+    by the others.
     """
 
     def __init__(self, encoder: TextEncoder, cache: Path | None = None) -> None:
         self._encoder, self._cache = encoder, cache
         self._kept: dict[str, Vectors] = {}
-        self._digests: dict[int, tuple[Catalogue, str]] = {}
+        self._texts: dict[int, tuple[Catalogue, _Texts]] = {}
 
-    def of(self, catalogue: Catalogue, dimension: int) -> Vectors:
-        """Return unit vectors, shape (assets, dimension), in the catalogue's order.
+    def likeness(self, catalogue: Catalogue, asked: Vectors) -> Scores:
+        """Return how like a query each asset is, shape (assets,), in the catalogue's order.
+
+        It is the mean of two cosines: with the asset's text, and with that of its names which is most like it.
+
+        Parameters
+        ----------
+        asked : (d,) unit vector
 
         Raises
         ------
         MansionError
-            ``UNAVAILABLE`` when the encoder gives none, or gives vectors of another dimension than the query's.
+            ``UNAVAILABLE`` when the encoder gives no vectors, or of another dimension than the query's.
         """
-        digest = self._digest(catalogue)
-        kept = self._kept.get(digest)
+        texts = self._texts_of(catalogue)
+        cosines = (self._vectors(texts, len(asked)) @ asked).astype(np.float64)
+        named: Scores = np.maximum.reduceat(cosines[texts.names], texts.starts)
+        return (cosines[texts.whole] + named) / 2
+
+    def _vectors(self, texts: "_Texts", dimension: int) -> Vectors:
+        kept = self._kept.get(texts.digest)
         if kept is None:
-            kept = self._read(digest, len(catalogue.assets))
+            kept = self._read(texts.digest, len(texts.unique))
         if kept is None or kept.shape[1] != dimension:
-            # A text is often the same for several assets; each is embedded once.
-            texts = [asset_text(asset) for asset in catalogue.assets.values()]
-            unique = list(dict.fromkeys(texts))
-            rows = dict(zip(unique, self._encoder.encode(unique), strict=True))
-            kept = np.array([rows[text] for text in texts], dtype=np.float32)
+            kept = self._encoder.encode(texts.unique)
             if kept.shape[1] != dimension:
                 raise MansionError(
                     ErrorCode.UNAVAILABLE,
                     f"{self._encoder.name} gave {dimension} numbers for the query and "
                     f"{kept.shape[1]} for an asset",
                 )
-            self._write(digest, kept)
-        self._kept[digest] = kept
+            self._write(texts.digest, kept)
+        self._kept[texts.digest] = kept
         return kept
 
-    def _digest(self, catalogue: Catalogue) -> str:
-        known = self._digests.get(id(catalogue))
+    def _texts_of(self, catalogue: Catalogue) -> "_Texts":
+        known = self._texts.get(id(catalogue))
         if known is None or known[0] is not catalogue:
-            lines = [f"{key} {asset_text(asset)}" for key, asset in catalogue.assets.items()]
-            text = "\n".join([self._encoder.name, *lines])
-            known = (catalogue, hashlib.sha256(text.encode()).hexdigest()[:32])
-            self._digests[id(catalogue)] = known
+            known = (catalogue, _Texts.of(catalogue, self._encoder.name))
+            self._texts[id(catalogue)] = known
         return known[1]
 
     def _read(self, digest: str, count: int) -> Vectors | None:
