@@ -74,7 +74,7 @@ def test_the_papers_tasks_are_listed_printed_and_grounded(folder: Path, tmp_path
 
 
 def test_unknown_tasks_and_files_are_named(folder: Path, tmp_path: Path) -> None:
-    with pytest.raises(MansionError, match="no paper task"):
+    with pytest.raises(MansionError, match=r"no paper task .* apartment_box"):
         run("paper", "nonsense")
     with pytest.raises(MansionError, match="No such file"):
         run("show", str(tmp_path / "missing.json"))
@@ -93,6 +93,39 @@ def test_a_folder_of_tasks_is_no_file(tmp_path: Path) -> None:
     with pytest.raises(MansionError) as caught:
         run("show", str(tmp_path))
     assert "is a folder" in str(caught.value)
+
+
+def test_tasks_of_another_building_are_refused(folder: Path, tmp_path: Path) -> None:
+    file = tmp_path / "tasks.json"
+    run("generate", str(folder), "-n", "1", "-o", str(file))
+    made = json.loads(file.read_text())
+    file.write_text(json.dumps({**made, "building_id": "another"}))
+    with pytest.raises(MansionError) as caught:
+        run("run", str(file), "--building", str(folder))
+    assert "are for building 'another'" in str(caught.value) and "'sample'" in str(caught.value)
+    file.write_text(json.dumps({**made, "building": "gone"}))
+    with pytest.raises(MansionError, match="--building DIR names where it is now"):
+        run("run", str(file))
+
+
+def test_only_a_task_in_words_is_grounded(folder: Path, tmp_path: Path) -> None:
+    with pytest.raises(MansionError) as caught:
+        run("ground", "offce_laptop", str(folder))
+    assert "did you mean office_laptop? the paper's tasks: apartment_box" in str(caught.value)
+    file = tmp_path / "tasks.json"
+    run("generate", str(folder), "-n", "1", "-o", str(file))
+    with pytest.raises(MansionError) as caught:
+        run("ground", str(file), str(folder))
+    assert f"`mansion task run {file}`" in str(caught.value)
+
+
+def test_what_a_building_lacks_is_told_with_the_way_to_it(folder: Path, tmp_path: Path) -> None:
+    with pytest.raises(MansionError) as caught:
+        run("ground", "apartment_laptop", str(folder))
+    assert f"mansion edit {folder} --task apartment_laptop.json`" in str(caught.value)
+    with pytest.raises(MansionError) as caught:
+        run("ground", "orange_toolbox", str(folder))
+    assert 'mansion build "A four-storey office' in str(caught.value)
 
 
 def test_a_bench_of_no_agents_is_refused(folder: Path, tmp_path: Path) -> None:

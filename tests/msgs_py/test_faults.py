@@ -88,3 +88,16 @@ def test_values_that_are_decoded_already_are_judged_alike() -> None:
 
 def test_a_monstrous_name_is_cut() -> None:
     assert len(str(fault(Leaf, '{"' + "x" * 100_000 + '": 1}'))) < 1000
+
+
+class Begin(msgspec.Struct, tag="begin", tag_field="line"):
+    pass
+
+
+class End(msgspec.Struct, tag="end", tag_field="line"):
+    pass
+
+
+def test_of_several_kinds_the_field_that_tells_them_apart_is_named() -> None:
+    kind: type = Begin | End  # type: ignore[assignment]
+    assert "'line' is missing; values: begin, end" in fault(kind, "{}").info.message

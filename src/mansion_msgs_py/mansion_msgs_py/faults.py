@@ -42,6 +42,8 @@ def explained(kind: Any, message: str) -> tuple[str, str]:
         return f"unknown field {name!r}; {_fields(places, name)}", f"{path}.{name}"
     if found := _MISSING.match(what):
         name = found["name"]
+        if tags := [str(p.tag) for p in _structs(places) if p.tag_field == name]:
+            return f"the field {name!r} is missing; {choices('', tags, 'values')}", path
         return f"the required field {name!r} is missing; {_fields(places, '')}", path
     if found := _ENUM.match(what):
         value = found["value"].strip("'")
@@ -90,15 +92,17 @@ def _inner(place: inspect.Type, step: re.Match[str]) -> Iterator[inspect.Type]:
 
 def _fields(places: list[inspect.Type], wanted: str) -> str:
     """Say which fields the structs of a place have, the required ones first."""
-    fields = [
-        field for place in places if isinstance(place, inspect.StructType) for field in place.fields
-    ]
+    fields = [field for struct in _structs(places) for field in struct.fields]
     names = {field.encode_name: field.required for field in fields}
     order = sorted(names, key=lambda name: not names[name])
     said = choices(wanted, order, "fields")
     head, mark, tail = said.partition("fields: ")
     marked = (f"{n} (required)" if names[n] else n for n in tail.split(", "))
     return f"{head}{mark}{', '.join(marked)}" if mark else said
+
+
+def _structs(places: list[inspect.Type]) -> list[inspect.StructType]:
+    return [place for place in places if isinstance(place, inspect.StructType)]
 
 
 def _values(places: list[inspect.Type]) -> list[str]:

@@ -2,8 +2,9 @@
 
 from typing import Any
 
-from mansion_msgs_py.codec import decode, encode
+from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.reading import decode_from
 from mansion_msgs_py.request import Footprint
 
 __all__ = ["footprint_from_json"]
@@ -24,15 +25,15 @@ def footprint_from_json(data: bytes, source: str) -> Footprint:
     MansionError
         ``INVALID_PAYLOAD``.
     """
-    value = decode(dict[str, Any], data)
+    value = decode_from(dict[str, Any], data, source)
     if "type" not in value:
-        return _named(source, lambda: decode(Footprint, data))
+        return decode_from(Footprint, data, source)
     rings = _polygon(value, source)
     if not rings:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{source}: the polygon has no ring")
     open_rings = [_without_repeated_end(ring) for ring in rings]
     fields = {"boundary": open_rings[0], "holes": open_rings[1:]}
-    return _named(source, lambda: decode(Footprint, encode(fields)))
+    return decode_from(Footprint, encode(fields), source)
 
 
 def _polygon(value: dict[str, Any], source: str) -> list[Any]:
@@ -56,12 +57,3 @@ def _without_repeated_end(ring: Any) -> Any:
     if isinstance(ring, list) and len(ring) > 1 and ring[0] == ring[-1]:
         return ring[:-1]
     return ring
-
-
-def _named(source: str, read: Any) -> Footprint:
-    try:
-        footprint: Footprint = read()
-    except MansionError as error:
-        error.info.message = f"{source}: {error.info.message}"
-        raise
-    return footprint

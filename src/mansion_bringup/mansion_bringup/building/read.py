@@ -5,9 +5,8 @@ from typing import TypeVar
 
 from mansion_bringup.building.floor_files import floor_directory
 from mansion_msgs_py.building import Building
-from mansion_msgs_py.codec import decode
-from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.reading import read_payload
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
 
@@ -51,17 +50,4 @@ class BuildingFolder:
         return self._read(FloorTopology, f"{floor_directory(floor)}/topology.json")
 
     def _read(self, kind: type[T], name: str) -> T:
-        file = self.path / name
-        try:
-            data = file.read_bytes()
-        except OSError as error:
-            raise MansionError(
-                ErrorCode.NOT_FOUND,
-                f"{file}: {error.strerror}; expected a folder that `mansion build` wrote",
-                details={"file": str(file)},
-            ) from None
-        try:
-            return decode(kind, data)
-        except MansionError as error:
-            error.info.message = f"{file}: {error.info.message}"
-            raise
+        return read_payload(kind, self.path / name, "a folder that `mansion build` wrote")

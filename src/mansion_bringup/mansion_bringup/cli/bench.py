@@ -8,8 +8,7 @@ import typer
 from mansion_bringup.cli.bench_agents import agents
 from mansion_bringup.cli.console import progress_bar
 from mansion_bringup.cli.gallery import gallery
-from mansion_msgs_py.codec import decode
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.reading import read_payload
 
 __all__ = ["register"]
 
@@ -40,7 +39,7 @@ def floorplans(
     """
     from mansion_planner.solver.protocol import TrueProblem, run_protocol, table
 
-    read = decode(list[TrueProblem], _bytes(problems))
+    read = read_payload(list[TrueProblem], problems, "a JSON list of floor problems")
     if not seeds:
         for problem in read:
             problem.seeds = None
@@ -82,10 +81,3 @@ def graph(
     with progress_bar() as report:
         result = compare_builds(brief, repeat, report)
     typer.echo(str(result))
-
-
-def _bytes(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise MansionError(ErrorCode.NOT_FOUND, f"{path}: {error.strerror}") from None

@@ -11,6 +11,7 @@ from mansion_bringup.pipeline.build import BuildResult, build_building
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.reading import read_bytes
 from mansion_msgs_py.request import BuildRequest, Footprint
 
 __all__ = ["planner_name", "prepare_planner", "read_footprint", "register", "request_from_options"]
@@ -55,11 +56,8 @@ def read_footprint(path: Path) -> Footprint:
     """
     from mansion_bringup.building.footprint import footprint_from_json
 
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise MansionError(ErrorCode.NOT_FOUND, f"{path}: {error.strerror}") from None
-    return footprint_from_json(data, str(path))
+    expected = 'a file of {"boundary": [[x, y], ...]} or GeoJSON'
+    return footprint_from_json(read_bytes(path, expected), str(path))
 
 
 def build(

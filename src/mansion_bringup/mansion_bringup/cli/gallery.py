@@ -6,10 +6,10 @@ from typing import Annotated
 import typer
 
 from mansion_bringup.cli.console import err
-from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.placement import PlacementResult
+from mansion_msgs_py.reading import read_payload
 
 __all__ = ["gallery"]
 
@@ -40,8 +40,8 @@ def gallery(
     from mansion_scene.placement.files import load_rooms
 
     if answers:
-        key = decode(GalleryKey, _bytes(output / "key.json"))
-        given = [entry for file in answers for entry in decode(list[Answer], _bytes(file))]
+        key = read_payload(GalleryKey, output / "key.json")
+        given = [entry for file in answers for entry in read_payload(list[Answer], file)]
         for question, shares in tally(given, key).items():
             line = ", ".join(f"{name} {share:.0%}" for name, share in shares.items())
             typer.echo(f"{question:10} {line}")
@@ -55,15 +55,8 @@ def gallery(
                 f"{entry!r} does not read NAME=PLACEMENTS.json",
                 path="$.systems",
             )
-        results.setdefault(name, []).extend(decode(list[PlacementResult], _bytes(Path(file))))
+        results.setdefault(name, []).extend(read_payload(list[PlacementResult], Path(file)))
     files = gallery_files(load_rooms(rooms), results, seed=seed, runs=runs)
     for file_name, data in files.items():
         write_atomic(output / file_name, data)
     err.print(f"wrote {len(files) - 2} pages, form.html and key.json to {output}", highlight=False)
-
-
-def _bytes(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise MansionError(ErrorCode.NOT_FOUND, f"no readable file at {path}: {error}") from None

@@ -2,16 +2,18 @@
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.table import Table
 
 from mansion_bringup.cli.console import err, out, print_json
-from mansion_msgs_py.codec import decode, encode_bytes
+from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.reading import decode_from, read_bytes
 from mansion_msgs_py.task import Task, TaskKind, TaskSet
+from mansion_msgs_py.wording import choices, counted
 
 if TYPE_CHECKING:
     from mansion_skills.tasks.sandbox import Sandbox
@@ -43,6 +45,18 @@ def _sandbox(building: Path) -> "Sandbox":
     return Sandbox(building)
 
 
+def _set_sandbox(read: TaskSet, tasks: Path, building: Path | None) -> "Sandbox":
+    """Return the world of a task set's building, or of the one that is named instead."""
+    try:
+        sandbox = _sandbox(building or tasks.parent / read.building)
+    except MansionError as error:
+        if building is None and error.code == ErrorCode.NOT_FOUND:
+            error.info.message += f"; {tasks} names it, --building DIR names where it is now"
+        raise
+    _check_building(read, tasks, sandbox)
+    return sandbox
+
+
 def _write(tasks: list[Task], building: Path, building_id: str, output: Path | None) -> None:
     """Write a task set whose building is named relative to its file."""
     base = Path.cwd() if output is None else output.resolve().parent
@@ -52,22 +66,69 @@ def _write(tasks: list[Task], building: Path, building_id: str, output: Path | N
         print_json(made)
         return
     write_atomic(output, encode_bytes(made))
-    err.print(f"{output}: {len(tasks)} tasks", highlight=False)
-
-
-def _bytes(file: Path) -> bytes:
-    try:
-        return file.read_bytes()
-    except OSError as error:
-        raise MansionError(ErrorCode.NOT_FOUND, f"{file}: {error.strerror}") from None
+    err.print(f"{output}: {counted(len(tasks), 'task')}", highlight=False)
 
 
 def _chosen(tasks: list[Task], name: str) -> list[Task]:
     found = [task for task in tasks if name in ("", task.id)]
     if not found:
-        known = ", ".join(task.id for task in tasks)
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no task {name!r}; known are {known}")
+        known = choices(name, (task.id for task in tasks), "tasks")
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no task {name!r}; {known}")
     return found
+
+
+def _in_words(name: str) -> Task:
+    """Return the paper's task of that id, or the task that a file holds."""
+    from mansion_skills.tasks.paper import PAPER_TASKS
+
+    if name in PAPER_TASKS:
+        return PAPER_TASKS[name].task
+    file = Path(name)
+    if not file.is_file():
+        known = choices(name, PAPER_TASKS, "the paper's tasks")
+        raise MansionError(
+            ErrorCode.NOT_FOUND, f"{name!r} is neither a file nor a task of the paper; {known}"
+        )
+    data = read_bytes(file)
+    if "tasks" in decode_from(dict[str, Any], data, file):
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            f"{file} is a set of tasks, which are grounded: `mansion task run {file}` does them; "
+            "`mansion task ground` takes one task in words, as `mansion task paper NAME -o FILE` writes it",
+        )
+    return decode_from(Task, data, file)
+
+
+def _advised(error: MansionError, name: str, building: Path) -> MansionError:
+    """Say how the building, or another one, can have what a task lacks: objects can be added, rooms cannot."""
+    from mansion_skills.tasks.paper import PAPER_TASKS
+
+    missing = error.info.details.get("missing", [])
+    if not missing:
+        return error
+    entry = PAPER_TASKS.get(name)
+    if all(need["noun"] for need in missing):
+        file = f"{name}.json" if entry else name
+        first = f"mansion task paper {name} -o {file} && " if entry else ""
+        advice = f"`{first}mansion edit {building} --task {file}` adds what can be added"
+    elif entry:
+        advice = f'a building that has it: `mansion build "{entry.sentence}" -o DIR`'
+    else:
+        advice = "rooms and floors cannot be added: ground it in another building"
+    error.info.message += f"; {advice}"
+    return error
+
+
+def _check_building(read: TaskSet, tasks: Path, sandbox: "Sandbox") -> None:
+    """Refuse a set of tasks of another building."""
+    found = sandbox.building
+    if read.building_id and read.building_id != found.building_id:
+        raise MansionError(
+            ErrorCode.CONFLICT,
+            f"the tasks of {tasks} are for building {read.building_id!r}, {found.path} is {found.building_id!r}; "
+            f"`mansion task generate {found.path}` makes tasks for it",
+            path="$.building_id",
+        )
 
 
 @group.command(no_args_is_help=True)
@@ -91,7 +152,8 @@ def generate(
     sandbox = _sandbox(building)
     tasks = make(sandbox, count, seed, kind)
     if len(tasks) < count:
-        err.print(f"the building has no more than {len(tasks)} tasks that differ", highlight=False)
+        found = counted(len(tasks), "task")
+        err.print(f"the building has no more than {found} that differ", highlight=False)
     _write(tasks, building, sandbox.building.building_id, output)
 
 
@@ -152,7 +214,7 @@ def ground(
     building: Building,
     output: Output = None,
 ) -> None:
-    """Find what a task names in a building; exit status 1 and what is missing where it lacks something.
+    """Find what a task names in a building; exit status 2 and what is missing where it lacks something.
 
     Examples:
 
@@ -163,11 +225,13 @@ def ground(
     from mansion_skills.tasks.grounding import ground as find
     from mansion_skills.tasks.paper import PAPER_TASKS
 
-    entry = PAPER_TASKS.get(task)
-    words = decode(Task, _bytes(Path(task))) if entry is None else entry.task
+    words = _in_words(task)
     known = PAPER_TASKS.get(words.id)
     sandbox = _sandbox(building)
-    made = find(words, sandbox, start_floor=None if known is None else known.start_floor)
+    try:
+        made = find(words, sandbox, start_floor=None if known is None else known.start_floor)
+    except MansionError as error:
+        raise _advised(error, task, building) from None
     _write([made], building, made.building_id, output)
 
 
@@ -192,7 +256,7 @@ def run(
 
     read = _task_set(tasks)
     chosen = _chosen(read.tasks, name)
-    sandbox = _sandbox(building or tasks.parent / read.building)
+    sandbox = _set_sandbox(read, tasks, building)
     failed = 0
     for task in chosen:
         solution = None if plan else solve(task, sandbox)

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import msgspec
 
-from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.reading import read_payload
 from mansion_msgs_py.world import Progress
 from mansion_planner.solver.workers import solutions
 
@@ -24,13 +24,7 @@ def load_problems(path: Path) -> list[FloorProblem]:
     MansionError
         ``NOT_FOUND`` or ``INVALID_PAYLOAD`` with the JSON path.
     """
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise MansionError(
-            ErrorCode.NOT_FOUND, f"cannot read {path}: {error.strerror or error}"
-        ) from None
-    return decode(list[FloorProblem], data)
+    return read_payload(list[FloorProblem], path, "a JSON list of floor problems")
 
 
 def solve_file(

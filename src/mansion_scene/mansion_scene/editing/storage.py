@@ -14,6 +14,7 @@ from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.editing import ObjectChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.reading import decode_from
 from mansion_msgs_py.scene import FloorScene
 from mansion_scene.editing.files import append_line, locked
 from mansion_scene.editing.merging import rebase
@@ -61,7 +62,9 @@ class BuildingStore:
         self.folder = folder
         self._validator = validator
         self._clock = clock
-        self.index = decode(BuildingIndex, self._read(folder / "building.json"))
+        self.index = decode_from(
+            BuildingIndex, self._read(folder / "building.json"), folder / "building.json"
+        )
         self._edits = folder / "edits"
         self.lock_file = self._edits / "lock"
         if (self._edits / "pending.json").exists():
@@ -81,7 +84,7 @@ class BuildingStore:
 
     def scene(self, floor: int) -> FloorScene:
         """Return a floor as it is on disk."""
-        return decode(FloorScene, self._read(self._file(floor)))
+        return decode_from(FloorScene, self._read(self._file(floor)), self._file(floor))
 
     def scenes(self) -> dict[int, FloorScene]:
         """Return all floors as they are on disk."""

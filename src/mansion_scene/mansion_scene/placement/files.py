@@ -8,9 +8,10 @@ from functools import partial
 from pathlib import Path
 
 from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.placement import Discarded, PlacementResult, PlacementRoom
+from mansion_msgs_py.reading import read_payload
 from mansion_msgs_py.world import Progress
 from mansion_scene.placement import PlacementOptions, place_room, warm
 
@@ -25,10 +26,7 @@ def load_rooms(path: Path) -> list[PlacementRoom]:
     MansionError
         ``NOT_FOUND`` where the file cannot be read, ``INVALID_PAYLOAD`` with the JSON path of a fault in it.
     """
-    try:
-        return decode(list[PlacementRoom], path.read_bytes())
-    except OSError as error:
-        raise MansionError(ErrorCode.NOT_FOUND, f"no readable file at {path}: {error}") from None
+    return read_payload(list[PlacementRoom], path, "a JSON list of rooms with their objects")
 
 
 def place_timed(room: PlacementRoom, seed: int, options: PlacementOptions) -> PlacementResult:

@@ -4,8 +4,8 @@ from functools import lru_cache
 from pathlib import Path
 
 from mansion_msgs_py.building import Building, FloorEntry
-from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.reading import read_payload
 from mansion_msgs_py.scene import FloorScene
 
 __all__ = ["LoadedBuilding"]
@@ -34,7 +34,7 @@ class LoadedBuilding:
                 f"{path} holds no building.json; name a folder that `mansion build` wrote",
                 path="$.path",
             )
-        self.index = decode(Building, file.read_bytes())
+        self.index = read_payload(Building, file)
         self._entries = {entry.floor: entry for entry in self.index.floors}
         self.scene = lru_cache(maxsize=None)(self._read_scene)
 
@@ -75,7 +75,4 @@ class LoadedBuilding:
 
     def _read_scene(self, floor: int) -> FloorScene:
         file = self.path / self._entries[floor].files["scene"]
-        try:
-            return decode(FloorScene, file.read_bytes())
-        except OSError as error:
-            raise MansionError(ErrorCode.NOT_FOUND, f"{file}: {error.strerror}") from None
+        return read_payload(FloorScene, file, "a folder that `mansion build` wrote")

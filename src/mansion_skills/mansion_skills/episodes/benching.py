@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from mansion_msgs_py.codec import encode_bytes
-from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.task import Task, TaskSet
 from mansion_msgs_py.world import Progress
@@ -138,6 +138,7 @@ def run_unit(unit: Unit) -> Iterator[tuple[EpisodeRow, bool]]:
             earlier = _finished(path, unit, task, told)
             log = earlier
             if log is None:
+                _check_building(unit.file, building)
                 # A new agent for each episode: what one brings to the next are its lessons alone.
                 agent = make_agent(unit.agent)
                 crew = crew or _crew(unit, agent, stack)
@@ -149,6 +150,16 @@ def run_unit(unit: Unit) -> Iterator[tuple[EpisodeRow, bool]]:
                 write_log(path, log)
             lessons += log.end.lessons
             yield row_of(log, str(path.relative_to(unit.bench.output))), earlier is not None
+
+
+def _check_building(file: Path, building: Path) -> None:
+    if not (building / "building.json").is_file():
+        raise MansionError(
+            ErrorCode.NOT_FOUND,
+            f"{building} holds no building.json, but {file} names it as its building; put both back, or make the "
+            "tasks anew with `mansion task generate`",
+            path="$.building",
+        )
 
 
 def _crew(unit: Unit, agent: Agent, stack: ExitStack) -> tuple[SkillPort, CameraEyes | None]:

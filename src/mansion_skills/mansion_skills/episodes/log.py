@@ -5,9 +5,10 @@ from typing import Any, Literal
 
 import msgspec
 
-from mansion_msgs_py.codec import decode, encode_bytes
+from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.reading import decode_from, read_bytes
 from mansion_msgs_py.task import SkillCall, Task
 from mansion_msgs_py.world import Pose2D, SkillStatus
 
@@ -118,12 +119,9 @@ def read_log(path: Path) -> EpisodeLog:
     MansionError
         ``NOT_FOUND`` for a missing file; ``INVALID_PAYLOAD`` for one that is no log, or lacks its end.
     """
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise MansionError(ErrorCode.NOT_FOUND, f"{path}: {error.strerror}") from None
+    data = read_bytes(path, "a log that `mansion bench agents` wrote")
     kind: Any = EpisodeStart | EpisodeStep | EpisodeEnd
-    lines = [decode(kind, line) for line in data.splitlines() if line.strip()]
+    lines = [decode_from(kind, line, path) for line in data.splitlines() if line.strip()]
     steps = [line for line in lines if isinstance(line, EpisodeStep)]
     if (
         len(lines) != len(steps) + 2

@@ -3,8 +3,8 @@
 from pathlib import Path
 from typing import Any
 
-from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.reading import decode_from, read_bytes
 from mansion_msgs_py.task import TaskSet
 
 __all__ = ["read_task_set"]
@@ -18,18 +18,15 @@ def read_task_set(file: Path) -> TaskSet:
     MansionError
         ``NOT_FOUND`` for a file that cannot be read, ``INVALID_PAYLOAD`` for one that is no task set; both name it.
     """
-    try:
-        data = file.read_bytes()
-    except IsADirectoryError:
+    if file.is_dir():
         raise MansionError(
             ErrorCode.NOT_FOUND, f"{file} is a folder; name a file of `mansion task generate`"
-        ) from None
-    except OSError as error:
-        raise MansionError(ErrorCode.NOT_FOUND, f"{file}: {error.strerror}") from None
-    head = decode(dict[str, Any], data)
+        )
+    data = read_bytes(file, "a file of `mansion task generate`")
+    head = decode_from(dict[str, Any], data, file)
     if "instruction" in head and "tasks" not in head:
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD,
             f"{file} is a task in words; `mansion task ground {file} BUILDING -o FILE` makes a task set of it",
         )
-    return decode(TaskSet, data)
+    return decode_from(TaskSet, data, file)

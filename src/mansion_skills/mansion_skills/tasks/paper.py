@@ -5,6 +5,7 @@ from typing import Final
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import Goal, GoalKind, Need, Task, TaskKind
+from mansion_msgs_py.wording import choices
 
 __all__ = ["PAPER_TASKS", "PaperTask", "paper_task"]
 
@@ -150,8 +151,6 @@ def paper_task(name: str) -> PaperTask:
         ``NOT_FOUND`` with those that exist.
     """
     if name not in PAPER_TASKS:
-        known = ", ".join(PAPER_TASKS)
-        raise MansionError(
-            ErrorCode.NOT_FOUND, f"there is no paper task {name!r}; known are {known}"
-        )
+        known = choices(name, PAPER_TASKS, "the paper's tasks")
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no paper task {name!r}; {known}")
     return PAPER_TASKS[name]
