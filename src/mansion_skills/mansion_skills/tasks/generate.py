@@ -24,6 +24,7 @@ from mansion_skills.tasks.sampling import (
     things,
 )
 from mansion_skills.tasks.sandbox import SESSION, Sandbox
+from mansion_skills.tasks.sense import goes_into, goes_on, goes_to, is_brought
 
 __all__ = ["Recipe", "generate", "recipes_for"]
 
@@ -207,14 +208,16 @@ def _deliver(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) -> Task
         return None
     start, source, goal = spread
     building = sandbox.building
-    thing = draw(things(building.scene(source)), rng)
+    thing = draw([entry for entry in things(building.scene(source)) if is_brought(entry)], rng)
     scene = building.scene(goal)
     if thing is None:
         return None
     target = call_thing(thing, building.scene(source), building, rng)
     if rng.random() < 0.5:
         rooms = [
-            r for r in scene.rooms if r.kind not in ("stair", "elevator") and r.id != thing.room
+            r
+            for r in scene.rooms
+            if r.kind not in ("stair", "elevator") and r.id != thing.room and goes_to(thing, r)
         ]
         room = draw(rooms, rng)
         if room is None:
@@ -227,7 +230,10 @@ def _deliver(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) -> Task
             [
                 entry
                 for entry in scene.objects
-                if entry.receptacle and entry.mount == "floor" and entry.category.endswith(SURFACES)
+                if entry.receptacle
+                and entry.mount == "floor"
+                and entry.category.endswith(SURFACES)
+                and goes_on(thing, entry)
             ],
             rng,
         )
@@ -259,7 +265,7 @@ def _open_and_put(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) ->
         return None
     start, source, goal = spread
     building, world = sandbox.building, sandbox.world
-    thing = draw(things(building.scene(source)), rng)
+    brought = [entry for entry in things(building.scene(source)) if is_brought(entry)]
     scene = building.scene(goal)
     container = draw(
         [
@@ -269,10 +275,14 @@ def _open_and_put(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) ->
             and not entry.pickupable
             and entry.category not in _NOT_CONTAINERS
             and can_contain(world, entry)
+            and any(goes_into(thing, entry) for thing in brought)
         ],
         rng,
     )
-    if thing is None or container is None:
+    if container is None:
+        return None
+    thing = draw([entry for entry in brought if goes_into(entry, container)], rng)
+    if thing is None:
         return None
     target = call_thing(thing, building.scene(source), building, rng)
     place = call_place(container, scene, building, rng)
