@@ -1,12 +1,8 @@
-"""Endpoint handles: what is on the wire for a publisher, subscription, service or client."""
+"""Endpoint handles: what is on the wire for a publisher or a subscription."""
 
 from __future__ import annotations
 
-import itertools
-import struct
-import threading
 import time
-from dataclasses import dataclass
 from typing import Any
 
 from rclpy._dds.announcement import NodeEndpoints
@@ -16,40 +12,17 @@ from rclpy._dds.participant import Participant
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.qos import QoSProfile
 
-from rosidl_embedded.cdr_codec import HEADER
-from rosidl_embedded.registry import codec_of, deserialize, serialize, type_hash, type_name
+from rosidl_embedded.registry import deserialize, serialize, type_hash, type_name
 
-__all__ = ["Client", "Publisher", "Service", "Subscription", "rmw_request_id_t"]
-
-_REQUEST_HEADER = struct.Struct("<Qq")
-_PAYLOAD = len(HEADER) + _REQUEST_HEADER.size
-_READER_WAIT = 1.0
-"""Seconds that a response waits for the client's reader to be discovered."""
+__all__ = ["Handle", "Publisher", "Subscription", "type_data"]
 
 
-@dataclass(slots=True)
-class rmw_request_id_t:
-    """Who asked: the writer of the request and the client's sequence number."""
-
-    writer_guid: bytes
-    sequence_number: int
-    publication_handle: int = 0
-
-
-@dataclass(slots=True)
-class rmw_service_info_t:
-    """A request's id and its times in nanoseconds since 1970."""
-
-    request_id: rmw_request_id_t
-    source_timestamp: int
-    received_timestamp: int
-
-
-def _type_data(cls: Any, extra: str = "") -> str:
+def type_data(cls: Any, extra: str = "") -> str:
+    """What an endpoint tells others of its type: the hash of REP 2016."""
     return f"{extra}typehash={type_hash(cls)};"
 
 
-class _Handle:
+class Handle:
     """The endpoints of one entity of a node, listed with the node for others to see."""
 
     def __init__(self, participant: Participant, node: NodeEndpoints) -> None:
@@ -57,7 +30,7 @@ class _Handle:
         self._node = node
         self._endpoints: list[Endpoint] = []
 
-    def __enter__(self) -> _Handle:
+    def __enter__(self) -> Handle:
         if self.closed:
             raise InvalidHandle("cannot use Destroyable because destruction was requested")
         return self
@@ -109,7 +82,7 @@ class _Handle:
             self.participant.announce()
 
 
-class Publisher(_Handle):
+class Publisher(Handle):
     """The writer of a topic."""
 
     def __init__(
@@ -122,7 +95,7 @@ class Publisher(_Handle):
     ) -> None:
         super().__init__(participant, node)
         name = topic if profile.avoid_ros_namespace_conventions else f"rt{topic}"
-        self.writer = self._writer(name, type_name(msg_type), profile, _type_data(msg_type))
+        self.writer = self._writer(name, type_name(msg_type), profile, type_data(msg_type))
         participant.announce()
 
     def publish(self, msg: Any) -> None:
@@ -132,7 +105,7 @@ class Publisher(_Handle):
         self._write(self.writer, bytearray(msg), "publish")
 
 
-class Subscription(_Handle):
+class Subscription(Handle):
     """The reader of a topic."""
 
     def __init__(
@@ -146,7 +119,7 @@ class Subscription(_Handle):
         super().__init__(participant, node)
         self._type = msg_type
         name = topic if profile.avoid_ros_namespace_conventions else f"rt{topic}"
-        self.reader = self._reader(name, type_name(msg_type), profile, _type_data(msg_type))
+        self.reader = self._reader(name, type_name(msg_type), profile, type_data(msg_type))
         participant.announce()
 
     def take_message(self, msg_type: Any, raw: bool) -> tuple[Any, dict[str, Any]] | None:
@@ -162,156 +135,3 @@ class Subscription(_Handle):
             "reception_sequence_number": None,
         }
         return message, info
-
-
-class Service(_Handle):
-    """The reader of a service's requests and the writer of its replies."""
-
-    def __init__(
-        self,
-        participant: Participant,
-        node: NodeEndpoints,
-        srv_type: Any,
-        name: str,
-        profile: QoSProfile,
-    ) -> None:
-        super().__init__(participant, node)
-        self._request, response = srv_type.Request, srv_type.Response
-        identity = f"serviceid={participant.next_service_id()};"
-        self.writer = self._writer(
-            f"rr{name}Reply", type_name(response), profile, _type_data(response, identity), True
-        )
-        self.reader = self._reader(
-            f"rq{name}Request",
-            type_name(self._request),
-            profile,
-            _type_data(self._request, identity),
-            True,
-        )
-        self._known: set[int] = set()
-        participant.announce()
-
-    def take_request(self) -> tuple[Any, rmw_service_info_t] | None:
-        """The next request and who asked, None if there is none."""
-        sample = self.reader.take()
-        if sample is None or len(sample.data) < _PAYLOAD:
-            return None
-        guid, number = _REQUEST_HEADER.unpack_from(sample.data, len(HEADER))
-        request = deserialize(sample.data, self._request, _PAYLOAD)
-        identity = rmw_request_id_t(guid.to_bytes(8, "little"), number, sample.publication_handle)
-        return request, rmw_service_info_t(identity, sample.source_timestamp, time.time_ns())
-
-    def send_response(self, response: Any, header: Any) -> None:
-        """Answer a request; a client that is gone is left without."""
-        identity = getattr(header, "request_id", header)
-        data = bytearray(HEADER)
-        data += identity.writer_guid[:8]
-        data += identity.sequence_number.to_bytes(8, "little", signed=True)
-        try:
-            codec_of(type(response)).encode(response, data)
-        except (struct.error, AttributeError, TypeError) as problem:
-            raise TypeError(f"cannot serialize a {type(response).__name__}: {problem}") from problem
-        if self._wait_for_reader(identity.publication_handle):
-            self._write(self.writer, data, "send response")
-
-    def _wait_for_reader(self, writer_handle: int) -> bool:
-        """Wait until the asking client's reader is known, lest the reply gets lost."""
-        if not writer_handle or writer_handle in self._known:
-            return True
-        deadline = time.monotonic() + _READER_WAIT
-        while not self.closed:
-            data = self.reader.matched_user_data(writer_handle)
-            if data is None:
-                return False
-            client = data.get("clientid")
-            if client is None or self._has_reader(client):
-                if len(self._known) > 4096:
-                    self._known.clear()
-                self._known.add(writer_handle)
-                return True
-            if time.monotonic() > deadline:
-                return True
-            time.sleep(0.002)
-        return False
-
-    def _has_reader(self, client: str) -> bool:
-        for handle in self.writer.matched_handles():
-            data = self.writer.matched_user_data(handle)
-            if data is not None and data.get("clientid") == client:
-                return True
-        return False
-
-
-class Client(_Handle):
-    """The writer of requests and the reader of the replies to them."""
-
-    def __init__(
-        self,
-        participant: Participant,
-        node: NodeEndpoints,
-        srv_type: Any,
-        name: str,
-        profile: QoSProfile,
-    ) -> None:
-        super().__init__(participant, node)
-        request, self._response = srv_type.Request, srv_type.Response
-        identity = f"clientid={participant.next_service_id()};"
-        self.writer = self._writer(
-            f"rq{name}Request", type_name(request), profile, _type_data(request, identity), True
-        )
-        self.reader = self._reader(
-            f"rr{name}Reply",
-            type_name(self._response),
-            profile,
-            _type_data(self._response, identity),
-            True,
-        )
-        self._numbers = itertools.count(1)
-        self._lock = threading.Lock()
-        participant.announce()
-
-    def next_sequence_number(self) -> int:
-        """The number of the next request."""
-        return next(self._numbers)
-
-    def send_request(self, request: Any, number: int) -> None:
-        data = bytearray(HEADER)
-        data += _REQUEST_HEADER.pack(self.writer.instance_handle, number)
-        try:
-            codec_of(type(request)).encode(request, data)
-        except (struct.error, AttributeError, TypeError) as problem:
-            raise TypeError(f"cannot serialize a {type(request).__name__}: {problem}") from problem
-        self._write(self.writer, data, "send request")
-
-    def take_response(self) -> tuple[int, Any] | None:
-        """The next reply to this client: sequence number and message (or the exception that reading
-        it raised); None if there is none."""
-        while (sample := self.reader.take()) is not None:
-            if len(sample.data) < _PAYLOAD:
-                continue
-            guid, number = _REQUEST_HEADER.unpack_from(sample.data, len(HEADER))
-            if guid != self.writer.instance_handle:
-                continue
-            try:
-                return number, deserialize(sample.data, self._response, _PAYLOAD)
-            except ValueError as problem:
-                return number, problem
-        return None
-
-    def is_server_available(self) -> bool:
-        """Whether both endpoints of one server are matched."""
-        readers = self._service_ids(self.writer)
-        if not readers:
-            return False
-        writers = self._service_ids(self.reader)
-        # Servers that give no id are taken on trust, as rmw_cyclonedds_cpp does.
-        return bool(readers & writers)
-
-    @staticmethod
-    def _service_ids(endpoint: Endpoint) -> set[str]:
-        found = set()
-        for handle in endpoint.matched_handles():
-            data = endpoint.matched_user_data(handle)
-            if data is not None:
-                found.add(data.get("serviceid", ""))
-        return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rclpy import _entities
+from rclpy import _entities, _service_entities
 from rclpy._dds.announcement import NodeEndpoints
 from rclpy._endpoint_options import best_available, copy_profile, require_definition, to_profile
 from rclpy.callback_groups import CallbackGroup
@@ -161,7 +161,7 @@ class NodeEntities:
         require_definition(srv_type, ServiceDefinition, "service")
         full = self.resolve_service_name(srv_name)
         group = callback_group or self.default_callback_group
-        handle = self._new(_entities.Client, srv_type, full, qos_profile)
+        handle = self._new(_service_entities.Client, srv_type, full, qos_profile)
         client: Client = Client(self.context, handle, srv_type, srv_name, qos_profile, group)
         self._clients.append(client)
         self._attach(client, group)
@@ -180,7 +180,7 @@ class NodeEntities:
         require_definition(srv_type, ServiceDefinition, "service")
         full = self.resolve_service_name(srv_name)
         group = callback_group or self.default_callback_group
-        handle = self._new(_entities.Service, srv_type, full, qos_profile)
+        handle = self._new(_service_entities.Service, srv_type, full, qos_profile)
         service: Service = Service(handle, srv_type, srv_name, callback, group, qos_profile)
         self._services.append(service)
         self._attach(service, group)

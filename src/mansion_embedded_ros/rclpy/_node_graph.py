@@ -37,6 +37,12 @@ def _unchanged(name: str) -> str:
     return name
 
 
+def _topics(found: Iterable[graph.EndpointInfo], no_demangle: bool) -> _NamesAndTypes:
+    if no_demangle:
+        return _collect(found, _unchanged, _unchanged)
+    return _collect(found, graph.demangle_topic)
+
+
 class NodeGraph:
     """Mixed into ``Node``."""
 
@@ -69,9 +75,7 @@ class NodeGraph:
     def get_topic_names_and_types(self, no_demangle: bool = False) -> list[tuple[str, list[str]]]:
         """Each topic with its types; with ``no_demangle`` the names that DDS sees."""
         found = graph.endpoints(self._participant, True) + graph.endpoints(self._participant, False)
-        if no_demangle:
-            return _collect(found, _unchanged, _unchanged)
-        return _collect(found, graph.demangle_topic)
+        return _topics(found, no_demangle)
 
     def get_service_names_and_types(self) -> list[tuple[str, list[str]]]:
         """Each service that has a server or a client, with its types."""
@@ -99,10 +103,7 @@ class NodeGraph:
         ------
         NodeNameNonExistentError
         """
-        found = self._of_node(node_name, node_namespace, True)
-        if no_demangle:
-            return _collect(found, _unchanged, _unchanged)
-        return _collect(found, graph.demangle_topic)
+        return _topics(self._of_node(node_name, node_namespace, True), no_demangle)
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
@@ -113,10 +114,7 @@ class NodeGraph:
         ------
         NodeNameNonExistentError
         """
-        found = self._of_node(node_name, node_namespace, False)
-        if no_demangle:
-            return _collect(found, _unchanged, _unchanged)
-        return _collect(found, graph.demangle_topic)
+        return _topics(self._of_node(node_name, node_namespace, False), no_demangle)
 
     def get_service_names_and_types_by_node(
         self, node_name: str, node_namespace: str

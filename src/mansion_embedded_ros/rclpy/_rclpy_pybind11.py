@@ -119,10 +119,14 @@ class rmw_matched_status_t:
 
 
 def __getattr__(name: str) -> Any:
-    if name in ("Publisher", "Subscription", "Client", "Service", "rmw_request_id_t"):
+    if name in ("Publisher", "Subscription"):
         from rclpy import _entities
 
         return getattr(_entities, name)
+    if name in ("Client", "Service", "rmw_request_id_t"):
+        from rclpy import _service_entities
+
+        return getattr(_service_entities, name)
     raise AttributeError(
         f"rclpy._rclpy_pybind11 of the embedded ROS has no {name!r}: it holds Jazzy's errors, "
         "enumerations and endpoint handles only"

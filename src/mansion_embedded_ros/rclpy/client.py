@@ -10,8 +10,8 @@ from rclpy import _rclpy_pybind11
 from rclpy._dds.library import dds
 from rclpy._dds.waitset import Guard, WaitSet
 from rclpy._rclpy_pybind11 import InvalidHandle
+from rclpy._service_end import ServiceEnd
 from rclpy.callback_groups import CallbackGroup
-from rclpy.clock import Clock
 from rclpy.context import Context
 from rclpy.qos import QoSProfile
 from rclpy.task import Future
@@ -27,7 +27,7 @@ _SLICE = 100_000_000
 _MATCHED = 1 << 11 | 1 << 12
 
 
-class Client:
+class Client(ServiceEnd):
     """Made by ``Node.create_client``."""
 
     def __init__(
@@ -39,17 +39,12 @@ class Client:
         qos_profile: QoSProfile,
         callback_group: CallbackGroup,
     ) -> None:
+        name = client_impl.reader.topic_name.removeprefix("rr").removesuffix("Reply")
+        super().__init__(client_impl, srv_type, srv_name, name, qos_profile, callback_group)
         self.context = context
         self.__client = client_impl
-        self.srv_type: Any = srv_type
-        self.srv_name = srv_name
-        self.qos_profile = qos_profile
         self._pending_requests: dict[int, Future] = {}
-        self.callback_group: CallbackGroup | None = callback_group
-        self._executor_event = False
-        self._destroyed = False
         self._lock = threading.Lock()
-        self._name = client_impl.reader.topic_name.removeprefix("rr").removesuffix("Reply")
 
     def call(
         self,
@@ -177,28 +172,6 @@ class Client:
         finally:
             waitset.close()
 
-    def configure_introspection(
-        self,
-        clock: Clock,
-        service_event_qos_profile: QoSProfile,
-        introspection_state: _rclpy_pybind11.ServiceIntrospectionState,
-    ) -> None:
-        """Not here: only the state OFF is accepted."""
-        if int(introspection_state) != 0:
-            raise NotImplementedError("the embedded ROS has no service introspection")
-
-    @property
-    def handle(self) -> Any:
-        return self.__client
-
-    @property
-    def service_name(self) -> str:
-        with self.handle:
-            return self._name
-
-    def _wait_entity(self) -> int:
-        return int(self.__client.reader.condition) if not self._destroyed else 0
-
     def _take_all(self, executor: Any = None) -> int:
         """Give every reply that is there to its future; how many there were."""
         count = 0
@@ -216,17 +189,6 @@ class Client:
             else:
                 future.set_result(response)
         return count
-
-    def destroy(self):  # type: ignore[no-untyped-def]
-        """End the client; ``Node.destroy_client`` is what programs call."""
-        self._destroyed = True
-        self.__client.destroy()
-
-    def __enter__(self) -> Any:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.destroy()
 
 
 def _status_buffer() -> Any:

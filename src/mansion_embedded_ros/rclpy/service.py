@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, Callable  # noqa: UP035
 
 from rclpy import _rclpy_pybind11
+from rclpy._service_end import ServiceEnd
 from rclpy.callback_groups import CallbackGroup
-from rclpy.clock import Clock
 from rclpy.qos import QoSProfile
 
 __all__ = ["Service"]
@@ -16,7 +16,7 @@ SrvTypeRequest = Any
 SrvTypeResponse = Any
 
 
-class Service:
+class Service(ServiceEnd):
     """Made by ``Node.create_service``."""
 
     def __init__(
@@ -28,15 +28,10 @@ class Service:
         callback_group: CallbackGroup,
         qos_profile: QoSProfile,
     ) -> None:
+        name = service_impl.reader.topic_name.removeprefix("rq").removesuffix("Request")
+        super().__init__(service_impl, srv_type, srv_name, name, qos_profile, callback_group)
         self.__service = service_impl
-        self.srv_type: Any = srv_type
-        self.srv_name = srv_name
         self.callback = callback
-        self.callback_group: CallbackGroup | None = callback_group
-        self._executor_event = False
-        self._destroyed = False
-        self.qos_profile = qos_profile
-        self._name = service_impl.reader.topic_name.removeprefix("rq").removesuffix("Request")
 
     def send_response(self, response: SrvTypeResponse, header) -> None:  # type: ignore[no-untyped-def]
         """Answer the request with the header that its callback's executor got.
@@ -52,28 +47,6 @@ class Service:
                 f"instead of a {self.srv_type.__name__}.Response"
             )
         self.__service.send_response(response, header)
-
-    def configure_introspection(
-        self,
-        clock: Clock,
-        service_event_qos_profile: QoSProfile,
-        introspection_state: _rclpy_pybind11.ServiceIntrospectionState,
-    ) -> None:
-        """Not here: only the state OFF is accepted."""
-        if int(introspection_state) != 0:
-            raise NotImplementedError("the embedded ROS has no service introspection")
-
-    @property
-    def handle(self) -> Any:
-        return self.__service
-
-    @property
-    def service_name(self) -> str:
-        with self.handle:
-            return self._name
-
-    def _wait_entity(self) -> int:
-        return int(self.__service.reader.condition) if not self._destroyed else 0
 
     def _take(self) -> Any:
         return self.__service.take_request()
@@ -92,14 +65,3 @@ class Service:
     def _answer(self, response: Any, header: Any) -> None:
         if not self._destroyed:
             self.send_response(response, header)
-
-    def destroy(self):  # type: ignore[no-untyped-def]
-        """End the service; ``Node.destroy_service`` is what programs call."""
-        self._destroyed = True
-        self.__service.destroy()
-
-    def __enter__(self) -> Any:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.destroy()
