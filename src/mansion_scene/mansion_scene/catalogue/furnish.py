@@ -18,6 +18,7 @@ from mansion_scene.catalogue.catalogue import Catalogue, RoomProgramCard
 from mansion_scene.catalogue.counts import copies, grid, room_extent
 from mansion_scene.catalogue.furnishing import HangWish, RoomFurnishing, RugWish
 from mansion_scene.catalogue.records import Arrangement, HangItem, Item
+from mansion_scene.catalogue.seats import seating_tables, seats_around, sits_around, wanted_seats
 
 __all__ = ["furnish_request"]
 
@@ -139,6 +140,7 @@ class _Draft:
         asset = self._asset(item, wanted)
         if asset is None or not present or wanted < 1 or item.name in self.entries:
             return
+        wanted = min(wanted, self._places(item, asset))
         structure: Structure = SingleStructure()
         if item.paired:
             if item.paired not in self.entries:
@@ -159,6 +161,27 @@ class _Draft:
         self.left -= wanted * asset.footprint
         smaller = [] if item.paired else self._smaller(item, asset)
         self.entries[item.name] = _Entry(item, asset, wanted, structure, smaller)
+
+    def _places(self, item: Item, seat: Asset) -> int:
+        """Return how many copies find a place around the tables that they belong to."""
+        tables = [e for name, e in self.entries.items() if sits_around(item, name)]
+        if not tables:
+            return 999
+        return sum(entry.count * seats_around(entry.asset, seat) for entry in tables)
+
+    def _for_seats(self, item: Item, assets: list[Asset], wanted: int) -> list[Asset]:
+        """Keep the tables that seat as many as the room asks to sit around each of them."""
+        for other in self.card.floor:
+            if not sits_around(other, item.name) or not (
+                other.min_area <= self.area <= other.max_area
+            ):
+                continue
+            seats = self.catalogue.choose_from(other.category, other.extent)
+            if seats:
+                largest = max(seats, key=lambda a: (a.size[0], a.key))
+                number = wanted_seats(other, self.area, wanted)
+                return seating_tables(assets, largest, number, self.extent)
+        return assets
 
     def _share(self, item: Item, asset: Asset) -> float:
         """Floor that one copy takes, with the accessories that are paired with it or follow it."""
@@ -204,6 +227,7 @@ class _Draft:
         assets = [a for a in assets if a.size[0] <= long - 0.3 and a.size[1] <= short - 0.3]
         if not assets:
             return None
+        assets = self._for_seats(item, assets, wanted)
         free = max(self.left - self._reserved(item), 0.0)
         limit = 99.0 if item.paired else 0.7 * free / max(1, min(wanted, 3))
         fitting = [a for a in assets if a.footprint <= limit]
@@ -226,10 +250,20 @@ class _Draft:
             out += [a for a in fits if a.footprint < 0.85 * out[0].footprint][:1]
         return out
 
+    def _enough_seats(self, name: str, entry: _Entry) -> list[Asset]:
+        """Return the smaller assets around which the seats that the room got still find places."""
+        seats = [e for e in self.entries.values() if sits_around(e.item, name)]
+        return [
+            table
+            for table in entry.smaller
+            if all(entry.count * seats_around(table, e.asset) >= e.count for e in seats)
+        ]
+
     def finished(self) -> tuple[list[PlacementObject], dict[str, Asset], dict[str, list[Asset]]]:
         """Return the placer's objects, without relations to what the room has not."""
         floor = []
         for name, entry in self.entries.items():
+            entry.smaller = self._enough_seats(name, entry)
             relative = [
                 r for r in entry.item.relative if r.target in self.entries and r.target != name
             ]
