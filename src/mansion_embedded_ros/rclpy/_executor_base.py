@@ -1,83 +1,31 @@
-"""What all executors share: waiting for what nodes have to do, and making tasks of it."""
+"""What all executors share: their nodes, their tasks, and spinning."""
 
 from __future__ import annotations
 
-import inspect
 import threading
 import time
 from collections import deque
 from collections.abc import Callable, Coroutine
 from contextlib import AbstractContextManager
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from rclpy._dispatch import Dispatcher
-from rclpy.client import Client
+from rclpy._executor_signals import TimeoutObject
+from rclpy._ready_work import ReadyWork
 from rclpy.context import Context
-from rclpy.logging import get_logger
 from rclpy.task import Future, Task
 from rclpy.utilities import get_default_context, timeout_sec_to_nsec
 
 if TYPE_CHECKING:
     from rclpy.node import Node
 
-__all__ = [
-    "ConditionReachedException",
-    "Executor",
-    "ExternalShutdownException",
-    "ShutdownException",
-    "TimeoutException",
-    "TimeoutObject",
-    "await_or_execute",
-]
+__all__ = ["Executor"]
 
 _T = TypeVar("_T")
-_SLICE = 100_000_000
-"""Nanoseconds that a wait lasts at most: signal handlers of Python run between two waits."""
 
 
-async def await_or_execute(callback: Callable[..., Any] | Coroutine[Any, Any, Any], *args) -> Any:  # type: ignore[no-untyped-def]
-    """Await a coroutine function, call any other."""
-    if inspect.iscoroutinefunction(callback):
-        return await callback(*args)
-    return callback(*args)  # type: ignore[operator]
-
-
-class TimeoutException(Exception):
-    """Signal that a timeout occurred."""
-
-
-class ShutdownException(Exception):
-    """Signal that executor was shut down."""
-
-
-class ExternalShutdownException(Exception):
-    """Context has been shutdown."""
-
-    def __init__(self, *args: object) -> None:
-        super().__init__(*args)
-
-
-class ConditionReachedException(Exception):
-    """Future has been completed."""
-
-
-class TimeoutObject:
-    """A timeout that others read while it counts down."""
-
-    def __init__(self, timeout: float) -> None:
-        self._timeout = timeout
-
-    @property
-    def timeout(self) -> float:
-        return self._timeout
-
-    @timeout.setter
-    def timeout(self, timeout: float) -> None:
-        self._timeout = timeout
-
-
-class Executor(AbstractContextManager["Executor"], Generic[_T]):
+class Executor(ReadyWork[_T], AbstractContextManager["Executor"]):
     """Base of the executors: waits for what nodes have to do."""
 
     def __init__(self, *, context: Context | None = None) -> None:
@@ -224,124 +172,6 @@ class Executor(AbstractContextManager["Executor"], Generic[_T]):
         """Wait for and execute a single callback, or return when the future is done."""
         raise NotImplementedError
 
-    def can_execute(self, entity: _T) -> bool:
-        """Whether the entity's callback group lets it run now."""
-        group = getattr(entity, "callback_group", None)
-        return group is None or bool(group.can_execute(entity))
-
-    def _has_room(self) -> bool:
-        """Whether another callback may be started."""
-        return True
-
-    def _begin(self, entity: Any) -> Task | None:
-        """Take the data of a ready entity and make a task of its callback."""
-        group = entity.callback_group
-        if not self._has_room() or (group is not None and not group.beginning_execution(entity)):
-            self._dispatcher.block(entity)
-            # What was in the way may have ended before it was blocked; then nobody else unblocks it.
-            if self._has_room() and self.can_execute(entity):
-                self._dispatcher.unblock()
-            return None
-        taken = None
-        try:
-            taken = entity._take()
-        except Exception as problem:
-            get_logger("rclpy.executor").error(f"dropped data that cannot be read: {problem}")
-        if taken is None:
-            self._end(entity, group)
-            return None
-        return Task(self._run, (entity, group, taken), executor=self)
-
-    async def _run(self, entity: Any, group: Any, taken: Any) -> None:
-        try:
-            pending = entity._execute(taken)
-            if hasattr(pending, "__await__"):
-                await pending
-        finally:
-            self._end(entity, group)
-
-    def _end(self, entity: Any, group: Any) -> None:
-        if group is not None:
-            group.ending_execution(entity)
-        if self._dispatcher._blocked:
-            self._dispatcher.unblock()
-
-    def _ready_timer(self) -> tuple[Task | None, int]:
-        """A task of a timer that is due, or the nanoseconds until the next one is."""
-        soonest = _SLICE
-        if not self._has_room():
-            return None, soonest
-        for timer in self._dispatcher.timers:
-            left = timer._wall_wait()
-            if left is None or not self.can_execute(timer):
-                continue
-            if left == 0:
-                task = self._begin(timer)
-                if task is not None:
-                    return task, 0
-                left = timer._wall_wait() or 0
-            soonest = min(soonest, max(left, 0))
-        return None, soonest
-
-    def _next_task(
-        self, deadline: int | None, condition: Callable[[], bool], nodes: list[Node] | None
-    ) -> tuple[Task | None, Any]:
-        """The next task and its entity; the task is None if its work is done already.
-
-        Raises
-        ------
-        TimeoutException, ShutdownException, ExternalShutdownException, ConditionReachedException
-        """
-        dispatcher = self._dispatcher
-        first = True
-        while True:
-            if self._is_shutdown:
-                raise ShutdownException()
-            if not self._context.ok():
-                raise ExternalShutdownException()
-            if condition():
-                raise ConditionReachedException()
-            dispatcher.begin_round()
-            found = self._ready_now(nodes)
-            if found is not None:
-                return found
-            task, pause = self._ready_timer()
-            if task is not None:
-                return task, None
-            if dispatcher._woken:
-                continue
-            if deadline is not None:
-                left = deadline - time.monotonic_ns()
-                if left <= 0 and not first:
-                    raise TimeoutException()
-                pause = max(min(pause, left), 0)
-            dispatcher.wait(pause)
-            first = False
-
-    def _ready_now(self, nodes: list[Node] | None) -> tuple[Task | None, Any] | None:
-        if self._tasks and self._has_room():
-            try:
-                return self._tasks.popleft(), None
-            except IndexError:
-                pass
-        ready = self._dispatcher.ready
-        while ready:
-            try:
-                entity = ready.popleft()
-            except IndexError:
-                return None
-            if not self._dispatcher.knows(entity):
-                continue
-            if isinstance(entity, Client):
-                # Replies wake whoever waits for them, whatever else is running.
-                if entity._take_all(self):
-                    return None, entity
-                continue
-            task = self._begin(entity)
-            if task is not None:
-                return task, entity
-        return None
-
     def wait_for_ready_callbacks(self, *args, **kwargs) -> tuple[Task, _T, Node]:
         """Wait for a callback that is ready: its task, entity and node.
 
@@ -377,12 +207,4 @@ def _nothing() -> None:
     """The work of a task that was done while waiting."""
 
 
-for _cls in (
-    ConditionReachedException,
-    Executor,
-    ExternalShutdownException,
-    ShutdownException,
-    TimeoutException,
-    TimeoutObject,
-):
-    _cls.__module__ = "rclpy.executors"
+Executor.__module__ = "rclpy.executors"

@@ -9,9 +9,9 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from rclpy._executor_base import (
+from rclpy._executor_base import Executor
+from rclpy._executor_signals import (
     ConditionReachedException,
-    Executor,
     ExternalShutdownException,
     ShutdownException,
     TimeoutException,

@@ -10,9 +10,9 @@ from rcl_interfaces.msg import Log, ParameterDescriptor, ParameterEvent
 from rclpy import _log_sink
 from rclpy._arguments import RosArguments, parse_arguments
 from rclpy._dds.announcement import NodeEndpoints
-from rclpy._names import expand_name
 from rclpy._node_entities import NodeEntities
 from rclpy._node_graph import NodeGraph
+from rclpy._node_names import NodeNames
 from rclpy._node_parameters import NodeParameters
 from rclpy._parameter_file import overrides_for
 from rclpy._rclpy_pybind11 import InvalidHandle
@@ -23,27 +23,19 @@ from rclpy.constants import S_TO_NS
 from rclpy.context import Context
 from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks
-from rclpy.exceptions import InvalidTopicNameException, NotInitializedException
+from rclpy.exceptions import NotInitializedException
 from rclpy.guard_condition import GuardCondition
 from rclpy.logging import get_logger
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from rclpy.parameter_service import ParameterService
 from rclpy.publisher import Publisher
-from rclpy.qos import (
-    DurabilityPolicy,
-    QoSProfile,
-    qos_profile_parameter_events,
-)
+from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
 from rclpy.service import Service
 from rclpy.subscription import Subscription
 from rclpy.time_source import TimeSource
 from rclpy.timer import Rate, Timer
 from rclpy.type_description_service import TypeDescriptionService
 from rclpy.utilities import get_default_context
-from rclpy.validate_full_topic_name import validate_full_topic_name
-from rclpy.validate_namespace import validate_namespace
-from rclpy.validate_node_name import validate_node_name
-from rclpy.validate_topic_name import validate_topic_name
 from rclpy.waitable import Waitable
 
 if TYPE_CHECKING:
@@ -55,7 +47,7 @@ HIDDEN_NODE_PREFIX = "_"
 _ROSOUT_LIFESPAN = Duration(seconds=10)
 
 
-class Node(NodeEntities, NodeParameters, NodeGraph):
+class Node(NodeNames, NodeEntities, NodeParameters, NodeGraph):
     """A node.
 
     Parameters
@@ -133,24 +125,6 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         finally:
             self._participant.pause_announcements(False)
 
-    def _own_name(self, name: str, namespace: str) -> tuple[str, str]:
-        validate_node_name(name)
-        for arguments in self._arguments:
-            changed = arguments.namespace(name)
-            if changed is not None:
-                namespace = changed
-                break
-        for arguments in self._arguments:
-            changed = arguments.node_name(name)
-            if changed != name:
-                name = changed
-                break
-        if not namespace.startswith("/"):
-            namespace = f"/{namespace}"
-        validate_node_name(name)
-        validate_namespace(namespace)
-        return name, namespace
-
     def _start(self, rosout: bool, parameters: bool, declare_all: bool, logger: bool) -> None:
         if rosout and _log_sink.switches["rosout"]:
             profile = QoSProfile(
@@ -202,8 +176,6 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         )
         entry.stamp.sec, entry.stamp.nanosec = divmod(stamp, S_TO_NS)
         self._rosout.publish(entry)
-
-    # Properties
 
     @property
     def publishers(self) -> Iterator[Publisher]:
@@ -285,18 +257,6 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
     def __exit__(self, *_: object) -> None:
         return None
 
-    def get_name(self) -> str:
-        """The name without namespace."""
-        return self._name
-
-    def get_namespace(self) -> str:
-        """The namespace, ``/`` for none."""
-        return self._namespace
-
-    def get_fully_qualified_name(self) -> str:
-        """Namespace and name."""
-        return f"{self._namespace.rstrip('/')}/{self._name}"
-
     def get_clock(self) -> Clock:
         """The clock of the node: ROS time."""
         return self._clock
@@ -314,31 +274,6 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
             *self._waitables,
             *self._timers,
         ]
-
-    # Names
-
-    def _resolve(self, name: str, only_expand: bool, service: bool) -> str:
-        validate_topic_name(name, is_service=service)
-        try:
-            full = expand_name(name, self._name, self._namespace)
-        except ValueError as problem:
-            raise InvalidTopicNameException(name, str(problem), 0) from None
-        validate_full_topic_name(full, is_service=service)
-        if only_expand:
-            return full
-        for arguments in self._arguments:
-            changed = arguments.remap(full, self._name, self._namespace, service)
-            if changed is not None:
-                return changed
-        return full
-
-    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """The full name of a topic, remapped unless ``only_expand``."""
-        return self._resolve(topic, only_expand, False)
-
-    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        """The full name of a service, remapped unless ``only_expand``."""
-        return self._resolve(service, only_expand, True)
 
     def destroy_node(self):
         """End the node and everything in it; a second call does nothing."""
