@@ -15,9 +15,6 @@ from mansion_llm.secret import Secret
 from mansion_llm.structured import answer_schema
 from mansion_msgs_py.errors import MansionError
 
-# colcon runs these tests on machines that have no extras.
-pytest.importorskip("openai")
-
 KEY = "sk-very-secret-0123456789"
 PROMPT = Prompt("shape", "You count.", "How many floors?")
 PNG = bytes.fromhex(

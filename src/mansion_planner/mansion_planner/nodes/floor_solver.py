@@ -31,7 +31,11 @@ class FloorSolver(Node):
             1_000_000_000,
         )
         self._layouts = JsonPublisher(self, topic("floor_layout"))
+        self.get_logger().info(
+            "loading the solver's kernels; after an installation they are compiled first, for a minute"
+        )
         warm()
+        self.get_logger().info("ready")
         add_json_service(
             self,
             service("solve_floor"),
