@@ -1,15 +1,19 @@
 """What each skill needs, does and refuses."""
 
-from math import dist
+from math import atan2, copysign, degrees, dist
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import SkillStatus
 from mansion_skills import Robot
+from mansion_skills.skills.near import _tilt_towards
+from mansion_skills.skills.seeing import CAMERA_HEIGHT
 from mansion_skills.world.overlay import overlay_path
 
 OK, UNMET, INVALID = (
@@ -208,6 +212,39 @@ def test_the_camera_tilts_between_its_stops(robot: Robot) -> None:
     do(robot, ("LookUp", {"degrees": 60}))
     assert robot.look_up(30).status is UNMET
     do(robot, ("LookDown", {"degrees": 120}))
+
+
+def test_what_goes_somewhere_looks_ahead_and_what_handles_looks_down_as_far_as_needed(
+    robot: Robot,
+) -> None:
+    body = robot.engine.seat("").robot
+    do(robot, ("GoNearObject", {"object": "fridge_1"}))
+    assert body.pitch == 0.0, "a fridge is in the picture of a level camera"
+    do(robot, ("OpenObject", {"object": "fridge_1"}), ("GoNearObject", {"object": "ball_1"}))
+    low = robot.engine.seat("").world.objects.state("F1/office/ball_1").position
+    away = max(dist(body.place, low[:2]), body.radius)
+    angle = degrees(atan2(low[2] - CAMERA_HEIGHT, away))
+    assert body.pitch <= 0.0 and abs(angle - body.pitch) <= 30.0 + 1e-9
+    for going in (
+        ("MoveTo", {"x": body.pose.x, "y": body.pose.y}),
+        ("GoToLandmark", {"landmark": "stairs"}),
+        ("TakeStairs", {"direction": "Up"}),
+    ):
+        body.pitch = -45.0
+        do(robot, going)
+        assert body.pitch == 0.0, going
+    body.pitch = -30.0
+    do(robot, ("Rotate", {"degrees": 90}))
+    assert body.pitch == -30.0, "turning keeps what LookDown set"
+
+
+@given(height=st.floats(0.0, 2.4), away=st.floats(0.2, 1.6))
+def test_a_tilt_is_the_least_that_shows_an_object(height: float, away: float) -> None:
+    tilt, angle = _tilt_towards(height, away), degrees(atan2(height - CAMERA_HEIGHT, away))
+    assert tilt % 15.0 == 0.0 and abs(tilt) <= 60.0
+    assert abs(angle - tilt) <= 30.0 + 1e-9
+    if tilt:
+        assert abs(angle - (tilt - copysign(15.0, tilt))) > 30.0 - 1e-9
 
 
 def test_a_route_to_another_floor_names_the_skills_and_they_lead_there(robot: Robot) -> None:

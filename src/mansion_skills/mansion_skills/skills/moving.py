@@ -19,7 +19,16 @@ from mansion_skills.world.landmarks import landmark_named
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
-__all__ = ["go_along", "go_to_landmark", "look_down", "look_up", "move_ahead", "move_to", "rotate"]
+__all__ = [
+    "PITCHES",
+    "go_along",
+    "go_to_landmark",
+    "look_down",
+    "look_up",
+    "move_ahead",
+    "move_to",
+    "rotate",
+]
 
 LANDMARK_SNAP = 1.5
 """How far beside a landmark's pose the robot may end where something stands in it, metres."""
@@ -43,7 +52,7 @@ def go_to_landmark(
         known = [entry.name for entry in view.landmarks]
         near = choices(arguments.landmark, known, "landmarks")
         text = f"floor {robot.floor} has no landmark {str(arguments.landmark)[:80]!r}; {near}"
-        return invalid(world, robot, name, text, f"one of {', '.join(known)}")
+        return invalid(world, robot, name, text, "a landmark that ListLandmarks names")
     goal = (landmark.pose.x, landmark.pose.y)
     return (
         yield from go_along(
@@ -78,12 +87,13 @@ def go_along(
     realtime: bool,
     where: str,
 ) -> Run:
-    """Plan to a point and drive there: what all skills that go somewhere have in common."""
+    """Plan to a point and drive there, looking ahead: what all skills that go somewhere have in common."""
     before = robot.pose
     path = path_to(world, robot, goal, snap)
     if path is None:
         return no_way(world, robot, name, goal, snap, where)
     begin = world.time
+    robot.pitch = 0.0
     meters = yield from drive(world, robot, path, yaw, realtime)
     if robot.place != path[-1]:
         text = f"another robot stands in the way to {where}"

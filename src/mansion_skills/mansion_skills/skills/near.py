@@ -1,6 +1,6 @@
 """GoNearObject: to where the hand reaches an object, or a door, and the camera sees it."""
 
-from math import atan2, degrees, dist
+from math import atan2, ceil, copysign, degrees, dist
 
 import msgspec
 import numpy as np
@@ -12,7 +12,7 @@ from mansion_msgs_py.world import ObjectState, SkillChange
 from mansion_skills.navigation.search import NO_CELL, nearest_free, region_of
 from mansion_skills.skills.doors import DOOR_REACH
 from mansion_skills.skills.motion import drive, path_to
-from mansion_skills.skills.moving import no_way
+from mansion_skills.skills.moving import PITCHES, no_way
 from mansion_skills.skills.naming import door_named, object_named
 from mansion_skills.skills.outcome import Run, done, invalid, unmet
 from mansion_skills.skills.seeing import (
@@ -28,6 +28,9 @@ from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
 __all__ = ["go_near_object"]
+
+TILT_STEP = 15.0
+"""Degrees; also what is left between an object's middle and the edge of the picture."""
 
 COMFORT = 0.9
 """Part of the reach that is made use of, so that rounding costs nothing."""
@@ -77,11 +80,11 @@ def _approach(
         return no_way(world, robot, name, target, REACH, what)
     end = path[-1]
     yaw = degrees(atan2(target[1] - end[1], target[0] - end[0]))
+    robot.pitch = 0.0
     meters = yield from drive(world, robot, path, yaw, realtime)
     if robot.place != end:
         return no_way(world, robot, name, target, REACH, what)
-    tilt = degrees(atan2(height - CAMERA_HEIGHT, max(dist(end, target), world.radius)))
-    robot.pitch = float(round(max(-60.0, min(60.0, tilt)) / 15.0) * 15) if abs(tilt) > 15 else 0.0
+    robot.pitch = _tilt_towards(height, max(dist(end, target), world.radius))
     return done(
         world,
         robot,
@@ -91,6 +94,13 @@ def _approach(
         at=what,
         meters=round(meters, 3),
     )
+
+
+def _tilt_towards(height: float, away: float) -> float:
+    """Return the least tilt, in steps, by which something is well inside the picture; mostly the camera stays level."""
+    angle = degrees(atan2(height - CAMERA_HEIGHT, away))
+    beyond = max(0.0, abs(angle) - (VIEW_ANGLE / 2 - TILT_STEP))
+    return copysign(min(PITCHES[1], ceil(beyond / TILT_STEP) * TILT_STEP), angle) if beyond else 0.0
 
 
 def _reached(world: World, robot: RobotBody) -> np.ndarray[tuple[int, int], np.dtype[np.bool_]]:

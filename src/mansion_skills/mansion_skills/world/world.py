@@ -167,13 +167,14 @@ class World:
         """Take a robot to another floor: the four steps of the UseElevator card.
 
         What it holds leaves this floor and enters the other with it (it is in the hand all the while), the other
-        floor is loaded with its landmarks, and the robot stands at the core's standard pose there, facing outward.
+        floor is loaded with its landmarks, and the robot stands at the core's standard pose there, facing outward, its
+        camera level.
         """
         floor = robot.floor + floor_delta
         core = next(core for core in self.view(floor).scene.cores if core.id == core_id)
         x, y, yaw = core.entrance
         pose = self._beside(robot.session, floor, Pose2D(x=x, y=y, yaw=yaw))
-        robot.floor, robot.pose, robot.path = floor, pose, []
+        robot.floor, robot.pose, robot.pitch, robot.path = floor, pose, 0.0, []
 
     def _beside(self, session: str, floor: int, pose: Pose2D) -> Pose2D:
         """Return the pose, or the next free one when another robot stands there."""
