@@ -41,6 +41,14 @@ def test_a_name_with_a_part_left_out_or_a_slip_finds_what_was_meant() -> None:
     )
 
 
+def test_a_shared_folder_makes_no_likeness() -> None:
+    services = ["/mansion/skills/toggle_on", "/mansion/skills/move_to", "/other/x"]
+    assert choices("/mansion/skills/teleport", services, "services").startswith("services: ")
+    assert choices("/mansion/skills/togle_on", services, "services").startswith(
+        "did you mean /mansion/skills/toggle_on?"
+    )
+
+
 def test_what_resembles_nothing_gets_no_guess() -> None:
     assert choices("xyz", ["lobby", "office"], "rooms") == "rooms: lobby, office"
     assert choices(7, ["lobby", "office"], "rooms") == "rooms: lobby, office"

@@ -29,6 +29,7 @@ from mansion_msgs_py.nodes.shell import JsonCall, Trigger, qos_profile
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import BuildJob, BuildReply, FurnishRequest, PlanReply
+from mansion_msgs_py.wording import choices
 
 __all__ = ["MansionClient"]
 
@@ -135,11 +136,7 @@ class MansionClient(Closing):
         """
         client = self._client(name, arguments)
         if not client.service_is_ready() and not client.wait_for_service(timeout_sec=wait):
-            raise MansionError(
-                ErrorCode.UNAVAILABLE,
-                f"no node serves {client.service_name}; is the graph running (`mansion up`)?",
-                details={"service": client.service_name},
-            )
+            raise self._unserved(str(client.service_name))
         request = client.srv_type.Request()
         if client.srv_type is JsonCall:
             request.load_namespace = encode({} if arguments is None else arguments)
@@ -171,6 +168,20 @@ class MansionClient(Closing):
                 client.remove_pending_request(future)
                 raise self._lost(client, timeout, gone)
         return future.result()
+
+    def _unserved(self, name: str) -> MansionError:
+        """Return the error for a service that no node serves, with the services that are served."""
+        callable_here = [
+            found
+            for found, types in sorted(self.node.get_service_names_and_types())
+            if found != name and {interfaces.TRIGGER, interfaces.JSON_CALL} & set(types)
+        ]
+        hint = "is the graph running (`mansion up`)?"
+        if callable_here:
+            hint = choices(name, callable_here, "services")
+        return MansionError(
+            ErrorCode.UNAVAILABLE, f"no node serves {name}; {hint}", details={"service": name}
+        )
 
     def _lost(self, client: Client, timeout: float, gone: bool) -> MansionError:
         details = {"service": client.service_name}

@@ -17,6 +17,9 @@ _NEAR = 0.6
 _FAR = 0.3
 """Below this bound of their likeness names are not compared letter by letter."""
 
+_NEIGHBOUR = 0.02
+"""What being in the same folder adds to the likeness of a name."""
+
 _LONG = 400
 """Characters of a wrong name that are compared and shown: names may come from anywhere."""
 
@@ -106,11 +109,20 @@ def _plain(name: str) -> str:
 
 
 def _likenesses(wanted: str, known: Iterable[str]) -> dict[str, float]:
-    """Return 0 to 1 for each name; the parts of a path are compared as well as the whole."""
+    """Return 0 to 1 for each name; folders that a path shares with what is wanted count little."""
     word = _plain(wanted)
-    # The matcher indexes its second sequence once.
-    matcher = SequenceMatcher(None, "", word, autojunk=False)
-    return {name: _likeness(matcher, word, _plain(name)) for name in known}
+    folder, slash, last = word.rpartition("/")
+    # A matcher indexes its second sequence once.
+    whole = SequenceMatcher(None, "", word, autojunk=False)
+    within = SequenceMatcher(None, "", last, autojunk=False)
+    likeness = {}
+    for name in known:
+        plain = _plain(name)
+        if slash and plain.startswith(folder + slash):
+            likeness[name] = _likeness(within, last, plain[len(folder) + 1 :]) + _NEIGHBOUR
+        else:
+            likeness[name] = _likeness(whole, word, plain)
+    return likeness
 
 
 def _likeness(matcher: SequenceMatcher[str], word: str, name: str) -> float:

@@ -16,6 +16,12 @@ from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
 
 __all__ = ["register"]
 
+ECHO_STEP = 0.2
+"""Seconds between looks for a topic."""
+
+ECHO_PATIENCE = 2.0
+"""Seconds of silence after which ``echo`` says what it knows of the topic."""
+
 Namespace = Annotated[str, typer.Option("--namespace", "-n", help="Where the graph lives.")]
 
 
@@ -132,33 +138,65 @@ def echo(
         float, typer.Option(min=0, help="Seconds without a message; 0: for ever.")
     ] = 0,
 ) -> None:
-    """Print the messages of a String topic, one line each; latched ones come at once.
+    """Print the messages of a topic: text as it is, a line each; other types as YAML. Latched ones come at once.
 
     Examples:
 
       mansion echo progress
 
       mansion echo floor_scene --count 4
+
+      mansion echo /map --count 1
     """
     import queue
 
     from mansion_bringup.client import MansionClient
+    from mansion_bringup.graph.echoing import silence
 
     received: queue.Queue[str] = queue.Queue()
     with MansionClient(namespace=_namespace(namespace)) as client:
-        client.listen(topic, received.put)
-        printed = 0
+        printed, begun, said, listening = 0, time.monotonic(), False, False
         try:
             while count == 0 or printed < count:
-                sys.stdout.write(received.get(timeout=timeout or None) + "\n")
+                listening = listening or _listen(client.node, topic, received)
+                try:
+                    text = received.get(timeout=ECHO_STEP)
+                except queue.Empty:
+                    waited = time.monotonic() - begun
+                    if timeout and waited >= timeout:
+                        why = silence(client.node, topic)
+                        raise MansionError(
+                            ErrorCode.TIMEOUT, f"no message on {topic} in {timeout:g} s: {why}"
+                        ) from None
+                    if not said and waited >= ECHO_PATIENCE:
+                        err.print(f"{silence(client.node, topic)}; waiting", highlight=False)
+                        said = True
+                    continue
+                sys.stdout.write(text)
                 sys.stdout.flush()
-                printed += 1
-        except queue.Empty:
-            raise MansionError(
-                ErrorCode.TIMEOUT, f"no message on {topic} in {timeout:g} s"
-            ) from None
+                printed, begun, said = printed + 1, time.monotonic(), True
         except KeyboardInterrupt:
             return
+
+
+def _listen(node: Any, topic: str, received: Any) -> bool:
+    """Subscribe to a topic as soon as its type is known, and say whether it is."""
+    from mansion_bringup.graph.echoing import find_topic, message_class
+    from mansion_bringup.graph.message_yaml import message_yaml
+    from mansion_msgs_py.interfaces import STRING
+    from mansion_msgs_py.nodes.shell import qos_profile
+
+    found = find_topic(node, topic)
+    if found is None:
+        return False
+
+    def show(message: Any) -> None:
+        received.put(
+            f"{message.data}\n" if found.type == STRING else f"{message_yaml(message)}---\n"
+        )
+
+    node.create_subscription(message_class(found), found.name, show, qos_profile(found.qos))
+    return True
 
 
 def graph(
