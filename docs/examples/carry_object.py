@@ -4,12 +4,17 @@ import sys
 
 from mansion_skills import Robot
 
-building, thing, receptacle = sys.argv[1:]
+_, building, thing, receptacle = sys.argv if len(sys.argv) == 4 else sys.exit(__doc__)
+FIELDS = {"GoToLandmark": "landmark", "UseElevator": "target_floor", "TakeStairs": "direction",
+          "Place": "target"}  # fmt: skip
 robot = Robot(building, reset=True)
-arguments = {"GoToLandmark": "landmark", "GoNearObject": "object", "UseElevator": "target_floor",
-             "TakeStairs": "direction"}  # fmt: skip
-for target, skill in ((thing, "PickUp"), (receptacle, "Place")):
-    for step in robot.plan_route(target).skills:
+for target, last in ((thing, "PickUp"), (receptacle, "Place")):
+    route = robot.plan_route(target)
+    if not hasattr(route, "skills"):
+        sys.exit(f"PlanRoute {target}: {route.message}")
+    for step in [*route.skills, f"{last} {target}"]:
         name, _, value = step.partition(" ")
-        print(robot.skill(name, **({arguments[name]: value} if value else {})).message)
-    print(robot.skill(skill, **{"object" if skill == "PickUp" else "target": target}).message)
+        result = robot.skill(name, **({FIELDS.get(name, "object"): value} if value else {}))
+        if result.status != "SUCCESS":
+            sys.exit(f"{step}: {result.status}: {result.message}")
+        print(result.message)

@@ -21,7 +21,7 @@ def refusal(robot: Robot, skill: str, **arguments: object) -> str:
         ("UseElevator", {"target_floor": 9}, "there is no floor '9'; floors: 1, 2, 3"),
         ("PickUp", {"object": "bal_1"}, "did you mean F1/office/ball_1? "),
         ("OpenDoor", {"door": "F1/dor_1"}, "did you mean F1/door_1? doors: "),
-        ("PlanRoute", {"target": "F2/ofice"}, "did you mean F2/office? rooms: "),
+        ("PlanRoute", {"target": "F2/ofice"}, "did you mean F2/office? the nearest of "),
     ],
 )
 def test_a_wrong_name_is_answered_with_the_right_ones(

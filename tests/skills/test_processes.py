@@ -235,3 +235,22 @@ def test_the_example_carries_an_object_from_floor_1_to_floor_3(building: Path) -
     )
     state = Robot(building).engine.seat("").world.objects.state("F1/office/mug_1")
     assert (state.floor, state.parent) == (3, "F3/kitchen/table_1")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ((), "carry_object.py BUILDING OBJECT RECEPTACLE"),
+        (("F1/office/mug", "F3/kitchen/table_1"), "did you mean F1/office/mug_1?"),
+        (("F1/office/mug_1", "F9/table"), "PlanRoute F9/table: "),
+        (("F3/kitchen/table_1", "F1/office"), "PickUp F3/kitchen/table_1: INVALID_ACTION: "),
+    ],
+)
+def test_the_example_ends_with_status_1_and_the_reason(
+    building: Path, words: tuple[str, ...], said: str
+) -> None:
+    script = Path(__file__).parents[2] / "docs" / "examples" / "carry_object.py"
+    command = [sys.executable, str(script), *([str(building), *words] if words else [])]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 1 and "Traceback" not in done.stderr
+    assert said in done.stderr

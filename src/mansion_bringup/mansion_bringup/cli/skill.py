@@ -5,10 +5,11 @@ from typing import Annotated, Any
 
 import typer
 
-from mansion_bringup.cli.console import print_json
+from mansion_bringup.cli.console import err, print_json
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
+from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import SkillResult, SkillStatus
 
 __all__ = ["register"]
@@ -47,8 +48,11 @@ def skill(
         return
     found = skill_named(name)
     if found is None:
-        known = ", ".join(entry.name for entry in SKILLS.values())
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no skill {name!r}; known are {known}")
+        known = choices(name, (entry.name for entry in SKILLS.values()), "skills")
+        raise MansionError(
+            ErrorCode.NOT_FOUND,
+            f"there is no skill {name!r}; {known}; `mansion skill list` has all",
+        )
     fields: dict[str, Any] = decode(dict[str, Any], arguments)
     if session:
         fields["session"] = session
@@ -84,7 +88,10 @@ def _through_graph(namespace: str, service: str, fields: dict[str, Any]) -> Any:
 
 
 def _finish(result: Any) -> None:
-    """Print a result; a refusal ends with status 1."""
+    """Print a result; a refusal is said once more on standard error and ends with status 1."""
     print_json(result)
     if isinstance(result, SkillResult) and result.status is not SkillStatus.SUCCESS:
+        wish = f"; what would do: {result.satisfied_by}" if result.satisfied_by else ""
+        text = f"{result.skill}: {result.status.value}: {result.message}{wish}"
+        err.print(text, markup=False, highlight=False)
         raise typer.Exit(1)

@@ -158,7 +158,7 @@ def _goal(world: World, robot: RobotBody, target: object) -> tuple[int, str, Poi
     state = object_named(world, robot, target)
     if isinstance(state, str) or state.floor is None or state.position is None:
         rooms = (room.id for f in world.building.floors for room in world.building.scene(f).rooms)
-        near = choices(target, rooms, "rooms")
+        near = choices(target, (*rooms, *world.objects), "rooms and objects")
         return f"there is no landmark or object {target[:80]!r} to go to; {near}"
     return state.floor, state.room or "", (state.position[0], state.position[1])
 
