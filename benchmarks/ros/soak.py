@@ -28,94 +28,124 @@ def resident_mb() -> float:
         return int(file.read().split()[1]) * 4096 / 1e6
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seconds", type=float, default=60.0)
-    options = parser.parse_args()
-    environment(65)
-    import rclpy
-    from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
-    from std_msgs.msg import String
-    from std_srvs.srv import Trigger
+class Soak:
+    """A server and a caller in one process, and what threads do with them.
 
-    rclpy.init(args=[])
-    server, caller = rclpy.create_node("server"), rclpy.create_node("caller")
-    counts: Counter[str] = Counter()
+    Attributes
+    ----------
+    counts : Counter
+        What was done: calls by kind, messages published and received, timers, guests, and what was lost.
+    """
 
-    def answer(request, response):  # type: ignore[no-untyped-def]
+    def __init__(self) -> None:
+        import rclpy
+        from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
+        from std_msgs.msg import String
+        from std_srvs.srv import Trigger
+
+        rclpy.init(args=[])
+        self.rclpy, self.text, self.trigger = rclpy, String, Trigger
+        self.counts: Counter[str] = Counter()
+        self.server = rclpy.create_node("server")
+        self.caller = rclpy.create_node("caller")
+        self.server.create_service(Trigger, "ping", self._answer)
+        self.server.create_subscription(
+            String, "chatter", lambda _: self.counts.update(received=1), 10
+        )
+        self.many, self.single = MultiThreadedExecutor(3), SingleThreadedExecutor()
+        self.many.add_node(self.server)
+        self.single.add_node(self.caller)
+        self.spinning = threading.Thread(target=self.many.spin)
+        self.spinning.start()
+        self.client = self.caller.create_client(Trigger, "ping")
+        self.other = self.caller.create_client(Trigger, "ping")
+        self.publisher = self.caller.create_publisher(String, "chatter", 10)
+        self.client.wait_for_service(5.0)
+
+    @staticmethod
+    def _answer(request, response):  # type: ignore[no-untyped-def]
         response.success = True
         return response
 
-    server.create_service(Trigger, "ping", answer)
-    server.create_subscription(String, "chatter", lambda m: counts.update(received=1), 10)
-    many = MultiThreadedExecutor(3)
-    many.add_node(server)
-    spinning = threading.Thread(target=many.spin)
-    spinning.start()
-    client = caller.create_client(Trigger, "ping")
-    publisher = caller.create_publisher(String, "chatter", 10)
-    client.wait_for_service(5.0)
-    single = SingleThreadedExecutor()
-    single.add_node(caller)
-    stop = threading.Event()
+    def call_with_futures(self) -> None:
+        """Call, and spin until the reply is there."""
+        future = self.client.call_async(self.trigger.Request())
+        self.single.spin_until_future_complete(future, 5.0)
+        self.counts.update(["future" if future.done() else "lost"])
 
-    def call_with_futures() -> None:
-        future = client.call_async(Trigger.Request())
-        single.spin_until_future_complete(future, 5.0)
-        counts.update(["future" if future.done() else "lost"])
+    def call_and_wait(self) -> None:
+        """Call synchronously."""
+        reply = self.other.call(self.trigger.Request(), 5.0)
+        self.counts.update(["call" if reply is not None else "lost"])
 
-    other = caller.create_client(Trigger, "ping")
-
-    def call_and_wait() -> None:
-        counts.update(["call" if other.call(Trigger.Request(), 5.0) is not None else "lost"])
-
-    def publish() -> None:
-        publisher.publish(String(data="x" * 1000))
-        counts.update(published=1)
+    def publish(self) -> None:
+        """Publish 1 kB."""
+        self.publisher.publish(self.text(data="x" * 1000))
+        self.counts.update(published=1)
         time.sleep(0.001)
 
-    def come_and_go() -> None:
-        node = rclpy.create_node(f"guest_{counts['guest'] % 7}")
-        many.add_node(node)
-        node.create_subscription(String, "chatter", lambda m: None, 10)
-        node.create_timer(0.001, lambda: counts.update(timer=1))
-        guest = node.create_client(Trigger, "ping")
-        if not guest.wait_for_service(5.0) or guest.call(Trigger.Request(), 5.0) is None:
-            counts.update(lost=1)
+    def come_and_go(self) -> None:
+        """Make a node with a subscription, a timer and a client; call once; end it."""
+        node = self.rclpy.create_node(f"guest_{self.counts['guest'] % 7}")
+        self.many.add_node(node)
+        node.create_subscription(self.text, "chatter", lambda _: None, 10)
+        node.create_timer(0.001, lambda: self.counts.update(timer=1))
+        guest = node.create_client(self.trigger, "ping")
+        if not guest.wait_for_service(5.0) or guest.call(self.trigger.Request(), 5.0) is None:
+            self.counts.update(lost=1)
         node.get_node_names()
         node.destroy_node()
-        counts.update(guest=1)
+        self.counts.update(guest=1)
+
+    def end(self) -> None:
+        """Stop the executors and end the nodes."""
+        self.many.shutdown(5.0)
+        self.single.shutdown(5.0)
+        self.spinning.join(5.0)
+        self.server.destroy_node()
+        self.caller.destroy_node()
+        self.rclpy.try_shutdown()
+
+
+def run(soak: Soak, seconds: float) -> tuple[float, float, list[str]]:
+    """Keep all jobs busy; return resident MB after a quarter of the time and at the end, and who hung."""
+    stop = threading.Event()
 
     def repeat(work: Callable[[], None]) -> None:
         while not stop.is_set():
             work()
 
-    jobs = (call_with_futures, call_and_wait, publish, come_and_go)
+    jobs = (soak.call_with_futures, soak.call_and_wait, soak.publish, soak.come_and_go)
     threads = [threading.Thread(target=repeat, args=(job,)) for job in jobs]
     for thread in threads:
         thread.start()
-    time.sleep(options.seconds / 4)
+    time.sleep(seconds / 4)
     gc.collect()
     begin = resident_mb()
-    time.sleep(options.seconds * 3 / 4)
+    time.sleep(seconds * 3 / 4)
     stop.set()
     for thread in threads:
         thread.join(20.0)
-    hung = [t.name for t in threads if t.is_alive()]
+    hung = [thread.name for thread in threads if thread.is_alive()]
     gc.collect()
-    end = resident_mb()
-    many.shutdown(5.0)
-    single.shutdown(5.0)
-    spinning.join(5.0)
-    server.destroy_node()
-    caller.destroy_node()
-    rclpy.try_shutdown()
+    return begin, resident_mb(), hung
+
+
+def main() -> int:
+    """Run the soak, print its figures, and return the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seconds", type=float, default=60.0)
+    options = parser.parse_args()
+    environment(65)
+    soak = Soak()
+    begin, end, hung = run(soak, options.seconds)
+    soak.end()
+    counts, spins = soak.counts, soak.spinning.is_alive()
     rates = ", ".join(f"{k} {v / options.seconds:.0f}/s" for k, v in sorted(counts.items()))
-    print(f"{rates}; lost {counts['lost']}; hung {hung}; spinning ended {not spinning.is_alive()}")
+    print(f"{rates}; lost {counts['lost']}; hung {hung}; spinning ended {not spins}")
     print(f"resident memory {begin:.1f} -> {end:.1f} MB")
     calls = counts["call"] + counts["future"] + counts["guest"]
-    failed = counts["lost"] * 5000 > calls or hung or spinning.is_alive() or end > begin + 20
-    return int(bool(failed))
+    return int(bool(counts["lost"] * 5000 > calls or hung or spins or end > begin + 20))
 
 
 if __name__ == "__main__":

@@ -89,10 +89,17 @@ def objects(floor: int) -> list[SceneObject]:
     ]  # fmt: skip
 
 
-def scene(floor: int, floors: list[int]) -> FloorScene:
-    """Return one floor."""
-    hall, office, kitchen = f"F{floor}/hall", f"F{floor}/office", f"F{floor}/kitchen"
-    cores = [
+WALLS = (
+    ("w1", ((0.0, 3.0), (12.0, 3.0))),
+    ("w2", ((0.0, 0.0), (0.0, 3.0))),
+    ("w3", ((12.0, 0.0), (12.0, 3.0))),
+    ("w4", ((6.0, 3.0), (6.0, 8.0))),
+)
+
+
+def cores(floor: int, floors: list[int]) -> list[SceneCore]:
+    """Return the lift and the stair, which all floors have."""
+    return [
         SceneCore(
             id="elevator_1",
             type="elevator",
@@ -110,19 +117,36 @@ def scene(floor: int, floors: list[int]) -> FloorScene:
             floors=floors,
         ),
     ]
-    doors = [
+
+
+def doors(floor: int) -> list[Door]:
+    """Return the doors of the hall, and one between office and kitchen."""
+    hall, office, kitchen = f"F{floor}/hall", f"F{floor}/office", f"F{floor}/kitchen"
+    rows = [
         ("door_1", "single", ((2.0, 3.0), (2.9, 3.0)), (hall, office), "w1"),
         ("door_2", "glazed", ((8.0, 3.0), (8.9, 3.0)), (hall, kitchen), "w1"),
         ("door_3", "sliding", ((0.0, 0.6), (0.0, 1.4)), (hall, "elevator_1"), "w2"),
         ("door_4", "frame", ((12.0, 1.0), (12.0, 2.0)), (hall, "stair_1"), "w3"),
         ("door_5", "doorway", ((6.0, 4.0), (6.0, 4.9)), (office, kitchen), "w4"),
     ]
-    walls = [
-        ("w1", ((0.0, 3.0), (12.0, 3.0))),
-        ("w2", ((0.0, 0.0), (0.0, 3.0))),
-        ("w3", ((12.0, 0.0), (12.0, 3.0))),
-        ("w4", ((6.0, 3.0), (6.0, 8.0))),
+    return [
+        Door(
+            id=f"F{floor}/{name}",
+            kind=kind,
+            segment=segment,
+            rooms=rooms,
+            width=0.9,
+            height=2.1,
+            wall=wall,
+            is_open=kind != "sliding",
+        )
+        for name, kind, segment, rooms, wall in rows
     ]
+
+
+def scene(floor: int, floors: list[int]) -> FloorScene:
+    """Return one floor."""
+    hall, office, kitchen = f"F{floor}/hall", f"F{floor}/office", f"F{floor}/kitchen"
     return FloorScene(
         building_id="sample",
         floor=floor,
@@ -136,21 +160,9 @@ def scene(floor: int, floors: list[int]) -> FloorScene:
             room(office, "office", 0, 3, 6, 8),
             room(kitchen, "kitchen", 6, 3, 12, 8),
         ],
-        walls=[Wall(id=n, segment=s, thickness=0.12, height=2.8) for n, s in walls],
-        doors=[
-            Door(
-                id=f"F{floor}/{name}",
-                kind=kind,
-                segment=segment,
-                rooms=rooms,
-                width=0.9,
-                height=2.1,
-                wall=wall,
-                is_open=kind != "sliding",
-            )
-            for name, kind, segment, rooms, wall in doors
-        ],
-        cores=cores,
+        walls=[Wall(id=n, segment=s, thickness=0.12, height=2.8) for n, s in WALLS],
+        doors=doors(floor),
+        cores=cores(floor, floors),
         objects=objects(floor),
         spawn=SpawnPose(x=6.0, y=1.5, yaw=0.0, room=hall) if floor == 1 else None,
     )

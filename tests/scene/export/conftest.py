@@ -63,36 +63,11 @@ def make_floor(floor: int, floors: int = 2) -> FloorScene:
     name = f"F{floor}"
     rings = {f"{name}/{key}": [list(ring)] for key, (_, ring) in ROOMS.items()}
     rings |= {f"{name}/{key}": [list(ring)] for key, ring in CORES.items()}
-    doors = [
-        Door(
-            id=f"{name}/door_{i + 1}",
-            kind=kind,
-            segment=segment,
-            rooms=(f"{name}/{a}", f"{name}/{b}"),
-            width=abs(segment[1][0] - segment[0][0]) + abs(segment[1][1] - segment[0][1]),
-            height=HEIGHT - 0.3 if kind == "open" else 2.1,
-            hinge=hinge,
-            swing=f"{name}/{a}",
-            is_open=kind != "sliding",
-        )
-        for i, (a, b, kind, segment, hinge) in enumerate(DOORS)
-    ]
+    doors = _doors(name)
     if floor == 1:
-        doors.append(
-            Door(
-                id=f"{name}/entrance",
-                kind="entrance",
-                segment=((-0.1, 4.6), (-0.1, 5.6)),
-                rooms=(f"{name}/hub", None),
-                width=1.0,
-                height=2.1,
-                hinge="start",
-                swing=f"{name}/hub",
-                is_open=False,
-            )
-        )
+        doors.append(_entrance(name))
     walls = _walls(name, rings, doors)
-    scene = FloorScene(
+    return FloorScene(
         building_id="sample_house",
         floor=floor,
         floors=floors,
@@ -104,18 +79,8 @@ def make_floor(floor: int, floors: int = 2) -> FloorScene:
         walls=walls,
         doors=doors,
         windows=_windows(name, walls),
-        cores=[
-            SceneCore(
-                id=f"{name}/{key}",
-                type="stair" if key == "stair" else "elevator",
-                polygon=ring,
-                door=f"{name}/door_{6 if key == 'stair' else 7}",
-                entrance=(10.4, 5.0, 180.0) if key == "stair" else (10.0, 5.4, 270.0),
-                floors=list(range(1, floors + 1)),
-            )
-            for key, ring in CORES.items()
-        ],
-        objects=[_object(name, i, *item) for i, item in enumerate(OBJECTS)],
+        cores=[_core(name, key, ring, floors) for key, ring in CORES.items()],
+        objects=[*(_object(name, i, *item) for i, item in enumerate(OBJECTS)), _cup(name)],
         spawn=SpawnPose(x=5.0, y=5.0, yaw=0.0, room=f"{name}/hub"),
         lights=[
             Light(
@@ -127,9 +92,55 @@ def make_floor(floor: int, floors: int = 2) -> FloorScene:
             for key, (_, ring) in ROOMS.items()
         ],
     )
-    cup = SceneObject(
-        id=f"{name}/kitchen_1/cup_1",
-        room=f"{name}/kitchen_1",
+
+
+def _doors(floor: str) -> list[Door]:
+    return [
+        Door(
+            id=f"{floor}/door_{i + 1}",
+            kind=kind,
+            segment=segment,
+            rooms=(f"{floor}/{a}", f"{floor}/{b}"),
+            width=abs(segment[1][0] - segment[0][0]) + abs(segment[1][1] - segment[0][1]),
+            height=HEIGHT - 0.3 if kind == "open" else 2.1,
+            hinge=hinge,
+            swing=f"{floor}/{a}",
+            is_open=kind != "sliding",
+        )
+        for i, (a, b, kind, segment, hinge) in enumerate(DOORS)
+    ]
+
+
+def _entrance(floor: str) -> Door:
+    return Door(
+        id=f"{floor}/entrance",
+        kind="entrance",
+        segment=((-0.1, 4.6), (-0.1, 5.6)),
+        rooms=(f"{floor}/hub", None),
+        width=1.0,
+        height=2.1,
+        hinge="start",
+        swing=f"{floor}/hub",
+        is_open=False,
+    )
+
+
+def _core(floor: str, key: str, ring: list[tuple[float, float]], floors: int) -> SceneCore:
+    stair = key == "stair"
+    return SceneCore(
+        id=f"{floor}/{key}",
+        type="stair" if stair else "elevator",
+        polygon=ring,
+        door=f"{floor}/door_{6 if stair else 7}",
+        entrance=(10.4, 5.0, 180.0) if stair else (10.0, 5.4, 270.0),
+        floors=list(range(1, floors + 1)),
+    )
+
+
+def _cup(floor: str) -> SceneObject:
+    return SceneObject(
+        id=f"{floor}/kitchen_1/cup_1",
+        room=f"{floor}/kitchen_1",
         category="cup",
         asset="cup",
         asset_id="Cup_1",
@@ -137,11 +148,9 @@ def make_floor(floor: int, floors: int = 2) -> FloorScene:
         rotation=0.0,
         size=(0.08, 0.08, 0.1),
         mount="surface",
-        parent=f"{name}/kitchen_1/dining_table_6",
+        parent=f"{floor}/kitchen_1/dining_table_6",
         pickupable=True,
     )
-    scene.objects.append(cup)
-    return scene
 
 
 def _room(floor: str, key: str, kind: str, ring: list[tuple[float, float]]) -> SceneRoom:
