@@ -17,6 +17,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_scene.catalogue.asset import Asset
 from mansion_scene.catalogue.catalogue import Catalogue
 from mansion_scene.catalogue.palette import COLOURS, FAMILIES
+from mansion_scene.catalogue.uses import use_of
 
 __all__ = ["PROPERTIES", "SearchHit", "having", "mixed", "search_assets", "word_scores"]
 
@@ -35,11 +36,13 @@ PROPERTIES: Final[dict[str, str]] = {
 
 _STOP_TEXT: Final = (
     "a an the of for to in on at with and or some something thing things that which is are it my your our we i "
-    "you need want find get put place where used use can from by new any one piece object item"
+    "you need want find get put place where used use can from by new any one piece object item spot somewhere "
+    "someone somebody anything me him her them his their mine us away up down out off into onto one's own so "
+    "before after when while without not no let lets something's s"
 )
 _STOP: Final = frozenset(_STOP_TEXT.split())
 _K1, _B = 1.2, 0.4
-_WEIGHTS: Final = (("name", 3.0), ("synonym", 2.2), ("tag", 0.8), ("room", 0.12))
+_WEIGHTS: Final = (("name", 3.0), ("synonym", 2.2), ("use", 1.2), ("tag", 0.8), ("room", 0.12))
 
 
 class SearchHit(msgspec.Struct, frozen=True):
@@ -55,6 +58,7 @@ def _stem(word: str) -> str:
         ("sses", "ss"),
         ("shes", "sh"),
         ("ches", "ch"),
+        ("xes", "x"),
         ("ves", "f"),
     ):
         if word.endswith(ending) and len(word) > len(ending) + 1:
@@ -93,6 +97,7 @@ class _Index:
             fields = {
                 "name": [asset.name, name.replace("_", " ")],
                 "synonym": list(asset.synonyms),
+                "use": [use_of(name)],
                 "tag": list(asset.tags),
                 "room": [room.replace("_", " ") for room in asset.rooms[:12]],
             }
@@ -130,9 +135,19 @@ class _Index:
         found.sort(key=lambda pair: (-pair[1], pair[0]))
         return found[:3]
 
+    def joined(self, words: list[str]) -> list[str]:
+        """Return words in which those that the index writes as one (key board) are one."""
+        out: list[str] = []
+        for word in words:
+            if out and out[-1] + word in self.idf:
+                out[-1] += word
+            else:
+                out.append(word)
+        return out
+
     def scores(self, query: str) -> list[float]:
         """Return each category's score."""
-        words = _content(query)
+        words = self.joined(_content(query))
         weighted: list[tuple[str, float]] = []
         for word in words:
             weighted += [(word, 1.0)] if word in self.idf else self.near(word)

@@ -13,6 +13,7 @@ import numpy.typing as npt
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_scene.catalogue import Asset, Catalogue
+from mansion_scene.catalogue.uses import use_of
 from mansion_scene.editing.retrieval.encoders import TextEncoder, unit_rows
 
 __all__ = ["CatalogueVectors", "asset_text", "names_of", "picture_vectors"]
@@ -61,7 +62,8 @@ def asset_text(asset: Asset) -> str:
     category = asset.category.replace("_", " ")
     names = dict.fromkeys([asset.name, category, *asset.synonyms, *asset.tags])
     look = asset.material.replace("_", " ")
-    return ", ".join(names) + (f"; {look}" if look else "")
+    use = use_of(asset.category)
+    return ", ".join(names) + "".join(f"; {more}" for more in (use, look) if more)
 
 
 def names_of(asset: Asset) -> list[str]:
