@@ -11,9 +11,12 @@ from shapely.geometry import LineString, Point, Polygon
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Door, SceneObject, SceneRoom, SpawnPose
 
-__all__ = ["ROBOT_RADIUS", "footprint", "free_region", "place_spawn"]
+__all__ = ["BODY_RADIUS", "ROBOT_RADIUS", "footprint", "free_region", "place_spawn"]
 
 ROBOT_RADIUS: Final = 0.20
+BODY_RADIUS: Final = ROBOT_RADIUS - 1e-3
+"""What a way must be wide enough for on both sides, metres: the robot, less the rounding of coordinates."""
+
 _GRID: Final = 0.25
 _SPACIOUS: Final = 1.0  # metres of clearance beyond which more is no better
 _HEADROOM: Final = 1.8  # an object that starts above this height is no obstacle

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 
 from mansion_msgs_py.task import Need, Task, TaskKind
@@ -88,3 +89,49 @@ def test_what_cannot_be_provided_is_refused_with_the_reason(
     report = provision(editor, task)
     assert not report.done and report.failed and report.edits == 0
     assert (folder / "floors/floor_1/scene.json").read_bytes() == before
+
+
+def _placed(editor: SceneEditor, category: str) -> list[str]:
+    return [i.room for _, i in editor.state.objects() if i.category == category]
+
+
+def test_furniture_comes_where_it_belongs_and_not_into_a_corridor(
+    open_editor: EditorFactory,
+) -> None:
+    editor = open_editor()
+    for noun, category, room in (
+        ("bookshelf", "bookshelf", "F2/private_office_1"),
+        ("fridge", "fridge", "F1/kitchen"),
+    ):
+        had = _placed(editor, category)
+        assert provision(editor, _task(Need(noun=noun, color="red"))).done
+        new = _placed(editor, category)
+        assert [r for r in new if new.count(r) > had.count(r)] == [room] * new.count(room)
+    report = provision(editor, _task(Need(noun="sofa", color="red", floor=2)))
+    assert report.done and "F2/corridor" not in _placed(editor, "sofa")
+
+
+def test_furniture_comes_into_the_room_that_a_task_names(open_editor: EditorFactory) -> None:
+    editor = open_editor()
+    report = provision(editor, _task(Need(noun="stool", color="green", room="kitchen", floor=1)))
+    assert report.done and _placed(editor, "stool")[-1] == "F1/kitchen"
+
+
+def test_furniture_that_would_cut_a_room_is_placed_elsewhere(open_editor: EditorFactory) -> None:
+    editor = open_editor(autosave=False)
+    _, sofa = editor.state.get("F1/hall/sofa_1")
+    for number, (x, width) in enumerate(((0.36, 0.6), (3.75, 4.38))):
+        wall = msgspec.structs.replace(
+            sofa,
+            id=f"F1/hall/partition_{number + 1}",
+            category="partition",
+            position=(x, 3.3, 0.5),
+            size=(width, 0.3, 1.0),
+            rotation=0.0,
+        )
+        editor.state.add(1, wall)
+    assert not editor.call("CheckPath", {}).cut_rooms
+    near = {"asset_id": "pouf_1", "receptacle_id": "F1/hall", "near": "F1/hall/partition_1"}
+    for _ in range(6):
+        editor.call("PlaceOnSurface", near)
+        assert not editor.call("CheckPath", {}).cut_rooms

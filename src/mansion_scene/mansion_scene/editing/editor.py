@@ -27,6 +27,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 from mansion_scene.catalogue import Catalogue
 from mansion_scene.editing.merging import net_changes
+from mansion_scene.editing.passages import passages_of
 from mansion_scene.editing.physics.problem import PhysicsEngine
 from mansion_scene.editing.retrieval.retriever import Retriever
 from mansion_scene.editing.state import SceneState
@@ -180,11 +181,14 @@ class SceneEditor:
         return f"{item.id}: {encode(item.states)}"
 
     def _acceptable(self, floor: int, item: SceneObject) -> bool:
-        """Whether an object may stand there: the check finds no fault that is not there without it."""
+        """Whether an object may stand there: no new fault of the check, and no room cut for a robot."""
         before = dict(self.state.scenes)
         objects = [*before[floor].objects, item]
         after = {**before, floor: msgspec.structs.replace(before[floor], objects=objects)}
-        return not self.store.new_faults(before, after)
+        if self.store.new_faults(before, after):
+            return False
+        cuts = passages_of(after[floor]).cuts
+        return cuts.keys() <= self.state.index(floor).passages.cuts.keys()
 
     def diff(self) -> DiffReport:
         """Say what waits to be saved."""

@@ -7,15 +7,12 @@ import shapely
 from shapely.geometry import LineString, Point, Polygon
 
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
-from mansion_scene.spawn import footprint, free_region
+from mansion_scene.spawn import BODY_RADIUS, footprint, free_region
 
 __all__ = ["LOW", "OVERHEAD", "Passages", "passages_of"]
 
 LOW, OVERHEAD = 0.03, 1.5
 """A thing lower than the one is walked over, one that starts above the other is walked under, metres."""
-
-_RADIUS = 0.19
-"""Of the robot, 0.20 m, less the centimetre by which placement's grid may err."""
 
 _DOORWAY = 0.40
 """How far before a door's middle line the robot's centre must have come, metres."""
@@ -68,11 +65,11 @@ def passages_of(scene: FloorScene) -> Passages:
     doors: dict[tuple[str, str], list[int]] = {}
     cuts: dict[str, list[str]] = {}
     for room in scene.rooms:
-        empty = free_region(room, [], _RADIUS)
+        empty = free_region(room, [], BODY_RADIUS)
         if room.kind in ("stair", "elevator") or not empty:
             continue
         things = standing.get(room.id, [])
-        found = free_region(room, things, _RADIUS) if things else empty
+        found = free_region(room, things, BODY_RADIUS) if things else empty
         parts[room.id] = found
         own = [door for door in scene.doors if room.id in door.rooms]
         for door in own:
@@ -107,7 +104,7 @@ def _before(shut: Sequence[Door], things: Sequence[SceneObject]) -> list[str]:
     return sorted(
         item.id
         for item in things
-        if (shapely.distance(lines, footprint(item)) <= _DOORWAY + _RADIUS).any()
+        if (shapely.distance(lines, footprint(item)) <= _DOORWAY + BODY_RADIUS).any()
     )
 
 
@@ -121,5 +118,5 @@ def _between(
     if len(matter) < 2:
         return None
     shapes = [footprint(item) for item in things]
-    near = sum((shapely.distance(shapes, found[n]) <= _RADIUS + 0.02).astype(int) for n in matter)
+    near = sum((shapely.distance(shapes, found[n]) <= BODY_RADIUS + 0.02).astype(int) for n in matter)
     return sorted(item.id for item, sides in zip(things, near, strict=True) if sides > 1)

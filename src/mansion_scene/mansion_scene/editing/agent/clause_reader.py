@@ -108,6 +108,10 @@ class ClauseReader:
         words = clause.words.get("loc") or clause.words["x"]
         if before is None:
             raise not_understood(words)
+        things = _NEW.match(words) and not rooms_named(self.state, _NEW.sub("", words), None)
+        if before.kind in ("path", "reach") and things:
+            self._have(words)
+            return
         if before.kind in ("path", "reach"):
             self._read(replace(before, words={**before.words, "b": words}))
             return

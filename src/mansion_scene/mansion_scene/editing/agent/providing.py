@@ -1,9 +1,13 @@
 """Provisioning of an object fact: count what is there, add what is missing where it takes the fewest edits."""
 
+from collections import Counter
 from collections.abc import Generator
+from dataclasses import replace
 from typing import Final
 
 from mansion_msgs_py.editing import AssetInfo, ObjectInfo
+from mansion_msgs_py.scene import SceneRoom
+from mansion_scene.editing.agent.belonging import at_home, rooms_for
 from mansion_scene.editing.agent.choosing import assets_of, place_any
 from mansion_scene.editing.agent.clearing import make_room
 from mansion_scene.editing.agent.facts import ObjectFact, Scope, Thing
@@ -116,7 +120,10 @@ def _provide_carrier(
 def _furnish(
     thing: Thing, where: Scope, state: SceneState, near: str = ""
 ) -> Generator[Action, Outcome, tuple[str, str]]:
-    """Put furniture into the room of a scope that suits it best."""
+    """Put furniture into the room of a scope that suits it best.
+
+    A kind of it that belongs into a room of the scope (an office desk) goes before one that belongs into none.
+    """
     assets = yield from assets_of(thing, state)
     if isinstance(assets, str):
         return "", assets
@@ -124,13 +131,29 @@ def _furnish(
     reason = f"there is no {thing.noun} {Scope('room', '', where.rooms, where.floor)}"
     if not standing:
         return "", reason
-    usual = state.catalogue.asset(standing[0].asset_id).rooms
-    for room in furnishable(where, state, usual)[:MOST_ROOMS]:
+    first = standing[0]
+    common = Counter(item.category for _, item in state.objects())
+    kinds = sorted(state.vocabulary.nouns(thing.noun), key=lambda name: -common[name])
+    for category in dict.fromkeys([first.category, *kinds]):
+        own = [a for a in state.catalogue.by_category(category) if a.mount == "floor"]
+        if not own or not any(at_home(state, room, [category]) for room in _rooms(where, state)):
+            continue
+        if category != first.category:
+            other = yield from assets_of(replace(thing, noun=category.replace("_", " ")), state)
+            standing = standing if isinstance(other, str) else other
+        break
+    first = standing[0]
+    for room in rooms_for(where, state, first.category, first.size)[:MOST_ROOMS]:
         placed = yield from place_any(standing, room, "on", colour=thing.colour, near=near)
         if placed[0]:
             return placed
         reason = placed[1]
     return "", reason
+
+
+def _rooms(where: Scope, state: SceneState) -> list[SceneRoom]:
+    named = set(furnishable(where, state))
+    return [room for f in state.floors for room in state.scenes[f].rooms if room.id in named]
 
 
 def _provide_in_room(fact: ObjectFact, state: SceneState) -> Work:
@@ -150,7 +173,7 @@ def _provide_in_room(fact: ObjectFact, state: SceneState) -> Work:
             if not placed[0]:
                 return placed[1]
         return ""
-    targets = yield from surfaces_of(fact.where, state)
+    targets = yield from surfaces_of(fact.where, state, fact.thing.noun)
     if isinstance(targets, str):
         return targets
     reason = f"nothing {fact.where} carries it"

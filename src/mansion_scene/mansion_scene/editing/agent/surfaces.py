@@ -1,9 +1,10 @@
 """Receptacles and rooms of a scope, those that suit first."""
 
-from collections.abc import Generator, Sequence
+from collections.abc import Generator
 from typing import Final
 
 from mansion_msgs_py.editing import ObjectInfo
+from mansion_scene.editing.agent.belonging import usual_carriers
 from mansion_scene.editing.agent.facts import Scope
 from mansion_scene.editing.agent.protocol import Action, Outcome
 from mansion_scene.editing.state import SceneState
@@ -38,22 +39,28 @@ def relation_of(relation: str, carrier: ObjectInfo, state: SceneState) -> str:
     return relation
 
 
-def furnishable(where: Scope, state: SceneState, usual: Sequence[str] = ()) -> list[str]:
-    """Return the rooms of a scope: those whose type is usual first, then the large ones."""
+def furnishable(where: Scope, state: SceneState) -> list[str]:
+    """Return the rooms of a scope, the large ones first."""
     rooms = [
-        (0 if room.room_type in usual else 1, -room.area, room.id)
+        (-room.area, room.id)
         for floor in state.floors
         if where.floor in (None, floor)
         for room in state.scenes[floor].rooms
         if room.kind not in ("stair", "elevator") and (not where.rooms or room.id in where.rooms)
     ]
-    return [name for _, _, name in sorted(rooms)]
+    return [name for _, name in sorted(rooms)]
 
 
-def surfaces_of(where: Scope, state: SceneState) -> Generator[Action, Outcome, list[str] | str]:
-    """Return receptacles of a scope with a surface, tables and the like first."""
+def surfaces_of(
+    where: Scope, state: SceneState, noun: str = ""
+) -> Generator[Action, Outcome, list[str] | str]:
+    """Return receptacles of a scope with a surface: what usually carries a thing first, then tables and the like."""
     found: list[tuple[int, str]] = []
-    for room in furnishable(where, state)[:40]:
+    kinds = tuple(state.vocabulary.nouns(noun)[:1]) if noun else ()
+    usual = usual_carriers(state.catalogue, kinds)
+    having = {item.room for _, item in state.objects() if item.category in usual}
+    rooms = sorted(furnishable(where, state), key=lambda name: name not in having)
+    for room in rooms[:40]:
         answer = yield Action(
             f"What stands in {room}?", "ListObjects", {"room": room, "limit": 500}
         )
@@ -63,7 +70,7 @@ def surfaces_of(where: Scope, state: SceneState) -> Generator[Action, Outcome, l
             asset = state.catalogue.assets.get(item.asset_id)
             if asset is not None and asset.surfaces and item.mount in ("floor", "wall"):
                 easy = any(item.category.endswith(end) for end in _EASY)
-                found.append((0 if easy else 1, item.id))
-        if sum(rank == 0 for rank, _ in found) >= ENOUGH:
+                found.append((0 if item.category in usual else 1 if easy else 2, item.id))
+        if sum(rank < 2 for rank, _ in found) >= ENOUGH:
             break
     return [name for _, name in sorted(found, key=lambda pair: pair[0])]

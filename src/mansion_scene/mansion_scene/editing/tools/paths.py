@@ -12,6 +12,7 @@ from mansion_msgs_py.scene import Door
 from mansion_scene.editing.passages import LOW, OVERHEAD
 from mansion_scene.editing.references import place_named
 from mansion_scene.editing.state import SceneState
+from mansion_scene.spawn import ROBOT_RADIUS
 
 __all__ = ["blocked_doors", "check_path"]
 
@@ -21,7 +22,7 @@ Node = tuple[int, str, int]
 
 Graph = dict[Node, list[tuple[Node, str]]]
 
-ROBOT_WIDTH = 0.4
+ROBOT_WIDTH = 2 * ROBOT_RADIUS
 APPROACH = 0.25
 """Depth of the strip on both sides of a door that an object may not fill, metres."""
 
