@@ -5,7 +5,7 @@ set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")"
 
 pythons=(3.11 3.12 3.13)
-extras=(cluster lint llm sim test usd)
+extras=(cluster embeddings lint llm sim test usd)
 unset PIP_FIND_LINKS PIP_INDEX_URL PIP_EXTRA_INDEX_URL UV_FIND_LINKS UV_INDEX_URL UV_EXTRA_INDEX_URL UV_INDEX
 
 compile() { # python, input, output, further options

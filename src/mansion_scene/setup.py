@@ -38,6 +38,7 @@ setup(
         "usd": ["usd-core>=24"],
         "sim": ["mujoco>=3.0"],
         "thor": ["ai2thor>=5.0"],
+        "embeddings": ["sentence-transformers>=3"],
     },
     entry_points={
         "console_scripts": [

@@ -94,7 +94,7 @@ def test_elsewhere_nothing_is_installed_and_the_error_names_the_command(
 
 
 def test_an_unknown_extra_is_refused_with_the_list() -> None:
-    with pytest.raises(MansionError, match="cluster, lint, llm, sim, test, thor, usd"):
+    with pytest.raises(MansionError, match="cluster, embeddings, lint, llm, sim, test, thor, usd"):
         ensure_extra("gpu")
 
 

@@ -22,6 +22,7 @@ __all__ = ["EXTRAS", "ensure_extra", "main"]
 
 EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "cluster": ("distributed",),
+    "embeddings": ("sentence_transformers",),
     "lint": ("mypy", "ruff"),
     "llm": ("openai",),
     "sim": ("gymnasium", "mujoco"),

@@ -110,9 +110,9 @@ def _load(folder: Path) -> Any:
     except ImportError:
         raise MansionError(
             ErrorCode.UNAVAILABLE,
-            f"the model {folder.name} needs the sentence-transformers package: "
+            f"the model {folder.name} needs the extra `embeddings`: "
             "pip install sentence-transformers",
-            details={"package": "sentence-transformers"},
+            details={"extra": "embeddings", "package": "sentence-transformers"},
         ) from None
     try:
         return package.SentenceTransformer(str(folder), local_files_only=True)
