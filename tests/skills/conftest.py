@@ -18,5 +18,12 @@ def building(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def robot(building: Path) -> Robot:
-    return Robot(building)
+def robot(request: pytest.FixtureRequest) -> Robot:
+    """A robot in the sample building, with models to render where the tests are of pictures.
+
+    One fixture for both: colcon runs these tests from the package's folder, where one that overrides it in a folder
+    below would hold for all.
+    """
+    pictures = "vision" in request.path.parts
+    folder: Path = request.getfixturevalue("pictured" if pictures else "building")
+    return Robot(folder)

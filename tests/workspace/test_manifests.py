@@ -179,3 +179,19 @@ def test_the_package_index_and_the_manifest_are_installed(
         assert files["share/ament_index/resource_index/packages"] == [f"resource/{package.name}"]
         assert files[f"share/{package.name}"] == ["package.xml"]
         assert (package / "resource" / package.name).is_file()
+
+
+def test_no_fixture_overrides_another_in_the_tests_that_colcon_runs(
+    root: Path, packages: list[Path]
+) -> None:
+    """From a package's folder pytest gives every conftest.py below the whole of ``../../tests/NAME``."""
+    for package in packages:
+        tests = root / "tests" / package.name.removeprefix("mansion_")
+        names = [
+            name
+            for file in sorted(tests.rglob("conftest.py"))
+            for name in re.findall(
+                r"^@pytest\.fixture.*\ndef (\w+)", file.read_text(encoding="utf-8"), re.MULTILINE
+            )
+        ]
+        assert len(names) == len(set(names)), package.name

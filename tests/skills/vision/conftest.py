@@ -59,11 +59,6 @@ def pictured(stock: Path, tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def robot(pictured: Path) -> Robot:
-    return Robot(pictured)
-
-
-@pytest.fixture
 def camera(renders: None, robot: Robot) -> Iterator[Camera]:
     with Camera(robot, 120, 120) as camera:
         yield camera
