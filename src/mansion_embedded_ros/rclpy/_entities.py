@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from typing import Any
+from typing import Any, TypeVar
 
 from rclpy._dds.announcement import NodeEndpoints
 from rclpy._dds.endpoints import Endpoint, Reader, Writer
@@ -15,6 +15,8 @@ from rclpy.qos import QoSProfile
 from rosidl_embedded.registry import deserialize, serialize, type_hash, type_name
 
 __all__ = ["Handle", "Publisher", "Subscription", "type_data"]
+
+_Endpoint = TypeVar("_Endpoint", Writer, Reader)
 
 
 def type_data(cls: Any, extra: str = "") -> str:
@@ -43,24 +45,20 @@ class Handle:
         return not self._endpoints
 
     def _writer(self, *args: Any) -> Writer:
-        try:
-            writer = Writer(self.participant, *args)
-        except DDSError as problem:
-            self.destroy()
-            raise RCLError(str(problem)) from problem
-        self._endpoints.append(writer)
-        self._node.writers.append(writer.guid)
-        return writer
+        return self._add(Writer, self._node.writers, args)
 
     def _reader(self, *args: Any) -> Reader:
+        return self._add(Reader, self._node.readers, args)
+
+    def _add(self, kind: type[_Endpoint], listed: list[bytes], args: tuple[Any, ...]) -> _Endpoint:
         try:
-            reader = Reader(self.participant, *args)
+            endpoint = kind(self.participant, *args)
         except DDSError as problem:
             self.destroy()
             raise RCLError(str(problem)) from problem
-        self._endpoints.append(reader)
-        self._node.readers.append(reader.guid)
-        return reader
+        self._endpoints.append(endpoint)
+        listed.append(endpoint.guid)
+        return endpoint
 
     def _write(self, writer: Writer, data: bytearray, action: str) -> None:
         if self.closed:

@@ -1,9 +1,15 @@
-"""Words of messages: names that would be accepted, articles and counts."""
+"""Words of messages: names that would be accepted, articles, counts and ordinals."""
 
 from collections.abc import Iterable
 from difflib import SequenceMatcher
 
-__all__ = ["choices", "counted", "nearest", "with_article"]
+__all__ = ["ORDINALS", "choices", "counted", "nearest", "with_article"]
+
+ORDINALS = (
+    "first", "second", "third", "fourth", "fifth", "sixth",
+    "seventh", "eighth", "ninth", "tenth", "eleventh", "twelfth",
+)  # fmt: skip
+"""Places in a row that are read as words, of floors above all."""
 
 FEW = 16
 """So many names are all shown; of more, the nearest."""

@@ -5,25 +5,12 @@ from collections.abc import Sequence
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore, SceneObject, SceneRoom
+from mansion_msgs_py.wording import ORDINALS
 from mansion_scene.editing.state import SceneState
 from mansion_scene.editing.vocabulary import stems
 
 __all__ = ["find_floor", "find_rooms", "matching_objects", "object_named", "place_named"]
 
-_ORDINALS = [
-    "first",
-    "second",
-    "third",
-    "fourth",
-    "fifth",
-    "sixth",
-    "seventh",
-    "eighth",
-    "ninth",
-    "tenth",
-    "eleventh",
-    "twelfth",
-]
 _ALIKE = (
     ("restroom", "bathroom", "toilet", "washroom", "lavatory", "wc", "loo", "toilets", "restrooms"),
     ("living room", "lounge", "sitting room", "family room"),
@@ -61,7 +48,7 @@ def find_floor(state: SceneState, text: str) -> tuple[int | None, str]:
     Ordinals count from the entrance floor: the second floor is number 2; the ground floor is 1.
     """
     low = text.lower()
-    ordinal = "|".join(_ORDINALS)
+    ordinal = "|".join(ORDINALS)
     patterns = (
         rf"{_TO}(?:{_FLOOR_WORDS} )?(?P<word>{ordinal}|{'|'.join(_NAMED)}|\d+(?:st|nd|rd|th)) {_FLOOR_WORDS}\b",
         rf"{_TO}{_FLOOR_WORDS} (?:number |no\.? )?(?P<word>-?\d+|{'|'.join(_NUMBERS)})\b",
@@ -111,8 +98,8 @@ def _floor_number(state: SceneState, word: str) -> int:
     digits = re.match(r"-?\d+", word)
     if digits:
         number = int(digits.group()) if len(digits.group()) < 6 else 10**6
-    elif word in _ORDINALS:
-        number = _ORDINALS.index(word) + 1
+    elif word in ORDINALS:
+        number = ORDINALS.index(word) + 1
     elif word in _NUMBERS:
         number = _NUMBERS.index(word) + 1
     else:
@@ -175,10 +162,10 @@ def find_rooms(
         few = find_rooms(state, size["rest"], floor, every=True)
         few.sort(key=lambda pair: pair[1].area, reverse=size["word"].lower() != "smallest")
         return few[:1]
-    nth = re.match(rf"^(?:the )?(?P<word>{'|'.join(_ORDINALS)})\s+(?P<rest>.+)$", rest, re.I)
+    nth = re.match(rf"^(?:the )?(?P<word>{'|'.join(ORDINALS)})\s+(?P<rest>.+)$", rest, re.I)
     if nth:
         few = find_rooms(state, nth["rest"], floor, every=True)
-        at = _ORDINALS.index(nth["word"].lower())
+        at = ORDINALS.index(nth["word"].lower())
         return few[at : at + 1]
     words = tuple(w for w in stems(rest) if w != "room") or stems(rest)
     if not words:

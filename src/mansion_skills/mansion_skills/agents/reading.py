@@ -2,8 +2,9 @@
 
 import re
 from dataclasses import dataclass, replace
-from typing import Final, Literal
+from typing import Literal
 
+from mansion_msgs_py.wording import ORDINALS
 from mansion_skills.agents.words import matches
 from mansion_skills.words.colours import SPOKEN_COLOURS
 from mansion_skills.words.nouns import singular
@@ -11,21 +12,6 @@ from mansion_skills.words.nouns import singular
 __all__ = ["Errand", "Phrase", "read_instruction"]
 
 Relation = Literal["room", "on", "in", "near"]
-
-ORDINALS: Final = {
-    "first": 1,
-    "second": 2,
-    "third": 3,
-    "fourth": 4,
-    "fifth": 5,
-    "sixth": 6,
-    "seventh": 7,
-    "eighth": 8,
-    "ninth": 9,
-    "tenth": 10,
-    "eleventh": 11,
-    "twelfth": 12,
-}
 
 _FETCH = re.compile(
     r"\b(go to where|find|fetch|get|grab|pick up|collect|locate|look for|search for|retrieve|needs?|bring me|take|"
@@ -227,7 +213,7 @@ class _Floors:
         if found is None:
             return None
         if found["word"]:
-            return ORDINALS[found["word"]]
+            return ORDINALS.index(found["word"]) + 1
         if found["digits"]:
             return int(found["digits"])
         if found["named"]:
