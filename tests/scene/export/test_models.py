@@ -3,6 +3,7 @@
 import json
 import math
 
+import msgspec
 import numpy as np
 import pytest
 import trimesh
@@ -11,7 +12,7 @@ from hypothesis import strategies as st
 from shapely.geometry import Point, Polygon, box
 from shapely.ops import unary_union
 
-from mansion_msgs_py.scene import StairDetails
+from mansion_msgs_py.scene import SceneObject, StairDetails
 from mansion_scene.export.glb import building_glb, floor_glb
 from mansion_scene.export.html import view_page
 from mansion_scene.export.meshes import floor_model
@@ -134,6 +135,67 @@ def test_mujoco_drops_free_objects_on_what_carries_them(ground):
     for _ in range(300):
         mujoco.mj_step(model, data)
     assert data.body(cup.id).xpos[2] == pytest.approx(0.75 + cup.size[2] / 2, abs=0.01)
+
+
+def test_mujoco_leaves_free_objects_where_they_lie_in_and_on_others(ground):
+    mujoco = pytest.importorskip("mujoco")
+    shelf = SceneObject(
+        id="F1/kitchen/shelf",
+        room="F1/kitchen",
+        category="unknown_shelf",
+        asset="unknown_shelf",
+        position=(7.0, 8.5, 0.5),
+        rotation=90.0,
+        size=(0.8, 0.4, 1.0),
+        receptacle=True,
+    )
+    crate = copied(shelf, "crate", (6.0, 7.5, 0.2), (0.6, 0.5, 0.4), "floor", None)
+    inner = copied(shelf, "box", (7.02, 8.6, 0.36), (0.2, 0.2, 0.2), "inside", shelf.id)
+    top = copied(shelf, "cup", (7.0, 8.7, 1.05), (0.1, 0.1, 0.1), "surface", shelf.id)
+    can = copied(shelf, "can", (6.1, 7.5, 0.15), (0.1, 0.1, 0.2), "inside", crate.id)
+    under = copied(shelf, "bag", (7.0, 8.2, 0.15), (0.2, 0.2, 0.3), "floor", None)
+    things = [crate, inner, top, can, under]
+    ground.objects = [shelf, *things]
+    export = floor_mjcf(ground, "", free_pickupables=True)
+    model = mujoco.MjModel.from_xml_string(export.xml, export.meshes)
+    data = mujoco.MjData(model)
+    for _ in range(500):
+        mujoco.mj_step(model, data)
+    assert not any(warning.number for warning in data.warning)
+    for thing in things:
+        assert data.body(thing.id).xpos == pytest.approx(thing.position, abs=0.01), thing.id
+
+
+def copied(like, name, position, size, mount, parent):
+    """An object that can be picked up."""
+    return msgspec.structs.replace(
+        like,
+        id=f"F1/kitchen/{name}",
+        position=position,
+        size=size,
+        rotation=10.0,
+        mount=mount,
+        parent=parent,
+        pickupable=True,
+    )
+
+
+def test_mujoco_has_memory_for_the_pairs_of_a_floor_of_many_objects(ground):
+    mujoco = pytest.importorskip("mujoco")
+    first = ground.objects[0]
+    ground.objects = [
+        msgspec.structs.replace(
+            first,
+            id=f"F1/kitchen/thing_{i}",
+            asset="no_asset",
+            size=(0.1, 0.1, 0.1),
+            position=(0.2 * (i % 40), 0.2 * (i // 40), 0.5),
+        )
+        for i in range(1500)
+    ]
+    export = floor_mjcf(ground, "")
+    model = mujoco.MjModel.from_xml_string(export.xml, export.meshes)
+    assert model.narena >= 8 * model.nbody**2
 
 
 def test_the_page_carries_everything_and_fetches_nothing(building):

@@ -1,14 +1,16 @@
 """A floor as a MuJoCo model (MJCF): bodies named after our ids, boxes to collide with, meshes to look at."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from mansion_msgs_py.scene import FloorScene, SceneObject, Wall
+from mansion_msgs_py.scene import FloorScene, Wall
 from mansion_scene.catalogue import Catalogue
 from mansion_scene.export.appearance import surface_material
+from mansion_scene.export.cavities import is_loose, loose_colliders
 from mansion_scene.export.colliders import collision_box, ground_boxes
 from mansion_scene.export.meshes import floor_model
 from mansion_scene.export.model import Material, Mesh, Model, Node, Surface
@@ -21,6 +23,11 @@ STRUCTURE_GROUP, OBJECT_GROUP, CEILING_GROUP, COLLISION_GROUP = 0, 1, 2, 3
 """Geom groups; MuJoCo draws 0 to 2, so that boxes to collide with stay unseen. Switch 2 off to look from above."""
 
 EYE = 1.3
+
+DENSITY = 300.0
+"""Of things that can be picked up, kilograms a cubic metre: much of each is air."""
+
+LEAST_MASS = 0.02
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,8 +61,8 @@ def floor_mjcf(
     mesh_dir : str
         Where the meshes will lie, seen from the XML file.
     free_pickupables : bool
-        Give what can be picked up a free joint; else everything is fixed to the world, and a body is moved by writing
-        its ``body_pos``.
+        Give what can be picked up a free joint, and furniture that holds or covers such things boxes with room for
+        them; else everything is fixed to the world, and a body is moved by writing its ``body_pos``.
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
 
@@ -67,13 +74,20 @@ def floor_mjcf(
     model = floor_model(scene, catalogue=catalogue)
     writer = _Writer()
     items = {item.id: item for item in scene.objects}
-    for wall, boxes in _wall_boxes(scene):
-        writer.wall(wall, boxes)
+    colliders = loose_colliders(scene, catalogue) if free_pickupables else {}
+    for wall, pieces in _wall_boxes(scene):
+        writer.wall(wall, pieces)
     for node in model.nodes:
         if node.id in writer.walls:
             continue
         item = items.get(node.id)
-        writer.body(node, model.meshes[node.mesh], item, free_pickupables)
+        mesh = model.meshes[node.mesh]
+        if item is not None and free_pickupables and is_loose(item):
+            whole = (Box((0.0, 0.0, 0.0), item.size),)
+            writer.body(node, mesh, colliders.get(node.id, whole), item.size)
+        else:
+            box = collision_box(node, mesh, item)
+            writer.body(node, mesh, colliders.get(node.id, (box,) if box is not None else ()))
     for name, solid in ground_boxes(scene):
         writer.solid(name, solid)
     return MjcfExport(_document(scene, model, writer, mesh_dir), writer.files)
@@ -120,14 +134,19 @@ class _Writer:
                 )
         self.bodies.append(f"<body name={quoteattr(wall.id)}>{''.join(geoms)}</body>")
 
-    def body(self, node: Node, mesh: Mesh, item: SceneObject | None, free: bool) -> None:
-        """Write a node as a body of visual meshes, and an object's box to collide with."""
+    def body(
+        self,
+        node: Node,
+        mesh: Mesh,
+        colliders: Sequence[Box],
+        loose: tuple[float, float, float] | None = None,
+    ) -> None:
+        """Write a node as a body of visual meshes and boxes to collide with; `loose` is the size of a free one."""
         group = {"objects": OBJECT_GROUP, "ceiling": CEILING_GROUP}.get(node.group, STRUCTURE_GROUP)
         visual = 'contype="0" conaffinity="0" mass="0"'
         parts = []
-        loose = free and item is not None and item.pickupable
-        if loose:
-            parts.append(f"<freejoint name={quoteattr(node.id + '/joint')}/>")
+        if loose is not None:
+            parts.append(f"<freejoint name={quoteattr(node.id + '/joint')}/>{_inertial(loose)}")
         for i, surface in enumerate(mesh.surfaces):
             name = node.id if i == 0 else f"{node.id}/{i}"
             parts.append(
@@ -136,12 +155,10 @@ class _Writer:
                 f'group="{group}" {visual} '
                 f"material={quoteattr(self.material(surface.material))}/>"
             )
-        collision = collision_box(node, mesh, item)
-        if collision is not None:
-            name = f"{node.id}/collision"
-            mass = 'mass="0.3"' if loose else ""
+        for i, collision in enumerate(colliders):
+            name = f"{node.id}/collision{f'_{i}' if i else ''}"
             parts.append(
-                f"<geom name={quoteattr(name)} {_box_attributes(collision)} {mass} "
+                f"<geom name={quoteattr(name)} {_box_attributes(collision)} "
                 f'group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>'
             )
         place = f'pos="{_numbers(node.position)}"' if any(node.position) else ""
@@ -197,6 +214,7 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
     return f"""<mujoco model={quoteattr(f"{scene.building_id} {model.name}")}>
   <compiler angle="degree" meshdir={quoteattr(mesh_dir)} autolimits="true"/>
   <option timestep="0.004"/>
+  <size memory="{_memory(len(writer.bodies))}M"/>
   <statistic center="{_numbers((cx, cy, 1.0))}" extent="{reach:.4g}"/>
   <visual>
     <global offwidth="1280" offheight="960" fovy="70"/>
@@ -236,6 +254,20 @@ def _robot_camera(scene: FloorScene) -> str:
     c, s = float(np.cos(yaw)), float(np.sin(yaw))
     place = _numbers((scene.spawn.x, scene.spawn.y, EYE))
     return f'    <camera name="spawn" pos="{place}" xyaxes="{s:.6g} {-c:.6g} 0 0 0 1" fovy="70"/>'
+
+
+def _memory(bodies: int) -> int:
+    """Megabytes that the engine needs to look for pairs of bodies; its own guess is too small for large floors."""
+    return 16 + math.ceil(8 * bodies * bodies / 2**20)
+
+
+def _inertial(size: tuple[float, float, float]) -> str:
+    """Mass and inertia of an object of a given size: a box of `DENSITY`."""
+    w, d, h = size
+    mass = max(DENSITY * w * d * h, LEAST_MASS)
+    inertia = ((d * d + h * h), (w * w + h * h), (w * w + d * d))
+    values = " ".join(f"{max(mass * value / 12, 1e-6):.4g}" for value in inertia)
+    return f'<inertial pos="0 0 0" mass="{mass:.4g}" diaginertia="{values}"/>'
 
 
 def _box_attributes(solid: Box) -> str:

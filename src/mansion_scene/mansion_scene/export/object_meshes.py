@@ -2,7 +2,6 @@
 
 from functools import lru_cache
 
-from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_scene.catalogue import Asset, Catalogue, load_catalogue
 from mansion_scene.catalogue.palette import PbrMaterial
@@ -51,12 +50,7 @@ def add_objects(
 
 def object_asset(catalogue: Catalogue, item: SceneObject) -> Asset | None:
     """Return the asset of an object, or None where the catalogue has none."""
-    try:
-        return catalogue.asset(item.asset)
-    except MansionError as error:
-        if error.code != ErrorCode.NOT_FOUND:
-            raise
-        return None
+    return catalogue.assets.get(item.asset)
 
 
 def _node(item: SceneObject, mesh: str, size: tuple[float, float, float]) -> Node:
