@@ -11,7 +11,14 @@ from shapely.geometry import LineString, Point, Polygon
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Door, SceneObject, SceneRoom, SpawnPose
 
-__all__ = ["BODY_RADIUS", "ROBOT_RADIUS", "footprint", "free_region", "place_spawn"]
+__all__ = [
+    "BODY_RADIUS",
+    "ROBOT_RADIUS",
+    "footprint",
+    "free_region",
+    "oblique_margin",
+    "place_spawn",
+]
 
 ROBOT_RADIUS: Final = 0.20
 BODY_RADIUS: Final = ROBOT_RADIUS - 1e-3
@@ -37,15 +44,26 @@ def _is_obstacle(item: SceneObject) -> bool:
     return item.mount in ("floor", "wall") and bottom < _HEADROOM and top > 0.05
 
 
+def oblique_margin(item: SceneObject) -> float:
+    """Return what a way past an object must be wider, metres: the skills' grid of 0.05 m is coarser along a slant."""
+    turn = item.rotation % 90.0
+    return 0.021 if min(turn, 90.0 - turn) > 0.5 else 0.0
+
+
 def free_region(
     room: SceneRoom, objects: Sequence[SceneObject], radius: float = ROBOT_RADIUS
 ) -> list[Polygon]:
     """Return where a disc robot's centre may be in a room, as connected parts, largest first."""
     net = Polygon(room.net_polygon, room.net_holes)
-    boxes = [footprint(item) for item in objects if item.room == room.id and _is_obstacle(item)]
+    mine = [item for item in objects if item.room == room.id and _is_obstacle(item)]
+    boxes = [footprint(item) for item in mine]
     free = net.buffer(-radius, join_style="mitre")
     if boxes:
-        free = free.difference(shapely.union_all(shapely.buffer(boxes, radius)))
+        free = free.difference(
+            shapely.union_all(
+                shapely.buffer(boxes, [radius + oblique_margin(item) for item in mine])
+            )
+        )
     parts = [
         part
         for part in shapely.get_parts(free)

@@ -10,7 +10,7 @@ from shapely.geometry.base import BaseGeometry
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import footprint, net_area, vertical
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_scene.spawn import BODY_RADIUS, ROBOT_RADIUS
+from mansion_scene.spawn import BODY_RADIUS, ROBOT_RADIUS, oblique_margin
 
 __all__ = ["check_reach"]
 
@@ -73,12 +73,18 @@ def _walkable(scene: FloorScene) -> _Walk:
         for door in inner
         if None not in door.rooms and not cores.intersection(str(name) for name in door.rooms)
     ]
-    obstacles = [footprint(thing) for thing in scene.objects if _obstructs(thing)]
+    obstacles = [_body(thing) for thing in scene.objects if _obstructs(thing)]
     region = union_all([*rooms, *passages]).difference(union_all(obstacles))
     eroded = region.buffer(-BODY_RADIUS, quad_segs=16)
     parts = eroded.geoms if isinstance(eroded, MultiPolygon) else [eroded]
     pieces = [part for part in parts if not part.is_empty]
     return _Walk(pieces, STRtree(pieces))
+
+
+def _body(thing: SceneObject) -> Polygon:
+    """Return the floor that a thing takes from the robot."""
+    margin = oblique_margin(thing)
+    return footprint(thing).buffer(margin) if margin else footprint(thing)
 
 
 def _obstructs(thing: SceneObject) -> bool:
