@@ -5,78 +5,40 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Final
 
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.errors import MansionError
 from mansion_scene.editing.agent.clauses import Clause
-from mansion_scene.editing.agent.distributing import distributed
 from mansion_scene.editing.agent.facts import (
     AbsentFact,
-    Fact,
     MoveFact,
     ObjectFact,
     Scope,
-    StateFact,
     Thing,
 )
-from mansion_scene.editing.agent.limits import EXAMPLES
 from mansion_scene.editing.agent.phrases import Phrase, read_phrase, read_place, rooms_named
 from mansion_scene.editing.agent.scopes import divisions, merged, moved, on_that_of
+from mansion_scene.editing.agent.spoken import OPPOSITES, STATES, Spoken, not_understood
 from mansion_scene.editing.agent.things import NUMBERS
 from mansion_scene.editing.agent.ways import read_way
 from mansion_scene.editing.agent.wholes import exchanged, only_things
 from mansion_scene.editing.state import SceneState
 from mansion_scene.editing.vocabulary import COLOUR_WORDS
 
-__all__ = ["ClauseReader", "not_understood"]
+__all__ = ["ClauseReader"]
 
 _WITH: Final = re.compile(
     r"^(?P<a>.+?) with (?P<b>(?:a|an|one|two|three|four|five|six|some|another|no|cold|\d+)\b.+?)"
     r"(?: (?P<rel>on|in|inside|within)(?: (?:it|them|top))?)?(?P<loc> (?:in|on|at) (?!it\b|them\b|top\b).+)?$",
     re.IGNORECASE,
 )
-_STATES: Final = {
-    **dict.fromkeys(["open", "opened"], ("open", True)),
-    **dict.fromkeys(["close", "closed", "shut"], ("open", False)),
-    **dict.fromkeys(["on", "switched on", "turned on", "running", "lit", "activate", "start", "light"], ("on", True)),
-    **dict.fromkeys(["off", "switched off", "turned off", "deactivate", "stop"], ("on", False)),
-}  # fmt: skip
-_OPPOSITES: Final = {
-    ("open", True): "closed",
-    ("open", False): "open",
-    ("on", True): "off",
-    ("on", False): "on",
-}
 _NEW: Final = re.compile(r"^(?:an?|one|two|three|four|five|six|some|another|\d+) ", re.IGNORECASE)
 _PRONOUN: Final = re.compile(r"^(?:it|them|that|this|these|those|both)\b", re.IGNORECASE)
 
 
-def not_understood(text: str) -> MansionError:
-    return MansionError(
-        ErrorCode.INVALID_PAYLOAD,
-        f"not understood: {text[:120]!r}; {EXAMPLES}",
-        path="$.instruction",
-    )
-
-
-def _able(state: SceneState, noun: str, word: str) -> bool:
-    """Whether things of a noun can be open, or on."""
-    assets = [
-        asset
-        for category in state.vocabulary.nouns(noun)[:1]
-        for asset in state.catalogue.by_category(category)[:1]
-    ]
-    name = _STATES[word][0]
-    return any(asset.openable if name == "open" else asset.toggleable for asset in assets)
-
-
-class ClauseReader:
+class ClauseReader(Spoken):
     """Reads clauses in order; remembers the last thing and the last place."""
 
     def __init__(self, state: SceneState) -> None:
-        self.state = state
-        self.facts: list[Fact] = []
-        self._waiting: list[tuple[str, Phrase]] = []
-        self._last: Phrase | None = None
-        self._frame: Scope | None = None
+        super().__init__(state)
         self._clause: Clause | None = None
 
     def sentence(self, clauses: Iterable[Clause]) -> None:
@@ -185,9 +147,7 @@ class ClauseReader:
         elif kind == "clear":
             self._clear(words["y"])
         elif kind in ("state", "unstate"):
-            word = (
-                words["v"].lower() if kind == "state" else _OPPOSITES[_STATES[words["v"].lower()]]
-            )
+            word = words["v"].lower() if kind == "state" else OPPOSITES[STATES[words["v"].lower()]]
             self._wait(f"state {word}", read_phrase(self.state, words["x"]))
         elif kind == "quality":
             self._qualify(words["v"].lower())
@@ -284,7 +244,7 @@ class ClauseReader:
         """Take what was said of the last things: they must be red, it should be cold, it is open."""
         self._flush()
         last = self.facts[-1] if self.facts else None
-        if word in _STATES and self._last is not None:
+        if word in STATES and self._last is not None:
             self._switch(replace(self._last, placed=True), word)
         elif isinstance(last, ObjectFact) and word in COLOUR_WORDS:
             thing = replace(last.thing, colour=COLOUR_WORDS[word])
@@ -339,105 +299,3 @@ class ClauseReader:
         self.facts.append(AbsentFact(gone.thing, where))
         self.facts.append(ObjectFact(replace(come.thing, count=max(1, come.thing.count)), where))
         self._last = replace(come, where=where)
-
-    def _meant(self, phrase: Phrase) -> Phrase:
-        """Return the thing that a pronoun stands for, in the place that is given with it."""
-        before = self._waiting[-1][1] if self._waiting else self._last
-        if before is None or not before.thing.noun:
-            raise not_understood("it")
-        self._waiting = self._waiting[:-1]
-        thing = replace(before.thing, count=0)
-        return replace(phrase if phrase.placed else before, thing=thing)
-
-    def _wait(self, kind: str, phrase: Phrase) -> None:
-        whole = phrase.where.receptacle if kind in ("absent", "no") else phrase.thing.every
-        if not phrase.thing.noun and not (whole and kind != "have"):
-            before = self._waiting[-1][1] if self._waiting else self._last
-            if before is None or not before.thing.noun:
-                raise not_understood(kind)
-            thing, last = phrase.thing, before.thing
-            if kind.startswith("state ") and not phrase.placed:
-                before = self._able(kind[6:], before)
-                last = before.thing
-            if not phrase.placed and kind.startswith(("state", "absent")):
-                phrase = replace(phrase, where=before.where, placed=before.placed)
-            colour, cold = thing.colour or last.colour, thing.cold or last.cold
-            thing = replace(last, count=thing.count or last.count, colour=colour, cold=cold)
-            phrase = replace(phrase, thing=thing)
-        self._waiting.append((kind, phrase))
-        if phrase.placed:
-            self._flush()
-
-    def _able(self, word: str, before: Phrase) -> Phrase:
-        """Return what of the last thing and its receptacle can be open, or on."""
-        where = before.where
-        if _able(self.state, before.thing.noun, word) or not where.receptacle:
-            return before
-        if not _able(self.state, where.receptacle, word):
-            return before
-        place = replace(where, relation="room", receptacle="", colour="", base="")
-        return Phrase(Thing(where.receptacle, 1, where.colour), place, True)
-
-    def _flush(self) -> None:
-        """Turn what waits into facts; things without a place stand where the next, or the last, one does."""
-        if not self._waiting:
-            return
-        final = self._waiting[-1][1]
-        place = final
-        takes_up = self._waiting[-1][0] in ("have", "no") and self._frame is None
-        if not final.placed and takes_up and self._last is not None:
-            place = replace(self._last, each="")
-        for kind, phrase in self._waiting:
-            own = phrase if phrase.placed else replace(place, thing=phrase.thing)
-            self._fact(kind, replace(own, exact=phrase.exact, more=phrase.more, most=phrase.most))
-        self._waiting = []
-
-    def _fact(self, kind: str, phrase: Phrase) -> None:
-        where = self._resolved(phrase)
-        if kind == "have":
-            least = 2 if phrase.thing.every else 1
-            thing = replace(phrase.thing, count=phrase.thing.count or least, every=False)
-            if thing.cold and not where.receptacle:
-                where = replace(where, relation="in", receptacle="fridge")
-            if where.base:
-                outer = replace(where, relation="on", receptacle=where.base, base="", colour="")
-                self.facts.append(ObjectFact(Thing(where.receptacle, 1, where.colour), outer))
-            for scope in distributed(self.state, where, phrase.each):
-                self.facts.append(ObjectFact(thing, scope, phrase.exact, phrase.more, phrase.most))
-        elif kind in ("absent", "no"):
-            self.facts.append(AbsentFact(phrase.thing, where))
-        elif kind.startswith("state "):
-            self._switch(replace(phrase, where=where), kind[6:])
-            return
-        else:
-            raise not_understood(kind)
-        self._last = replace(phrase, where=where)
-
-    def _switch(self, phrase: Phrase, word: str) -> None:
-        name, value = _STATES[word.lower()]
-        where = self._resolved(phrase)
-        state = "open" if name == "open" else "on"
-        self.facts.append(StateFact(phrase.thing, where, state, value))  # type: ignore[arg-type]
-        self._last = replace(phrase, where=where)
-
-    def _resolved(self, phrase: Phrase) -> Scope:
-        """Return a phrase's place with its pronouns and the sentence's leading place filled in."""
-        where = phrase.where
-        if phrase.back and self._last is not None:
-            where = self._within(self._last, where.relation)
-        return merged(where, self._frame) if self._frame is not None else where
-
-    def _within(self, carrier: Phrase, relation: str) -> Scope:
-        """Return the place on or in a thing that was spoken of; its own place when it carries nothing."""
-        noun = carrier.thing.noun
-        carries = any(
-            asset.surfaces or asset.volumes
-            for category in self.state.vocabulary.nouns(noun)[:1]
-            for asset in self.state.catalogue.by_category(category)[:1]
-        )
-        if not carries or (carrier.where.receptacle and noun in ("", carrier.where.receptacle)):
-            return carrier.where
-        own = carrier.where
-        return Scope(
-            "in" if relation == "in" else "on", noun, own.rooms, own.floor, carrier.thing.colour
-        )

@@ -4,11 +4,12 @@ import re
 from typing import Final
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_scene.editing.agent.clause_reader import ClauseReader, not_understood
+from mansion_scene.editing.agent.clause_reader import ClauseReader
 from mansion_scene.editing.agent.clauses import Clause, clauses_of
 from mansion_scene.editing.agent.facts import Fact
 from mansion_scene.editing.agent.limits import refuse_beyond
 from mansion_scene.editing.agent.phrases import rooms_named
+from mansion_scene.editing.agent.spoken import not_understood
 from mansion_scene.editing.agent.things import is_known
 from mansion_scene.editing.agent.turns import rephrased
 from mansion_scene.editing.agent.wording import sentences
