@@ -11,6 +11,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import BuildingProgram, Downgrade
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
+from mansion_msgs_py.wording import with_article
 from mansion_planner.brief import BriefFacts, read_brief
 from mansion_planner.knowledge import KnowledgeBase, default_knowledge
 from mansion_planner.program.building import plan_program
@@ -35,7 +36,7 @@ def _report_unread(facts: BriefFacts, program: BuildingProgram) -> None:
     program.downgrades.append(
         Downgrade(
             wish=program.description.strip()[:80],
-            got=f"a {kind}",
+            got=with_article(kind),
             reason="not understood: no building type, room, number of storeys or area is named",
             stage="program",
         )

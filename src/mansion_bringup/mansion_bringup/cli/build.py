@@ -13,6 +13,7 @@ from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.reading import read_bytes
 from mansion_msgs_py.request import BuildRequest, Footprint
+from mansion_msgs_py.wording import counted
 
 __all__ = ["planner_name", "prepare_planner", "read_footprint", "register", "request_from_options"]
 
@@ -179,14 +180,15 @@ def _print_summary(result: BuildResult) -> None:
     area = sum(floor.gross_floor_area for floor in program.floors)
     out.print(
         f"[bold]{result.path}[/bold]: {program.building_type or 'building'}, "
-        f"{len(building.floors)} floor{'s' if len(building.floors) != 1 else ''}, "
-        f"{area:.0f} m2, {building.checks['rooms']} rooms, {building.checks['objects']} objects, "
+        f"{counted(len(building.floors), 'floor')}, {area:.0f} m2 gross, "
+        f"{counted(building.checks['rooms'], 'room')}, {counted(building.checks['objects'], 'object')}, "
         f"{result.report.seconds.get('total', 0.0):.1f} s",
         highlight=False,
     )
     wishes = result.report.downgrades
     if wishes:
-        out.print(f"{len(wishes)} wishes met in part or not at all (report.json):")
+        met = counted(len(wishes), "wish", "wishes")
+        out.print(f"{met} met in part or not at all (report.json):", highlight=False)
         for entry in wishes[:5]:
             out.print(
                 f"  {entry.wish}: {entry.got} ({entry.reason})", markup=False, highlight=False

@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from mansion_bringup.cli.console import err, progress_bar
+from mansion_msgs_py.wording import counted
 
 __all__ = ["register"]
 
@@ -33,7 +34,8 @@ def solve(
     with progress_bar() as report:
         layouts = solve_file(problems, output, seed=seed, jobs=jobs, progress=report)
     met = sum(layout.topology_satisfied for layout in layouts)
-    err.print(f"{output}: {len(layouts)} layouts, {met} with every edge met", highlight=False)
+    count = counted(len(layouts), "layout")
+    err.print(f"{output}: {count}, {met} with every edge met", highlight=False)
 
 
 def place(
@@ -54,4 +56,4 @@ def place(
         results = place_file(rooms, output, seed=seed, jobs=jobs, progress=report)
     placed = sum(len(result.placements) for result in results)
     left = sum(entry.count for result in results for entry in result.discarded)
-    err.print(f"{output}: {placed} objects placed, {left} left out", highlight=False)
+    err.print(f"{output}: {counted(placed, 'object')} placed, {left} left out", highlight=False)

@@ -91,13 +91,13 @@ def _print_floor(floor: FloorProgram) -> None:
 
     summary = floor.area_summary
     title = (
-        f"floor {floor.index} ({floor.label}), {floor.gross_floor_area:.0f} m2, "
+        f"floor {floor.index} ({floor.label}), {floor.gross_floor_area:.0f} m2 gross, "
         f"{summary.reserve_ratio:.0%} in reserve"
     )
     if floor.copy is not None:
         out.print(f"{title}: as floor {floor.copy}", highlight=False)
         return
-    table = Table("room", "type", "m2", "floor", "walls", title=title, title_justify="left")
+    table = Table("room", "type", "net m2", "floor", "walls", title=title, title_justify="left")
     table.columns[2].justify = "right"
     for room in floor.rooms:
         table.add_row(

@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from mansion_bringup.cli.console import err, print_json
+from mansion_msgs_py.wording import counted
 
 __all__ = ["register"]
 
@@ -38,7 +39,7 @@ def check(
         for fault in faults:
             typer.echo(str(fault))
     if faults:
-        err.print(f"{building}: {len(faults)} fault{'s' if len(faults) != 1 else ''}")
+        err.print(f"{building}: {counted(len(faults), 'fault')}", highlight=False)
         raise typer.Exit(1)
     err.print(f"{building}: no fault found")
 

@@ -1,6 +1,7 @@
 """Materials of a building, chosen by a model for each room type; the brief's own wishes come first."""
 
 from mansion_llm import Fault, Prompt, quoted_data
+from mansion_msgs_py.wording import with_article
 from mansion_planner.llm.answers import MaterialsAnswer
 from mansion_planner.llm.cleaning import clean_text, material_fault
 from mansion_planner.llm.context import Context
@@ -69,7 +70,7 @@ def palette_prompt(context: Context, reference: PlannedBuilding) -> Prompt:
     wet = [name for name in _types(reference) if context.knowledge.room(name).wet]
     lines = [
         quoted_data("brief", context.description),
-        f"Choose floor and wall materials for a {decisions.building.name.replace('_', ' ')} in the style "
+        f"Choose floor and wall materials for {with_article(decisions.building.name.replace('_', ' '))} in the style "
         f"{decisions.style!r}, one pair for each of these room types: {', '.join(_types(reference))}.",
         "Keep one palette through the whole building. Describe a material in a few plain words with its finish, such "
         "as 'warm oak hardwood, matte' or 'soft beige drywall, smooth'.",

@@ -3,6 +3,7 @@
 import dataclasses
 
 from mansion_llm import Fault
+from mansion_msgs_py.wording import with_article
 from mansion_planner.llm.answers import FloorAnswer, RoomAnswer
 from mansion_planner.llm.chosen import ChosenFloor, ChosenRoom
 from mansion_planner.llm.cleaning import (
@@ -87,7 +88,7 @@ def _room(
         return None
     if entry.area_estimate < 0.8 * kind.least and not first:
         faults.append(
-            f"{name} has {entry.area_estimate:g} m2; a {kind.name} needs at least {kind.least:g}"
+            f"{name} has {entry.area_estimate:g} m2; {with_article(kind.name)} needs at least {kind.least:g}"
         )
     for text, is_floor in ((entry.floor_material, True), (entry.wall_material, False)):
         fault = material_fault(text, kind, floor=is_floor)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.wording import with_article
 from mansion_planner.program.decisions import Decisions, contradiction, one_value, quoted
 from mansion_planner.program.footprint import check_footprint, is_rectangle
 from mansion_planner.program.inference import note
@@ -130,5 +131,5 @@ def _infer_area(decisions: Decisions, generator: np.random.Generator) -> None:
     note(
         decisions.trace,
         None,
-        f"about {decisions.area:.0f} m2 a storey, usual for a {building.name}",
+        f"about {decisions.area:.0f} m2 a storey, usual for {with_article(building.name)}",
     )

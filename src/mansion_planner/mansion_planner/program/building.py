@@ -6,6 +6,7 @@ import numpy as np
 
 from mansion_msgs_py.program import BuildingProgram, CorePlan, VerticalConnectivity
 from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.wording import with_article
 from mansion_planner.brief.facts import BriefFacts
 from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.allocation import allocate
@@ -95,9 +96,11 @@ def plan_program(
 
 def _reasoning(decisions: Decisions, area: float) -> str:
     levels = f"{decisions.floors} storeys" if decisions.floors > 1 else "one storey"
+    each = " each" if decisions.floors + decisions.basements > 1 else ""
     below = f" and {decisions.basements} below ground" if decisions.basements else ""
+    kind = with_article(decisions.building.name.replace("_", " ")).capitalize()
     return (
-        f"A {decisions.building.name.replace('_', ' ')} of {levels}{below}, about {area:.0f} m2 each; rooms follow "
+        f"{kind} of {levels}{below}, about {area:.0f} m2{each}; rooms follow "
         f"the brief first, then what such a building usually holds; circulation and cores stay at the same place on "
         f"every floor."
     )

@@ -1,6 +1,7 @@
 """A storey's part of the building program of Fig. 23: rooms with areas and materials, and the sum of areas."""
 
 from mansion_msgs_py.program import AreaSummary, FloorProgram, RoomProgram
+from mansion_msgs_py.wording import with_article
 from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.envelope import Envelope
@@ -84,7 +85,7 @@ def _requirement(storey: Storey) -> str:
             kinds.append(name)
     use = storey.use.name.replace("_", " ")
     return (
-        f"{storey.role} storey of a {use}: {', '.join(kinds[:8])}"
+        f"{storey.role} storey of {with_article(use)}: {', '.join(kinds[:8])}"
         if kinds
-        else f"{storey.role} storey of a {use}"
+        else f"{storey.role} storey of {with_article(use)}"
     )

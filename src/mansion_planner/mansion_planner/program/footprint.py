@@ -10,6 +10,7 @@ from shapely.geometry import Polygon
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import Footprint
+from mansion_msgs_py.wording import with_article
 from mansion_planner.program.model import CoreBox, Massing, PlannedRoom, Storey
 from mansion_planner.program.placement import Corridor, Placement, Sketch
 
@@ -88,7 +89,7 @@ def free_cores(shape: Polygon, stairs: int, lifts: int) -> tuple[CoreBox, ...]:
             wide, high = sizes[0]
             raise MansionError(
                 ErrorCode.INFEASIBLE,
-                f"the footprint has no place for a {kind} of {wide} x {high} m beside its rooms",
+                f"the footprint has no place for {with_article(kind)} of {wide} x {high} m beside its rooms",
                 path="$.footprint",
                 details={"stage": "program"},
             )

@@ -3,6 +3,7 @@
 import numpy as np
 
 from mansion_msgs_py.program import TraceEntry
+from mansion_msgs_py.wording import with_article
 from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.knowledge import BuildingType
 
@@ -77,7 +78,7 @@ def infer_floors(
     generator: np.random.Generator,
 ) -> int:
     usual, most = building.floors
-    count, reason = usual, f"a {building.name} usually has {usual}"
+    count, reason = usual, f"{with_article(building.name)} usually has {usual}"
     sized = next(((word, span) for word, span in facts.size if word in _SIZES), None)
     if sized is not None:
         count, reason = _SIZES[sized[0]][0], f'"{sized[1].words}"'

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from mansion_msgs_py.program import Downgrade
+from mansion_msgs_py.wording import with_article
 from mansion_planner.knowledge import BuildingType
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.inference import note
@@ -66,7 +67,8 @@ def choose_shape(decisions: Decisions, area: float, generator: np.random.Generat
         decisions.downgrades.append(
             Downgrade(
                 wish=f"{shape} outline", got="rectangle", stage="program",
-                reason=f"a {shape} plan takes at least {_LEAST_AREA[shape]:.0f} m2 a storey, there are {area:.0f}",
+                reason=f"{with_article(shape)} plan takes at least {_LEAST_AREA[shape]:.0f} m2 a storey, "
+                f"there are {area:.0f}",
             )
         )  # fmt: skip
         return "rectangle"

@@ -1,6 +1,7 @@
 """The gross area of a storey: stated, or what the rooms need."""
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.wording import with_article
 from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.allocation import Allocation, planned_room
 from mansion_planner.program.areas import AREA_CAP
@@ -51,7 +52,7 @@ def storey_area(
         if least > decisions.area * 1.02:
             facts = allocation.wanted[fullest.index]
             words = ", ".join(dict.fromkeys(fact.span.words for fact in facts))
-            words = words or f"the rooms of a {fullest.use.name.replace('_', ' ')}"
+            words = words or f"the rooms of {with_article(fullest.use.name.replace('_', ' '))}"
             given = decisions.area_span.startswith("$.")
             raise MansionError(
                 ErrorCode.INFEASIBLE,

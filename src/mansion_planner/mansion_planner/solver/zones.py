@@ -10,6 +10,7 @@ import networkx as nx
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
+from mansion_msgs_py.wording import with_article
 
 __all__ = ["Link", "breadth_first_parents", "resolve_zones", "room_graph", "select_hub"]
 
@@ -111,7 +112,7 @@ def resolve_zones(
         if node.type in ("stair", "elevator") and node.id not in obstacles:
             raise MansionError(
                 ErrorCode.INFEASIBLE,
-                f"{node.id!r} is a {node.type} but no core has that id",
+                f"{node.id!r} is {with_article(node.type)} but no core has that id",
                 path=f"$.nodes[{k}]",
             )
     graph = room_graph(problem)

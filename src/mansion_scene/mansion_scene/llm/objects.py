@@ -5,6 +5,7 @@ from typing import get_args
 
 from mansion_llm import Fault, Prompt, quoted_data
 from mansion_msgs_py.placement import GlobalConstraint, Relation, RelationKind
+from mansion_msgs_py.wording import with_article
 from mansion_scene.catalogue import Catalogue
 from mansion_scene.catalogue.records import Item, MatrixShape
 from mansion_scene.llm.answers import ObjectAnswer, ObjectsAnswer
@@ -65,8 +66,8 @@ def objects_prompt(
     """Return the question for one room; rooms of one type and nearly one size share it."""
     usual = [item.name for item in catalogue.room_program(room_type).floor]
     lines = [
-        f"Choose the furniture of a {room_type.replace('_', ' ')} of about {area:.0f} m2 "
-        f"({max(extent):.0f} x {min(extent):.0f} m) in a {building_type.replace('_', ' ')}, style {style}.",
+        f"Choose the furniture of {with_article(room_type.replace('_', ' '))} of about {area:.0f} m2 "
+        f"({max(extent):.0f} x {min(extent):.0f} m) in {with_article(building_type.replace('_', ' '))}, style {style}.",
         quoted_data("brief", description),
         f"Such a room usually has: {', '.join(usual) or 'nothing'}.",
         "Categories: " + ", ".join(floor_categories(catalogue)) + ".",

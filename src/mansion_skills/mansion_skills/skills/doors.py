@@ -4,6 +4,7 @@ from math import dist, hypot
 
 from mansion_msgs_py.scene import Door
 from mansion_msgs_py.skills import DoorArgs
+from mansion_msgs_py.wording import with_article
 from mansion_msgs_py.world import SkillChange, SkillResult
 from mansion_skills.navigation.floor_map import FLAT, LEAFLESS
 from mansion_skills.skills.naming import door_named
@@ -72,7 +73,7 @@ def _refusal(
     world: World, robot: RobotBody, name: str, door: Door, wanted: bool
 ) -> SkillResult | None:
     if door.kind in LEAFLESS:
-        text = f"{door.id} is a {door.kind} without a leaf"
+        text = f"{door.id} is {with_article(door.kind)} without a leaf"
         return invalid(world, robot, name, text, "another door")
     if door.kind == "sliding":
         text = f"{door.id} is a lift's landing door"

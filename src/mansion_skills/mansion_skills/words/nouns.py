@@ -3,6 +3,8 @@
 import re
 from typing import Final
 
+from mansion_msgs_py.wording import with_article
+
 __all__ = ["article", "is_plural", "ordinal", "plain", "singular"]
 
 _ORDINALS: Final = (
@@ -74,7 +76,7 @@ def article(words: str, *, known: bool) -> str:
         return f"the {words}"
     if is_plural(words):
         return f"some {words}"
-    return f"{'an' if words[:1] in 'aeio' or words.startswith('um') else 'a'} {words}"
+    return with_article(words)
 
 
 def ordinal(number: int) -> str:

@@ -8,6 +8,7 @@ from shapely import STRtree
 from mansion_msgs_py.editing import MoveObjectArgs, RemoveObjectArgs, SetStateArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.wording import with_article
 from mansion_scene.decor.frames import footprint, room_polygon, to_local
 from mansion_scene.editing import geometry
 from mansion_scene.editing.physics.problem import PhysicsEngine
@@ -160,7 +161,7 @@ def _target(
             path="$.receptacle_id",
         )
     if item.mount in ("wall", "ceiling"):
-        raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} hangs on a {item.mount}")
+        raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} hangs on {with_article(item.mount)}")
     asset = state.asset(receptacle)
     inside = asset is not None and bool(asset.volumes) and not asset.surfaces
     try:

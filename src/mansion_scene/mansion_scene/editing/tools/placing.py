@@ -9,6 +9,7 @@ from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point3
+from mansion_msgs_py.wording import with_article
 from mansion_scene.catalogue import Asset
 from mansion_scene.decor.frames import scene_object, to_floor, to_local
 from mansion_scene.editing.colouring import recoloured
@@ -97,7 +98,9 @@ def _place(
     near: SceneObject | None = None,
 ) -> SceneObject:
     if asset.mount in ("wall", "ceiling"):
-        raise _refusal(f"a {asset.name} hangs on a {asset.mount}, it cannot be put anywhere else")
+        raise _refusal(
+            f"{with_article(asset.name)} hangs on {with_article(asset.mount)}, it cannot be put anywhere else"
+        )
     new = scene_object(
         asset,
         state.new_id(floor, receptacle.room, asset.category),
@@ -180,10 +183,10 @@ def _no_room(thing: SceneObject, receptacle: SceneObject, ledges: list[Ledge], i
     ]
     where = f"{'in' if inside else 'on'} {receptacle.id}"
     if fitting:
-        return f"no free place for a {thing.name} ({w:.2f} x {d:.2f} m) {where}; remove something first"
+        return f"no free place for {with_article(thing.name)} ({w:.2f} x {d:.2f} m) {where}; remove something first"
     biggest = max(ledges, key=lambda ledge: ledge.w * ledge.d)
     return (
-        f"a {thing.name} of {w:.2f} x {d:.2f} x {h:.2f} m does not fit {where}: its largest place is "
+        f"{with_article(thing.name)} of {w:.2f} x {d:.2f} x {h:.2f} m does not fit {where}: its largest place is "
         f"{biggest.w:.2f} x {biggest.d:.2f} m, {biggest.clearance:.2f} m high"
     )
 

@@ -9,6 +9,7 @@ from shapely.prepared import prep
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point
+from mansion_msgs_py.wording import with_article
 from mansion_scene.catalogue import Asset
 from mansion_scene.decor.frames import footprint, room_polygon, scene_object, wall_edges
 from mansion_scene.editing.colouring import recoloured
@@ -61,7 +62,8 @@ def place_on_floor(
     """
     if asset.mount in ("wall", "ceiling"):
         raise MansionError(
-            ErrorCode.INFEASIBLE, f"a {asset.name} hangs on a {asset.mount}, not on the floor"
+            ErrorCode.INFEASIBLE,
+            f"{with_article(asset.name)} hangs on {with_article(asset.mount)}, not on the floor",
         )
     new = scene_object(
         asset,
@@ -88,7 +90,7 @@ def place_on_floor(
     why = "would leave all rooms and things within a robot's reach" if refused else "is free"
     raise MansionError(
         ErrorCode.INFEASIBLE,
-        f"no place for a {asset.name} of {w:.2f} x {d:.2f} m in {room.id} {why}; remove something first",
+        f"no place for {with_article(asset.name)} of {w:.2f} x {d:.2f} m in {room.id} {why}; remove something first",
     )
 
 
