@@ -237,3 +237,18 @@ def test_through_the_real_client_an_unknown_action_is_told(
     with pytest.raises(MansionError, match="Invalid action: CreateRuntimeAsset"):
         engine_named("thor").settle(SettleProblem(box(0.1, 0.0, 0.053), [TABLE]))
     assert gone(executable)
+
+
+def test_through_the_real_client_a_build_that_cannot_be_had_is_unavailable(
+    executable: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def none(*_: Any) -> list[Any]:
+        return []
+
+    controller = pytest.importorskip("ai2thor.controller")
+    monkeypatch.setattr(controller.Controller, "find_platform_builds", none)
+    monkeypatch.delenv("MANSION_THOR_BUILD")
+    with pytest.raises(MansionError, match="platforms=CloudRendering") as caught:
+        engine_named("thor").settle(SettleProblem(box(0.1, 0.0, 0.053), [TABLE]))
+    assert caught.value.code == "UNAVAILABLE"
+    assert not (executable / "started").exists()

@@ -56,6 +56,10 @@ def start_controller(**parameters: Any) -> Controller:
             f"AI2-THOR is not installed ({error}); it is the extra `thor`: pip install 'ai2thor>=5.0'",
             details={"extra": "thor"},
         ) from None
+    if isinstance(parameters.get("platform"), str):
+        # By its name the client takes a platform too, but then cannot say why it does not serve.
+        platforms = importlib.import_module("ai2thor.platform")
+        parameters["platform"] = getattr(platforms, parameters["platform"])
     # A constructor that fails half way has the simulator running; only the half-made object knows its process.
     controller: Any = module.Controller.__new__(module.Controller)
     try:
