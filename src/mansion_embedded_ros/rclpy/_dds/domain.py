@@ -30,7 +30,7 @@ _LOOPBACK = "<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>16000B</Fragme
 
 _lock = threading.Lock()
 _domains: dict[int, tuple[int, int, str]] = {}
-"""Entity, number of users, and configuration of each domain of this process."""
+"""Entity, number of users, and discovery range of each domain of this process."""
 
 
 def domain_id_from_environment(environment: Mapping[str, str] = os.environ) -> int:
@@ -104,8 +104,9 @@ def acquire_domain(number: int) -> None:
     """
     with _lock:
         own = configuration()
-        entity, users, used = _domains.get(number, (0, 0, own))
-        if used != own:
+        reach = configuration({**os.environ, "CYCLONEDDS_URI": ""})
+        entity, users, used = _domains.get(number, (0, 0, reach))
+        if used != reach:
             raise DDSError(
                 PRECONDITION_NOT_MET,
                 f"use domain {number}: attempt at creating nodes in the same domain with different discovery "
@@ -116,7 +117,7 @@ def acquire_domain(number: int) -> None:
             # Somebody else's domain (a plain cyclonedds participant) is used as it is.
             if entity < 0 and entity != PRECONDITION_NOT_MET:
                 raise DDSError(entity, f"create domain {number} (check CYCLONEDDS_URI)")
-        _domains[number] = (entity, users + 1, own)
+        _domains[number] = (entity, users + 1, used)
 
 
 def release_domain(number: int) -> None:
