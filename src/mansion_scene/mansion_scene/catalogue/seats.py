@@ -10,7 +10,7 @@ __all__ = ["seating_tables", "seats_around", "sits_around", "wanted_seats"]
 _PLACE = 0.59
 """Least width of a place at a table, metres."""
 
-_BEHIND = 1.0
+_BEHIND = 1.1
 """From a table's edge to the wall: a chair and somebody who passes behind it, metres."""
 
 
@@ -61,7 +61,7 @@ def seating_tables(
     Returns
     -------
     list of Asset
-        Those that are not much too large; where none seats all, those that seat most.
+        Those that seat no more than needed; where none seats all, those that seat most.
     """
     long, short = extent
     roomy = [
@@ -73,6 +73,6 @@ def seating_tables(
     enough = [table for table in choices if seats_around(table, seat) >= seats - 0.5]
     if enough:
         least = min(seats_around(table, seat) for table in enough)
-        return [table for table in enough if seats_around(table, seat) <= least + 2]
+        return [table for table in enough if seats_around(table, seat) == least]
     most = max(seats_around(table, seat) for table in choices)
     return [table for table in choices if seats_around(table, seat) == most]
