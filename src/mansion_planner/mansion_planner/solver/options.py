@@ -67,7 +67,8 @@ class SolverOptions:
     round_candidates : int
         Candidates of all cut rounds together, divided by the number of rooms, when the wall search follows.
     seeded_proposals, proposals : int
-        Candidates of one wall search per room, with seeds and without.
+        Candidates of one coarse search per room, with seeds and without. Without seeds, a sound one gets as many again;
+        on large floors the search is twice as long instead.
     attempts : int
         Most wall searches, as long as edges are unmet or rooms narrow.
     candidates : int
@@ -93,8 +94,8 @@ class SolverOptions:
     wall_search: bool = True
     round_candidates: int = 400
     seeded_proposals: int = 600
-    proposals: int = 700
-    attempts: int = 16
+    proposals: int = 350
+    attempts: int = 24
     candidates: int = 600_000
     spacing: float = 0.4
     unseeded_spacing: float = 0.6

@@ -6,6 +6,7 @@ from mansion_geometry.randomness import item_seed
 from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_planner.solver.annealing import Annealing
 from mansion_planner.solver.budget import Budget
 from mansion_planner.solver.cutting import RoundsResult, run_rounds
 from mansion_planner.solver.feasibility import relaxed_links
@@ -106,8 +107,8 @@ def solve_floor(
     rounds = run_rounds(model, goal, grid, options, round_budget, rng, seed_callback)
     budget.take(round_budget.used)
     if options.wall_search:
-        search = WallSearch(model, goal, grid, major, options, budget, rng)
-        best, rounds = search.run(rounds, planned)
+        annealing = Annealing(model, goal, grid, major, options, budget, rng)
+        best, rounds = WallSearch(annealing).run(rounds, planned)
     else:
         best = _without_search(model, goal, grid, rounds, options)
     if best is None:
