@@ -8,7 +8,7 @@ import re
 from collections import Counter
 from collections.abc import Sequence
 from difflib import SequenceMatcher
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Final
 
 import msgspec
@@ -42,6 +42,9 @@ _STOP_TEXT: Final = (
 )
 _STOP: Final = frozenset(_STOP_TEXT.split())
 _K1, _B = 1.2, 0.4
+_LOOK: Final = 0.4
+"""Weight of a word for a colour or material that another word follows, where the name of a thing has 1."""
+
 _WEIGHTS: Final = (("name", 3.0), ("synonym", 2.2), ("use", 1.2), ("tag", 0.8), ("room", 0.12))
 
 
@@ -78,6 +81,12 @@ def _words(text: str) -> list[str]:
 def _content(text: str) -> list[str]:
     raw = re.findall(r"[a-z0-9]+", text.lower())
     return [_stem(w) for w in raw if w not in _STOP] or [_stem(w) for w in raw]
+
+
+@cache
+def _looks() -> frozenset[str]:
+    """Words for colours and materials, which tell what a thing is like and seldom what it is."""
+    return frozenset(_stem(word) for word in (*COLOURS, *FAMILIES))
 
 
 def _trigrams(word: str) -> set[str]:
@@ -149,8 +158,11 @@ class _Index:
         """Return each category's score."""
         words = self.joined(_content(query))
         weighted: list[tuple[str, float]] = []
-        for word in words:
-            weighted += [(word, 1.0)] if word in self.idf else self.near(word)
+        for number, word in enumerate(words, 1):
+            if word in _looks() and number < len(words):
+                weighted.append((word, _LOOK))
+            else:
+                weighted += [(word, 1.0)] if word in self.idf else self.near(word)
         out = []
         asked = tuple(_words(query))
         bare = tuple(words)

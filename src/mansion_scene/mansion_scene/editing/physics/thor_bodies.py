@@ -103,8 +103,6 @@ def runtime_asset(body: Body) -> Json:
             "secondaryProperties": [],
         },
         "receptacleCandidate": False,
-        "yRotOffset": 0.0,
-        "serializable": False,
     }
 
 
