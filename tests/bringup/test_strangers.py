@@ -126,17 +126,45 @@ def test_a_command_without_what_it_needs_says_so(path: tuple[str, ...]) -> None:
     assert "Usage:" in shown.output
 
 
+WRITING = (
+    ("view", "sample", "-o", "{}/view.html"),
+    ("export", "sample", "--to", "thor", "-o", "{}"),
+    ("look", "sample", "-o", "{}/look.png"),
+    ("task", "generate", "sample", "-n", "1", "-o", "{}/tasks.json"),
+    ("task", "paper", "office_laptop", "-o", "{}/task.json"),
+    ("solve", "none.json", "-o", "{}/layouts.json"),
+    ("place", "none.json", "-o", "{}/placements.json"),
+    ("bench", "agents", "--tasks", "none.json", "-o", "{}"),
+    ("build", "a small flat", "-o", "{}"),
+)
+
+
+@pytest.mark.parametrize("words", WRITING, ids=" ".join)
+def test_an_output_below_a_file_is_named(
+    words: tuple[str, ...], things: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (things / "none.txt").write_text("[]")
+    words = tuple(word.replace("none.json", "none.txt") for word in words)
+    assert "file.json" in refused(words, "file.json/below", things, monkeypatch)
+
+
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
-def test_a_folder_that_cannot_be_written_is_named(things: Path, tmp_path: Path) -> None:
+def test_a_folder_that_cannot_be_written_is_named(
+    things: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     closed = tmp_path / "closed"
     closed.mkdir(mode=0o500)
+    assert str(closed) in refused(WRITING[0], str(closed), things, monkeypatch)
+
+
+def test_an_output_that_the_system_refuses_is_one_line(things: Path) -> None:
     done = subprocess.run(
-        [sys.executable, "-m", "mansion_bringup", "view", str(things / "sample"), "-o",
-         str(closed / "view.html")],
+        [sys.executable, "-m", "mansion_bringup", "task", "paper", "office_laptop", "-o",
+         "/proc/nowhere/task.json"],
         capture_output=True, text=True, timeout=120, check=False,
     )  # fmt: skip
-    assert done.returncode == 1 and "Traceback" not in done.stderr
-    assert str(closed) in done.stderr
+    assert done.returncode == 1
+    assert done.stderr.startswith("error: ") and done.stderr.count("\n") == 1
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ import typer
 from msgspec.structs import replace
 
 from mansion_bringup.cli.console import EXIT_INTERRUPTED, err, progress_bar
+from mansion_bringup.cli.outputs import check_output_folder
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wording import counted
@@ -92,6 +93,7 @@ def _run(
         ports=_graph_port() if graph else local_port,
         graph=graph,
     )
+    check_output_folder(output)
     _provide(chosen, sheets)
     result, taken_over = _followed(bench, jobs)
     typer.echo(render(result.summary))

@@ -10,6 +10,7 @@ import typer
 from mansion_bringup.building.floor_files import floor_directory
 from mansion_bringup.building.read import BuildingFolder
 from mansion_bringup.cli.console import err
+from mansion_bringup.cli.outputs import check_output_file, check_output_folder
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -110,8 +111,9 @@ def export(
         raise MansionError(
             ErrorCode.NOT_FOUND, f"no format {to!r}; use one of {known}", path="$.to"
         )
-    files = EXPORTS[to](BuildingFolder(building))
-    target = output or building
+    read, target = BuildingFolder(building), output or building
+    check_output_folder(target)
+    files = EXPORTS[to](read)
     for name, data in files.items():
         write_atomic(target / name, data)
     size = sum(len(data) for data in files.values()) / 1e6
@@ -136,7 +138,9 @@ def view(
     from mansion_scene.export.html import view_page
 
     page = output or building / "view.html"
-    write_atomic(page, view_page(BuildingFolder(building).scenes()).encode())
+    scenes = BuildingFolder(building).scenes()
+    check_output_file(page)
+    write_atomic(page, view_page(scenes).encode())
     typer.echo(str(page))
     if show:
         webbrowser.open(page.absolute().as_uri())

@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from mansion_bringup.cli.console import err, progress_bar
+from mansion_bringup.cli.outputs import check_output_file
 from mansion_msgs_py.wording import counted
 
 __all__ = ["register"]
@@ -31,6 +32,7 @@ def solve(
     """
     from mansion_planner.solver.files import solve_file
 
+    check_output_file(output)
     with progress_bar() as report:
         layouts = solve_file(problems, output, seed=seed, jobs=jobs, progress=report)
     met = sum(layout.topology_satisfied for layout in layouts)
@@ -52,6 +54,7 @@ def place(
     """
     from mansion_scene.placement.files import place_file
 
+    check_output_file(output)
     with progress_bar() as report:
         results = place_file(rooms, output, seed=seed, jobs=jobs, progress=report)
     placed = sum(len(result.placements) for result in results)

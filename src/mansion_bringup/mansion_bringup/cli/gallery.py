@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from mansion_bringup.cli.console import err
+from mansion_bringup.cli.outputs import check_output_folder
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.placement import PlacementResult
@@ -46,6 +47,7 @@ def gallery(
             line = ", ".join(f"{name} {share:.0%}" for name, share in shares.items())
             typer.echo(f"{question:10} {line}")
         return
+    check_output_folder(output)
     results: dict[str, list[PlacementResult]] = {}
     for entry in systems:
         name, separator, file = entry.partition("=")

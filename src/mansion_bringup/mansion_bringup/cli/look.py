@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from mansion_bringup.cli.console import out
+from mansion_bringup.cli.outputs import check_output_file
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import Pose2D
@@ -67,6 +68,7 @@ def look(
     """
     from mansion_bringup.extras import ensure_extra
 
+    check_output_file(output)
     ensure_extra("sim")
     from mansion_skills import Robot
     from mansion_skills.vision import Camera

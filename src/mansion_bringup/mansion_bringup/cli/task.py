@@ -8,6 +8,7 @@ import typer
 from rich.table import Table
 
 from mansion_bringup.cli.console import err, out, print_json
+from mansion_bringup.cli.outputs import check_output_file
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
@@ -67,6 +68,11 @@ def _write(tasks: list[Task], building: Path, building_id: str, output: Path | N
         return
     write_atomic(output, encode_bytes(made))
     err.print(f"{output}: {counted(len(tasks), 'task')}", highlight=False)
+
+
+def _check_output(output: Path | None) -> None:
+    if output is not None:
+        check_output_file(output)
 
 
 def _chosen(tasks: list[Task], name: str) -> list[Task]:
@@ -149,6 +155,7 @@ def generate(
     """
     from mansion_skills.tasks.generate import generate as make
 
+    _check_output(output)
     sandbox = _sandbox(building)
     tasks = make(sandbox, count, seed, kind)
     if len(tasks) < count:
@@ -201,6 +208,7 @@ def paper(
             out.print(f"[bold]{entry.task.id}[/bold] ({entry.source})\n  {entry.task.instruction}")
             out.print(f'  mansion build "{entry.sentence}"', highlight=False)
         return
+    _check_output(output)
     task = paper_task(name).task
     if output is None:
         print_json(task)
@@ -225,6 +233,7 @@ def ground(
     from mansion_skills.tasks.grounding import ground as find
     from mansion_skills.tasks.paper import PAPER_TASKS
 
+    _check_output(output)
     words = _in_words(task)
     known = PAPER_TASKS.get(words.id)
     sandbox = _sandbox(building)
