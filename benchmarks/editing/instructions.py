@@ -61,6 +61,30 @@ class Maker:
         """Name a carrier and its room."""
         return f"the {item.name} in {room_words(scene, item.room, self.tall)}"
 
+    def loaded(self) -> list[tuple[FloorScene, SceneObject, SceneObject]]:
+        """Tables with a loose thing that is the only one of its kind there."""
+        return [
+            (s, c, o)
+            for s, c in self.carriers
+            for o in s.objects
+            if o.parent == c.id
+            and o.pickupable
+            and max(o.size) < 0.35
+            and sum(x.category == o.category and x.parent == c.id for x in s.objects) == 1
+            and not any(x.parent == o.id for x in s.objects)
+        ]
+
+    def closets(self) -> list[tuple[FloorScene, SceneObject]]:
+        """Furniture that opens and is the only one of its kind in its room."""
+        return [
+            (s, o)
+            for s in self.scenes
+            for o in s.objects
+            if o.openable
+            and o.mount == "floor"
+            and sum(x.room == o.room and x.category == o.category for x in s.objects) == 1
+        ]
+
     def place(self) -> Case | None:
         """A small thing on a table."""
         if not self.carriers:
@@ -160,14 +184,7 @@ class Maker:
 
     def switch(self) -> Case | None:
         """Something opened."""
-        able = [
-            (s, o)
-            for s in self.scenes
-            for o in s.objects
-            if o.openable
-            and o.mount == "floor"
-            and sum(x.room == o.room and x.category == o.category for x in s.objects) == 1
-        ]
+        able = self.closets()
         if not able:
             return None
         scene, item = self.pick(able)
@@ -196,15 +213,7 @@ class Maker:
 
     def move(self) -> Case | None:
         """A thing moved from one carrier to another."""
-        loaded = [
-            (s, c, o)
-            for s, c in self.carriers
-            for o in s.objects
-            if o.parent == c.id
-            and o.pickupable
-            and max(o.size) < 0.35
-            and sum(x.category == o.category and x.parent == c.id for x in s.objects) == 1
-        ]
+        loaded = self.loaded()
         if not loaded or len(self.carriers) < 2:
             return None
         scene, source, item = self.pick(loaded)

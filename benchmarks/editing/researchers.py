@@ -1,6 +1,6 @@
 """The editing agent on instructions as researchers write them, and on some that must be refused.
 
-    python benchmarks/editing/researchers.py BUILDINGS [--each 15] [--seed 0] [--physics mujoco]
+    python benchmarks/editing/researchers.py BUILDINGS [--set 1] [--each 15] [--seed 0] [--physics mujoco]
 
 The instructions stand in `researchers.toml` with what must be true afterwards; names of tables, rooms and things come
 from a building. Each is given to several buildings; `cases.py` says how it is judged. Things that an instruction does
@@ -144,8 +144,11 @@ def prepare(editor: SceneEditor, request: dict[str, Any], names: Names) -> None:
 
 def main() -> None:
     """Run the cases and print the score."""
-    args = options(__doc__, 15).parse_args()
-    data = tomllib.loads(Path(__file__).with_name("researchers.toml").read_text())
+    parser = options(__doc__, 15)
+    parser.add_argument("--set", type=int, choices=[1, 2], default=1, help="which list")
+    args = parser.parse_args()
+    name = "researchers.toml" if args.set == 1 else "researchers2.toml"
+    data = tomllib.loads(Path(__file__).with_name(name).read_text())
     requests = [*data["request"], *data["refused"]]
     asked: Counter[int] = Counter()
 

@@ -11,6 +11,7 @@ from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_scene.catalogue import Catalogue
 
 NEAR = 0.9
+_ALSO = {"vase": ("vase", "flower_vase")}
 _NAME = re.compile(r"\b(T2|T|O2|O|U|F|C|L|R2|R|B|Q|Z)\b")
 _SLOT = re.compile(r"\{(\w+)(?:\.(\w+))?\}")
 _COUNT = re.compile(r"(?:(\w+) )?(\w+) (on|near|in) (\w+) (>=|==) (\d+)$")
@@ -69,6 +70,10 @@ class Names:
         """Return the category that a word of a statement means."""
         return self.items[word].category if word in self.items else word
 
+    def categories(self, word: str) -> tuple[str, ...]:
+        """Return the category of a word and those that people call so too."""
+        return _ALSO.get(word, (self.category(word),))
+
     def actions(self, words: str, catalogue: Catalogue) -> Iterator[tuple[str, dict[str, Any]]]:
         """Yield the calls that make a statement true: ``put pen T``, ``C open``, ``Q all open``."""
         if words.startswith("put "):
@@ -102,16 +107,17 @@ class CountStatement:
 
     def __init__(self, match: re.Match[str], names: Names) -> None:
         self.colour, word, self.relation, self.place, self.sign, number = match.groups()
-        self.category, self.number, self.names = names.category(word), int(number), names
+        self.categories, self.number, self.names = names.categories(word), int(number), names
 
     def have(self, scenes: Scenes) -> int:
         """Count what is there."""
         if self.relation == "on" and not self.colour:
-            return count(scenes, self.names.items[self.place].id, self.category)
+            carrier = self.names.items[self.place].id
+            return sum(count(scenes, carrier, category) for category in self.categories)
         found = [
             o
             for o in objects(scenes)
-            if o.category == self.category and o.material.endswith(self.colour or "")
+            if o.category in self.categories and o.material.endswith(self.colour or "")
         ]
         if self.relation == "in":
             return sum(o.room == self.names.rooms[self.place] for o in found)
@@ -137,7 +143,7 @@ class OnlyStatement:
     """``only mug,book on T``."""
 
     def __init__(self, match: re.Match[str], names: Names) -> None:
-        self.allowed = {names.category(word) for word in match[1].split(",")}
+        self.allowed = {c for word in match[1].split(",") for c in names.categories(word)}
         self.place = names.items[match[2]].id
 
     def others(self, scenes: Scenes) -> list[str]:

@@ -33,12 +33,7 @@ from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_scene.editing.editor import SceneEditor
 
 THINGS = [w for w in SMALL if w not in ("laptop", "toilet paper")]
-FURNITURE = {
-    "armchair": "armchair",
-    "couch": "sofa",
-    "round table": "round_table",
-    "stool": "stool",
-}
+FURNITURE = ("armchair", "couch", "round table", "stool")
 NUMBERS = ("", "one", "two", "three")
 
 
@@ -119,19 +114,6 @@ class Varied(Maker):
         text = self.say("COLD", n=word, y=self.where(scene, fridge), room=self.room())
         have = count(self.scenes, fridge.id, COLD[word])
         return Case(text, max(0, 1 - have), lambda s: count(s, fridge.id, COLD[word]) >= 1, "COLD")
-
-    def loaded(self) -> list[tuple[FloorScene, SceneObject, SceneObject]]:
-        """Tables with a loose thing that is the only one of its kind there."""
-        return [
-            (s, c, o)
-            for s, c in self.carriers
-            for o in s.objects
-            if o.parent == c.id
-            and o.pickupable
-            and max(o.size) < 0.35
-            and sum(x.category == o.category and x.parent == c.id for x in s.objects) == 1
-            and not any(x.parent == o.id for x in s.objects)
-        ]
 
     def absent(self) -> Case | None:
         if not self.loaded():
@@ -231,7 +213,8 @@ class Varied(Maker):
         if not large:
             return None
         room, colour = self.pick(large), self.pick(["blue", "green", "red"])
-        noun, (word,) = self.pick(list(FURNITURE)), self.words()
+        noun, (word,) = self.pick(FURNITURE), self.words()
+        category = "sofa" if noun == "couch" else noun.replace(" ", "_")
         text = self.say(
             "FURNISH",
             colour=colour,
@@ -242,9 +225,7 @@ class Varied(Maker):
 
         def seats(scenes: Scenes) -> list[SceneObject]:
             mine = [o for o in objects(scenes) if o.room == room.id]
-            return [
-                o for o in mine if o.category == FURNITURE[noun] and o.material.endswith(colour)
-            ]
+            return [o for o in mine if o.category == category and o.material.endswith(colour)]
 
         def holds(scenes: Scenes) -> bool:
             return any(count(scenes, seat.id, SMALL[word]) >= 1 for seat in seats(scenes))
@@ -252,14 +233,7 @@ class Varied(Maker):
         return Case(text, 1 + (not seats(self.scenes)), holds, "FURNISH")
 
     def mixed(self) -> Case | None:
-        able = [
-            (s, o)
-            for s in self.scenes
-            for o in s.objects
-            if o.openable
-            and o.mount == "floor"
-            and sum(x.room == o.room and x.category == o.category for x in s.objects) == 1
-        ]
+        able = self.closets()
         if not able or not self.carriers:
             return None
         other, box = self.pick(able)

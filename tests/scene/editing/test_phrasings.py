@@ -137,3 +137,132 @@ def test_what_is_not_understood_is_refused(state: SceneState, text: str) -> None
 def test_courtesies_and_contractions_fall_away() -> None:
     text = "Hi robot, could you please see that there's a mug on the desk? Thanks!"
     assert sentences(text) == ["see that there is a mug on the desk"]
+
+
+TABLE = "the dining table in the kitchen"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"For the next experiment we require a laptop on {TABLE}.",
+        f"My episode starts with a laptop on {TABLE}, so please provide one if it is not there.",
+        f"Would it be possible to have a laptop on {TABLE}?",
+        f"What I want is a laptop on {TABLE}.",
+        f"I was hoping to find a laptop on {TABLE}.",
+        f"Can we get a laptop onto {TABLE}?",
+        f"Somebody forgot to put a laptop on {TABLE}. Do it for them.",
+        f"The robot has to pick a laptop up from {TABLE}. Make sure that there is one.",
+        "The dining table in the kitchen could do with a laptop.",
+    ],
+)
+def test_a_wish_in_a_researchers_words(state: SceneState, text: str) -> None:
+    assert _facts(state, text) == ["1 laptop on the dining table in F1/kitchen"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"Nothing but a book on {TABLE}, please.",
+        f"I want nothing except a book on {TABLE}.",
+        "The dining table in the kitchen should hold only a book.",
+        f"The only thing on {TABLE} should be a book.",
+        f"There must be a book and nothing else on {TABLE}.",
+        "Apart from a book, the dining table in the kitchen must be empty.",
+        f"Swap what is on {TABLE} for a book.",
+    ],
+)
+def test_nothing_but_a_thing(state: SceneState, text: str) -> None:
+    assert _facts(state, text) == [
+        "gone: everything but book on the dining table in F1/kitchen",
+        "exactly 1 book on the dining table in F1/kitchen",
+    ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"Remove everything from {TABLE} except the mug.",
+        f"Clear {TABLE} but leave the mug where it is.",
+        f"Take everything off {TABLE} apart from the mug.",
+        f"Keep the mug on {TABLE}, but take all the rest away.",
+    ],
+)
+def test_everything_but_a_thing_goes(state: SceneState, text: str) -> None:
+    assert _facts(state, text) == [
+        "gone: everything but mug on the dining table in F1/kitchen",
+        "1 mug on the dining table in F1/kitchen",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "facts"),
+    [
+        ("Close everything in the kitchen.", ["every  in F1/kitchen closed"]),
+        ("Shut whatever stands open in the kitchen.", ["every  in F1/kitchen closed"]),
+        ("Turn everything off in the kitchen.", ["every  in F1/kitchen off"]),
+        ("The fridge should not be open.", ["the fridge in the building closed"]),
+        ("Don't leave the fridge open.", ["the fridge in the building closed"]),
+        ("Put a yogurt in the fridge; then close it.",
+         ["1 yogurt in the fridge", "1 fridge in the building closed"]),
+        (f"I need the fridge open and a book on {TABLE}.",
+         ["the fridge in the building open", "1 book on the dining table in F1/kitchen"]),
+        (f"Don't allow more than one mug on {TABLE}.",
+         ["at most 1 mug on the dining table in F1/kitchen"]),
+        (f"Increase the number of pens on {TABLE} to three.",
+         ["3 pens on the dining table in F1/kitchen"]),
+        (f"{TABLE} is too bare. Put a book on it.".replace("the", "The", 1),
+         ["1 book on the dining table in F1/kitchen"]),
+    ],
+)  # fmt: skip
+def test_states_and_numbers(state: SceneState, text: str, facts: list[str]) -> None:
+    assert _facts(state, text) == facts
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Swap the mug on the dining table and the pen on the office desk.",
+        "The mug on the dining table and the pen on the office desk should trade places.",
+    ],
+)
+def test_two_things_change_places(state: SceneState, text: str) -> None:
+    one, other = _facts(state, text)
+    assert one.endswith("moved to on the office desk") and "mug" in one
+    assert other.endswith("moved to on the dining table") and "pen" in other
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Grab the mug on the dining table and put it on the office desk.",
+        "There is a mug on the dining table. Take it to the office desk.",
+        "The mug on the dining table belongs on the office desk.",
+    ],
+)
+def test_taken_and_put_is_one_move(state: SceneState, text: str) -> None:
+    (fact,) = _facts(state, text)
+    assert "mug on the dining table moved to on the office desk" in fact
+
+
+@pytest.mark.parametrize(
+    ("text", "named"),
+    [
+        ("Put a mug to the left of the sofa.", "to the left of"),
+        ("If the mug is red, put a pen on the dining table.", "If"),
+        ("Put either a mug or a book on the dining table.", "either a mug or"),
+        ("Stack three books on the dining table.", "Stack"),
+        ("Break the mug on the dining table.", "Break"),
+        ("Put a mug on the table closest to the kitchen.", "closest"),
+        ("Remove half of the mugs.", "half of"),
+        ("Rotate the sofa by ninety degrees.", "Rotate"),
+        ("Put a flurbostat on the dining table.", "flurbostat"),
+    ],
+)
+def test_what_no_tool_does_is_refused_by_its_words(
+    state: SceneState, text: str, named: str
+) -> None:
+    with pytest.raises(MansionError) as error:
+        parse_instruction(state, text)
+    assert f"not understood: {named!r}" in str(error.value)
+    assert "what can be asked for" in str(error.value)

@@ -93,6 +93,7 @@ class ClauseReader(Spoken):
             self._again(words if clause.kind == "place" else f"in {words}")
             return
         if before.kind in ("state", "unstate") and _NEW.match(words):
+            self._flush()
             self._have(words)
             return
         self._read(replace(before, words={**before.words, "x": words, "loc": ""}))
@@ -245,7 +246,7 @@ class ClauseReader(Spoken):
         self._flush()
         last = self.facts[-1] if self.facts else None
         if word in STATES and self._last is not None:
-            self._switch(replace(self._last, placed=True), word)
+            self._switch(replace(self._able(word, self._last), placed=True), word)
         elif isinstance(last, ObjectFact) and word in COLOUR_WORDS:
             thing = replace(last.thing, colour=COLOUR_WORDS[word])
             self.facts[-1] = replace(last, thing=thing)

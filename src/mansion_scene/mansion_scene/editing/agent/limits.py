@@ -34,7 +34,8 @@ _BEYOND: Final = tuple(
          "things are placed where there is room, in no pattern"),
         (_VERB + r"(?P<word>stack|pile|line|align|sort|scatter|throw|rotate|spin|tilt|break|smash|burn|paint|knock|"
                  r"demolish|"
-         r"wash|wipe|cook|fold|cut|repair|build|widen|enlarge|resize|rename|undo|redo)\b(?! away| out)",
+         r"wash|wipe|cook|fold|cut(?! the (?:number|count))|repair|build|widen|enlarge|resize|rename|undo|redo)\b(?! "
+         r"away| out)",
          "no tool does it; objects can be placed, moved, removed, opened and switched"),
         (r"\b(?:clean|tidy|wipe)\b[^,;]* with\b",
          "no tool does it; objects can be placed, moved, removed, opened and switched"),

@@ -23,12 +23,25 @@ _FRAMES: Final = re.compile(
     r"do (?:the following|(?:these |those )?\w+ things),? |"
     r"(?:first|second|third|fourth|firstly|secondly|last),? (?=(?:put|place|add|remove|take|move|open|close|shut|turn|"
     r"switch|clear|empty|make|replace|set|bring|there)\b)|"
+    r"(?:we|i)(?:'ll| will| are going to| am going to| plan to) (?:run|do|start|conduct|record) [^,]+, |"
+    r"(?:bring|get|put) (?:me|us|it|the building|the scene) (?:in)?to a state (?:where|in which) |"
     r"it would (?:also )?be (?:good|nice|great) (?:if|to have) )+",
     re.IGNORECASE,
 )
 
 _SAYINGS: Final[tuple[tuple[str, str], ...]] = (
     # wishes for a thing
+    (r"\b(?:have|has) to be (?=(?:on|in|inside|at|next)\b)", "must be "),
+    (r"^(?:i|we) would (?:appreciate|be glad of|be happy with|welcome) (.+)$", r"there is \1"),
+    (r"^(?:i|we) (?:am|are) going to need ", "i need "),
+    (rf"^{_WHO} expects (?:to find )?(.+)$", r"there is \1"),
+    (r"^(?:somebody|someone|i|we|they) forgot to (\w+ .+)$", r"\1"),
+    (r"\b(?:is|are) short of\b", "needs"),
+    (r"^is (.+) (reachable|accessible)$", r"make \1 \2"),
+    (r", which (should|must|has to) be (open|closed|shut|on|off)\b", r" ;; it \1 be \2"),
+    (r"^(.+?), one of which (?:is|should be|must be) (\w+)$", r"\1 ;; one of them should be \2"),
+    (r"\bwhatever (\w+(?: \w+)?) (?:you find|there is|is|lies) (?=on|in)", r"the \1 "),
+    (r"\b(?:lie|lies|be|is)? ?within (?:arm's )?reach of\b", "next to"),
     (r"^(?:would|is|will) it (?:be )?(?:possible|ok|okay) to (?:have|get|put|add|place) (.+)$", r"there is \1"),
     (r"^what (?:i|we) (?:want|need|would like)(?: to have| to see)? (?:is )?(.+)$", r"there is \1"),
     (r"^(?:i|we) (?:was|were|am|are) (?:hoping|looking|going) (?:to (?:find|have|see)|for) (.+)$", r"there is \1"),
@@ -41,7 +54,7 @@ _SAYINGS: Final[tuple[tuple[str, str], ...]] = (
     (r"^(.+) would be (?:good|nice|great|fine|helpful|perfect|lovely)(?: there| to have)?$", r"there is \1"),
     (r"^make it ((?:an?|one|two|three|four|five|six|\d+) .+)$", r"there is \1"),
     (r"^not only (?:should|must) there be (.+?),? but (.+)$", r"there is \1 and \2"),
-    (r"^(?:set|lay|prepare|arrange) (the .+?) for (?:\w+ )?(?:people|persons?|guests?|visitors?|users?), (.+)$",
+    (r"^(?:set|lay|prepare|arrange|equip) (the .+?) for [^,]+, (.+)$",
      r"\1 needs \2"),
     # numbers
     (r"^there (?:should be|must be|is|are) (?:as few as |as many as )(\w+ .+?)(?:, exactly \w+)?$", r"there is "
@@ -62,6 +75,15 @@ _SAYINGS: Final[tuple[tuple[str, str], ...]] = (
      r"there is atmost \1 \2 \3"),
     (r"^(.+?) each (on|in|at) (the .+?) and (?:(?:on|in|at) )?(the .+)$", r"\1 \2 \3 ;; \1 \2 \4"),
     # not wanted
+    (r"^do not (?:allow|have|keep|leave|put|tolerate) more than (.+)$", r"there is atmost \1"),
+    (r"^(?:make sure|ensure|check|see to it) (?:that )?(?:nobody|no one) (?:has )?left (.+?) (open|on)$",
+     r"\1 should not be \2"),
+    (r"^(?:keep|leave) (.+?) (on|in) (.+?),? (?:but|and) (?:take|remove|clear|throw) (?:away )?(?:all |everything "
+     r")?(?:the )?"
+     r"(?:rest|others?|else)(?: away| off)?$", r"nothing but \1 \2 \3"),
+    (r"^(?:swap|replace|exchange|trade) (?:what|whatever|everything|all that) ?(?:is |lies )?(on|in) (.+?) (?:for|"
+     r"with|by) (.+)$",
+     r"nothing but \3 \1 \2"),
     (r"^(?:i|we) (?:do|would|can) not (?:want|need|like|wish|stand)(?: to (?:see|have|find))? (?:any )?(.+?)"
      r"(?: any ?more| any longer| no more)?$", r"there is no \1"),
     (r"^(?:i|we) would (?:rather|prefer)(?: to)? not (?:to )?(?:see|have|find) (?:any )?(.+)$", r"there is no \1"),
@@ -92,7 +114,8 @@ _SAYINGS: Final[tuple[tuple[str, str], ...]] = (
     (r"^(?:i|we) (?:want|need|would like) (.+?) moved(?:,| and)? (?:bring|take|carry|put|move) (?:it|them) "
      r"(?:to|on|onto|in|into) (.+)$", r"move \1 to \2"),
     (r"^(?:i|we) (?:want|need|would like) (.+?) (?:moved|brought|taken) to (.+)$", r"move \1 to \2"),
-    (r"^(the .+? (?:on|in|from) .+?) (?:belongs?|goes|should go|must go|has to go|ought to go) (?:on|in|to|into|onto)"
+    (r"^(the .+? (?:on|in|from) .+?) (?:belongs?|goes|should (?:go|sit|lie|stand|rest)|must go|has to go|ought to go)"
+     r" (?:on|in|to|into|onto)"
      r" (the .+)$",
      r"move \1 to \2"),
     # places spoken of
@@ -101,6 +124,12 @@ _SAYINGS: Final[tuple[tuple[str, str], ...]] = (
                                                                                                     r"\1"),
     (r"^(.+) on the same \w+ as .+?, that is,? (.+)$", r"\1 on \2"),
     # everything of a kind of state
+    (r"^(?:all|every|the) (?:the )?doors? (?:of|on) (?:all |the )*(?:furniture|cabinets?) in (.+?) (?:should|must|has"
+     r" to|have to) be "
+     r"(open|close|shut)(?:d|ed)?$", r"\2 everything in \1"),
+    (r"^(?:(?:i|we) (?:want|need|would like)|make sure|ensure|have|leave|keep) (the [^,]+?) and (the [^,]+?) (?:are |"
+     r"stay |to be )?"
+     r"(open|closed|shut|on|off)$", r"\1 should be \3 ;; \2 should be \3"),
     (r"^(?:everything|all (?:the )?(?:things|objects|devices|items)|whatever) (?:that |which )?can be (?:open|clos|"
      r"shut)\w* "
      r"(in|on) (.+?) (?:should|must|has to|have to|is to) be (open|close|shut)(?:d|ed)?$", r"\3 everything \1 \2"),
@@ -132,7 +161,8 @@ _FOLLOWS: Final = re.compile(
     r"^(?:(?:make sure|ensure|check|see to it|provide|add|put|get|take care)(?: that)? ?(?:there is )?(?:one|it|some|"
     r"that|this|"
     r"there is one|there is)(?: there| is there| exists?)?(?: if .*)?|(?:make|keep) (?:that|this|it) (?:possible|so)|"
-    r"(?:please )?fix (?:that|this|it)|take the (?:others|rest) away|remove the (?:others|rest))$",
+    r"(?:please )?fix (?:that|this|it)|do (?:it|that|this)(?: for \w+)?|take the (?:others|rest) away|remove the "
+    r"(?:others|rest))$",
     re.IGNORECASE,
 )
 

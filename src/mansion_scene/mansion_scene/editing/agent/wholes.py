@@ -42,6 +42,7 @@ _WHOLE: Final = tuple(
                  r"spare) (?P<x>[^,]+?)"
                  r"(?: (?:where (?:it is|they are)|there|alone|on it|in it|untouched|in place))?"),
         ("only", rf"(?:clear|empty)(?: off)? (?P<y>[^,]+?),? {_BUT} (?P<x>[^,]+?)"),
+        ("only", rf"(?P<y>[^,]+?) (?:{_MODAL} be|is) (?:completely )?(?:empty|bare|clear) {_BUT} (?P<x>[^,]+?)"),
         ("only", rf"{_BUT} (?P<x>[^,]+?), (?P<y>[^,]+?) (?:{_MODAL} be|is) (?:completely )?(?:empty|bare|clear)"),
         ("only", r"(?:only |just )?(?P<x>[^,]+?) on (?P<y>[^,]+?), (?:and )?(?:all|every) other (?:objects?|things?|"
                  r"items?)(?: \w+)? "
