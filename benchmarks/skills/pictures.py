@@ -1,10 +1,10 @@
-"""The pictures of docs/seeing.md, of a building with a lift.
+"""The pictures of docs/seeing.md and the README's, of its office.
 
 python benchmarks/skills/pictures.py out/office -o docs/images
 
 seeing_views.png has three rooms as colours, depth and labels, each in the direction in which most of its objects are
 seen; seeing_landmarks.png a page of the second floor's landmarks; seeing_cores.png the lift's panel and the stairs
-there.
+there; office.png is the building's own overview.
 """
 
 import argparse
@@ -60,13 +60,13 @@ def row(frame: Frame) -> Any:
 
 
 def save(picture: Any, path: Path, width: int) -> None:
-    """Write a picture so wide, with a palette of its own."""
+    """Write a picture, at most so wide."""
     image = Image.fromarray(picture)
     height = round(image.height * width / image.width)
     image = (
         image.resize((width, height), Image.Resampling.LANCZOS) if width < image.width else image
     )
-    image.quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
+    image.save(path, optimize=True)
     print(path)
 
 
@@ -93,6 +93,8 @@ def main() -> None:
         pages = camera.landmark_pages(floor=FLOOR)
         save(pages[0], args.output / "seeing_landmarks.png", 1000)
         save(cores(robot, camera), args.output / "seeing_cores.png", 900)
+    overview = Image.open(args.building / "building.png")
+    overview.quantize(256, dither=Image.Dither.NONE).save(args.output / "office.png", optimize=True)
 
 
 if __name__ == "__main__":
