@@ -111,7 +111,9 @@ def _caption(
     second = f"floor {state.floor}, {(state.room or '').rsplit('/', 1)[-1]}, holds {held}"
     if step is None:
         return f"start: {log.start.agent}", second
-    values = [str(value).rsplit("/", 1)[-1] for value in step.call.arguments.values()]
+    # "Place on table_1" reads better than the order of the arguments.
+    named = sorted(step.call.arguments.items(), key=lambda item: item[0] != "relation")
+    values = [str(value).rsplit("/", 1)[-1] for _, value in named]
     outcome = "" if step.status is SkillStatus.SUCCESS else f": {step.status.value}"
     return f"{step.step}. {step.call.skill} {' '.join(values)}{outcome}", second
 
