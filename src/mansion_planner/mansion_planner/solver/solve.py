@@ -45,6 +45,35 @@ def _without_search(
     return measure(model, Partition(grid, labels, rounds.energy), options)
 
 
+def _round_candidates(options: SolverOptions, rooms: int) -> int:
+    """Return the most candidates of the cut rounds: all, or their share where the wall search follows."""
+    if not options.wall_search:
+        return options.candidates
+    return min(options.candidates, max(1, options.round_candidates // rooms))
+
+
+def _refuse_more_pieces_than_rooms(model: FloorModel) -> None:
+    """Raise ``INFEASIBLE`` where the free region has more pieces than there are rooms."""
+    pieces = len(polygon_parts(model.region))
+    if pieces > len(model.rooms):
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"cores, holes and fixed rooms cut the free region into {pieces} pieces, but there are "
+            f"{len(model.rooms)} rooms, and every room is one piece",
+            path="$.boundary",
+        )
+
+
+def _too_small(model: FloorModel) -> MansionError:
+    """Return the error of a floor on which no partition was found."""
+    return MansionError(
+        ErrorCode.INFEASIBLE,
+        f"{len(model.rooms)} rooms do not fit into {model.region.area:.2f} m2 of free region",
+        path="$.nodes",
+        details={"free_area": round(float(model.region.area), 3)},
+    )
+
+
 def solve_floor(
     problem: FloorProblem,
     *,
@@ -81,14 +110,7 @@ def solve_floor(
     """
     options = options or SolverOptions()
     model = make_model(problem, options)
-    pieces = len(polygon_parts(model.region))
-    if pieces > len(model.rooms):
-        raise MansionError(
-            ErrorCode.INFEASIBLE,
-            f"cores, holes and fixed rooms cut the free region into {pieces} pieces, but there are "
-            f"{len(model.rooms)} rooms, and every room is one piece",
-            path="$.boundary",
-        )
+    _refuse_more_pieces_than_rooms(model)
     relaxed = relaxed_links(model)
     goal = make_goal(model, options, [entry.link for entry in relaxed])
     major = major_lines(model)
@@ -100,10 +122,7 @@ def solve_floor(
     grid = coarse_grid(model, major, options)
     budget = Budget(options.candidates)
     rng = np.random.default_rng(item_seed(problem.seed, "floor", problem.plan_id))
-    share = options.candidates
-    if options.wall_search:
-        share = min(share, max(1, options.round_candidates // len(model.rooms)))
-    round_budget = Budget(share)
+    round_budget = Budget(_round_candidates(options, len(model.rooms)))
     rounds = run_rounds(model, goal, grid, options, round_budget, rng, seed_callback)
     budget.take(round_budget.used)
     if options.wall_search:
@@ -112,10 +131,5 @@ def solve_floor(
     else:
         best = _without_search(model, goal, grid, rounds, options)
     if best is None:
-        raise MansionError(
-            ErrorCode.INFEASIBLE,
-            f"{len(model.rooms)} rooms do not fit into {model.region.area:.2f} m2 of free region",
-            path="$.nodes",
-            details={"free_area": round(float(model.region.area), 3)},
-        )
+        raise _too_small(model)
     return finish(model, best, options, rounds, relaxed, budget.used)
