@@ -4,6 +4,7 @@ import numpy as np
 
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import with_article
+from mansion_planner.brief.facts import Quantity
 from mansion_planner.program.decisions import Decisions, contradiction, one_value, quoted
 from mansion_planner.program.footprint import check_footprint, is_rectangle
 from mansion_planner.program.inference import note
@@ -25,11 +26,33 @@ def settle_area(
         ``CONTRADICTION`` for areas that do not agree.
     """
     facts, trace = decisions.facts, decisions.trace
-    total, floor = (
-        one_value(facts.area, "total areas"),
-        one_value(facts.floor_area, "areas of a storey"),
-    )
+    total = one_value(facts.area, "total areas")
+    floor = one_value(facts.floor_area, "areas of a storey")
     storeys = decisions.floors + decisions.basements
+    _check_areas(request, total, floor, storeys)
+    if request.floor_area is not None or floor is not None:
+        decisions.area = request.floor_area if request.floor_area is not None else floor.value  # type: ignore[union-attr]
+        decisions.area_span = quoted(floor.span) if floor else f"$.floor_area = {decisions.area:g}"
+        note(trace, floor.span if floor else None, f"{decisions.area:.0f} m2 a storey, as stated")
+        decisions.area_stated = True
+    elif request.area is not None or total is not None:
+        whole = request.area if request.area is not None else total.value  # type: ignore[union-attr]
+        decisions.area = whole / storeys
+        decisions.area_span = quoted(total.span) if total else f"$.area = {whole:g}"
+        note(
+            trace,
+            total.span if total else None,
+            f"{whole:.0f} m2 over {storeys} storeys, as stated",
+        )
+        decisions.area_stated = True
+    else:
+        _infer_area(decisions, generator)
+
+
+def _check_areas(
+    request: BuildRequest, total: Quantity | None, floor: Quantity | None, storeys: int
+) -> None:
+    """Refuse areas of the request and of the brief, total and of a storey, that do not agree."""
     if request.area is not None and request.floor_area is not None:
         raise contradiction("two areas", "$.area", "$.floor_area", "$.floor_area")
     if (
@@ -59,23 +82,6 @@ def settle_area(
         raise contradiction(
             f"the areas for {storeys} storeys", quoted(total.span), quoted(floor.span)
         )
-    if request.floor_area is not None or floor is not None:
-        decisions.area = request.floor_area if request.floor_area is not None else floor.value  # type: ignore[union-attr]
-        decisions.area_span = quoted(floor.span) if floor else f"$.floor_area = {decisions.area:g}"
-        note(trace, floor.span if floor else None, f"{decisions.area:.0f} m2 a storey, as stated")
-        decisions.area_stated = True
-    elif request.area is not None or total is not None:
-        whole = request.area if request.area is not None else total.value  # type: ignore[union-attr]
-        decisions.area = whole / storeys
-        decisions.area_span = quoted(total.span) if total else f"$.area = {whole:g}"
-        note(
-            trace,
-            total.span if total else None,
-            f"{whole:.0f} m2 over {storeys} storeys, as stated",
-        )
-        decisions.area_stated = True
-    else:
-        _infer_area(decisions, generator)
 
 
 def area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:
