@@ -5,6 +5,7 @@ from typing import Final
 
 from mansion_msgs_py.editing import AssetHits, AssetInfo
 from mansion_msgs_py.errors import ErrorCode
+from mansion_msgs_py.wording import with_article
 from mansion_scene.editing.agent.facts import Thing
 from mansion_scene.editing.agent.protocol import Action, Outcome
 from mansion_scene.editing.state import SceneState
@@ -25,7 +26,7 @@ def assets_of(thing: Thing, state: SceneState) -> Assets:
     """Return assets of a thing: the best first, then the small ones; those of its colour before others."""
     words = " ".join(word for word in (thing.colour, thing.noun) if word)
     answer = yield Action(
-        f"Which asset is a {words}?", "SearchAssets", {"query": words, "top_k": 50}
+        f"Which asset is {with_article(words)}?", "SearchAssets", {"query": words, "top_k": 50}
     )
     if answer.error is not None:
         return str(answer.error)
