@@ -118,5 +118,7 @@ def _between(
     if len(matter) < 2:
         return None
     shapes = [footprint(item) for item in things]
-    near = sum((shapely.distance(shapes, found[n]) <= BODY_RADIUS + 0.02).astype(int) for n in matter)
+    near = sum(
+        (shapely.distance(shapes, found[n]) <= BODY_RADIUS + 0.02).astype(int) for n in matter
+    )
     return sorted(item.id for item, sides in zip(things, near, strict=True) if sides > 1)
