@@ -151,6 +151,11 @@ class MansionClient(Closing):
         """Wait until a node serves `name`; False when none does after `timeout` seconds."""
         return bool(self._client(name, {}).wait_for_service(timeout_sec=timeout))
 
+    def sees_node(self, name: str) -> bool:
+        """Whether a node `name` runs in the namespace of this client."""
+        found = self.node.get_node_names_and_namespaces()
+        return (name, self.node.get_namespace()) in found
+
     def _answer(self, client: Client, request: Any, timeout: float) -> Any:
         future = client.call_async(request)
         answered = threading.Event()

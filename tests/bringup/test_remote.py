@@ -1,0 +1,87 @@
+"""Stages behind services wait for a node that is loading, and name one that is not there."""
+
+import os
+import threading
+import time
+from collections.abc import Callable, Iterator
+
+import pytest
+import rclpy
+from rclpy.context import Context
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+
+from mansion_bringup.client import MansionClient
+from mansion_bringup.graph.domain import free_domain
+from mansion_bringup.pipeline.remote import RemoteStages
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.interfaces import service
+from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.nodes.shell import add_json_service
+
+os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+
+PROBLEM = FloorProblem(boundary=[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0)], nodes=[], floor=7)
+
+
+def solved(problem: FloorProblem) -> FloorLayout:
+    return FloorLayout(rooms=[], topology_satisfied=True, floor=problem.floor)
+
+
+@pytest.fixture
+def client() -> Iterator[MansionClient]:
+    with MansionClient(domain_id=free_domain(), timeout=20.0) as client:
+        yield client
+
+
+@pytest.fixture
+def solver(client: MansionClient) -> Iterator[Node]:
+    """A ``floor_solver`` that serves nothing yet, spinning."""
+    context = Context()
+    rclpy.init(context=context, args=[], domain_id=client.node.context.get_domain_id())
+    node = rclpy.create_node("floor_solver", namespace="/mansion", context=context)
+    executor = SingleThreadedExecutor(context=context)
+    executor.add_node(node)
+    ended = threading.Event()
+
+    def spin() -> None:
+        while not ended.is_set():
+            executor.spin_once(timeout_sec=0.05)
+
+    thread = threading.Thread(target=spin)
+    thread.start()
+    yield node
+    ended.set()
+    thread.join()
+    executor.shutdown()
+    node.destroy_node()
+    rclpy.shutdown(context=context)
+
+
+def until(condition: Callable[[], bool], seconds: float = 20.0) -> None:
+    end = time.monotonic() + seconds
+    while not condition() and time.monotonic() < end:
+        time.sleep(0.02)
+    assert condition()
+
+
+def test_a_node_that_is_up_and_still_loading_is_waited_for(
+    client: MansionClient, solver: Node
+) -> None:
+    until(lambda: client.sees_node("floor_solver"))
+    loaded = threading.Timer(1.0, add_json_service, args=(solver, service("solve_floor"), solved))
+    loaded.start()
+    layout = RemoteStages(client, 20.0, discovery=0.1).solve(PROBLEM)
+    assert layout.floor == 7
+
+
+def test_a_node_that_never_serves_is_given_up(client: MansionClient, solver: Node) -> None:
+    until(lambda: client.sees_node("floor_solver"))
+    with pytest.raises(MansionError, match="no node serves /mansion/solve_floor") as caught:
+        RemoteStages(client, 1.0, discovery=0.1).solve(PROBLEM)
+    assert caught.value.code == ErrorCode.UNAVAILABLE
+
+
+def test_a_node_that_is_not_there_is_not_waited_for(client: MansionClient) -> None:
+    with pytest.raises(MansionError, match="no node serves /mansion/solve_floor"):
+        RemoteStages(client, 3600.0, discovery=0.1).solve(PROBLEM)
