@@ -81,6 +81,12 @@ def _sdf(building: BuildingFolder) -> dict[str, bytes]:
     }
 
 
+def _rmf(building: BuildingFolder) -> dict[str, bytes]:
+    from mansion_scene.export.rmf.maps import rmf_files
+
+    return rmf_files(building.scenes())
+
+
 EXPORTS: dict[str, Callable[[BuildingFolder], dict[str, bytes]]] = {
     "thor": _thor,
     "glb": _glb,
@@ -88,6 +94,7 @@ EXPORTS: dict[str, Callable[[BuildingFolder], dict[str, bytes]]] = {
     "nav2": _nav2,
     "usd": _usd,
     "sdf": _sdf,
+    "rmf": _rmf,
 }
 
 

@@ -11,6 +11,7 @@ left-handed y-up, glTF's right-handed y-up) are converted in `frames` and nowher
 ``glb``        binary glTF of a floor or of the building
 ``mjcf``       MuJoCo model of a floor
 ``sdf``        Gazebo world
+``rmf``        building map and navigation graph for Open-RMF
 ``usd``        OpenUSD stage (needs the ``usd`` extra)
 ``html``       self-contained page with a 3D viewer
 =============  =========================================================
