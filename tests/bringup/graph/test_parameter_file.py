@@ -14,7 +14,7 @@ from mansion_bringup.graph.nodes import GRAPH_NODES, NodeProcess
 rclpy = pytest.importorskip("rclpy")
 pytestmark = pytest.mark.graph
 
-FILE = Path(__file__).resolve().parents[2] / "src" / "mansion_bringup" / "config" / "mansion.yaml"
+FILE = Path(__file__).resolve().parents[3] / "src" / "mansion_bringup" / "config" / "mansion.yaml"
 GIVEN_BY_ROS = {"use_sim_time", "start_type_description_service"}
 
 

@@ -1,15 +1,10 @@
 """CheckPath, ``mansion check`` and the robot's navigation mean the same width of a way."""
 
 import math
-import sys
 from collections import deque
-from pathlib import Path
 
 import msgspec
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "skills"))
-
 from sample_building import scene, thing
 
 from mansion_bringup.check.reach import check_reach

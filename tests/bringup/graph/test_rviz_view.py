@@ -8,7 +8,7 @@ import yaml
 
 from mansion_msgs_py.interfaces import TOPICS
 
-VIEW = Path(__file__).parents[2] / "src/mansion_bringup/rviz/mansion.rviz"
+VIEW = Path(__file__).parents[3] / "src/mansion_bringup/rviz/mansion.rviz"
 READS = {
     "rviz_default_plugins/Map": "nav_msgs/msg/OccupancyGrid",
     "rviz_default_plugins/MarkerArray": "visualization_msgs/msg/MarkerArray",

@@ -226,7 +226,7 @@ def test_the_command_line_runs_skills_in_its_own_process(building: Path) -> None
 
 
 def test_the_example_carries_an_object_from_floor_1_to_floor_3(building: Path) -> None:
-    script = Path(__file__).parents[2] / "docs" / "examples" / "carry_object.py"
+    script = Path(__file__).parents[3] / "docs" / "examples" / "carry_object.py"
     assert len(script.read_text().splitlines()) <= 20
     subprocess.run(
         [sys.executable, str(script), str(building), "F1/office/mug_1", "F3/kitchen/table_1"],
@@ -249,7 +249,7 @@ def test_the_example_carries_an_object_from_floor_1_to_floor_3(building: Path) -
 def test_the_example_ends_with_status_1_and_the_reason(
     building: Path, words: tuple[str, ...], said: str
 ) -> None:
-    script = Path(__file__).parents[2] / "docs" / "examples" / "carry_object.py"
+    script = Path(__file__).parents[3] / "docs" / "examples" / "carry_object.py"
     command = [sys.executable, str(script), *([str(building), *words] if words else [])]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
     assert done.returncode == 1 and "Traceback" not in done.stderr

@@ -11,6 +11,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from invariants import check_world
 from sample_building import write_building
+
+sys.path.insert(0, str(Path(__file__).parent))
+
 from thor_double import OUT_OF_SIGHT, ThorDouble
 
 from mansion_geometry.thor.axes import from_point, heading, thor_heading, thor_point

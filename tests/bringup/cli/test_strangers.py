@@ -11,11 +11,8 @@ from pathlib import Path
 import pytest
 import typer.main
 from click import Command
-from typer.testing import CliRunner
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "skills"))
-
 from sample_building import write_building
+from typer.testing import CliRunner
 
 from mansion_bringup.cli.app import app
 from mansion_msgs_py.errors import MansionError

@@ -1,15 +1,11 @@
 """``mansion task`` from making to running."""
 
 import json
-import sys
 from pathlib import Path
 
 import pytest
-from typer.testing import CliRunner
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "skills"))
-
 from sample_building import write_building
+from typer.testing import CliRunner
 
 from mansion_bringup.cli.app import app
 from mansion_msgs_py.codec import decode

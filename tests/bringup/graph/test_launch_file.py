@@ -11,7 +11,7 @@ import pytest
 
 from mansion_bringup.graph.nodes import GRAPH_NODES
 
-PACKAGE = Path(__file__).resolve().parents[2] / "src" / "mansion_bringup"
+PACKAGE = Path(__file__).resolve().parents[3] / "src" / "mansion_bringup"
 
 
 @dataclass

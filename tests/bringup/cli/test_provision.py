@@ -1,13 +1,9 @@
 """``mansion edit --task``: a building that lacks what a task needs gets it, and the oracle then does the task."""
 
-import sys
 from pathlib import Path
 
 import msgspec
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "skills"))
-
 from sample_building import write_building
 
 from mansion_bringup.cli.edit import open_editor, read_tasks
