@@ -55,8 +55,8 @@ class Case:
         Whether what is asked for is true of the scenes.
     kind : str
         What it is counted as.
-    refusal : str
-        For an instruction that no tool can do: a word that the refusal must name.
+    refusal : str or None
+        For an instruction that no tool can do: a word that the refusal must name, empty for any.
     gone : int or None
         Most objects that may be taken away; None where nothing is said of it.
     """
@@ -65,7 +65,7 @@ class Case:
     least: int
     holds: Callable[[Scenes], bool]
     kind: str
-    refusal: str = ""
+    refusal: str | None = None
     gone: int | None = None
 
 
@@ -184,7 +184,7 @@ def judge(editor: SceneEditor, folder: Path, case: Case) -> bool:
     before = read(folder)
     report = instruct(editor, case.text)
     after = read(folder)
-    if case.refusal:
+    if case.refusal is not None:
         named = case.refusal.lower() in report.message.lower()
         good = not report.done and after == before and named
         verdict = f"done: {report.done}, edits {report.edits}, names {case.refusal!r}: {named}"

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from cases import Case, Scenes, objects, options, read, run
 from instructions import Maker
+from kinds import level
 from statements import Names, Statement, names_in, statement
 
 from mansion_msgs_py.scene import FloorScene, SceneObject
@@ -27,13 +28,51 @@ MOST_ON, SPACE = 6, 0.45
 class Namer(Maker):
     """Draws what the names of an instruction stand for in a building."""
 
+    def request(self, request: dict[str, Any]) -> Names | None:
+        """Return what the names of an instruction stand for, None where the building does not suit it."""
+        self.called, self.floor = request.get("called", {}), request.get("floor", {})
+        if request.get("tall") and not self.tall:
+            return None
+        if request.get("lift") and not any(c.type == "elevator" for c in self.scenes[0].cores):
+            return None
+        words = [request["say"], *request.get("true", []), *request.get("given", [])]
+        for _ in range(6):
+            names = self.draw(" ".join([*words, *request.get("before", [])]))
+            if names is None:
+                return None
+            if all(statement(w, names).holds(self.scenes) for w in request.get("given", [])):
+                return names
+        return None
+
+    def suits(self, name: str, scene: FloorScene, item: SceneObject) -> bool:
+        """Whether an object is called as a name asks, alone in its room, and on the floor that it asks for."""
+        word, floor = self.called.get(name), self.floor.get(name)
+        if word is not None and (
+            word not in item.category
+            or sum(o.room == item.room and word in o.category for o in scene.objects) > 1
+        ):
+            return False
+        if floor in ("sole", "ground") and (
+            sum(o.category == item.category for o in scene.objects) > 1
+        ):
+            return False
+        if floor == "second":
+            return scene.floor == 2 and len(self.scenes) == 2
+        return floor != "ground" or scene.floor == level(self.scenes, "ground")
+
+    def suited(
+        self, name: str, pairs: list[tuple[FloorScene, SceneObject]]
+    ) -> list[tuple[FloorScene, SceneObject]]:
+        """Return those that suit a name."""
+        return [(scene, item) for scene, item in pairs if self.suits(name, scene, item)]
+
     def draw(self, text: str) -> Names | None:
         """Return a table, room or thing for each name, None where the building has none."""
         wanted = names_in(text)
         loose = {"O": 1, "O2": 2} if "O" in wanted else {}
         names = Names(self.scenes)
-        tables = self.tables(2 if "O2" in wanted else 1 if loose else 0)
-        others = self.tables(1 if "U" in wanted else 0)
+        tables = self.suited("T", self.tables(2 if "O2" in wanted else 1 if loose else 0))
+        others = self.suited("T2", self.tables(1 if "U" in wanted else 0))
         if "T" in wanted:
             if not tables:
                 return None
@@ -53,8 +92,15 @@ class Namer(Maker):
                 return None
             for item in free[:1]:
                 names.items["U"], names.words["U"] = item, item.name
-        for name, able in (("F", self.fridges), ("C", self.able("open")), ("L", self.able("on"))):
+        everything = [(s, o) for s in self.scenes for o in s.objects]
+        for name, able in (
+            ("F", self.fridges),
+            ("C", self.able("open")),
+            ("L", self.able("on")),
+            ("P", everything),
+        ):
             if name in wanted:
+                able = self.suited(name, able)
                 if not able:
                     return None
                 names.take(name, self.pick(able), self)
@@ -76,6 +122,7 @@ class Namer(Maker):
                 if room.kind not in ("stair", "elevator")
                 and (name != "B" or room.area > 25.0)
                 and (there is None or room.id in there)
+                and self.called.get(name, "") in room.room_type
                 and room.id not in names.rooms.values()
             ]
             if not rooms:
@@ -145,9 +192,9 @@ def prepare(editor: SceneEditor, request: dict[str, Any], names: Names) -> None:
 def main() -> None:
     """Run the cases and print the score."""
     parser = options(__doc__, 15)
-    parser.add_argument("--set", type=int, choices=[1, 2], default=1, help="which list")
+    parser.add_argument("--set", type=int, choices=[1, 2, 3], default=1, help="which list")
     args = parser.parse_args()
-    name = "researchers.toml" if args.set == 1 else "researchers2.toml"
+    name = f"researchers{args.set if args.set > 1 else ''}.toml"
     data = tomllib.loads(Path(__file__).with_name(name).read_text())
     requests = [*data["request"], *data["refused"]]
     asked: Counter[int] = Counter()
@@ -160,9 +207,7 @@ def main() -> None:
         )
         for k in order:
             request = requests[k]
-            names = Namer(read(folder), rng).draw(
-                " ".join([request["say"], *request.get("true", [])])
-            )
+            names = Namer(read(folder), rng).request(request)
             if names is None:
                 continue
             prepare(editor, request, names)

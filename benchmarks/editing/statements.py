@@ -5,16 +5,17 @@ import re
 from collections.abc import Iterator
 from typing import Any, Protocol
 
-from cases import Scenes, count, objects, room_words
+from cases import ORDINALS, Scenes, count, objects, room_words
+from kinds import EACH, EVERY, WITHIN, EachStatement, EveryStatement, WithinStatement, of_kind
 
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_scene.catalogue import Catalogue
 
 NEAR = 0.9
 _ALSO = {"vase": ("vase", "flower_vase")}
-_NAME = re.compile(r"\b(T2|T|O2|O|U|F|C|L|R2|R|B|Q|Z)\b")
+_NAME = re.compile(r"\b(T2|T|O2|O|U|F|C|L|P|R2|R|B|Q|Z)\b")
 _SLOT = re.compile(r"\{(\w+)(?:\.(\w+))?\}")
-_COUNT = re.compile(r"(?:(\w+) )?(\w+) (on|near|in) (\w+) (>=|==) (\d+)$")
+_COUNT = re.compile(r"(?:(\w+) )?(~?\w+) (on|near|in) (\w+) (>=|==|\+=) (-?\d+)$")
 _ONLY = re.compile(r"only ([\w,]+) on (\w+)$")
 _STATE = re.compile(r"(\w+) (all )?(open|closed|on|off)$")
 
@@ -49,6 +50,7 @@ class Names:
             "name": item.name,
             "level": f"floor {scene.floor}",
             "room": room_words(scene, item.room, len(self.scenes) > 1),
+            **self.plainly(scene, item.room),
         }
         self.words.update({f"{name}.{part}": words for part, words in parts.items()})
 
@@ -56,6 +58,14 @@ class Names:
         """Let a name stand for a room."""
         self.rooms[name] = room
         self.words[name] = room_words(scene, room, tall)
+        parts = self.plainly(scene, room)
+        self.words.update({f"{name}.{part}": words for part, words in parts.items()})
+
+    def plainly(self, scene: FloorScene, room: str) -> dict[str, str]:
+        """Return a room's name and floor as they are spoken."""
+        place, nth = room.split("/", 1)[1].replace("_", " "), ORDINALS[scene.floor]
+        at = f"the {place} on the {nth} floor" if len(self.scenes) > 1 else f"the {place}"
+        return {"place": place, "nth": nth, "num": str(scene.floor), "at": at, "in": f"in {at}"}
 
     def fill(self, text: str) -> str:
         """Return an instruction in plain words."""
@@ -81,7 +91,8 @@ class Names:
             asset = catalogue.by_category(thing)[0].key
             yield "PlaceOnSurface", {"asset_id": asset, "receptacle_id": self.items[place].id}
             return
-        fact = StateStatement(words, self)
+        every = EVERY.match(words)
+        fact = EveryStatement(every) if every else StateStatement(words, self)
         for item in fact.mine(self.scenes):
             yield "SetState", {"object_id": item.id, fact.state: fact.value}
 
@@ -108,16 +119,18 @@ class CountStatement:
     def __init__(self, match: re.Match[str], names: Names) -> None:
         self.colour, word, self.relation, self.place, self.sign, number = match.groups()
         self.categories, self.number, self.names = names.categories(word), int(number), names
+        if self.sign == "+=":
+            self.sign, self.number = "==", self.have(names.scenes) + self.number
 
     def have(self, scenes: Scenes) -> int:
         """Count what is there."""
-        if self.relation == "on" and not self.colour:
+        if self.relation == "on" and not self.colour and self.categories[0][0] != "~":
             carrier = self.names.items[self.place].id
             return sum(count(scenes, carrier, category) for category in self.categories)
         found = [
             o
             for o in objects(scenes)
-            if o.category in self.categories and o.material.endswith(self.colour or "")
+            if of_kind(o.category, self.categories) and o.material.endswith(self.colour or "")
         ]
         if self.relation == "in":
             return sum(o.room == self.names.rooms[self.place] for o in found)
@@ -212,6 +225,13 @@ def statement(words: str, names: Names) -> Statement:
     """Read a statement."""
     if words.startswith("way "):
         return WayStatement()
+    every, each, within = EVERY.match(words), EACH.match(words), WITHIN.match(words)
+    if every:
+        return EveryStatement(every)
+    if each:
+        return EachStatement(each, names.rooms)
+    if within:
+        return WithinStatement(within, names.items)
     only = _ONLY.match(words)
     if only:
         return OnlyStatement(only, names)

@@ -76,6 +76,31 @@ def test_one_undo_takes_the_whole_instruction_back(open_editor: EditorFactory) -
     assert editor.state.scenes[1].objects == before
 
 
+def test_the_last_edit_is_taken_back_and_done_again_in_words(open_editor: EditorFactory) -> None:
+    editor = open_editor()
+    before = editor.state.scenes[1].objects
+    assert instruct(editor, "put two apples on the dining table").done
+    after = editor.state.scenes[1].objects
+    assert instruct(editor, "Please undo that.").saved
+    assert editor.state.scenes[1].objects == before
+    report = instruct(editor, "take that back")
+    assert not report.done and "no edit" in report.failed[0]
+    assert instruct(editor, "redo").done and editor.state.scenes[1].objects == after
+
+
+def test_adjectives_that_nothing_tells_are_said(open_editor: EditorFactory) -> None:
+    report = instruct(open_editor(), "put a small new apple on the dining table")
+    assert report.done and "passed over" in report.message and "small, new" in report.message
+
+
+def test_a_thing_may_stand_out_of_an_open_vessel(open_editor: EditorFactory) -> None:
+    editor = open_editor()
+    assert instruct(editor, "put an apple into a bowl on the dining table").done
+    apple = next(o for _, o in editor.state.objects() if o.category == "apple")
+    bowl = editor.state.get(apple.parent or "")[1]
+    assert bowl.category == "bowl" and abs(apple.position[2] - bowl.position[2]) < bowl.size[2] / 2
+
+
 def test_nothing_lands_when_one_fact_cannot_be_met(open_editor: EditorFactory) -> None:
     editor = open_editor()
     report = instruct(editor, "put an apple on the dining table and open the sofa")

@@ -41,6 +41,8 @@ class Ledge(NamedTuple):
         Of the flat, above the centre of the receptacle's box.
     clearance : float
         Free height above it.
+    vessel : bool
+        Of something open at the top (a bowl), out of which a thing may stand by less than half.
     """
 
     kind: str
@@ -52,6 +54,12 @@ class Ledge(NamedTuple):
     d: float
     clearance: float
     round: bool = False
+    vessel: bool = False
+
+    @property
+    def headroom(self) -> float:
+        """Greatest height of what lies there, metres."""
+        return self.clearance * (2.0 if self.vessel else 1.0)
 
 
 class Place(NamedTuple):
@@ -75,8 +83,10 @@ def ledges_of(asset: Asset, *, inside: bool) -> list[Ledge]:
         if not inside or s.kind == "shelf"
     ]
     if inside:
+        bare = asset.pickupable and not asset.openable
         out = [
-            Ledge(v.kind, True, v.x, v.y, v.z - v.h / 2, v.w, v.d, v.h) for v in asset.volumes
+            Ledge(v.kind, True, v.x, v.y, v.z - v.h / 2, v.w, v.d, v.h, vessel=bare)
+            for v in asset.volumes
         ] + out
     return out
 
@@ -107,7 +117,7 @@ def free_places(
     boxes = _obstacles(index, receptacle, {receptacle.id, *skip})
     found: list[Place] = []
     for order, ledge in enumerate(_by_height(ledges, receptacle)):
-        if size[2] > ledge.clearance - HEADROOM:
+        if size[2] > ledge.headroom - HEADROOM:
             continue
         places = [
             place

@@ -5,7 +5,6 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Final
 
-from mansion_msgs_py.errors import MansionError
 from mansion_scene.editing.agent.clauses import Clause
 from mansion_scene.editing.agent.facts import (
     AbsentFact,
@@ -15,7 +14,7 @@ from mansion_scene.editing.agent.facts import (
     Thing,
 )
 from mansion_scene.editing.agent.phrases import Phrase, read_phrase, read_place, rooms_named
-from mansion_scene.editing.agent.scopes import divisions, merged, moved, on_that_of
+from mansion_scene.editing.agent.scopes import merged, moved, on_that_of, parted
 from mansion_scene.editing.agent.spoken import OPPOSITES, STATES, Spoken, not_understood
 from mansion_scene.editing.agent.things import NUMBERS
 from mansion_scene.editing.agent.ways import read_way
@@ -207,7 +206,7 @@ class ClauseReader(Spoken):
             self._wait("have", replace(read_phrase(self.state, words), where=where, placed=True))
 
     def _hold(self, words: dict[str, str]) -> None:
-        holder = words["y"]
+        holder = words.get("y") or "it"
         bare = re.sub(r"^(?:(?:the|every|each|all|both)\s+)+", "", holder, flags=re.IGNORECASE)
         place = read_place(self.state, f"in {holder}")
         if place.where.receptacle and not rooms_named(self.state, bare, None):
@@ -256,7 +255,7 @@ class ClauseReader(Spoken):
             raise not_understood(word)
 
     def _move(self, text: str) -> None:
-        parts = self._parts(text)
+        parts = parted(self.state, text)
         if parts is None:
             self._wait("move", read_phrase(self.state, text))
             return
@@ -274,24 +273,6 @@ class ClauseReader(Spoken):
         self._flush()
         self.facts.append(MoveFact(moved(phrase.thing), self._resolved(phrase), target))
         self._last = replace(phrase, where=target)
-
-    def _parts(self, text: str) -> tuple[Phrase, Phrase] | None:
-        """Return what moves from where, and where to; the first division of the words that can be read."""
-        fault: MansionError | None = None
-        for match in divisions(text):
-            source = f" on {match['source']}" if match["source"] else ""
-            inward = match["to"].lower() in ("into", "in", "inside")
-            try:
-                what = read_phrase(self.state, match["what"] + source)
-                goal = read_place(self.state, f"{'in' if inward else 'on'} {match['target']}")
-            except MansionError as error:
-                fault = fault or error
-                continue
-            if goal.where.receptacle or goal.where.rooms or goal.back:
-                return what, goal
-        if fault is not None:
-            raise fault
-        return None
 
     def _swap(self, old: str, new: str) -> None:
         self._flush()

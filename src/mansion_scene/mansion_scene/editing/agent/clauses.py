@@ -121,6 +121,7 @@ _CLAUSES: Final[tuple[tuple[str, str], ...]] = (
         rf"stores?|keeps?|features?|includes?|gets?|offers?)|needs?|requires?|lacks?|is missing|are missing|"
         rf"(?:{_MODAL} )?(?:be|is|are) (?:equipped|stocked|filled|furnished|loaded|provided|supplied) with) "
         rf"(?P<x>.+?)(?: (?:on|in|inside|within) (?:it|them|its top))?"),
+    ("hold", rf"(?:{_MODAL} )?(?:contains?|holds?|has|carries|stores?) (?P<x>.+)"),
     ("have", rf"(?P<x>.+?) (?:{_MODAL} )?{_BE}(?: (?:placed|put|found|kept|left|lying|standing|sitting))? "
         rf"(?P<loc>{_AT}.*)"),
     ("have", r"(?:put|place|add|provide|set|lay|leave|bring|supply|install|position|deposit|drop|store|keep|"

@@ -42,7 +42,8 @@ def distributed(state: SceneState, where: Scope, each: str) -> list[Scope]:
     else:
         return [where]
     if not found:
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {where.receptacle or 'room'} {where}")
+        place = replace(where, receptacle="", colour="")
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {where.receptacle or 'room'} {place}")
     return found
 
 

@@ -7,6 +7,7 @@ from mansion_scene.editing.agent.controller import run_agent
 from mansion_scene.editing.agent.needs import task_policy
 from mansion_scene.editing.agent.offline import offline_policy
 from mansion_scene.editing.agent.protocol import Policy
+from mansion_scene.editing.agent.undoing import take_back, tool_asked
 from mansion_scene.editing.editor import SceneEditor
 
 __all__ = ["instruct", "provision"]
@@ -25,6 +26,9 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> A
         ``INVALID_PAYLOAD`` for another planner, ``UNAVAILABLE`` for a model that is not configured, ``CONFLICT`` when
         edits wait to be saved.
     """
+    tool = tool_asked(instruction) if planner == "rules" else ""
+    if tool:
+        return take_back(editor, tool)
     return run_agent(editor, _policy(editor, instruction, planner), instruction)
 
 

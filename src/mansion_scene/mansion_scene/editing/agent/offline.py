@@ -1,6 +1,7 @@
 """The offline policy: parse an instruction into facts, check each, provision what is missing and no more."""
 
 from collections.abc import Generator
+from dataclasses import replace
 
 from mansion_msgs_py.editing import PathReport
 from mansion_scene.editing.agent.facts import (
@@ -16,8 +17,10 @@ from mansion_scene.editing.agent.parse import parse_instruction
 from mansion_scene.editing.agent.protocol import Action, Outcome, Policy, Verdict
 from mansion_scene.editing.agent.providing import provide
 from mansion_scene.editing.agent.shifting import take_away, transfer
+from mansion_scene.editing.agent.wording import passed_over
 from mansion_scene.editing.editor import SceneEditor
 from mansion_scene.editing.state import SceneState
+from mansion_scene.editing.vocabulary import stems
 
 __all__ = ["offline_policy", "satisfy"]
 
@@ -39,7 +42,14 @@ def offline_policy(editor: SceneEditor, instruction: str) -> Policy:
         See `parse_instruction`.
     """
     state = editor.state
-    return (yield from satisfy(parse_instruction(state, instruction), state))
+    verdict = yield from satisfy(parse_instruction(state, instruction), state)
+    untold = passed_over(instruction)
+    if untold:
+        verdict = replace(
+            verdict,
+            summary=f"{verdict.summary} (passed over, for nothing tells it: {', '.join(untold)})",
+        )
+    return verdict
 
 
 def satisfy(facts: list[Fact], state: SceneState) -> Policy:
@@ -90,6 +100,10 @@ def _switch(fact: StateFact, state: SceneState) -> Work:
     if not able:
         what = "opens" if fact.state == "open" else "switches"
         return f"no {fact.thing.noun} {fact.where} {what}"
+    named = [
+        i for i in able if set(stems(fact.thing.noun)) <= set(stems(i.category.replace("_", " ")))
+    ]
+    able = named or able
     several = fact.thing.count == 0 and fact.thing.every
     wanted = able if several else able[: max(1, fact.thing.count)]
     as_wished = [i for i in able if bool(i.states.get(fact.state, False)) == fact.value]

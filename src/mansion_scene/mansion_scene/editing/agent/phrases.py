@@ -12,6 +12,7 @@ from mansion_scene.editing.agent.things import (
     known_noun,
     read_thing,
     unknown,
+    untold,
 )
 from mansion_scene.editing.references import find_floor, find_rooms
 from mansion_scene.editing.state import SceneState
@@ -177,16 +178,23 @@ class _PlaceReader:
         colour = next((COLOUR_WORDS[w] for w in words[:-1] if w in COLOUR_WORDS), "")
         plain = [w for w in words if w not in COLOUR_WORDS or w == words[-1]]
         before, noun = known_noun(self.state, plain)
-        self._narrow(" ".join(before))
+        self._narrow(" ".join(before), noun)
         return colour, noun
 
-    def _narrow(self, words: str) -> None:
-        if words and self.rooms is None:
-            self.rooms = rooms_named(self.state, words, self.floor)
+    def _narrow(self, words: str, noun: str) -> None:
+        """Take words before a noun: a room's name, else what all such things are."""
+        if not words:
+            return
+        found = rooms_named(self.state, words, self.floor)
+        if found and self.rooms is None:
+            self.rooms = found
+        fault = None if found else untold(self.state, words, noun)
+        if fault is not None:
+            raise fault
 
     def phrase(self, said: ThingWords, each: str) -> Phrase:
         """Return the thing in the place that was read."""
-        self._narrow(said.before)
+        self._narrow(said.before, said.thing.noun)
         relation = self.relation if self.receptacle or self.back else "room"
         where = Scope(
             relation,  # type: ignore[arg-type]

@@ -5,9 +5,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Final
 
+from mansion_msgs_py.errors import MansionError
 from mansion_scene.editing.agent.facts import Scope, Thing
+from mansion_scene.editing.agent.phrases import Phrase, read_phrase, read_place
+from mansion_scene.editing.state import SceneState
 
-__all__ = ["divisions", "merged", "moved", "on_that_of"]
+__all__ = ["merged", "moved", "on_that_of", "parted"]
 
 _TO: Final = (
     r"^(?P<what>.+?)(?: from (?P<source>.+?))? (?:over |back |up |down |upstairs |downstairs )?"
@@ -17,7 +20,7 @@ _TO: Final = (
 )
 
 
-def divisions(text: str) -> Iterator[re.Match[str]]:
+def _divisions(text: str) -> Iterator[re.Match[str]]:
     """Yield the ways to divide words into a thing, its source and its target, the plain ones first."""
     plain = re.match(_TO[0], text, re.IGNORECASE)
     if plain:
@@ -28,6 +31,31 @@ def divisions(text: str) -> Iterator[re.Match[str]]:
             match = re.match(_TO[1], f"{head} =>{tail}", re.IGNORECASE)
             if match:
                 yield match
+
+
+def parted(state: SceneState, text: str) -> tuple[Phrase, Phrase] | None:
+    """Return what moves from where, and where to; the first division of the words that can be read, None without any.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` when a division names something unknown and no other can be read.
+    """
+    fault: MansionError | None = None
+    for match in _divisions(text):
+        source = f" on {match['source']}" if match["source"] else ""
+        inward = match["to"].lower() in ("into", "in", "inside")
+        try:
+            what = read_phrase(state, match["what"] + source)
+            goal = read_place(state, f"{'in' if inward else 'on'} {match['target']}")
+        except MansionError as error:
+            fault = fault or error
+            continue
+        if goal.where.receptacle or goal.where.rooms or goal.back:
+            return what, goal
+    if fault is not None:
+        raise fault
+    return None
 
 
 def moved(thing: Thing) -> Thing:

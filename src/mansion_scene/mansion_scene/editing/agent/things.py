@@ -6,6 +6,7 @@ from difflib import SequenceMatcher
 from typing import Final
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_scene.catalogue import Asset
 from mansion_scene.catalogue.search import search_assets
 from mansion_scene.editing.agent.facts import Thing
 from mansion_scene.editing.agent.limits import EXAMPLES
@@ -21,6 +22,7 @@ __all__ = [
     "known_noun",
     "read_thing",
     "unknown",
+    "untold",
 ]
 
 MOST_THINGS: Final = 20
@@ -56,6 +58,9 @@ _OF_ROOMS: Final = frozenset(["room", "floor", "building", "house", "system"])
 
 MOST_BEFORE: Final = 2
 LIKE: Final = 0.8
+_OPENING: Final = frozenset(["door", "doors", "lid"])
+"""What of a thing opens: the microwave door is the microwave."""
+
 _ANYTHING: Final = frozenset([
     "thing", "object", "stuff", "item", "content", "everything", "anything",
 ])  # fmt: skip
@@ -90,6 +95,38 @@ def unknown(what: str) -> MansionError:
     )
 
 
+def untold(state: SceneState, words: str, noun: str) -> MansionError | None:
+    """Return the error for adjectives that nothing tells; None where every such thing of the catalogue is so.
+
+    Parameters
+    ----------
+    words : str
+        What stands before the noun and names no room (``slightly dented``).
+    """
+    assets = [
+        asset
+        for kind in state.vocabulary.nouns(noun)
+        for asset in state.catalogue.by_category(kind)
+    ]
+    for word in words.split():
+        own = [word, word.removesuffix("en"), *stems(word)]
+        if not assets or any(not _described(asset, own) for asset in assets):
+            return MansionError(
+                ErrorCode.NOT_FOUND,
+                f"not understood: {words[:60]!r}: no {words[:60]!r} {noun[:60]} is known; say the {noun[:60]} alone, "
+                f"or with a colour; {EXAMPLES}",
+                details={"words": words[:200]},
+            )
+    return None
+
+
+def _described(asset: Asset, words: list[str]) -> bool:
+    """Whether an asset's names, tags or materials have one of some words."""
+    texts = (asset.name, asset.category, *asset.synonyms, *asset.tags, asset.material)
+    told = {part for text in texts for part in stems(text.replace("_", " "))}
+    return not told.isdisjoint(words)
+
+
 def is_known(state: SceneState, noun: str) -> bool:
     """Whether a noun names things, rather than a room."""
     words = state.vocabulary
@@ -112,6 +149,8 @@ def known_noun(state: SceneState, words: list[str]) -> tuple[list[str], str]:
     MansionError
         ``NOT_FOUND`` when no ending names anything.
     """
+    if words[-1] in _OPENING and _opens(state, " ".join(words[:-1])):
+        words = words[:-1]
     if "of" in words[1:-1]:
         at = words.index("of", 1)
         head, tail = words[:at], [w for w in words[at + 1 :] if w not in _EVERY]
@@ -134,6 +173,12 @@ def known_noun(state: SceneState, words: list[str]) -> tuple[list[str], str]:
         if alike:
             return words[:-1], alike
     raise unknown(" ".join(words))
+
+
+def _opens(state: SceneState, noun: str) -> bool:
+    """Whether a noun names things that can be open."""
+    kinds = state.vocabulary.exact(stems(noun))
+    return any(state.catalogue.by_category(kind)[0].openable for kind in kinds)
 
 
 def _alike(state: SceneState, words: list[str]) -> str:

@@ -37,7 +37,16 @@ _SAYINGS: Final[tuple[tuple[str, str], ...]] = (
     (rf"^{_WHO} expects (?:to find )?(.+)$", r"there is \1"),
     (r"^(?:somebody|someone|i|we|they) forgot to (\w+ .+)$", r"\1"),
     (r"\b(?:is|are) short of\b", "needs"),
-    (r"^is (.+) (reachable|accessible)$", r"make \1 \2"),
+    (r"^(?:is|are) (.+) (reachable|accessible)(?= from .+$|$)", r"make \1 \2"),
+    (r"\bwhoever (?:walks|comes|goes|steps|gets) (?:over )?to (.+?) (?:sees|finds|has) (.+?) (on|in) it$",
+     r"there is \2 \3 \1"),
+    (r"^((?:add|put|place|bring) .+?),? (?:and|but) nothing (?:to|onto|into) [^,]+$", r"\1"),
+    (r"^(?:both )?(.+?) and (.+?) should be (\w+) and (\w+),? respectively$",
+     r"\1 should be \3 ;; \2 should be \4"),
+    (r"^(the .+?) (?:is|are|looks?|seems?) (?:a bit |rather |much |far )?too \w+,? (?:and |so )?(tidy|clear|clean|"
+     r"empty) it(?: up| off| out)?\b(.*)$", r"\2 \1\3"),
+    (r"^(?:tidy|clear|clean|empty)(?: up)? (.+?)(?: up)? by (?:removing|taking away|clearing away) (?:everything|all) "
+     r"(?:but|except(?: for)?|apart from|other than) (.+)$", r"remove everything from \1 except \2"),
     (r", which (should|must|has to) be (open|closed|shut|on|off)\b", r" ;; it \1 be \2"),
     (r"^(.+?), one of which (?:is|should be|must be) (\w+)$", r"\1 ;; one of them should be \2"),
     (r"\bwhatever (\w+(?: \w+)?) (?:you find|there is|is|lies) (?=on|in)", r"the \1 "),
@@ -107,6 +116,12 @@ _SAYINGS: Final[tuple[tuple[str, str], ...]] = (
      r"it|"
      r"next to|there|beside it)$", r"\3 \4 next to \1 \2"),
     (r"^(.+?) (?:close by|right by) (the .+)$", r"\1 next to \2"),
+    (r"^(?:put|place|move) (the .+?) (?:of|on|from) (the .+?) where (the .+?) (?:of|on|from) (the .+?) is,? (?:and )?"
+     r"vice versa$", r"swap \1 on \2 and \3 on \4"),
+    (r"^(?:i|we) (?:want|need|would like) ((?:the |a )?(?:robot|agent)|someone|somebody|people) to (?=get|go|reach|"
+     r"walk|drive)", r"\1 can "),
+    (r"^check (?:the|this|that) (?:way|path|route),? (?:and )?", ""),
+    (r"^(.+?),? - (?:all|both|everything)(?: of (?:it|them|this))? (on|in) (the .+)$", r"\2 \3, there is \1"),
     # taken and put
     (rf"^(?:grab|pick up|pick|take|get|fetch|lift|collect) (.+? {_ON} .+?)(?: up)?(?:,? and(?: then)?|,(?: then)?) "
      r"(?:put|place|bring|carry|set|lay|drop|move|take|deliver) (?:it|them) (?:down )?(?:on|onto|in|into|to) (.+?)"
@@ -166,6 +181,17 @@ _FOLLOWS: Final = re.compile(
     re.IGNORECASE,
 )
 
+_REMAIN: Final = re.compile(
+    r"^(?:only |just )(?P<kept>.+?) (?:may|should|must|can|is to|shall) (?:remain|stay|be left)"
+    r"(?: (?:there|on it|in it))?$",
+    re.IGNORECASE,
+)
+_CLEARED: Final = re.compile(
+    r"^(?:free|clear|empty|tidy|clean)(?: up| off| out)? (?P<place>the .+?)(?: (?:up|off|out))?"
+    r"(?: (?:from|of) (?:clutter|everything|all (?:things|objects)))?$",
+    re.IGNORECASE,
+)
+
 
 def rephrased(sentences: list[str]) -> list[str]:
     """Return sentences in forms that clauses know; those that only repeat the one before are left out.
@@ -200,6 +226,11 @@ def _said(text: str) -> list[str]:
 
 def _moved_after(before: list[str], text: str) -> list[str]:
     """Join ``the pen on the desk moved`` with the sentence that says where to."""
+    rest = _REMAIN.match(text)
+    cleared = _CLEARED.match(before[-1]) if before and rest else None
+    if rest and cleared:
+        before.pop()
+        return [f"remove everything from {cleared['place']} except {rest['kept']}"]
     match = re.match(
         r"^(?:bring|take|carry|put|move) (?:it|them) (?:over )?(?:to|on|onto|in|into) (.+)$",
         text,

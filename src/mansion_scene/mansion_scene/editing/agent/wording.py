@@ -3,7 +3,7 @@
 import re
 from typing import Final
 
-__all__ = ["sentences"]
+__all__ = ["passed_over", "sentences"]
 
 _CONTRACTIONS: Final = (
     (r"\b(there|that|it|here|what)'s\b", r"\1 is"),
@@ -91,6 +91,11 @@ _QUESTION: Final = re.compile(
     r"drive)(.*)$",
     re.IGNORECASE,
 )
+_UNTOLD: Final = re.compile(
+    r"\b(?:an?|the|some|any|every|each|all|my|our|your|one|two|three|four|five|six|another|more|\d+) (?:\w+ )??"
+    r"(?P<words>(?:(?:small|large|big|fresh|clean|new|nice|full|empty) )+)(?!of\b|and\b|or\b|on\b|in\b)(?=[a-z])",
+    re.IGNORECASE,
+)
 _STOPS: Final = re.compile(r"[.!?;\n]+(?=\s|$)|,\s+so\s+(?!that\b)")
 
 
@@ -105,6 +110,18 @@ def sentences(text: str) -> list[str]:
     whole = " ".join(_STOPS.sub(" ;; ", text.replace("’", "'").replace("`", "'")).split())
     out = [_plain(part) for part in whole.split(";;")]
     return [part for part in out if part]
+
+
+def passed_over(text: str) -> list[str]:
+    """Return the adjectives of an instruction that are understood and that nothing in a scene tells.
+
+    Examples
+    --------
+    >>> passed_over("put a small new mug on the clean desk, then empty the bin")
+    ['small', 'new', 'clean']
+    """
+    found = " ".join(match["words"].lower() for match in _UNTOLD.finditer(text))
+    return list(dict.fromkeys(found.split()))
 
 
 def _plain(text: str) -> str:

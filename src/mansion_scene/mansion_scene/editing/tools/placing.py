@@ -177,7 +177,7 @@ def _no_room(thing: SceneObject, receptacle: SceneObject, ledges: list[Ledge], i
     fitting = [
         ledge
         for ledge in ledges
-        if h < ledge.clearance
+        if h < ledge.headroom
         and max(w, d) <= max(ledge.w, ledge.d)
         and min(w, d) <= min(ledge.w, ledge.d)
     ]
