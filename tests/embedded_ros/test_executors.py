@@ -307,3 +307,20 @@ def test_no_message_is_stuck_behind_a_busy_group(ros: Any) -> None:
     thread.join(5.0)
     node.destroy_node()
     assert counts == [200] * 4
+
+
+def test_an_interrupt_while_work_is_handed_out_does_not_hold_the_end_up(
+    node: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    executor = MultiThreadedExecutor()
+    executor.add_node(node)
+
+    def interrupted(*_: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(executor._executor, "submit", interrupted)
+    task = executor.create_task(lambda: None)
+    with pytest.raises(KeyboardInterrupt):
+        executor.spin_once(1.0)
+    assert not task.done()
+    assert executor.shutdown(timeout_sec=5.0)

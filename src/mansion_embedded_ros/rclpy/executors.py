@@ -105,6 +105,18 @@ class MultiThreadedExecutor(Executor[Any]):
                 self._idle.notify_all()
             self._dispatcher.unblock()
 
+    def _hand_out(self, task: Task) -> None:
+        # Ctrl-C may raise KeyboardInterrupt anywhere in here: no lock is taken, which would stay taken, and a task that
+        # may not have reached the pool is not counted, since shutdown would wait for it without end.
+        try:
+            self._running.add(task)
+            self._executor.submit(self._work, task)
+        except RuntimeError:
+            self._work(task)
+        except BaseException:
+            self._running.discard(task)
+            raise
+
     def _spin_once_impl(
         self,
         timeout_sec: float | TimeoutObject | None = None,
@@ -118,12 +130,7 @@ class MultiThreadedExecutor(Executor[Any]):
         except (ShutdownException, TimeoutException, ConditionReachedException):
             pass
         else:
-            with self._idle:
-                self._running.add(task)
-            try:
-                self._executor.submit(self._work, task)
-            except RuntimeError:
-                self._work(task)
+            self._hand_out(task)
         if self._failed:
             self._failed.popleft().result()
 

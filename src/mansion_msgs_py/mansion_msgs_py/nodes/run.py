@@ -10,6 +10,7 @@ from rclpy.logging import get_logger
 from rclpy.node import Node
 
 from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.nodes.interrupts import Interrupts
 
 __all__ = ["run_node"]
 
@@ -33,10 +34,13 @@ def run_node(
     SystemExit
         With status 1 when `make` refuses, as it does for a parameter that it cannot use; the reason is logged.
     """
+    interrupts = Interrupts()
+    interrupts.install()
     rclpy.init(args=list(args) if args is not None else None)
     node: Node | None = None
     try:
         node = make()
+        interrupts.spinning = True
         _spin(node, threads)
     except (MansionError, ParameterException) as error:
         get_logger("mansion").fatal(str(error))
