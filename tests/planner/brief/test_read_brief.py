@@ -56,6 +56,21 @@ def test_an_area_per_floor_is_told_from_a_total() -> None:
     assert not facts.area
 
 
+@pytest.mark.parametrize(
+    ("text", "each"),
+    [
+        ("a two-storey office of 1000 m2", False),
+        ("a two-storey office of 1000 m2 in total", False),
+        ("a three-floor office, 900 m2 altogether", False),
+        ("two storeys of 500 m2", True),
+        ("an office of two floors of 500 m2 each", True),
+    ],
+)
+def test_an_area_follows_the_building_or_its_storeys(text: str, each: bool) -> None:
+    facts = read(text)
+    assert (bool(facts.floor_area), bool(facts.area)) == (each, not each)
+
+
 def test_an_area_of_a_room_is_not_the_buildings() -> None:
     facts = read("an office with a 40 m2 meeting room and a gym of 60 m2")
     assert not facts.area

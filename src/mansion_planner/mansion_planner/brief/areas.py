@@ -93,14 +93,14 @@ def _per_floor(reading: Reading, first: int, last: int) -> bool:
         ):
             return True
     before = [reading.word(i) for i in range(first - 6, first)]
-    text = " ".join(before)
+    text = f" {' '.join(before)} "
     if any(mark in before for mark in (".", ";")):
         text = text.rsplit(".", 1)[-1].rsplit(";", 1)[-1]
     if "total floor" in text or "gross floor" in text:
         return False
     cues = ("floor area", "footprint", "floor plate", "each floor", "every floor", "per floor",
             "floor of", "storey of", "each storey", "each level", "level of", "every storey", "floor with")  # fmt: skip
-    return any(cue in text for cue in cues)
+    return any(f" {cue} " in text for cue in cues)  # whole words: no "storey of" in "storey office"
 
 
 def _of_room(reading: Reading, first: int, last: int) -> bool:

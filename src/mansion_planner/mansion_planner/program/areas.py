@@ -1,5 +1,7 @@
 """Settle the area of a storey: as the request or the brief states it, as the footprint gives it, or as is usual."""
 
+from itertools import product
+
 import numpy as np
 
 from mansion_msgs_py.request import BuildRequest
@@ -74,14 +76,16 @@ def _check_areas(
             quoted(floor.span),
             "$.floor_area",
         )
-    if (
-        total is not None
-        and floor is not None
-        and abs(floor.value * storeys - total.value) > 0.12 * total.value
-    ):
-        raise contradiction(
-            f"the areas for {storeys} storeys", quoted(total.span), quoted(floor.span)
-        )
+    totals = [(request.area, f"$.area = {request.area or 0:g}", "$.area")]
+    parts = [(request.floor_area, f"$.floor_area = {request.floor_area or 0:g}", "$.floor_area")]
+    if total is not None:
+        totals.append((total.value, quoted(total.span), "$.description"))
+    if floor is not None:
+        parts.append((floor.value, quoted(floor.span), "$.description"))
+    for (whole, first, path), (part, second, other) in product(totals, parts):
+        if whole and part and abs(part * storeys - whole) > 0.12 * whole:
+            place = other if path == "$.description" else path
+            raise contradiction(f"the areas for {storeys} storeys", first, second, place)
 
 
 def area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:

@@ -1,0 +1,48 @@
+"""Areas that a request, a brief and a footprint state: they agree, or the request is refused."""
+
+from typing import Any
+
+import pytest
+
+from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.request import BuildRequest, Footprint
+from mansion_planner.plan import plan_building
+
+OUTLINE = Footprint(boundary=[(0, 0), (20, 0), (20, 10), (0, 10)])
+
+
+@pytest.mark.parametrize(
+    ("description", "options", "path"),
+    [
+        ("a two-storey office of 100 m2 per floor", {"area": 1000.0}, "$.area"),
+        ("a two-storey office of 1000 m2", {"floor_area": 100.0}, "$.floor_area"),
+        ("a two-storey office of 1000 m2", {"area": 500.0}, "$.area"),
+        ("a two-storey office, 1000 m2 in total, 300 m2 per floor", {}, "$.description"),
+        ("a shop", {"footprint": OUTLINE, "floor_area": 215.0}, "$.footprint"),
+        ("a two-storey shop", {"footprint": OUTLINE, "area": 200.0}, "$.footprint"),
+    ],
+)
+def test_areas_that_do_not_agree_are_refused(
+    description: str, options: dict[str, Any], path: str
+) -> None:
+    with pytest.raises(MansionError) as caught:
+        plan_building(BuildRequest(description=description, **options))
+    assert caught.value.code == "CONTRADICTION"
+    assert caught.value.info.path == path
+
+
+@pytest.mark.parametrize(
+    ("description", "options", "storey"),
+    [
+        ("a two-storey office of 1000 m2", {}, 500.0),
+        ("a two-storey office of 1000 m2", {"floor_area": 490.0}, 490.0),
+        ("a two-storey office", {"area": 800.0}, 400.0),
+        ("a shop", {"footprint": OUTLINE, "floor_area": 206.0}, 200.0),
+    ],
+)
+def test_a_storey_gets_the_area_that_is_stated(
+    description: str, options: dict[str, Any], storey: float
+) -> None:
+    program = plan_building(BuildRequest(description=description, **options)).program
+    for floor in program.floors:
+        assert floor.gross_floor_area == pytest.approx(storey, rel=0.02)
