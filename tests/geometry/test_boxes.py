@@ -44,6 +44,17 @@ def test_overlap_and_gap_agree_with_polygons(a: np.ndarray, b: np.ndarray) -> No
         assert not boxes_overlap(a, b, 0.0)
 
 
+@pytest.mark.parametrize(("x", "y"), [(1.9, 1.9), (-1.9, 1.9), (-1.9, -1.9), (1.9, -1.9)])
+def test_only_the_axes_of_the_turned_box_keep_a_corner_from_its_side(x: float, y: float) -> None:
+    plain = np.array([0.0, 0.0, 1.0, 0.0, 1.0, 1.0])
+    turned = np.array([x, y, *unit_vector(45.0), 1.0, 1.0])
+    apart = np.hypot(x, y) - 1.0 - np.sqrt(2.0)
+    for a, b in ((plain, turned), (turned, plain)):
+        assert not boxes_overlap(a, b, 0.0)
+        assert not boxes_overlap(a, b, apart - 0.01)
+        assert boxes_overlap(a, b, apart + 0.01)
+
+
 @given(boxes())
 @settings(deadline=None, max_examples=150)
 def test_containment_agrees_with_polygons(box: np.ndarray) -> None:

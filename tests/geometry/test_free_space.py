@@ -54,6 +54,16 @@ def test_a_box_behind_a_barrier_cannot_be_approached() -> None:
     assert space.first_unreachable(boxes, front, partner) == 1
 
 
+def test_a_place_beside_the_front_is_not_before_it() -> None:
+    space = grid()
+    # A cupboard, and a chest that fills the floor before it and leaves the floor to the left and right.
+    boxes = np.array([[5.0, 2.0, 1.0, 0.0, 0.3, 0.3], [5.0, 2.7, 1.0, 0.0, 0.35, 0.35]])
+    space.add(boxes)
+    partner = np.full(2, -1, dtype=np.int32)
+    assert space.first_unreachable(boxes, np.array([False, False]), partner) == -1
+    assert space.first_unreachable(boxes, np.array([True, False]), partner) == 0
+
+
 def test_a_front_at_a_wall_cannot_be_used_unless_a_partner_stands_for_it() -> None:
     space = grid()
     # A desk whose front looks at the wall 0.1 m away, and a chair beside it.

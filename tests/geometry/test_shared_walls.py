@@ -1,5 +1,6 @@
 """Walls that two polygons share."""
 
+import numpy as np
 import pytest
 from shapely.geometry import Polygon, box
 
@@ -49,3 +50,14 @@ def test_holes_share_walls_with_what_fills_them() -> None:
 
 def test_nothing_in_common_gives_no_longest_wall() -> None:
     assert longest_wall([]) is None
+
+
+def test_a_piece_beside_a_longer_one_does_not_shorten_it() -> None:
+    long, short = edge_array(box(2, 0, 4, 2)), edge_array(box(2.005, 0.5, 3, 1))
+    walls = shared_walls(edge_array(box(0, 0, 2, 2)), np.vstack([long, short]))
+    assert [wall.length for wall in walls] == [2.0]
+
+
+def test_a_slanting_edge_that_crosses_a_wall_is_not_shared() -> None:
+    slanting = Polygon([(2.2, 0), (4, 0), (4, 2), (1.8, 2)])
+    assert lengths(box(0, 0, 2, 2), slanting, gap=0.05) == []

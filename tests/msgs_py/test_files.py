@@ -57,3 +57,6 @@ def test_permissions_are_those_of_the_file_replaced_or_of_any_new_file(tmp_path:
     assert _mode(path) == 0o640
     write_atomic(path, b"three", mode=0o600)
     assert _mode(path) == 0o600
+    path.chmod(0o666)
+    write_atomic(path, b"four")
+    assert _mode(path) == 0o666, "the process's mask does not narrow what stood there"
