@@ -9,6 +9,8 @@ import pytest
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.topology import Edge
 from mansion_planner.solver import SolverOptions
+from mansion_planner.solver.annealing import Annealing
+from mansion_planner.solver.attempt_starts import AttemptStarts
 from mansion_planner.solver.budget import Budget
 from mansion_planner.solver.carving import carve_open_links
 from mansion_planner.solver.cutting import RoundsResult, run_rounds
@@ -16,7 +18,7 @@ from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lin
 from mansion_planner.solver.model import FloorModel, make_model
 from mansion_planner.solver.objective import total_energy
 from mansion_planner.solver.painting import recount
-from mansion_planner.solver.refine import make_goal
+from mansion_planner.solver.refine import Partition, make_goal
 from mansion_planner.solver.rounds import build_cut_rounds
 from mansion_planner.solver.starts import flood
 from mansion_planner.solver.state import Goal, State, make_state
@@ -98,3 +100,31 @@ def test_what_is_met_is_not_carved() -> None:
     goal, grid, state = three_in_a_row()
     met = goal._replace(links=np.array([[0, 1, 0]]))
     assert (carve_open_links(grid.cells, met, state) == state.labels).all()
+
+
+@pytest.mark.parametrize(("rooms", "carved"), [(16, [1, 3]), (6, [3])])
+def test_large_floors_carve_what_each_other_search_leaves_open(
+    rooms: int, carved: list[int]
+) -> None:
+    """Rooms lie in a row, and the first wants a door to the last."""
+    nodes = [ProblemNode(id="hub", type="main", area=8.0)]
+    nodes += [ProblemNode(id=f"room_{k}", type="Entities", area=8.0) for k in range(1, rooms)]
+    edges = [Edge(source="hub", target=f"room_{rooms - 1}")]
+    problem = FloorProblem(boundary=box(0, 0, 2 * rooms, 4), nodes=nodes, edges=edges)
+    model, goal, grid = prepared(problem, 0.5)
+    options = SolverOptions(round_candidates=0)
+    rng = np.random.default_rng(0)
+    annealing = Annealing(model, goal, grid, major_lines(model), options, Budget(1000), rng)
+    rounds = run_rounds(model, goal, grid, options, Budget(100), rng)
+    labels = grid.base.copy()
+    column = np.minimum(grid.cells.geometry[..., 1] // 2, rooms - 1).astype(int)
+    labels[grid.cells.free] = column[grid.cells.free]
+    latest = Partition(grid, labels, 0.0)
+    expected = carve_open_links(grid.cells, goal, annealing.state(latest))
+    assert (expected != labels).any()
+    starts = AttemptStarts(annealing)
+    for attempt in range(4):
+        start = starts.labels(rounds, attempt, latest)
+        assert start is not None
+        kept = (expected == 0) & (labels != 0)
+        assert bool((start[kept] == 0).all()) == (attempt in carved)

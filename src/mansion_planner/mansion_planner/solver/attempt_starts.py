@@ -17,7 +17,8 @@ FOLLOWING_SEEDS = 2
 
 KINDS, KINDS_LARGE, REROOTED, CARVED = 6, 4, 2, 3
 """Of each six attempts (four on large floors) the third starts from rounds from another room, the fourth from carved
-open links."""
+open links. On large floors without seeds the second is carved too: a search from the carved result of another mostly
+realises what that left open, and one from elsewhere seldom does."""
 
 
 class AttemptStarts:
@@ -59,7 +60,7 @@ class AttemptStarts:
         latest : Partition, optional
             What the attempt before found; its open links are carved.
         """
-        if attempt % self.kinds == CARVED and latest is not None:
+        if latest is not None and self._carves(attempt):
             state = self.annealing.state(latest)
             carved = carve_open_links(self.grid.cells, self.goal, state)
             if flood(carved, self.grid.cells, self.goal, self._seed_points(rounds, 0)):
@@ -79,6 +80,12 @@ class AttemptStarts:
         if attempt == 0 and usable and self._lower(from_rounds, labels):
             return from_rounds
         return labels
+
+    def _carves(self, attempt: int) -> bool:
+        """Tell whether an attempt starts from what the one before found, with its open links carved."""
+        if self.annealing.large and not self.annealing.seeded:
+            return attempt % 2 == 1
+        return attempt % self.kinds == CARVED
 
     def _lower(self, first: Ints, second: Ints) -> bool:
         """Tell whether the first labels on the coarse grid have less energy."""

@@ -134,8 +134,8 @@ class WallSearch:
         return Coarse(partition, rounds, bool((walls < self.goal.need).any()), bool(narrow.any()))
 
     def _rank(self, coarse: Coarse) -> tuple[bool, float]:
-        """Return the key by which coarse searches are compared: on small floors open links, then the energy."""
-        return coarse.open and not self.annealing.large, coarse.partition.energy
+        """Return the key by which coarse searches are compared: open links, then the energy."""
+        return coarse.open, coarse.partition.energy
 
     def _postponed(self, coarse: Coarse, attempt: int) -> bool:
         """Tell whether another coarse search is worth more than refining one with faults.
