@@ -96,6 +96,21 @@ def test_a_place_after_a_list_belongs_to_the_list() -> None:
     assert [[ref.kind for ref in fact.floors] for fact in facts.rooms] == [["top"], ["top"]]
 
 
+@pytest.mark.parametrize(
+    ("text", "each"),
+    [
+        ("five meeting rooms on floors 1 and 2", True),
+        ("five meeting rooms spread over floors 1 and 2", False),
+        ("a total of six bedrooms across the upper floors", False),
+        ("six bedrooms distributed across the upper floors", False),
+    ],
+)
+def test_a_number_for_several_storeys_holds_for_each_unless_it_is_shared_out(
+    text: str, each: bool
+) -> None:
+    assert [fact.each for fact in read(text).rooms] == [each]
+
+
 def test_a_place_before_a_room_is_that_rooms_alone() -> None:
     facts = read("a hotel with a ground-floor restaurant and a bar")
     assert [len(fact.floors) for fact in facts.rooms] == [1, 0]

@@ -25,12 +25,13 @@ def attach_places(
         rooms = _rooms_of(reading, place, places, found, set(assigned))
         for number in rooms:
             assigned[number] = place.refs
-            if (
+            several = (
                 place.refs[0].kind in ("every", "range", "upper", "middle", "lower")
                 or len(place.refs) > 1
-            ):
+            )
+            if several and not _shared_out(reading, found[number][0], place):
                 each.add(number)
-    for number, (first, last, fact) in enumerate(found):
+    for number, (first, _, fact) in enumerate(found):
         mention = reading.mention_at.get(first)
         building = _use_of(reading, found[number]) if assigned.get(number) else ""
         if building and fact.area is None and (fact.count is None or mention is not None):
@@ -42,7 +43,15 @@ def attach_places(
         )  # fmt: skip
         if not _said_before(reading, room):
             reading.facts.rooms.append(room)
-        del last
+
+
+_SHARED_OUT = frozenset({"spread", "distributed", "divided", "split"})
+
+
+def _shared_out(reading: Reading, first: int, place: Place) -> bool:
+    """Whether a number of rooms is that of all the named storeys ("six wards spread over the upper floors")."""
+    words = [reading.word(index) for index in range(first - 3, place.first)]
+    return "total of" in " ".join(words[:5]) or not _SHARED_OUT.isdisjoint(words)
 
 
 _MORE = ("another", "second", "extra", "additional", "further", "more")
