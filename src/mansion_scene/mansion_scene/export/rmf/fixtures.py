@@ -107,7 +107,7 @@ def lift_entries(levels: Sequence[LevelGraph]) -> dict[str, Value]:
             "doors": {
                 "door": {
                     "door_type": 2,
-                    "motion_axis_orientation": 0.0,
+                    "motion_axis_orientation": 0,
                     "width": door.width,
                     "x": aside,
                     "y": frame.depth / 2,
