@@ -125,7 +125,7 @@ _CLAUSES: Final[tuple[tuple[str, str], ...]] = (
     ("have", rf"(?P<x>.+?) (?:{_MODAL} )?{_BE}(?: (?:placed|put|found|kept|left|lying|standing|sitting))? "
         rf"(?P<loc>{_AT}.*)"),
     ("have", r"(?:put|place|add|provide|set|lay|leave|bring|supply|install|position|deposit|drop|store|keep|"
-        r"stick|rest|insert|deliver|"
+        r"stick|rest|insert|deliver|fetch|find|locate|"
         r"arrange|create|spawn|furnish|prepare|hide|park|stand|set up|set out|lay out|i need|we need|i want) "
         r"(?P<x>.+)"),
     ("have", rf"(?P<x>.+?) {_MODAL} (?:be|exist)"),

@@ -7,9 +7,9 @@ from mansion_scene.editing.agent.facts import Scope, Thing
 from mansion_scene.editing.agent.protocol import Action, Outcome
 from mansion_scene.editing.state import SceneState
 from mansion_scene.editing.tools.placing import COOLING
-from mansion_scene.editing.vocabulary import colour_of
+from mansion_scene.editing.vocabulary import colour_of, stems
 
-__all__ = ["Look", "find_things", "fits", "look_at", "receptacles"]
+__all__ = ["Look", "find_things", "fits", "look_at", "named_so", "receptacles"]
 
 Look = Generator[Action, Outcome, list[ObjectInfo] | str]
 """Ends with what was found, or why nothing can be."""
@@ -53,7 +53,15 @@ def receptacles(where: Scope, state: SceneState) -> Look:
         found += listed.objects
     mine = [i for i in found if where.floor in (None, i.floor)]
     mine = [i for i in mine if fits(Thing(where.receptacle, 0, where.colour), i, state)]
+    if stems(where.receptacle)[-1:] == (where.receptacle.lower().rpartition(" ")[2],):
+        mine = named_so(where.receptacle, mine) or mine
     return [i for i in mine if not where.base or _stands_on(i, where.base, state)]
+
+
+def named_so(noun: str, items: list[ObjectInfo]) -> list[ObjectInfo]:
+    """Return what is called by a noun itself: of a fridge and a display fridge, the fridge."""
+    words = stems(noun)
+    return [i for i in items if stems(i.category.replace("_", " ")) == words]
 
 
 def _stands_on(item: ObjectInfo, base: str, state: SceneState) -> bool:

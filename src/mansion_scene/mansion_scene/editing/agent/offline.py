@@ -12,7 +12,7 @@ from mansion_scene.editing.agent.facts import (
     PathFact,
     StateFact,
 )
-from mansion_scene.editing.agent.looking import find_things
+from mansion_scene.editing.agent.looking import find_things, named_so
 from mansion_scene.editing.agent.parse import parse_instruction
 from mansion_scene.editing.agent.protocol import Action, Outcome, Policy, Verdict
 from mansion_scene.editing.agent.providing import provide
@@ -100,11 +100,10 @@ def _switch(fact: StateFact, state: SceneState) -> Work:
     if not able:
         what = "opens" if fact.state == "open" else "switches"
         return f"no {fact.thing.noun} {fact.where} {what}"
-    named = [
-        i for i in able if set(stems(fact.thing.noun)) <= set(stems(i.category.replace("_", " ")))
-    ]
-    able = named or able
     several = fact.thing.count == 0 and fact.thing.every
+    own = set(stems(fact.thing.noun))
+    named = [i for i in able if own <= set(stems(i.category.replace("_", " ")))]
+    able = ([] if several else named_so(fact.thing.noun, able)) or named or able
     wanted = able if several else able[: max(1, fact.thing.count)]
     as_wished = [i for i in able if bool(i.states.get(fact.state, False)) == fact.value]
     if not several and len(as_wished) >= max(1, fact.thing.count):

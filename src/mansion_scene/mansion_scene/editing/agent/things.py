@@ -111,10 +111,11 @@ def untold(state: SceneState, words: str, noun: str) -> MansionError | None:
     for word in words.split():
         own = [word, word.removesuffix("en"), *stems(word)]
         if not assets or any(not _described(asset, own) for asset in assets):
+            name = re.sub(r"^(?:the|an?) ", "", noun)[:60]
             return MansionError(
                 ErrorCode.NOT_FOUND,
-                f"not understood: {words[:60]!r}: no {words[:60]!r} {noun[:60]} is known; say the {noun[:60]} alone, "
-                f"or with a colour; {EXAMPLES}",
+                f"not understood: {words[:60]!r}: no {name} is known to be so; say the {name} alone, or with a "
+                f"colour; {EXAMPLES}",
                 details={"words": words[:200]},
             )
     return None

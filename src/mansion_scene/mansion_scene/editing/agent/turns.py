@@ -32,6 +32,8 @@ _FRAMES: Final = re.compile(
 _SAYINGS: Final[tuple[tuple[str, str], ...]] = (
     # wishes for a thing
     (r"\b(?:have|has) to be (?=(?:on|in|inside|at|next)\b)", "must be "),
+    (r"^(?:could|can|would|may|should|must) ((?:an?|the|some|one|two|three) .+?) (?=be\b)", r"\1 should "),
+    (r"^(?:while|with) (the .+? (?:is|stays|remains|stands) (?:open|closed|shut|on|off)), ", r"\1 ;; "),
     (r"^(?:i|we) would (?:appreciate|be glad of|be happy with|welcome) (.+)$", r"there is \1"),
     (r"^(?:i|we) (?:am|are) going to need ", "i need "),
     (rf"^{_WHO} expects (?:to find )?(.+)$", r"there is \1"),
