@@ -41,6 +41,9 @@ def test_a_container_takes_what_it_is_for(what: str, container: str, fits: bool)
         ("hammer", "workbench", True),
         ("bandage", "exam_table", True),
         ("mug", "office_desk", True),
+        ("mouse", "sideboard", False),
+        ("pillow", "coffee_table", False),
+        ("cd", "bed", False),
     ],
 )
 def test_furniture_gets_what_people_put_there(what: str, surface: str, fits: bool) -> None:
@@ -55,6 +58,17 @@ def test_furniture_gets_what_people_put_there(what: str, surface: str, fits: boo
         ("hand_towel", "restroom", True),
         ("hammer", "main_kitchen", False),
         ("mug", "meeting_room", True),
+        ("mouse", "corridor", False),
+        ("watch", "commercial_kitchen", False),
+        ("watch", "private_office", True),
+        ("plate", "classroom", False),
+        ("paint_can", "private_office", False),
+        ("butter_knife", "storage", False),
+        ("pillow", "master_bedroom", True),
+        ("blanket", "bathroom", False),
+        ("wine_bottle", "bedroom", False),
+        ("lettuce", "phone_booth", False),
+        ("statue", "planetarium", True),
     ],
 )
 def test_rooms_get_what_is_used_there(what: str, kind: str, fits: bool) -> None:
@@ -65,6 +79,18 @@ def test_every_small_thing_of_the_catalogue_is_known() -> None:
     catalogue = load_catalogue()
     small = [a.category for a in catalogue.assets.values() if a.pickupable]
     assert not [c for c in small if is_brought(_thing(c)) and not kinds_of(_thing(c))]
+
+
+def test_every_small_thing_that_is_brought_has_rooms_to_go_to() -> None:
+    catalogue = load_catalogue()
+    small = [a.category for a in catalogue.assets.values() if a.pickupable]
+    rooms = [room("F1/there", kind, 0, 0, 4, 4) for kind in catalogue.room_types]
+    lost = [
+        c
+        for c in dict.fromkeys(small)
+        if is_brought(_thing(c)) and sum(goes_to(_thing(c), there) for there in rooms) < 3
+    ]
+    assert lost == []
 
 
 def test_every_container_of_the_catalogue_that_opens_takes_something() -> None:

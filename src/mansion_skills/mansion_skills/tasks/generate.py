@@ -213,13 +213,13 @@ def _deliver(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) -> Task
     if thing is None:
         return None
     target = call_thing(thing, building.scene(source), building, rng)
+    wanted = {
+        room.id: room
+        for room in scene.rooms
+        if room.kind not in ("stair", "elevator") and goes_to(thing, room)
+    }
     if rng.random() < 0.5:
-        rooms = [
-            r
-            for r in scene.rooms
-            if r.kind not in ("stair", "elevator") and r.id != thing.room and goes_to(thing, r)
-        ]
-        room = draw(rooms, rng)
+        room = draw([room for room in wanted.values() if room.id != thing.room], rng)
         if room is None:
             return None
         floor = goal if len(building.floors) > 1 else None
@@ -234,6 +234,7 @@ def _deliver(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) -> Task
                 and entry.mount == "floor"
                 and entry.category.endswith(SURFACES)
                 and goes_on(thing, entry)
+                and (entry.room == thing.room or entry.room in wanted)
             ],
             rng,
         )

@@ -7,6 +7,7 @@ anything, and a thing that it does not know goes on to any surface and to any ro
 from typing import Final
 
 from mansion_msgs_py.scene import SceneObject, SceneRoom
+from mansion_skills.tasks.homes import at_home_in
 
 __all__ = ["goes_into", "goes_on", "goes_to", "is_brought", "kinds_of"]
 
@@ -21,6 +22,7 @@ _KINDS: Final = {
         "popcorn_bucket jam_jar apple orange banana lemon tomato fruit_bowl wine_bottle "
         "water_bottle bottle sandwich cake cola_can juice_carton salt_shaker"
     ),
+    "drink": ("cola_can juice_carton water_bottle bottle mug cup glass thermos teapot"),
     "baked": "pan pot bread cake potato",
     "warmed": "plate bowl mug cup sandwich lunch_box potato popcorn_bucket",
     "tableware": (
@@ -56,6 +58,7 @@ _KINDS: Final = {
         "cosmetics_bag hand_sanitizer tissue_box"
     ),
     "linen": "towel hand_towel folded_towels cloth blanket pillow throw_pillow cushion throw_blanket",
+    "towels": "towel hand_towel folded_towels cloth",
     "clothing": (
         "boots sneakers slippers umbrella handbag backpack work_gloves hard_hat suitcase "
         "shopping_bag wallet"
@@ -136,27 +139,10 @@ _ROUGH: Final = frozenset(["tool", "sport"])
 _DIRTY: Final = frozenset(["boots", "sneakers", "slippers", "plastic_crate", "bucket", "suitcase"])
 _FOR_WORK: Final = ("workbench", "lab_bench", "lab_island", "packing_table", "folding_table")
 
-_WASHROOMS: Final = (
-    *("bathroom", "restroom", "toilet", "shower_room", "washroom", "ensuite", "powder_room"),
-    *("wc", "shower"),
-)
-_WASHROOM_KINDS: Final = frozenset(["bath", "linen", "medical"])
-_SLEEP: Final = ("bedroom", "nursery", "hotel_room", "guest_room")
-_EAT: Final = ("kitchen", "break_room", "cafe", "dining_room", "restaurant", "bar", "canteen")
-_MEET: Final = (
-    "lobby",
-    "reception",
-    "lounge",
-    "living_room",
-    "meeting_room",
-    "boardroom",
-    "waiting_room",
-)
-_NOT_TO: Final = (
-    (_SLEEP, frozenset(["tool", "cookware", "lab", "cultures", "stationery", "chilled"])),
-    (_EAT, frozenset(["tool", "bath", "clothing", "toy", "lab", "cultures", "sport"])),
-    (_MEET, frozenset(["tool", "sport", "cookware"])),
-)
+_AT_A_SCREEN: Final = ("desk", "table", "bench", "island")
+_TALL_ENOUGH: Final = ("dresser", "nightstand", "sideboard", "bench")
+_LAID_FLAT: Final = frozenset(["cd", "menu_card", "sheet_music", "hymn_book"])
+"""Reading that lies on a table, not on a bed."""
 
 _STAYS: Final = frozenset([
     "toilet_brush", "toilet_paper", "plunger", "fire_extinguisher", "book_upright", "urine_bottle", "kidney_dish",
@@ -190,18 +176,17 @@ def goes_on(thing: SceneObject, surface: SceneObject) -> bool:
     if surface.category.endswith(_TREATMENT):
         return bool(kinds & _ON_TREATMENT)
     if surface.category.endswith(_SOFT):
-        return bool(kinds & _ON_SOFT) and thing.category not in _DIRTY
+        return bool(kinds & _ON_SOFT) and thing.category not in (*_DIRTY, *_LAID_FLAT)
+    if kinds <= {"linen", "towels"}:
+        return surface.category.endswith(_TALL_ENOUGH)
+    if kinds == {"device"}:
+        return surface.category.endswith(_AT_A_SCREEN)
     if surface.category in _FOR_WORK:
         return True
     return thing.category not in _DIRTY and not kinds <= _ROUGH
 
 
 def goes_to(thing: SceneObject, room: SceneRoom) -> bool:
-    """Whether somebody may want a thing in a room."""
+    """Whether somebody may want a thing in a room: where such things are used or kept."""
     kinds = kinds_of(thing)
-    if not kinds:
-        return True
-    if room.room_type.endswith(_WASHROOMS):
-        return bool(kinds & _WASHROOM_KINDS)
-    unwanted = next((odd for rooms, odd in _NOT_TO if room.room_type.endswith(rooms)), frozenset())
-    return not kinds <= unwanted
+    return not kinds or at_home_in(kinds, room.room_type)
