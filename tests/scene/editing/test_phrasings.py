@@ -266,6 +266,7 @@ def test_taken_and_put_is_one_move(state: SceneState, text: str) -> None:
         ("Put either a mug or a book on the dining table.", "either a mug or"),
         ("Stack three books on the dining table.", "Stack"),
         ("Break the mug on the dining table.", "Break"),
+        ("Make a copy of the kitchen.", "copy"),
         ("Put a mug on the table closest to the kitchen.", "closest"),
         ("Remove half of the mugs.", "half of"),
         ("Rotate the sofa by ninety degrees.", "Rotate"),

@@ -37,6 +37,8 @@ _BEYOND: Final = tuple(
          r"wash|wipe|cook|fold|cut(?! the (?:number|count))|repair|build|widen|enlarge|resize|rename|undo|redo)\b(?! "
          r"away| out)",
          "no tool does it; objects can be placed, moved, removed, opened and switched"),
+        (r"\bmake (?:a |\w+ )?(?P<word>copy|copies|duplicates?|clones?)\b",
+         "nothing is copied; say what is to be there"),
         (r"\b(?:clean|tidy|wipe)\b[^,;]* with\b",
          "no tool does it; objects can be placed, moved, removed, opened and switched"),
         (r"\bby [\w.]+ (?:degrees?|cm|m|mm|centimet\w+|met(?:er|re)s?)\b|\bweigh\w*|\b\d+ ?(?:kg|cm|mm|kilograms?|"
