@@ -116,6 +116,29 @@ def test_a_place_before_a_room_is_that_rooms_alone() -> None:
     assert [len(fact.floors) for fact in facts.rooms] == [1, 0]
 
 
+@pytest.mark.parametrize(
+    "words",
+    ["per floor", "each floor", "on each floor", "for every storey", "on each of the 3 floors"],
+)
+def test_a_number_for_each_storey_holds_for_each(words: str) -> None:
+    facts = read(f"A three-storey school with two classrooms {words} and a cafeteria")
+    assert [(r.room_type, r.count, r.each) for r in facts.rooms] == [
+        ("classroom", 2, True),
+        ("cafeteria", 1, False),
+    ]
+    assert [ref.kind for ref in facts.rooms[0].floors] == ["every"]
+
+
+def test_an_area_per_floor_is_not_a_place() -> None:
+    facts = read("An office with 300 m2 per floor and a cafeteria")
+    assert facts.rooms[0].floors == ()
+
+
+def test_on_top_is_the_top_storey() -> None:
+    facts = read("A three-storey school with a library on top")
+    assert [ref.kind for ref in facts.rooms[0].floors] == ["top"]
+
+
 def test_a_clause_about_a_storey_places_all_its_rooms() -> None:
     facts = read("The second floor has a gym, a library and two meeting rooms. There is a cafe.")
     assert [[ref.first for ref in fact.floors] for fact in facts.rooms] == [[2], [2], [2], []]

@@ -9,6 +9,7 @@ from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 __all__ = ["Place", "find_places"]
 
 _PREPOSITIONS = frozenset({"on", "in", "at", "to", "across", "throughout", "occupying", "for"})
+_ENDS = frozenset({"", ".", ",", ";", "!", "and", "but", "with"})
 _KINDS = {"top": "top", "uppermost": "top", "highest": "top", "last": "top", "upper": "upper",
           "higher": "upper", "lower": "lower", "middle": "middle", "intermediate": "middle",
           "every": "every", "each": "every", "all": "every", "typical": "middle"}  # fmt: skip
@@ -65,7 +66,22 @@ def _place_at(reading: Reading, index: int, british: bool) -> Place | None:
     led = reading.word(first - 1) in _PREPOSITIONS
     if led:
         first -= 1
+    # "two classrooms per floor", "6 rooms each floor": it follows its rooms without a preposition.
+    led = led or (refs[0].kind == "every" and reading.kind(first - 1) in ("word", "number"))
     return Place(first, last, refs, led)
+
+
+def _every_storey(reading: Reading, index: int) -> int:
+    """Return where "per floor", "each floor" or "each of the 2 floors" ends; `index` where it is none."""
+    word, last = reading.word(index), index + 1
+    if word == "per" and reading.kind(index - 1) != "unit":
+        return last + 1 if reading.word(last) in FLOOR_WORDS else index
+    if _KINDS.get(word) != "every":
+        return index
+    if reading.word(last) == "of":
+        last += 1 + (reading.word(last + 1) in ("the", "its", "our"))
+        last += reading.kind(last) == "number"
+    return last + 1 if reading.word(last) in FLOOR_WORDS else index
 
 
 def _number(reading: Reading, index: int, kind: str) -> int | None:
@@ -108,6 +124,11 @@ def _refs_at(reading: Reading, index: int, british: bool) -> tuple[tuple[FloorRe
         refs, last = _numbered(reading, index + 1)
         if refs:
             return refs, last
+    if word == "top" and reading.word(index - 1) == "on" and following in _ENDS:
+        return (FloorRef("top", span=reading.span(index, index + 1)),), index + 1
+    every = _every_storey(reading, index)
+    if every > index:
+        return (FloorRef("every", span=reading.span(index, every)),), every
     if word in _KINDS and following in FLOOR_WORDS:
         return (FloorRef(_KINDS[word], span=reading.span(index, index + 2)),), index + 2  # type: ignore[arg-type]
     if word == "other" and following in FLOOR_WORDS:

@@ -85,7 +85,6 @@ def _fact(
     area: float | None = None
     index = first - 1
     steps = 0
-    each = False
     while index >= 0 and steps < 6:
         token = reading.tokens[index]
         measured = area_ending(reading, index + 1)
@@ -123,15 +122,7 @@ def _fact(
         area, end = after
         reading.take(last, end)
         last = end
-    if reading.word(last) in ("each", "apiece"):
-        last += 1
-    if reading.word(last) in ("per", "on", "for") and reading.word(
-        last + (reading.word(last) != "per")
-    ) in ("floor", "storey", "level"):
-        each = True
-    fact = RoomFact(
-        room_type, name, reading.span(min(first, last - 1), last), count, area, (), each
-    )
+    fact = RoomFact(room_type, name, reading.span(min(first, last - 1), last), count, area)
     return first, last, fact
 
 
