@@ -2,7 +2,8 @@
 
     python benchmarks/floorplans/synthetic.py [--floors 200] [--seed 0] [--jobs 1] [-o PROBLEMS.json]
 
-Solves them and prints how many have every edge met, each miss with its reason, and the cost by number of rooms.
+Solves them and prints how many have every edge met, each miss with its reason, how many have a narrow room, and the
+cost by number of rooms.
 """
 
 import argparse
@@ -95,6 +96,16 @@ def summary(problems: list[FloorProblem], layouts: list[FloorLayout]) -> str:
         ]
     met = sum(layout.topology_satisfied for layout in layouts)
     lines.append(f"{met} of {len(layouts)} floors with every edge met")
+    narrow = sum(
+        layout.checks.get("usable", 0.0) < len(problem.nodes)
+        for problem, layout in zip(problems, layouts)
+    )
+    lines.append(f"{narrow} floors with a narrow room")
+    seconds = [layout.seconds for layout in layouts]
+    median, high, most = np.percentile(seconds, [50, 95, 100])
+    lines.append(
+        f"elapsed: median {median:.2f} s, 95th percentile {high:.2f} s, largest {most:.2f} s"
+    )
     lines.append("| rooms | floors | median s | largest s | candidates | area error | corners |")
     lines.append("| --- | --- | --- | --- | --- | --- | --- |")
     for low in range(10, 61, 10):

@@ -9,7 +9,8 @@ import pytest
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.topology import Edge
 from mansion_planner.solver import SolverOptions
-from mansion_planner.solver.growth import FREE, OTHER, clean, grow
+from mansion_planner.solver.cleaning import FREE, OTHER, clean
+from mansion_planner.solver.growth import grow
 from mansion_planner.solver.model import make_model
 from mansion_planner.solver.polygons import trace
 from mansion_planner.solver.rounds import build_cut_rounds, subtree_areas

@@ -14,6 +14,61 @@ MOST_TAKEN = 0.6
 
 
 @kernel
+def _drawn_room(links: Ints, need: Floats, contact: Floats, n: int, rng: Ints) -> tuple[int, int]:
+    """Draw one of `n` rooms, half of the time one whose link is unmet; return it and its partner, or -1 for none."""
+    r, partner = draw(rng) % n, -1
+    if links.shape[0] > 0 and draw(rng) & 1 == 0:
+        for _ in range(12):
+            e = draw(rng) % links.shape[0]
+            a, b = links[e, 0], links[e, 1]
+            if contact[a, b] < need[e]:
+                r, partner = (a, b) if draw(rng) & 1 == 0 else (b, a)
+                break
+    if r >= n:
+        r, partner = partner, r
+    return r, partner
+
+
+@kernel
+def _beside(labels: Ints, j: int, i: int, partner: int) -> bool:
+    """Tell whether cell (j, i) is no cell of `partner` and next to one."""
+    return bool(
+        labels[j, i] != partner
+        and (
+            labels[j, i + 1] == partner
+            or labels[j, i - 1] == partner
+            or labels[j + 1, i] == partner
+            or labels[j - 1, i] == partner
+        )
+    )
+
+
+@kernel
+def _drawn_cell(free: Bools, labels: Ints, partner: int, rng: Ints) -> tuple[int, int]:
+    """Draw a free cell, beside `partner` unless that is -1; return its row, 0 when 60 draws found none, and column."""
+    rows, columns = labels.shape
+    for _ in range(60):
+        j = 1 + draw(rng) % (rows - 2)
+        i = 1 + draw(rng) % (columns - 2)
+        if free[j, i] and (partner < 0 or _beside(labels, j, i, partner)):
+            return j, i
+    return 0, 0
+
+
+@kernel
+def _stretched(lines: Floats, k: int, length: float, rng: Ints) -> tuple[int, int]:
+    """Return the range of cells from cell `k` on, upwards or downwards, that is about `length` long."""
+    k0, k1 = k, k + 1
+    if draw(rng) & 1 == 0:
+        while k1 < lines.size - 2 and lines[k1 + 1] - lines[k0] < length + 0.2:
+            k1 += 1
+    else:
+        while k0 > 1 and lines[k1] - lines[k0 - 1] < length + 0.2:
+            k0 -= 1
+    return k0, k1
+
+
+@kernel
 def random_rectangle(
     xs: Floats,
     ys: Floats,
@@ -35,55 +90,17 @@ def random_rectangle(
     bool
         The rectangle lies inside the frame.
     """
-    rows, columns = labels.shape
     n = rooms.shape[0]
-    r, partner = draw(rng) % n, -1
-    if links.shape[0] > 0 and draw(rng) & 1 == 0:
-        for _ in range(12):
-            e = draw(rng) % links.shape[0]
-            a, b = links[e, 0], links[e, 1]
-            if contact[a, b] < need[e]:
-                r, partner = (a, b) if draw(rng) & 1 == 0 else (b, a)
-                break
-    if r >= n:
-        r, partner = partner, r
+    r, partner = _drawn_room(links, need, contact, n, rng)
     if r == 0 or r >= n:
         return False
-    j, i, found = 0, 0, False
-    for _ in range(60):
-        j = 1 + draw(rng) % (rows - 2)
-        i = 1 + draw(rng) % (columns - 2)
-        if not free[j, i]:
-            continue
-        if partner < 0 or (
-            labels[j, i] != partner
-            and (
-                labels[j, i + 1] == partner
-                or labels[j, i - 1] == partner
-                or labels[j + 1, i] == partner
-                or labels[j - 1, i] == partner
-            )
-        ):
-            found = True
-            break
-    if not found:
+    j, i = _drawn_cell(free, labels, partner, rng)
+    if j == 0:
         return False
     aspect = np.exp(1.4 * (uniform(rng) - 0.5))
     wide = (rooms[r, TARGET] * aspect) ** 0.5
-    high = rooms[r, TARGET] / wide
-    j0, j1, i0, i1 = j, j + 1, i, i + 1
-    if draw(rng) & 1 == 0:
-        while i1 < columns - 1 and xs[i1 + 1] - xs[i0] < wide + 0.2:
-            i1 += 1
-    else:
-        while i0 > 1 and xs[i1] - xs[i0 - 1] < wide + 0.2:
-            i0 -= 1
-    if draw(rng) & 1 == 0:
-        while j1 < rows - 1 and ys[j1 + 1] - ys[j0] < high + 0.2:
-            j1 += 1
-    else:
-        while j0 > 1 and ys[j1] - ys[j0 - 1] < high + 0.2:
-            j0 -= 1
+    i0, i1 = _stretched(xs, i, wide, rng)
+    j0, j1 = _stretched(ys, j, rooms[r, TARGET] / wide, rng)
     box[0], box[1], box[2], box[3], box[4] = r, j0, j1, i0, i1
     return True
 

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from mansion_planner.solver.growth import FREE, OTHER, grow
+from mansion_planner.solver.cleaning import FREE, OTHER
+from mansion_planner.solver.growth import grow
 from mansion_planner.solver.jit import kernel
 from mansion_planner.solver.state import AREA, CX, CY, HB, VB, Floats, Ints
 from mansion_planner.solver.widths import border_sums, scan_runs
@@ -112,6 +113,42 @@ def _one_piece(work: Ints, geometry: Floats, value: int) -> bool:
 
 
 @kernel
+def _parent_region(layout: Ints, parent: int, work: Ints) -> None:
+    """Write the local labels of an uncut parent to `work`: FREE inside its region, OTHER elsewhere."""
+    rows, columns = layout.shape
+    for j in range(rows):
+        for i in range(columns):
+            work[j, i] = FREE if layout[j, i] == parent else OTHER
+
+
+@kernel
+def _all_whole(work: Ints, geometry: Floats, children: int, vanishes: bool) -> bool:
+    """Tell whether each child, and what the parent keeps unless it vanishes, is one piece."""
+    whole = vanishes or _one_piece(work, geometry, FREE)
+    for k in range(children):
+        whole = whole and _one_piece(work, geometry, k)
+    return whole
+
+
+@kernel
+def _globally_labelled(layout: Ints, work: Ints, children: Ints, trial: Ints) -> None:
+    """Write the whole layout with the children's cells of `work` to `trial`."""
+    rows, columns = layout.shape
+    for j in range(rows):
+        for i in range(columns):
+            trial[j, i] = children[work[j, i]] if work[j, i] >= 0 else layout[j, i]
+
+
+@kernel
+def _unmet_links(links: Ints, need: Floats, run: Floats) -> int:
+    """Return how many links have a straight wall shorter than they need."""
+    unmet = 0
+    for e in range(links.shape[0]):
+        unmet += run[links[e, 0], links[e, 1]] < need[e] - EPSILON
+    return unmet
+
+
+@kernel
 def grow_batch(
     xs: Floats,
     ys: Floats,
@@ -148,35 +185,22 @@ def grow_batch(
         Unmet links of the best candidate; 0 when it passes the predicate, -1 when no candidate is a partition.
     energy : float
     """
-    rows, columns = layout.shape
-    count = targets.size
-    work = np.empty((rows, columns), np.int64)
-    trial = np.empty((rows, columns), np.int64)
-    features = np.zeros((count, 4))
+    work, trial = np.empty_like(layout), np.empty_like(layout)
+    few, narrow = np.empty_like(layout), np.empty(layout.shape)
+    features = np.zeros((targets.size, 4))
     run = np.zeros((side.size, side.size))
     thin = np.zeros(rooms.shape[0])
     sums = border_sums(geometry)
-    few = np.empty((rows, columns), np.int64)
-    narrow = np.empty((rows, columns))
     fewest, lowest = -1, 1e18
     for c in range(batch.shape[0]):
-        for j in range(rows):
-            for i in range(columns):
-                work[j, i] = FREE if layout[j, i] == parent else OTHER
+        _parent_region(layout, parent, work)
         if not grow(xs, ys, geometry, work, batch[c], targets, vanishes):
             continue
-        whole = vanishes or _one_piece(work, geometry, FREE)
-        for k in range(count):
-            whole = whole and _one_piece(work, geometry, k)
-        if not whole:
+        if not _all_whole(work, geometry, targets.size, vanishes):
             continue
-        for j in range(rows):
-            for i in range(columns):
-                trial[j, i] = children[work[j, i]] if work[j, i] >= 0 else layout[j, i]
+        _globally_labelled(layout, work, children, trial)
         scan_runs(xs, ys, sums, rooms, side, trial, run, thin, few, narrow)
-        unmet = 0
-        for e in range(links.shape[0]):
-            unmet += run[links[e, 0], links[e, 1]] < need[e] - 1e-9
+        unmet = _unmet_links(links, need, run)
         if fewest >= 0 and unmet > fewest:
             continue
         _features(geometry, work, batch[c], targets, features)

@@ -4,6 +4,8 @@ A proposal shifts a straight run of wall by some grid lines, swaps two rooms, or
 list. It is kept when every room that it touched is still one piece and the energy allows it (Metropolis).
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from mansion_planner.solver.draws import draw, uniform
@@ -23,6 +25,44 @@ from mansion_planner.solver.state import Cells, Floats, Goal, Ints, State
 from mansion_planner.solver.widths import border_sums, scan_runs
 
 __all__ = ["anneal"]
+
+
+class _Scratch(NamedTuple):
+    """Working arrays of one search, made once and passed to the kernels of each proposal.
+
+    ``changes`` records a proposal's painted cells, ``touched`` the labels that they concern (``marks`` tells which are
+    listed); the others belong to `still_whole` (``stack``, ``seen``, ``stamps``), `scan_runs` (``sums``, ``few``,
+    ``narrow``) and the rectangles (``box``).
+    """
+
+    changes: Ints
+    marks: Ints
+    touched: Ints
+    stack: Ints
+    seen: Ints
+    stamps: Ints
+    sums: Floats
+    few: Ints
+    narrow: Floats
+    box: Ints
+
+
+@kernel
+def _make_scratch(cells: Cells, total: int) -> _Scratch:
+    """Return working arrays for a grid and `total` labels."""
+    rows, columns = cells.free.shape
+    return _Scratch(
+        np.empty((4 * rows * columns, 3), np.int64),
+        np.zeros(total, np.int64),
+        np.empty(total, np.int64),
+        np.empty(4 * rows * columns, np.int64),
+        np.zeros((rows, columns), np.int64),
+        np.zeros(1, np.int64),
+        border_sums(cells.geometry),
+        np.empty((rows, columns), np.int64),
+        np.empty((rows, columns)),
+        np.zeros(5, np.int64),
+    )
 
 
 @kernel
@@ -70,6 +110,110 @@ def _copy(
 
 
 @kernel
+def _propose(
+    cells: Cells,
+    goal: Goal,
+    state: State,
+    boxes: Ints,
+    scratch: _Scratch,
+    rng: Ints,
+    reach: int,
+    swaps: float,
+    jumps: float,
+) -> int:
+    """Paint one random move; return the number of records (0: nothing to do)."""
+    geometry, near, free, labels = cells.geometry, cells.near, cells.free, state.labels
+    stats, contact, straddle = state.stats, state.contact, state.straddle
+    changes, box = scratch.changes, scratch.box
+    u = uniform(rng)
+    if u < swaps:
+        return swap_rooms(
+            geometry, near, labels, stats, contact, straddle, changes, rng, goal.rooms
+        )
+    if u >= swaps + jumps:
+        return shift_wall(
+            geometry, near, free, labels, stats, contact, straddle, changes, rng, reach
+        )
+    if boxes.shape[0] > 0:
+        box[:] = boxes[draw(rng) % boxes.shape[0]]
+    elif not random_rectangle(
+        cells.xs, cells.ys, free, goal.rooms, goal.links, goal.need, labels, contact, rng, box
+    ):
+        return 0
+    return place_rectangle(
+        geometry,
+        near,
+        free,
+        labels,
+        stats,
+        contact,
+        straddle,
+        changes,
+        box[0],
+        box[1],
+        box[2],
+        box[3],
+        box[4],
+    )
+
+
+@kernel
+def _energy_within(
+    cells: Cells,
+    goal: Goal,
+    state: State,
+    costs: Floats,
+    scratch: _Scratch,
+    made: int,
+    limit: float,
+) -> float:
+    """Return the energy after a move, or infinity where a bound is above `limit` or a touched room is in pieces.
+
+    The cheap parts come first: most moves need neither the search for pieces nor the scan of all walls.
+    """
+    rooms, links, need, apart = goal.rooms, goal.links, goal.need, goal.apart
+    weights, stats, contact, run = goal.weights, state.stats, state.contact, state.run
+    shape = room_energy(rooms, weights, stats, state.straddle, costs)
+    if shape > limit:
+        return np.inf
+    if shape + edge_energy(links, need, apart, weights, stats, contact, run, False) > limit:
+        return np.inf
+    if not still_whole(
+        cells.geometry,
+        state.labels,
+        stats,
+        scratch.changes,
+        made,
+        scratch.stack,
+        scratch.seen,
+        scratch.stamps,
+        rooms.shape[0],
+    ):
+        return np.inf
+    scan_runs(
+        cells.xs,
+        cells.ys,
+        scratch.sums,
+        rooms,
+        goal.side,
+        state.labels,
+        run,
+        state.thin,
+        scratch.few,
+        scratch.narrow,
+    )
+    found = shape + thin_energy(rooms, weights, state.thin)
+    return found + edge_energy(links, need, apart, weights, stats, contact, run, True)
+
+
+@kernel
+def _repaint_back(labels: Ints, changes: Ints, made: int) -> None:
+    """Undo the recorded changes of labels, last first."""
+    for k in range(made - 1, -1, -1):
+        labels[changes[k, 0], changes[k, 1]] = changes[k, 2]
+
+
+@kernel
 def anneal(
     cells: Cells,
     goal: Goal,
@@ -103,96 +247,49 @@ def anneal(
     float
         Energy of the best partition.
     """
-    xs, ys, geometry, near, free = cells.xs, cells.ys, cells.geometry, cells.near, cells.free
-    labels, stats, contact = state.labels, state.stats, state.contact
-    run, thin, straddle = state.run, state.thin, state.straddle
-    rooms, links, need, side = goal.rooms, goal.links, goal.need, goal.side
-    apart, weights = goal.apart, goal.weights
-    rows, columns = labels.shape
-    n, total = rooms.shape[0], stats.shape[0]
+    labels, stats, contact, straddle = state.labels, state.stats, state.contact, state.straddle
+    rooms, weights = goal.rooms, goal.weights
+    n, outside = rooms.shape[0], stats.shape[0] - 1
     rng = np.array([seed], dtype=np.int64)
     for _ in range(4):
         draw(rng)
-    changes = np.empty((4 * rows * columns, 3), np.int64)
-    stack = np.empty(4 * rows * columns, np.int64)
-    seen = np.zeros((rows, columns), np.int64)
-    stamps = np.zeros(1, np.int64)
-    few = np.empty((rows, columns), np.int64)
-    narrow = np.empty((rows, columns))
-    sums = border_sums(geometry)
-    box = np.zeros(5, np.int64)
-    marks, touched = np.zeros(total, np.int64), np.empty(total, np.int64)
+    scratch = _make_scratch(cells, outside + 1)
+    changes, touched = scratch.changes, scratch.touched
     recount(cells, state)
     energy = total_energy(cells, goal, state)
     costs = np.empty(n)
     for r in range(n):
-        costs[r] = room_cost(rooms, weights, stats, contact, total - 1, r)
+        costs[r] = room_cost(rooms, weights, stats, contact, outside, r)
     kept_stats, kept_contact, kept_costs = stats.copy(), contact.copy(), costs.copy()
     kept_straddle = straddle[0]
-    best = energy
-    best_labels = labels.copy()
+    best, best_labels = energy, labels.copy()
     ratio = (cold / hot) ** (1.0 / max(1, proposals)) if hot > 0.0 else 1.0
     heat = hot
     for _ in range(proposals):
         heat *= ratio
-        u = uniform(rng)
-        if u < swaps:
-            made = swap_rooms(geometry, near, labels, stats, contact, straddle, changes, rng, rooms)
-        elif u < swaps + jumps:
-            if boxes.shape[0] > 0:
-                box[:] = boxes[draw(rng) % boxes.shape[0]]
-            elif not random_rectangle(xs, ys, free, rooms, links, need, labels, contact, rng, box):
-                continue
-            made = place_rectangle(
-                geometry,
-                near,
-                free,
-                labels,
-                stats,
-                contact,
-                straddle,
-                changes,
-                box[0],
-                box[1],
-                box[2],
-                box[3],
-                box[4],
-            )
-        else:
-            made = shift_wall(
-                geometry, near, free, labels, stats, contact, straddle, changes, rng, reach
-            )
+        made = _propose(cells, goal, state, boxes, scratch, rng, reach, swaps, jumps)
         if made == 0:
             continue
-        count = _touched(labels, changes, made, marks, touched)
+        count = _touched(labels, changes, made, scratch.marks, touched)
         limit = energy + 1e-12
         if heat > 0.0:
             limit = energy - heat * np.log(uniform(rng) + 1e-12)
         for k in range(count):
             r = touched[k]
             if r < n:
-                costs[r] = room_cost(rooms, weights, stats, contact, total - 1, r)
-        shape = room_energy(rooms, weights, stats, straddle, costs)
-        ok = False
-        if shape <= limit:
-            bound = edge_energy(links, need, apart, weights, stats, contact, run, False)
-            ok = shape + bound <= limit
-        if ok and still_whole(geometry, labels, stats, changes, made, stack, seen, stamps, n):
-            scan_runs(xs, ys, sums, rooms, side, labels, run, thin, few, narrow)
-            found = shape + thin_energy(rooms, weights, thin)
-            found += edge_energy(links, need, apart, weights, stats, contact, run, True)
-            if found <= limit:
-                energy = found
-                if energy < best - 1e-9:
-                    best = energy
-                    best_labels[:, :] = labels
-                _copy(stats, contact, costs, kept_stats, kept_contact, kept_costs, touched, count)
-                kept_straddle = straddle[0]
-                continue
-        for k in range(made - 1, -1, -1):
-            labels[changes[k, 0], changes[k, 1]] = changes[k, 2]
-        _copy(kept_stats, kept_contact, kept_costs, stats, contact, costs, touched, count)
-        straddle[0] = kept_straddle
+                costs[r] = room_cost(rooms, weights, stats, contact, outside, r)
+        found = _energy_within(cells, goal, state, costs, scratch, made, limit)
+        if found <= limit:
+            energy = found
+            if energy < best - 1e-9:
+                best = energy
+                best_labels[:, :] = labels
+            _copy(stats, contact, costs, kept_stats, kept_contact, kept_costs, touched, count)
+            kept_straddle = straddle[0]
+        else:
+            _repaint_back(labels, changes, made)
+            _copy(kept_stats, kept_contact, kept_costs, stats, contact, costs, touched, count)
+            straddle[0] = kept_straddle
     labels[:, :] = best_labels
     recount(cells, state)
     return total_energy(cells, goal, state)

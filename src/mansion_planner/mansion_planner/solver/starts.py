@@ -49,6 +49,80 @@ def _within(total: Floats, q: int, j0: int, j1: int, i0: int, i1: int) -> float:
 
 
 @kernel
+def _misfit(
+    total: Floats, room: Floats, j0: int, j1: int, i0: int, i1: int, height: float, span: float
+) -> float:
+    """Return what a rectangle of `height` and `span` costs as a room's start; infinity where its area is far off."""
+    t = room[TARGET]
+    a = _within(total, 0, j0, j1, i0, i1)
+    if a < 0.7 * t or a > 1.4 * t:
+        return np.inf
+    dx = _within(total, 1, j0, j1, i0, i1) / a - room[SEED_X]
+    dy = _within(total, 2, j0, j1, i0, i1) / a - room[SEED_Y]
+    cost = abs(a - t) / t + 2.0 * (dx * dx + dy * dy) ** 0.5 / t**0.5
+    cost += 0.3 * (1.0 - a / (height * span))
+    cost += 0.15 * max(0.0, (span + height) / (2.0 * (span * height) ** 0.5) - 1.1)
+    if min(span, height) < room[MIN_WIDTH]:
+        cost += 1.0
+    return float(cost)
+
+
+@kernel
+def _ranges(lines: Floats, seed: float, reach: float) -> Ints:
+    """Return the pairs of lines that have the seed between them, both within `reach` of it but for one cell."""
+    found = np.empty((lines.size * lines.size, 2), np.int64)
+    made = 0
+    for k0 in range(1, lines.size - 2):
+        if lines[k0] > seed or lines[k0 + 1] < seed - reach:
+            continue
+        for k1 in range(k0 + 1, lines.size - 1):
+            if lines[k1] >= seed and lines[k1 - 1] <= seed + reach:
+                found[made, 0], found[made, 1] = k0, k1
+                made += 1
+    return found[:made]
+
+
+@kernel
+def _insert(costs: Floats, boxes: Ints, made: int, cost: float) -> int:
+    """Make room for `cost` in the ascending ``costs[:made]``; return the place, whose box is to be written."""
+    k = made
+    while k > 0 and costs[k - 1] > cost:
+        costs[k] = costs[k - 1]
+        boxes[k] = boxes[k - 1]
+        k -= 1
+    costs[k] = cost
+    return k
+
+
+@kernel
+def _fit_room(
+    cells: Cells, total: Floats, room: Floats, r: int, keep: int, boxes: Ints, costs: Floats
+) -> int:
+    """Write the rectangles that fit room `r` best, best first, to `boxes` and `costs`; return how many."""
+    xs, ys, t = cells.xs, cells.ys, room[TARGET]
+    reach = 1.6 * t**0.5
+    across, along = _ranges(xs, room[SEED_X], reach), _ranges(ys, room[SEED_Y], reach)
+    made = 0
+    for p in range(along.shape[0]):
+        j0, j1 = along[p, 0], along[p, 1]
+        height = ys[j1] - ys[j0]
+        for q in range(across.shape[0]):
+            i0, i1 = across[q, 0], across[q, 1]
+            span = xs[i1] - xs[i0]
+            if height * span < 0.7 * t or height * span > 2.0 * t:
+                continue
+            cost = _misfit(total, room, j0, j1, i0, i1, height, span)
+            if cost == np.inf or (made == keep and cost >= costs[made - 1]):
+                continue
+            made = min(made, keep - 1)
+            k = _insert(costs, boxes, made, cost)
+            boxes[k, 0] = r
+            boxes[k, 1], boxes[k, 2], boxes[k, 3], boxes[k, 4] = j0, j1, i0, i1
+            made += 1
+    return made
+
+
+@kernel
 def fit_rectangles(cells: Cells, goal: Goal, keep: int) -> tuple[Ints, Floats]:
     """List, for each room with a seed, the grid rectangles that fit its area and centroid best.
 
@@ -61,61 +135,12 @@ def fit_rectangles(cells: Cells, goal: Goal, keep: int) -> tuple[Ints, Floats]:
     costs : (k,) array
     """
     total = _prefix(cells)
-    rows, columns = cells.free.shape
     n = goal.rooms.shape[0]
-    boxes = np.empty((n * keep, 5), np.int64)
-    costs = np.empty(n * keep)
+    boxes, costs = np.empty((n * keep, 5), np.int64), np.empty(n * keep)
     made = 0
     for r in range(n):
-        if goal.rooms[r, SEED_WEIGHT] <= 0.0:
-            continue
-        t = goal.rooms[r, TARGET]
-        sx, sy = goal.rooms[r, SEED_X], goal.rooms[r, SEED_Y]
-        reach = 1.6 * t**0.5
-        begin = made
-        for j0 in range(1, rows - 1):
-            if cells.ys[j0] > sy or cells.ys[j0 + 1] < sy - reach:
-                continue
-            for j1 in range(j0 + 1, rows):
-                if cells.ys[j1] < sy or cells.ys[j1 - 1] > sy + reach:
-                    continue
-                height = cells.ys[j1] - cells.ys[j0]
-                for i0 in range(1, columns - 1):
-                    if cells.xs[i0] > sx or cells.xs[i0 + 1] < sx - reach:
-                        continue
-                    for i1 in range(i0 + 1, columns):
-                        if cells.xs[i1] < sx:
-                            continue
-                        span = cells.xs[i1] - cells.xs[i0]
-                        if height * span < 0.7 * t:
-                            continue
-                        if height * span > 2.0 * t or cells.xs[i1 - 1] > sx + reach:
-                            break
-                        a = _within(total, 0, j0, j1, i0, i1)
-                        if a < 0.7 * t or a > 1.4 * t:
-                            continue
-                        dx = _within(total, 1, j0, j1, i0, i1) / a - sx
-                        dy = _within(total, 2, j0, j1, i0, i1) / a - sy
-                        cost = abs(a - t) / t + 2.0 * (dx * dx + dy * dy) ** 0.5 / t**0.5
-                        cost += 0.3 * (1.0 - a / (height * span))
-                        cost += 0.15 * max(
-                            0.0, (span + height) / (2.0 * (span * height) ** 0.5) - 1.1
-                        )
-                        if min(span, height) < goal.rooms[r, MIN_WIDTH]:
-                            cost += 1.0
-                        if made - begin == keep:
-                            if cost >= costs[made - 1]:
-                                continue
-                            made -= 1
-                        k = made
-                        while k > begin and costs[k - 1] > cost:
-                            costs[k] = costs[k - 1]
-                            boxes[k] = boxes[k - 1]
-                            k -= 1
-                        costs[k] = cost
-                        boxes[k, 0] = r
-                        boxes[k, 1], boxes[k, 2], boxes[k, 3], boxes[k, 4] = j0, j1, i0, i1
-                        made += 1
+        if goal.rooms[r, SEED_WEIGHT] > 0.0:
+            made += _fit_room(cells, total, goal.rooms[r], r, keep, boxes[made:], costs[made:])
     return boxes[:made], costs[:made]
 
 

@@ -132,78 +132,56 @@ def _add_pinches(
 
 
 @kernel
-def _scan_rows(
-    xs: Floats,
-    ys: Floats,
+def _scan_stripes(
+    along: Floats,
+    across: Floats,
+    areas: Floats,
     rooms: Floats,
     few: Ints,
-    lines: Ints,
-    tall: int,
-    wide: int,
+    stripes: Ints,
+    blocks: Ints,
+    count: tuple[int, int],
     narrow: Floats,
     thin: Floats,
+    second: bool,
 ) -> None:
-    """Mark the blocks of rows that are narrower than the room's minimum width, and add what is missing to `thin`."""
+    """Add to `thin` what rooms lack of their minimum width along each stripe of blocks.
+
+    The first scan, along rows, marks the narrow blocks; the second, along columns, adds the area of all blocks that are
+    narrow either way.
+
+    Parameters
+    ----------
+    along, across : arrays
+        Grid lines that the stripes cross and lie between.
+    areas : (lines across, lines along) array
+        Running sums of areas.
+    stripes, blocks : arrays
+        First grid line of each stripe and of each block in it; `count` says how many there are.
+    """
     n = rooms.shape[0]
-    for p in range(1, tall):
-        high = ys[lines[0, p + 1]] - ys[lines[0, p]]
-        begin = 0
-        previous = few[p, 0]
-        for q in range(1, wide):
+    for p in range(1, count[0]):
+        a0, a1 = stripes[p], stripes[p + 1]
+        deep = across[a1] - across[a0]
+        begin, previous = 0, few[p, 0]
+        for q in range(1, count[1]):
             x = few[p, q]
             if x == previous:
                 continue
             if previous < n:
-                missing = rooms[previous, MIN_WIDTH] - (xs[lines[1, q]] - xs[lines[1, begin]])
+                missing = rooms[previous, MIN_WIDTH] - (along[blocks[q]] - along[blocks[begin]])
                 short = missing > 1e-6
                 if short:
-                    thin[previous] += missing * high
+                    thin[previous] += missing * deep
                 for k in range(begin, q):
-                    narrow[p, k] = 1.0 if short else 0.0
-            begin = q
-            previous = x
-
-
-@kernel
-def _scan_columns(
-    xs: Floats,
-    ys: Floats,
-    sums: Floats,
-    rooms: Floats,
-    few: Ints,
-    lines: Ints,
-    tall: int,
-    wide: int,
-    narrow: Floats,
-    thin: Floats,
-) -> None:
-    """Add what columns lack to `thin`, and the area of all blocks that are narrow either way."""
-    n = rooms.shape[0]
-    for q in range(1, wide):
-        span = xs[lines[1, q + 1]] - xs[lines[1, q]]
-        i0, i1 = lines[1, q], lines[1, q + 1]
-        begin = 0
-        previous = few[0, q]
-        for p in range(1, tall):
-            x = few[p, q]
-            if x == previous:
-                continue
-            if previous < n:
-                missing = rooms[previous, MIN_WIDTH] - (ys[lines[0, p]] - ys[lines[0, begin]])
-                short = missing > 1e-6
-                if short:
-                    thin[previous] += missing * span
-                for k in range(begin, p):
-                    if short or narrow[k, q] > 0.5:
-                        j0, j1 = lines[0, k], lines[0, k + 1]
+                    if not second:
+                        narrow[p, k] = 1.0 if short else 0.0
+                    elif short or narrow[p, k] > 0.5:
+                        b0, b1 = blocks[k], blocks[k + 1]
                         thin[previous] += (
-                            sums[j1, i1, AREA_SUM]
-                            - sums[j0, i1, AREA_SUM]
-                            - sums[j1, i0, AREA_SUM]
-                            + sums[j0, i0, AREA_SUM]
+                            areas[a1, b1] - areas[a1, b0] - areas[a0, b1] + areas[a0, b0]
                         )
-            begin = p
-            previous = x
+            begin, previous = q, x
 
 
 @kernel
@@ -291,8 +269,11 @@ def scan_runs(
     notches = np.empty((MOST_NOTCHES, 3), np.int64)
     last = np.full((rooms.shape[0], 4), -1, np.int64)
     tall, wide = _blocks(labels, few, lines)
-    _scan_rows(xs, ys, rooms, few, lines, tall, wide, narrow, thin)
-    _scan_columns(xs, ys, sums, rooms, few, lines, tall, wide, narrow, thin)
+    areas, level, upright = sums[:, :, AREA_SUM], lines[0], lines[1]
+    size = (tall, wide)
+    _scan_stripes(xs, ys, areas, rooms, few, level, upright, size, narrow, thin, False)
+    size = (wide, tall)
+    _scan_stripes(ys, xs, areas.T, rooms, few.T, upright, level, size, narrow.T, thin, True)
     _scan_upright(sums, side, few, lines, tall, wide, run)
     _scan_level(sums, side, few, lines, tall, wide, run, notches, last)
     _add_pinches(xs, ys, rooms, notches, last, thin)
