@@ -132,7 +132,7 @@ def _plan(job: _Job, workspace: Workspace) -> PlanReply:
         workspace.save("plan.json", plan)
     job.timed("plan_program", time.perf_counter() - started)
     floors = plan.program.floors
-    job.total = 3 + len(steps.distinct_floors(plan)) + len(floors)
+    job.total = 2 + len(steps.distinct_floors(plan)) + len(floors)
     rooms = sum(
         node.type in ("main", "Entities") for graph in plan.topologies for node in graph.nodes
     )
