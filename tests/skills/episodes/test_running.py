@@ -2,6 +2,7 @@
 
 import hashlib
 from pathlib import Path
+from typing import Any
 
 import pytest
 from episode_tasks import MUG, apple_task, call, mug_task, search_task
@@ -101,6 +102,15 @@ def test_an_agent_that_fails_ends_its_episode(building: Path) -> None:
     log = run_episode(mug_task(), building, Scripted(fault), LocalPort())
     assert (log.end.stop, log.end.success) == ("agent_failed", False)
     assert "no idea" in log.end.reason
+
+
+@pytest.mark.parametrize(("choice", "got"), [("hello", "str"), (None, "NoneType"), ({}, "dict")])
+def test_an_agent_that_returns_another_type_ends_its_episode(
+    building: Path, choice: Any, got: str
+) -> None:
+    log = run_episode(mug_task(), building, Scripted(choice), LocalPort())
+    assert (log.end.stop, log.end.success, log.end.steps) == ("agent_failed", False, 0)
+    assert log.end.reason == f"act() returned {got}; accepted: SkillCall or Stop"
 
 
 def test_what_the_agent_needs_and_is_not_there_ends_the_run(building: Path) -> None:

@@ -143,6 +143,8 @@ def _steps(
             return "agent_failed", str(error), False
         if isinstance(choice, Stop):
             return "agent_stopped", choice.reason, choice.done
+        if fault := _wrong_type(choice):
+            return "agent_failed", fault, False
         call = watcher.call(moment, choice)
         refusal = call if isinstance(call, str) else ""
         call = choice if isinstance(call, str) else call
@@ -152,6 +154,13 @@ def _steps(
         step = _step(port, tracker, course, call, result)
         step.refused, step.notes = bool(refusal), agent.notes()
         course.steps.append(step)
+
+
+def _wrong_type(choice: object) -> str:
+    """Return what is wrong with the type that an agent chose, whose code no type checker may have seen."""
+    if isinstance(choice, SkillCall):
+        return ""
+    return f"act() returned {type(choice).__name__}; accepted: SkillCall or Stop"
 
 
 def _step(
