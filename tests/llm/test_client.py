@@ -12,6 +12,7 @@ import pytest
 from mansion_llm import Fault, LlmClient, LlmSettings, Prompt
 from mansion_llm.prompt import picture_digest, quoted_data
 from mansion_llm.secret import Secret
+from mansion_llm.store import CacheFolder, StoredAnswer
 from mansion_llm.structured import answer_schema
 from mansion_msgs_py.errors import MansionError
 
@@ -226,6 +227,18 @@ def test_an_answer_cut_at_the_token_limit_is_asked_for_more_briefly(chat: Module
     ) as server:
         assert client(server).ask(PROMPT, Shape).good
     assert "cut off" in server.requests[1]["messages"][-1]["content"]
+
+
+def test_a_failed_write_leaves_nothing_in_the_cache(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(self: Path, target: Path) -> Path:
+        raise OSError("no space")
+
+    monkeypatch.setattr(Path, "replace", full)
+    with pytest.raises(OSError, match="no space"):
+        CacheFolder(tmp_path).put(StoredAnswer(digest="abcd", prompt="shape", text="{}"))
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
 
 
 def test_answers_are_cached_by_content(chat: ModuleType, tmp_path: Path) -> None:

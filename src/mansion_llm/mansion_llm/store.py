@@ -1,13 +1,13 @@
 """Answers kept by the digest of their request: a cache folder, and recordings that replay without network."""
 
 import os
-import threading
 from pathlib import Path
 from typing import Protocol
 
 import msgspec
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
 
 __all__ = ["AnswerStore", "CacheFolder", "Recorder", "Recording", "RunSettings", "StoredAnswer"]
 
@@ -63,11 +63,7 @@ class CacheFolder:
 
     def put(self, answer: StoredAnswer) -> None:
         """Write atomically, so that two processes cannot see half a file."""
-        file = self._file(answer.digest)
-        file.parent.mkdir(parents=True, exist_ok=True)
-        partial = file.with_suffix(f".{os.getpid()}.{threading.get_ident()}.part")
-        partial.write_bytes(msgspec.json.encode(answer))
-        partial.replace(file)
+        write_atomic(self._file(answer.digest), msgspec.json.encode(answer))
 
 
 class RunSettings(msgspec.Struct, kw_only=True):
