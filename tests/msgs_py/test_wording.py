@@ -49,6 +49,14 @@ def test_a_shared_folder_makes_no_likeness() -> None:
     )
 
 
+def test_names_of_the_same_folder_come_before_those_that_share_its_first_part() -> None:
+    services = ["/mansion/solve_floor", "/mansion/skills/follow", "/mansion/skills/go_to"]
+    assert nearest("/mansion/skills/foo", services)[0] == "/mansion/skills/follow"
+    assert "solve_floor?" not in choices("/mansion/skills/foo", services, "services")
+    said = choices("/mansion/skills/solve_floor", services, "services")
+    assert said.startswith("did you mean /mansion/solve_floor?")
+
+
 def test_what_resembles_nothing_gets_no_guess() -> None:
     assert choices("xyz", ["lobby", "office"], "rooms") == "rooms: lobby, office"
     assert choices(7, ["lobby", "office"], "rooms") == "rooms: lobby, office"

@@ -26,6 +26,12 @@ _FAR = 0.3
 _NEIGHBOUR = 0.02
 """What being in the same folder adds to the likeness of a name."""
 
+_SURE = 0.8
+"""From this likeness on a name in another folder counts in full."""
+
+_ELSEWHERE = 0.5
+"""What less likeness counts for when all that is shared may be the first folder."""
+
 _LONG = 400
 """Characters of a wrong name that are compared and shown: names may come from anywhere."""
 
@@ -127,8 +133,16 @@ def _likenesses(wanted: str, known: Iterable[str]) -> dict[str, float]:
         if slash and plain.startswith(folder + slash):
             likeness[name] = _likeness(within, last, plain[len(folder) + 1 :]) + _NEIGHBOUR
         else:
-            likeness[name] = _likeness(whole, word, plain)
+            found = _likeness(whole, word, plain)
+            if slash and found < _SURE and folder.startswith(_root(plain)):
+                found *= _ELSEWHERE
+            likeness[name] = found
     return likeness
+
+
+def _root(path: str) -> str:
+    """Return the first folder of an absolute path with its slashes, of any other what no folder begins with."""
+    return "/".join(path.split("/")[:2]) + "/" if path.startswith("/") else "\0"
 
 
 def _likeness(matcher: SequenceMatcher[str], word: str, name: str) -> float:
