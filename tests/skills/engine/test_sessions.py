@@ -113,6 +113,16 @@ def test_a_new_server_continues_where_the_former_one_ended(building: Path) -> No
     assert objects.held_by("default") == "F1/office/mug_1"
 
 
+@pytest.mark.parametrize("last", [0, 1])
+def test_a_new_server_takes_the_newest_overlay(building: Path, last: int) -> None:
+    robots = pair(building)
+    robots[1 - last].rotate(90)
+    robots[last].rotate(90)
+    world = robots[0].engine.seat("").world
+    again = pair(building)[0].engine.seat("").world
+    assert (again.time, again.step) == (world.time, world.step)
+
+
 def test_the_overlay_names_what_differs_and_the_revisions_it_rests_on(building: Path) -> None:
     robot = Robot(building)
     robot.go_near_object("mug_1")
