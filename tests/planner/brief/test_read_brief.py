@@ -134,6 +134,12 @@ def test_an_area_per_floor_is_not_a_place() -> None:
     assert facts.rooms[0].floors == ()
 
 
+def test_the_area_of_a_room_on_each_storey_is_not_the_storeys() -> None:
+    facts = read("A three-storey office with a 20 m2 storage room per storey")
+    assert facts.floor_area == []
+    assert [(r.room_type, r.area, r.each) for r in facts.rooms] == [("storage", 20.0, True)]
+
+
 def test_on_top_is_the_top_storey() -> None:
     facts = read("A three-storey school with a library on top")
     assert [ref.kind for ref in facts.rooms[0].floors] == ["top"]

@@ -104,6 +104,16 @@ def test_an_agent_that_fails_ends_its_episode(building: Path) -> None:
     assert "no idea" in log.end.reason
 
 
+def test_a_fault_in_an_agents_code_ends_its_episode_and_names_the_line(building: Path) -> None:
+    class Faulty(Scripted):
+        def act(self, observation: Any) -> Any:
+            return [][len("no moves left")]
+
+    log = run_episode(mug_task(), building, Faulty(Stop("never")), LocalPort())
+    assert (log.end.stop, log.end.success) == ("agent_failed", False)
+    assert log.end.reason.startswith("IndexError: list index out of range (test_running.py, line ")
+
+
 @pytest.mark.parametrize(("choice", "got"), [("hello", "str"), (None, "NoneType"), ({}, "dict")])
 def test_an_agent_that_returns_another_type_ends_its_episode(
     building: Path, choice: Any, got: str

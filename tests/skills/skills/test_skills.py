@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
-from mansion_msgs_py.world import SkillStatus
+from mansion_msgs_py.world import Pose2D, SkillStatus
 from mansion_skills import Robot
+from mansion_skills.engine import Engine
 from mansion_skills.skills.near import _tilt_towards
 from mansion_skills.skills.seeing import CAMERA_HEIGHT
 from mansion_skills.world.overlay import overlay_path
@@ -180,6 +181,21 @@ def test_a_closed_door_stops_the_robot_and_the_answer_names_it(robot: Robot) -> 
     assert around.status is OK and around.data["meters"] > 8.0
     do(robot, ("GoNearObject", {"object": "door_1"}), ("OpenDoor", {"door": ""}))
     assert robot.close_door("F1/door_2").status is UNMET
+
+
+@pytest.mark.parametrize(("floor", "status"), [(1, UNMET), (2, OK)])
+def test_only_a_robot_on_the_doors_floor_keeps_it_open(
+    building: Path, floor: int, status: SkillStatus
+) -> None:
+    engine = Engine()
+    robot, other = Robot(building, engine=engine), Robot(building, "second", engine=engine)
+    do(robot, ("GoNearObject", {"object": "F1/door_1"}))
+    world = robot.engine.seat("").world
+    (ax, ay), (bx, by) = world.view(1).doors["F1/door_1"].segment
+    body = world.robots["second"]
+    body.floor, body.pose = floor, Pose2D(x=(ax + bx) / 2, y=(ay + by) / 2)
+    assert robot.close_door("F1/door_1").status is status
+    assert other.where_am_i().floor == floor
 
 
 def test_shut_in_behind_the_only_door_the_plan_says_which_to_open(robot: Robot) -> None:

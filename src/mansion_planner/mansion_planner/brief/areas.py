@@ -80,7 +80,8 @@ def _with_approximation(reading: Reading, first: int, last: int) -> Span:
 def _per_floor(reading: Reading, first: int, last: int) -> bool:
     after = [reading.word(i) for i in range(last, last + 5)]
     for offset, word in enumerate(after[:-1]):
-        if word in (",", ".", ";", "with"):
+        mention = reading.mention_at.get(last + offset)
+        if word in (",", ".", ";", "with") or (mention and mention.room and not mention.building):
             break
         if word in ("per", "a", "each", "every", "/", "footprint", "plate"):
             follows = after[offset + 1]

@@ -2,6 +2,7 @@
 
 import hashlib
 import time
+import traceback
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -141,6 +142,9 @@ def _steps(
             if error.code == ErrorCode.UNAVAILABLE:
                 raise
             return "agent_failed", str(error), False
+        except Exception as error:
+            # Code of the user's: a fault in it ends this episode, and the bench goes on.
+            return "agent_failed", _place_of(error), False
         if isinstance(choice, Stop):
             return "agent_stopped", choice.reason, choice.done
         if fault := _wrong_type(choice):
@@ -154,6 +158,12 @@ def _steps(
         step = _step(port, tracker, course, call, result)
         step.refused, step.notes = bool(refusal), agent.notes()
         course.steps.append(step)
+
+
+def _place_of(error: Exception) -> str:
+    """Say what an agent raised, and where."""
+    frame = traceback.extract_tb(error.__traceback__)[-1]
+    return f"{type(error).__name__}: {error} ({Path(frame.filename).name}, line {frame.lineno})"
 
 
 def _wrong_type(choice: object) -> str:
