@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from rclpy import _entities, _service_entities
 from rclpy._dds.announcement import NodeEndpoints
 from rclpy._endpoint_options import best_available, copy_profile, require_definition, to_profile
+from rclpy._node_names import NodeNames
 from rclpy.callback_groups import CallbackGroup
 from rclpy.client import Client
 from rclpy.clock import Clock
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
 __all__ = ["NodeEntities"]
 
 
-class NodeEntities:
+class NodeEntities(NodeNames):
     """Mixed into ``Node``."""
 
     _participant: Participant
@@ -51,12 +52,6 @@ class NodeEntities:
     default_callback_group: CallbackGroup
     executor: Executor | None
     handle: Any
-
-    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        raise NotImplementedError
-
-    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        raise NotImplementedError
 
     def _attach(self, item: Any, group: CallbackGroup | None = None) -> None:
         if group is not None:

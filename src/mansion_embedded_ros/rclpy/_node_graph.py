@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from rclpy._dds import graph
+from rclpy._node_names import NodeNames
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
 from rclpy.type_hash import TypeHash
@@ -43,16 +44,10 @@ def _topics(found: Iterable[graph.EndpointInfo], no_demangle: bool) -> _NamesAnd
     return _collect(found, graph.demangle_topic)
 
 
-class NodeGraph:
+class NodeGraph(NodeNames):
     """Mixed into ``Node``."""
 
     _participant: Participant
-
-    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        raise NotImplementedError
-
-    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        raise NotImplementedError
 
     def get_node_names(self) -> list[str]:
         """Names of the nodes, without namespaces."""

@@ -12,6 +12,7 @@ from rcl_interfaces.msg import (
     ParameterValue,
     SetParametersResult,
 )
+from rclpy._node_names import NodeNames
 from rclpy._parameter_callbacks import OnSet, PostSet, PreSet
 from rclpy._parameter_queries import ParameterQueries
 from rclpy._parameter_rules import double_fault, integer_fault, read_declaration
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 __all__ = ["NodeParameters"]
 
 
-class NodeParameters(ParameterQueries):
+class NodeParameters(NodeNames, ParameterQueries):
     """Mixed into ``Node``."""
 
     PARAM_REL_TOL = 1e-6
@@ -48,9 +49,6 @@ class NodeParameters(ParameterQueries):
         self._pre_set_parameters_callbacks: list[PreSet] = []
         self._post_set_parameters_callbacks: list[PostSet] = []
         self._parameters_lock = threading.RLock()
-
-    def get_fully_qualified_name(self) -> str:
-        raise NotImplementedError
 
     # Declaring
 

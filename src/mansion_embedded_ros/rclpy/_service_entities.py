@@ -54,6 +54,13 @@ def _append(message: Any, data: bytearray) -> None:
         raise TypeError(f"cannot serialize a {type(message).__name__}: {problem}") from problem
 
 
+def _channel(
+    topic: str, message: Any, profile: QoSProfile, identity: str
+) -> tuple[str, str, QoSProfile, str, bool]:
+    """Return what an endpoint that carries one half of a service is made of."""
+    return topic, type_name(message), profile, type_data(message, identity), True
+
+
 class Service(Handle):
     """The reader of a service's requests and the writer of its replies."""
 
@@ -68,16 +75,8 @@ class Service(Handle):
         super().__init__(participant, node)
         self._request, response = srv_type.Request, srv_type.Response
         identity = f"serviceid={participant.next_service_id()};"
-        self.writer = self._writer(
-            f"rr{name}Reply", type_name(response), profile, type_data(response, identity), True
-        )
-        self.reader = self._reader(
-            f"rq{name}Request",
-            type_name(self._request),
-            profile,
-            type_data(self._request, identity),
-            True,
-        )
+        self.writer = self._writer(*_channel(f"rr{name}Reply", response, profile, identity))
+        self.reader = self._reader(*_channel(f"rq{name}Request", self._request, profile, identity))
         self._known: set[int] = set()
         participant.announce()
 
@@ -143,16 +142,8 @@ class Client(Handle):
         super().__init__(participant, node)
         request, self._response = srv_type.Request, srv_type.Response
         identity = f"clientid={participant.next_service_id()};"
-        self.writer = self._writer(
-            f"rq{name}Request", type_name(request), profile, type_data(request, identity), True
-        )
-        self.reader = self._reader(
-            f"rr{name}Reply",
-            type_name(self._response),
-            profile,
-            type_data(self._response, identity),
-            True,
-        )
+        self.writer = self._writer(*_channel(f"rq{name}Request", request, profile, identity))
+        self.reader = self._reader(*_channel(f"rr{name}Reply", self._response, profile, identity))
         self._numbers = itertools.count(1)
         self._lock = threading.Lock()
         participant.announce()

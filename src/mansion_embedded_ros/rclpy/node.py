@@ -12,7 +12,6 @@ from rclpy._arguments import RosArguments, parse_arguments
 from rclpy._dds.announcement import NodeEndpoints
 from rclpy._node_entities import NodeEntities
 from rclpy._node_graph import NodeGraph
-from rclpy._node_names import NodeNames
 from rclpy._node_parameters import NodeParameters
 from rclpy._parameter_file import overrides_for
 from rclpy._rclpy_pybind11 import InvalidHandle
@@ -47,7 +46,7 @@ HIDDEN_NODE_PREFIX = "_"
 _ROSOUT_LIFESPAN = Duration(seconds=10)
 
 
-class Node(NodeNames, NodeEntities, NodeParameters, NodeGraph):
+class Node(NodeEntities, NodeParameters, NodeGraph):
     """A node.
 
     Parameters

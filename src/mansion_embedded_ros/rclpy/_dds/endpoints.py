@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes as ct
 import threading
+from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, NamedTuple
 
 from rclpy._dds.library import (
@@ -34,7 +35,7 @@ class Sample(NamedTuple):
     publication_handle: int
 
 
-class Endpoint:
+class Endpoint(ABC):
     """What writers and readers share: their entity, GUID and matched peers."""
 
     kind: str
@@ -65,8 +66,9 @@ class Endpoint:
         check(dds.dds_get_instance_handle(self.entity, ct.byref(handle)), "read a handle")
         self.instance_handle = handle.value
 
+    @abstractmethod
     def _create(self, topic: int, qos: int) -> int:
-        raise NotImplementedError
+        """Make the DDS entity; negative for an error."""
 
     @property
     def closed(self) -> bool:
@@ -91,13 +93,13 @@ class Endpoint:
             count = found + 8
         return []
 
+    @abstractmethod
     def matched_handles(self) -> list[int]:
         """Instance handles of the matched endpoints."""
-        raise NotImplementedError
 
+    @abstractmethod
     def matched_user_data(self, handle: int) -> dict[str, str] | None:
         """USER_DATA of a matched endpoint, None if it is gone."""
-        raise NotImplementedError
 
     def _user_data(self, pointer: int | None) -> dict[str, str] | None:
         if not pointer:

@@ -214,6 +214,60 @@ def _repaint_back(labels: Ints, changes: Ints, made: int) -> None:
 
 
 @kernel
+def _walk(
+    cells: Cells,
+    goal: Goal,
+    state: State,
+    boxes: Ints,
+    scratch: _Scratch,
+    rng: Ints,
+    costs: Floats,
+    energy: float,
+    proposals: int,
+    hot: float,
+    cold: float,
+    reach: int,
+    swaps: float,
+    jumps: float,
+) -> Ints:
+    """Propose, and keep or undo, from a state of known `energy` and `costs`; return the labels of the best met."""
+    labels, stats, contact, straddle = state.labels, state.stats, state.contact, state.straddle
+    changes, touched = scratch.changes, scratch.touched
+    n, outside = goal.rooms.shape[0], stats.shape[0] - 1
+    kept_stats, kept_contact, kept_costs = stats.copy(), contact.copy(), costs.copy()
+    kept_straddle = straddle[0]
+    best, best_labels = energy, labels.copy()
+    ratio = (cold / hot) ** (1.0 / max(1, proposals)) if hot > 0.0 else 1.0
+    heat = hot
+    for _ in range(proposals):
+        heat *= ratio
+        made = _propose(cells, goal, state, boxes, scratch, rng, reach, swaps, jumps)
+        if made == 0:
+            continue
+        count = _touched(labels, changes, made, scratch.marks, touched)
+        limit = energy + 1e-12
+        if heat > 0.0:
+            limit = energy - heat * np.log(uniform(rng) + 1e-12)
+        for k in range(count):
+            r = touched[k]
+            if r < n:
+                costs[r] = room_cost(goal.rooms, goal.weights, stats, contact, outside, r)
+        found = _energy_within(cells, goal, state, costs, scratch, made, limit)
+        if found <= limit:
+            energy = found
+            if energy < best - 1e-9:
+                best = energy
+                best_labels[:, :] = labels
+            _copy(stats, contact, costs, kept_stats, kept_contact, kept_costs, touched, count)
+            kept_straddle = straddle[0]
+        else:
+            _repaint_back(labels, changes, made)
+            _copy(kept_stats, kept_contact, kept_costs, stats, contact, costs, touched, count)
+            straddle[0] = kept_straddle
+    return best_labels
+
+
+@kernel
 def anneal(
     cells: Cells,
     goal: Goal,
@@ -247,49 +301,31 @@ def anneal(
     float
         Energy of the best partition.
     """
-    labels, stats, contact, straddle = state.labels, state.stats, state.contact, state.straddle
-    rooms, weights = goal.rooms, goal.weights
-    n, outside = rooms.shape[0], stats.shape[0] - 1
+    outside = state.stats.shape[0] - 1
     rng = np.array([seed], dtype=np.int64)
     for _ in range(4):
         draw(rng)
     scratch = _make_scratch(cells, outside + 1)
-    changes, touched = scratch.changes, scratch.touched
     recount(cells, state)
     energy = total_energy(cells, goal, state)
-    costs = np.empty(n)
-    for r in range(n):
-        costs[r] = room_cost(rooms, weights, stats, contact, outside, r)
-    kept_stats, kept_contact, kept_costs = stats.copy(), contact.copy(), costs.copy()
-    kept_straddle = straddle[0]
-    best, best_labels = energy, labels.copy()
-    ratio = (cold / hot) ** (1.0 / max(1, proposals)) if hot > 0.0 else 1.0
-    heat = hot
-    for _ in range(proposals):
-        heat *= ratio
-        made = _propose(cells, goal, state, boxes, scratch, rng, reach, swaps, jumps)
-        if made == 0:
-            continue
-        count = _touched(labels, changes, made, scratch.marks, touched)
-        limit = energy + 1e-12
-        if heat > 0.0:
-            limit = energy - heat * np.log(uniform(rng) + 1e-12)
-        for k in range(count):
-            r = touched[k]
-            if r < n:
-                costs[r] = room_cost(rooms, weights, stats, contact, outside, r)
-        found = _energy_within(cells, goal, state, costs, scratch, made, limit)
-        if found <= limit:
-            energy = found
-            if energy < best - 1e-9:
-                best = energy
-                best_labels[:, :] = labels
-            _copy(stats, contact, costs, kept_stats, kept_contact, kept_costs, touched, count)
-            kept_straddle = straddle[0]
-        else:
-            _repaint_back(labels, changes, made)
-            _copy(kept_stats, kept_contact, kept_costs, stats, contact, costs, touched, count)
-            straddle[0] = kept_straddle
-    labels[:, :] = best_labels
+    costs = np.empty(goal.rooms.shape[0])
+    for r in range(costs.size):
+        costs[r] = room_cost(goal.rooms, goal.weights, state.stats, state.contact, outside, r)
+    state.labels[:, :] = _walk(
+        cells,
+        goal,
+        state,
+        boxes,
+        scratch,
+        rng,
+        costs,
+        energy,
+        proposals,
+        hot,
+        cold,
+        reach,
+        swaps,
+        jumps,
+    )
     recount(cells, state)
     return total_energy(cells, goal, state)
