@@ -6,6 +6,10 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")"
 
 pythons=(3.11 3.12 3.13)
 extras=(cluster embeddings lint llm sim test usd)
+# What the ROS wheels depend on and nothing imports at run time; numpy, pyyaml and setuptools come from the other locks.
+not_of_rclpy=(empy lark-parser numpy pyyaml setuptools ros-wheels-bootstrapper
+    ros-ament-cmake-{cppcheck,cpplint,flake8,pep257,uncrustify} ros-fastrtps-cmake-module ros-rmw-implementation-cmake
+    ros-rosidl-{adapter,cli,cmake,generator-type-description,pycommon})
 unset PIP_FIND_LINKS PIP_INDEX_URL PIP_EXTRA_INDEX_URL UV_FIND_LINKS UV_INDEX_URL UV_EXTRA_INDEX_URL UV_INDEX
 
 compile() { # python, input, output, further options
@@ -15,7 +19,8 @@ compile() { # python, input, output, further options
     {
         echo "# Made by requirements/lock.sh from $input for Python $python; do not edit."
         echo "--only-binary :all:"
-        grep '^--no-binary' "$input" || true # after the line above: pip lets the later one win
+        # After the line above: pip lets the later one win. The lock of rclpy leaves out what has no wheel.
+        [[ $input == rclpy.in ]] || grep '^--no-binary' "$input" || true
         uv pip compile --quiet --no-config --python-version "$python" --python-platform linux \
             --generate-hashes --only-binary :all: --no-annotate --no-header \
             --no-emit-index-url --no-emit-find-links "$@" "$input"
@@ -30,21 +35,27 @@ wanted() { # is this name among the arguments, or are there none?
 }
 
 for python in "${pythons[@]}"; do
-    if wanted base "$@"; then
-        compile "$python" base.in "base-$python.txt"
-        compile "$python" core.in "core-$python.txt" --constraint "base-$python.txt"
+    if wanted core "$@"; then
+        compile "$python" core.in "core-$python.txt"
     fi
-    if wanted thor "$@"; then # its botocore takes an older python-dateutil than base has, which suits all others too
-        grep -o '^numpy==[0-9.]*' "base-$python.txt" >numpy.new
+    if wanted rclpy "$@"; then
+        compile "$python" rclpy.in "rclpy-$python.txt" --constraint "core-$python.txt" \
+            "${not_of_rclpy[@]/#/--no-emit-package=}"
+    fi
+    if wanted rosidl "$@"; then # its list is complete; versions are those of the wheels of rclpy
+        compile "$python" rosidl.in "rosidl-$python.txt" --no-deps --constraint "rclpy-$python.txt"
+    fi
+    if wanted thor "$@"; then # its botocore takes an older python-dateutil than core has, which suits all others too
+        grep -o '^numpy==[0-9.]*' "core-$python.txt" >numpy.new
         compile "$python" thor.in "thor-$python.txt" --constraint numpy.new
         rm numpy.new
     fi
     for extra in "${extras[@]}"; do
         if wanted "$extra" "$@"; then
-            compile "$python" "$extra.in" "$extra-$python.txt" --constraint "base-$python.txt"
+            compile "$python" "$extra.in" "$extra-$python.txt" --constraint "core-$python.txt"
         fi
     done
 done
 if wanted ros "$@"; then
-    compile 3.12 ros.in ros.txt --constraint core-3.12.txt
+    compile 3.12 ros.in ros.txt --constraint core-3.12.txt --constraint sim-3.12.txt
 fi

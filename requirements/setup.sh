@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2154
-# Sourced by ../mansion: makes the virtual environment $venv from the lock of $mode and links $packages into it.
+# Sourced by ../mansion: makes the virtual environment $venv from the locks of $mode and links $packages into it.
 
 say() { printf 'mansion: %s\n' "$*" >&2; }
 
@@ -35,7 +35,7 @@ find_python() {
     local candidates=(python3 python3.13 python3.12 python3.11) candidate answer missing=()
     if [[ -n ${MANSION_PYTHON:-} ]]; then
         candidates=("$MANSION_PYTHON")
-    elif [[ $mode == core ]]; then
+    elif [[ $mode == sourced ]]; then
         candidates=(/usr/bin/python3)
     fi
     for candidate in "${candidates[@]}"; do
@@ -52,9 +52,9 @@ find_python() {
         give_up "Python is here, but its venv module is not. Install it and try again:" \
             "sudo apt install ${missing[0]}"
     fi
-    if [[ $mode == core ]]; then
+    if [[ $mode == sourced ]]; then
         give_up "ROS 2 ${ROS_DISTRO} is sourced, but /usr/bin/python3 is not Python 3.11 to 3.13." \
-            "Mansion supports Jazzy and later; in a shell without ROS 2 it brings its own rclpy."
+            "Mansion supports Jazzy and later; in a shell without ROS 2 it installs the wheels of rclpy."
     fi
     give_up "no Python 3.11, 3.12 or 3.13 found (looked for ${candidates[*]})." \
         "sudo apt install python3 python3-venv, or name one: MANSION_PYTHON=/path/to/python3.12 ./mansion ..."
@@ -78,13 +78,15 @@ check_place() {
 }
 
 # Run pip, log everything, show one changing line on a terminal; explain a failure.
-install_lock() {
-    local lock=$1 log=$venv/setup.log total done_=0 line status
-    total=$(grep -cE '^[A-Za-z0-9._-]+==' "$lock" || true)
-    say "[2/4] installing $total locked packages from requirements/${lock##*/}"
+install_locks() {
+    local log=$venv/setup.log total done_=0 line status
+    total=$(cat -- "${locks[@]}" | grep -cE '^[A-Za-z0-9._-]+==' || true)
+    say "[2/4] installing $total locked packages from ${locks[*]#"$root/"}"
     set +e
-    "$venv/bin/python" -m pip install --require-hashes --only-binary=:all: --no-compile --no-input \
-        --disable-pip-version-check --retries 2 --progress-bar off -r "$lock" 2>&1 | tee -a -- "$log" |
+    # The locks are complete, so pip has nothing to resolve.
+    "$venv/bin/python" -m pip install --require-hashes --only-binary=:all: --no-deps --no-compile --no-input \
+        --disable-pip-version-check --retries 2 --progress-bar off "${locks[@]/#/--requirement=}" 2>&1 |
+        tee -a -- "$log" |
         while IFS= read -r line; do
             [[ -t 2 ]] || continue
             case $line in
@@ -114,15 +116,36 @@ explain_pip() {
             "Behind a proxy or a mirror, configure pip as usual (pip config, PIP_INDEX_URL). Full log: $log"
     fi
     if grep -qE 'No space left on device' -- "$log"; then
-        give_up "the disk is full: the environment needs about 500 MB." "Full log: $log"
+        give_up "the disk is full: the environment needs about 700 MB." "Full log: $log"
     fi
     give_up "installing the locked packages failed; run the command again to retry." "The full log is $log"
+}
+
+has_wheels() {
+    [[ " ${locks[*]##*/} " == *" rclpy-$version.txt "* ]]
+}
+
+# Leave the wheels of rclpy out where the system's C library is older than the one that they are made for.
+check_libc() {
+    local libc
+    libc=$(getconf GNU_LIBC_VERSION 2>/dev/null) || libc="glibc 0"
+    if has_wheels && [[ $(printf '%s\n' 2.28 "${libc##* }" | sort -V | head -n 1) != 2.28 ]]; then
+        say "      there are wheels of rclpy for glibc 2.28 and later; here is $libc: the node graph is left out"
+        locks=("${locks[0]}")
+    fi
 }
 
 link_packages() {
     local site=("$venv"/lib/python*/site-packages)
     say "[3/4] putting src/* on the path and compiling modules"
     printf '%s\n' "${packages[@]}" >"${site[0]}/mansion.pth"
+    if has_wheels; then
+        cp -- "$root/requirements/ros_wheels.py" "${site[0]}/_mansion_ros_wheels.py"
+        echo 'import _mansion_ros_wheels' >>"${site[0]}/mansion.pth"
+        "$venv/bin/python" -m _mansion_ros_wheels >>"$venv/setup.log" 2>&1 ||
+            give_up "the libraries of the ROS wheels do not load on this machine:" "$(tail -n 1 -- "$venv/setup.log")" \
+                "To go without the node graph: HOSTTYPE=other ./mansion ..."
+    fi
     # Here rather than by pip: on all cores, without the packages' own tests, and whatever PYTHONDONTWRITEBYTECODE says.
     "$venv/bin/python" -m compileall -q -j 0 -x '/(tests?|testing/data|pip|setuptools)/' \
         "${site[0]}" "${packages[@]}" >>"$venv/setup.log" 2>&1 || true
@@ -141,7 +164,7 @@ make_venv() {
     rm -rf -- "$venv"
     mkdir -- "$venv"
     touch -- "$venv/.mansion-venv"
-    if [[ $mode == core ]]; then
+    if [[ $mode == sourced ]]; then
         options=(--system-site-packages)
     fi
     "$python" -m venv "${options[@]}" -- "$venv" >"$venv/setup.log" 2>&1 ||
@@ -149,16 +172,16 @@ make_venv() {
 }
 
 check_rclpy() {
-    [[ $mode == core ]] || return 0
+    [[ $mode == sourced ]] || return 0
     local fault
     fault=$("$python" -c 'import rclpy' 2>&1) ||
         give_up "ROS 2 ${ROS_DISTRO} is sourced, but $python cannot import its rclpy:" "${fault##*$'\n'}" \
-            "Repair that installation, or use a shell without ROS 2: Mansion then brings its own rclpy."
+            "Repair that installation, or use a shell without ROS 2: Mansion then installs the wheels of rclpy."
 }
 
 # Under a lock, so that two at once make one environment; the stamp, written last, makes it count.
 set_up() {
-    local start=$SECONDS python= version= lock
+    local start=$SECONDS python= version= lock locks
     check_place
     exec 9>"$venv.lock"
     if ! flock -n 9; then
@@ -171,16 +194,19 @@ set_up() {
     fi
     find_python
     check_rclpy
-    lock=$root/requirements/$mode-$version.txt
-    [[ -r $lock ]] || give_up "there is no lock file $lock"
-    say "setting up $venv (first use or changed requirements; 80 s on two idle cores, minutes on busy ones)"
+    list_locks "$version"
+    for lock in "${locks[@]}"; do
+        [[ -r $lock ]] || give_up "there is no lock file $lock"
+    done
+    check_libc
+    say "setting up $venv (first use or changed requirements; 90 s on two idle cores, minutes on busy ones)"
     make_venv
-    install_lock "$lock"
+    install_locks
     link_packages
     warm
     expected_stamp "$version"
     printf '%s\n' "$stamp" >"$venv/.mansion-stamp.new"
     mv -- "$venv/.mansion-stamp.new" "$venv/.mansion-stamp"
     exec 9>&-
-    say "ready after $((SECONDS - start)) s"
+    say "ready after $((SECONDS - start)) s, $(du -sm -- "$venv" | cut -f 1) MB"
 }

@@ -16,7 +16,10 @@ setup(
     license="Apache-2.0",
     python_requires=">=3.11,<3.14",
     packages=find_packages(include=[NAME, f"{NAME}.*"]),
-    package_data={"": ["py.typed", "**/data/**", "**/*.json", "**/*.rviz"]},
+    package_data={
+        "": ["py.typed", "**/data/**", "**/*.json", "**/*.rviz", "loopback.xml"],
+        "mansion_bringup.graph": ["tf2_msgs/*", "tf2_msgs/*/*"],
+    },
     data_files=[
         ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
         (f"share/{NAME}", ["package.xml"]),

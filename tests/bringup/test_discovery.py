@@ -6,35 +6,35 @@ import pytest
 
 from mansion_bringup import client as client_module
 from mansion_bringup.client import MansionClient
-from mansion_bringup.discovery import CHOICES, stay_on_this_machine, stays_on_this_machine
+from mansion_bringup.discovery import CHOICES, keep_to_this_machine, kept_to_this_machine
 
 LOOPBACK = "<CycloneDDS><Domain><General><AllowMulticast>false</AllowMulticast></General></Domain></CycloneDDS>"
 
 
 def test_the_range_is_this_machine_where_nothing_is_chosen() -> None:
     environment: dict[str, str] = {}
-    stay_on_this_machine(environment)
+    keep_to_this_machine(environment)
     assert environment == {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
 
 
 @pytest.mark.parametrize("name", CHOICES)
 def test_a_choice_of_the_user_is_left_alone(name: str) -> None:
     environment = {name: "SUBNET"}
-    stay_on_this_machine(environment)
-    with stays_on_this_machine(environment):
+    keep_to_this_machine(environment)
+    with kept_to_this_machine(environment):
         assert environment == {name: "SUBNET"}
     assert environment == {name: "SUBNET"}
 
 
 def test_beside_a_sourced_ros_the_range_is_that_of_its_tools() -> None:
     environment = {"AMENT_PREFIX_PATH": "/opt/ros/jazzy"}
-    stay_on_this_machine(environment)
+    keep_to_this_machine(environment)
     assert environment == {"AMENT_PREFIX_PATH": "/opt/ros/jazzy"}
 
 
-def test_a_private_graph_stays_on_this_machine_beside_a_sourced_ros_too() -> None:
+def test_a_private_graph_kept_to_this_machine_beside_a_sourced_ros_too() -> None:
     environment = {"AMENT_PREFIX_PATH": "/opt/ros/jazzy"}
-    with stays_on_this_machine(environment):
+    with kept_to_this_machine(environment):
         assert environment["ROS_AUTOMATIC_DISCOVERY_RANGE"] == "LOCALHOST"
     assert environment == {"AMENT_PREFIX_PATH": "/opt/ros/jazzy"}
 
@@ -46,7 +46,7 @@ def test_a_client_in_a_process_with_nodes_keeps_their_range(
 ) -> None:
     rclpy = pytest.importorskip("rclpy")
     asked: list[str] = []
-    monkeypatch.setattr(client_module, "stay_on_this_machine", lambda: asked.append("range"))
+    monkeypatch.setattr(client_module, "keep_to_this_machine", lambda: asked.append("range"))
     monkeypatch.setenv("CYCLONEDDS_URI", LOOPBACK)
     domain = 150 + os.getpid() % 50
     if nodes_run:

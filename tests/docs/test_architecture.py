@@ -7,11 +7,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 ARCHITECTURE = (ROOT / "docs" / "architecture.md").read_text()
-PACKAGES = sorted(
-    path.name
-    for path in (ROOT / "src").iterdir()
-    if (path / path.name).is_dir()  # all but the embedded ROS, which has rclpy's names
-)
+PACKAGES = sorted(path.name for path in (ROOT / "src").iterdir() if (path / path.name).is_dir())
 
 
 def in_table(package: str) -> set[str]:

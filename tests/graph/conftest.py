@@ -8,8 +8,7 @@ import pytest
 from mansion_bringup.graph.domain import free_domain
 from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 
-os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
-os.environ.pop("ROS_LOCALHOST_ONLY", None)
+os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 
 
 @pytest.fixture(scope="module")

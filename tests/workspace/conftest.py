@@ -80,13 +80,20 @@ class Miniature:
         assert done.returncode == 0, done.stderr
         return json.loads(done.stdout)
 
-    def write_lock(self, mode: str = "base", *, digest: str | None = None, note: str = "") -> None:
-        """Write a lock of the tiny wheel, with another hash or another comment than the right ones."""
-        wheel = self.folder / "wheels" / "brick-1.0-py3-none-any.whl"
-        right = hashlib.sha256(wheel.read_bytes()).hexdigest()
-        (self.folder / "requirements" / f"{mode}-{VERSION}.txt").write_text(
-            f'# {note}\n--no-index\n--find-links "{wheel.parent}"\n'
-            f"brick==1.0 --hash=sha256:{digest or right}\n",
+    def write_lock(
+        self,
+        name: str = "core",
+        *,
+        wheel: str = "brick",
+        digest: str | None = None,
+        note: str = "",
+    ) -> None:
+        """Write a lock of a tiny wheel, with another hash or another comment than the right ones."""
+        file = self.folder / "wheels" / f"{wheel}-1.0-py3-none-any.whl"
+        right = hashlib.sha256(file.read_bytes()).hexdigest()
+        (self.folder / "requirements" / f"{name}-{VERSION}.txt").write_text(
+            f'# {note}\n--no-index\n--find-links "{file.parent}"\n'
+            f"{wheel}==1.0 --hash=sha256:{digest or right}\n",
             encoding="utf-8",
         )
 
@@ -119,11 +126,9 @@ def make_miniature(folder: Path) -> Miniature:
     (package.parent / "setup.py").write_text("", encoding="utf-8")
     (package / "__init__.py").write_text("", encoding="utf-8")
     (package / "__main__.py").write_text(MAIN, encoding="utf-8")
-    embedded = folder / "src" / "mansion_embedded_ros"
-    (embedded / "rclpy").mkdir(parents=True)
-    (embedded / "COLCON_IGNORE").touch()
-    (embedded / "rclpy" / "__init__.py").touch()
-    _make_wheel(folder / "wheels", "brick")
+    shutil.copy2(ROOT / "requirements" / "ros_wheels.py", folder / "requirements")
+    for name in ("brick", "rclpy"):
+        _make_wheel(folder / "wheels", name)
     kept = {
         name: value
         for name, value in os.environ.items()
@@ -131,13 +136,13 @@ def make_miniature(folder: Path) -> Miniature:
     }
     base = getattr(sys, "_base_executable", sys.executable)
     miniature = Miniature(folder, {**kept, "MANSION_PYTHON": base, "PIP_CONFIG_FILE": os.devnull})
-    miniature.write_lock("base")
-    miniature.write_lock("core")
+    miniature.write_lock()
+    miniature.write_lock("rclpy", wheel="rclpy")
     return miniature
 
 
 def _make_wheel(folder: Path, name: str) -> None:
-    folder.mkdir()
+    folder.mkdir(exist_ok=True)
     info = f"{name}-1.0.dist-info"
     files = {
         f"{name}.py": "",

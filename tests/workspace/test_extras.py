@@ -109,7 +109,8 @@ def test_the_suite_stays_on_loopback_whatever_the_caller_has() -> None:
     environment = test_environment(
         {"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET", "OMP_NUM_THREADS": "4"}
     )
-    assert environment["ROS_AUTOMATIC_DISCOVERY_RANGE"] == "LOCALHOST"
+    assert environment["ROS_AUTOMATIC_DISCOVERY_RANGE"] != "SUBNET"
+    assert Path(environment["FASTRTPS_DEFAULT_PROFILES_FILE"]).name == "loopback.xml"
     assert environment["OMP_NUM_THREADS"] == "4"
 
 

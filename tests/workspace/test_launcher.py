@@ -1,5 +1,6 @@
 """`./mansion` makes its environment once, safely, and then gets out of the way."""
 
+import json
 import os
 import shutil
 import signal
@@ -37,9 +38,25 @@ def test_the_command_sees_the_locked_packages_and_the_sources(ready: Any) -> Non
     assert seen["prefix"] == str(ready.venv)
     assert seen["brick"].startswith(str(ready.venv))
     assert str(ready.folder / "src" / "mansion_bringup") in seen["path"]
-    assert seen["rclpy"] == str(
-        ready.folder / "src" / "mansion_embedded_ros" / "rclpy" / "__init__.py"
-    )
+    assert seen["rclpy"].startswith(str(ready.venv))
+
+
+def test_on_a_machine_that_there_are_no_wheels_of_ros_for_all_else_is_set_up(fresh: Any) -> None:
+    seen = fresh.report(HOSTTYPE="aarch64")
+    assert seen["rclpy"] is None
+    assert seen["brick"].startswith(str(fresh.venv))
+    assert not list(fresh.venv.glob("lib/*/site-packages/_mansion_ros*"))
+
+
+def test_beside_an_older_c_library_the_wheels_of_ros_are_left_out(
+    fresh: Any, tmp_path: Path
+) -> None:
+    stub = tmp_path / "getconf"
+    stub.write_text("#!/bin/sh\necho glibc 2.27\n", encoding="utf-8")
+    stub.chmod(0o755)
+    done = fresh.run(PATH=f"{tmp_path}:{os.environ['PATH']}")
+    assert done.returncode == 0 and json.loads(done.stdout)["rclpy"] is None
+    assert "glibc 2.27: the node graph is left out" in done.stderr
 
 
 def test_arguments_folder_and_exit_status_pass_through_a_symbolic_link(
@@ -113,17 +130,17 @@ def test_the_environment_is_made_anew_when_what_made_it_changes(ready: Any) -> N
 
 
 def test_without_a_network_it_says_so(quick: Any) -> None:
-    lock = next((quick.folder / "requirements").glob("base-*.txt"))
+    lock = next((quick.folder / "requirements").glob("core-*.txt"))
     lock.write_text(
         f"--index-url http://127.0.0.1:9/simple\nbrick==1.0 --hash=sha256:{'0' * 64}\n", "utf-8"
     )
-    done = quick.run()
+    done = quick.run(HOSTTYPE="aarch64")
     assert done.returncode == 1
     assert "the package index cannot be reached" in done.stderr
     assert str(quick.venv / "setup.log") in done.stderr
 
 
-def test_beside_a_sourced_ros_its_rclpy_is_used_and_the_embedded_one_left_out(fresh: Any) -> None:
+def test_beside_a_sourced_ros_its_rclpy_is_used_and_the_wheels_are_left_out(fresh: Any) -> None:
     ros = fresh.folder.parent / "opt" / "ros"
     (ros / "rclpy").mkdir(parents=True)
     rclpy = ros / "rclpy" / "__init__.py"
@@ -132,7 +149,7 @@ def test_beside_a_sourced_ros_its_rclpy_is_used_and_the_embedded_one_left_out(fr
     seen = fresh.report(**sourced)
     assert seen["rclpy"] == str(rclpy)
     assert seen["prefix"] == str(fresh.folder / ".venv-ros")
-    assert str(fresh.folder / "src" / "mansion_embedded_ros") not in seen["path"]
+    assert not list((fresh.folder / ".venv-ros").glob("lib/*/site-packages/rclpy*"))
     assert str(fresh.folder / "src" / "mansion_bringup") in seen["path"]
     settings = (fresh.folder / ".venv-ros" / "pyvenv.cfg").read_text(encoding="utf-8")
     assert "include-system-site-packages = true" in settings

@@ -8,7 +8,7 @@ import pytest
 from mansion_bringup.extras import EXTRAS
 
 PYTHONS = ("3.11", "3.12", "3.13")
-NAMES = ("base", "core", *EXTRAS)
+NAMES = ("core", "rclpy", *EXTRAS)
 OLDER = {("thor", "python-dateutil")}
 """What an extra needs in an older version than all others; those accept it too."""
 
@@ -56,24 +56,44 @@ def test_one_version_of_a_package_across_the_locks_of_a_python(root: Path) -> No
 
 def test_what_jazzy_runs_is_locked(root: Path) -> None:
     for python in ("3.11", "3.12"):
-        assert entries(root / f"requirements/base-{python}.txt")["numpy"] == "1.26.4"
-    assert entries(root / "requirements/base-3.13.txt")["numpy"].startswith("2.")
+        assert entries(root / f"requirements/core-{python}.txt")["numpy"] == "1.26.4"
+    assert entries(root / "requirements/core-3.13.txt")["numpy"].startswith("2.")
     for python in PYTHONS:
-        base = entries(root / f"requirements/base-{python}.txt")
-        assert base["shapely"].startswith("2.0.")
-        assert base["cyclonedds"] == "11.0.1"
+        assert entries(root / f"requirements/core-{python}.txt")["shapely"].startswith("2.0.")
 
 
-def test_beside_ros_no_second_dds_is_installed(root: Path) -> None:
+SERIES = {
+    "ros-rclpy": "7.1.",
+    "ros-rcl": "9.2.",
+    "ros-rmw-fastrtps-cpp": "8.4.",
+    "ros-fastrtps": "2.14.",
+    "ros-rosidl-runtime-c": "4.6.",
+    "ros-builtin-interfaces": "2.0.",
+    **{f"ros-{name}-msgs": "5.3." for name in ("std", "geometry", "nav", "sensor", "diagnostic")},
+}
+"""What ROS 2 Jazzy has; the newest releases under these names belong to later distributions."""
+
+
+@pytest.mark.parametrize("python", PYTHONS)
+def test_the_wheels_of_rclpy_are_those_of_jazzy_and_a_lock_of_their_own(
+    root: Path, python: str
+) -> None:
+    wheels = entries(root / f"requirements/rclpy-{python}.txt")
+    assert {name for name, start in SERIES.items() if not wheels[name].startswith(start)} == set()
+    assert all(name.startswith("ros-") for name in wheels)
+    core = entries(root / f"requirements/core-{python}.txt")
+    assert not any(name.startswith("ros-") for name in core)
+
+
+def test_what_starts_python_twice_is_not_installed(root: Path) -> None:
     for python in PYTHONS:
-        core = entries(root / f"requirements/core-{python}.txt")
-        base = entries(root / f"requirements/base-{python}.txt")
-        assert "cyclonedds" not in core
-        assert core.items() <= base.items()
+        wheels = entries(root / f"requirements/rclpy-{python}.txt")
+        assert "ros-wheels-bootstrapper" not in wheels
 
 
 def test_only_wheels_are_installed_but_for_the_one_without(root: Path) -> None:
     for lock in sorted((root / "requirements").glob("*.txt")):
         options = re.findall(r"^--\S.*", lock.read_text(encoding="utf-8"), re.MULTILINE)
         allowed = ["--only-binary :all:"]
-        assert options == allowed + ["--no-binary empy"] * lock.name.startswith("test-"), lock
+        from_source = ["--no-binary empy"] * lock.name.startswith(("test-", "rosidl-"))
+        assert options == allowed + from_source, lock

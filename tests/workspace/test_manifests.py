@@ -78,9 +78,7 @@ def console_scripts(arguments: dict[str, Any]) -> dict[str, str]:
     return dict(re.split(r"\s*=\s*", line, maxsplit=1) for line in lines)
 
 
-def test_colcon_lists_each_package_as_ament_python_and_leaves_the_embedded_one_out(
-    root: Path, tmp_path: Path
-) -> None:
+def test_colcon_lists_each_package_as_ament_python(root: Path, tmp_path: Path) -> None:
     environment = {**os.environ, "COLCON_HOME": str(tmp_path)}
     listed = subprocess.run(
         [sys.executable, "-m", "colcon", "list", "--base-paths", str(root / "src")],

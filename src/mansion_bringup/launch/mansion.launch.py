@@ -9,6 +9,7 @@ from launch_ros.actions import Node
 
 from launch import LaunchDescription
 from mansion_bringup.graph.nodes import GRAPH_NODES
+from mansion_skills.nodes.robot_names import robot_namespace
 
 SWITCH = ["true", "false"]
 
@@ -20,13 +21,17 @@ def _nodes(context, *args, **kwargs):
         return LaunchConfiguration(name).perform(context)
 
     simulated = value("use_sim_time") == "true"
+    root = robot_namespace(value("robot_namespace"), "/" + value("namespace").strip("/"))
     actions = []
     for entry in GRAPH_NODES:
-        # Switches that are off are not passed on, so that a parameter file may set what they set.
+        # What is off or empty is not passed on, so that a parameter file may set it.
         parameters = [{"use_sim_time": True}] if simulated else []
-        if entry.executable == "skill_server" and value("publish_clock") == "true":
-            parameters.append({"publish_clock": True})
-        files = (value("params_file"), value(f"{entry.executable}_params"))
+        if entry.executable == "skill_server":
+            if value("publish_clock") == "true":
+                parameters.append({"publish_clock": True})
+            names = ("robot_namespace", "frame_prefix")
+            parameters += [{name: value(name)} for name in names if value(name)]
+        files = (_file(context, "params_file"), _file(context, f"{entry.executable}_params"))
         actions.append(
             Node(
                 package=entry.package,
@@ -35,6 +40,8 @@ def _nodes(context, *args, **kwargs):
                 namespace=value("namespace"),
                 parameters=[*parameters, *(path for path in files if path)],
                 ros_arguments=["--log-level", value("log_level")],
+                # A node that takes the time from /clock takes that of its own building.
+                remappings=[("/clock", f"{root}/clock")] if simulated and root else [],
                 output="screen",
                 respawn=value("respawn") == "true",
                 respawn_delay=2.0,
@@ -43,6 +50,14 @@ def _nodes(context, *args, **kwargs):
     if value("rviz") == "true":
         actions.append(_rviz(simulated))
     return actions
+
+
+def _file(context, name):
+    """Return an argument that names a file; stop where there is none."""
+    path = LaunchConfiguration(name).perform(context)
+    if path and not Path(path).is_file():
+        raise RuntimeError(f"{name}:={path}: there is no such file")
+    return path
 
 
 def _rviz(simulated):
@@ -74,6 +89,15 @@ def generate_launch_description():
         ),
         DeclareLaunchArgument(
             "params_file", default_value="", description="ROS parameter file for all nodes"
+        ),
+        DeclareLaunchArgument(
+            "robot_namespace",
+            default_value="",
+            description="of map, odom, scan, cmd_vel, tf and clock: / for the global names; when empty, those in the "
+            "namespace /mansion, and below the nodes' namespace in any other",
+        ),
+        DeclareLaunchArgument(
+            "frame_prefix", default_value="", description="in front of every frame, as in site_b/"
         ),
         switch("use_sim_time", "take the time from /clock, in all nodes"),
         switch("publish_clock", "have skill_server publish the world's clock on /clock"),

@@ -13,12 +13,12 @@ from typing import Any, TypeVar
 import rclpy
 from rclpy.client import Client
 from rclpy.context import Context
-from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
-from rclpy.task import Future
 from std_msgs.msg import String
 
-from mansion_bringup.discovery import stay_on_this_machine
+from mansion_bringup.discovery import keep_to_this_machine
+from mansion_bringup.graph.presence import check_rclpy
 from mansion_msgs_py import interfaces
 from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.codec import decode_reply, encode
@@ -36,6 +36,12 @@ __all__ = ["MansionClient"]
 T = TypeVar("T")
 
 _numbers = itertools.count(1)
+
+SPIN = 0.5
+"""Seconds after which the executor's thread looks whether the client is closed."""
+
+LOOK = 0.01
+"""Seconds between two looks for a service; rclpy's own wait looks four times a second."""
 
 
 class MansionClient(Closing):
@@ -66,9 +72,10 @@ class MansionClient(Closing):
         namespace: str = interfaces.DEFAULT_NAMESPACE,
         timeout: float = 600.0,
     ) -> None:
+        check_rclpy()
         if not rclpy.ok():
             # Where nodes run already, their range holds: a process has but one for a domain.
-            stay_on_this_machine()
+            keep_to_this_machine()
         self.timeout = timeout
         self._context = Context()
         rclpy.init(context=self._context, args=[], domain_id=domain_id)
@@ -77,19 +84,22 @@ class MansionClient(Closing):
             namespace=namespace,
             context=self._context,
             start_parameter_services=False,
+            enable_rosout=False,
             use_global_arguments=False,
         )
         self._clients: dict[tuple[str, str], Client] = {}
         self._lock = threading.Lock()
-        self._executor = MultiThreadedExecutor(num_threads=2, context=self._context)
+        self._executor = SingleThreadedExecutor(context=self._context)
         self._executor.add_node(self.node)
-        self._closed = Future()
+        self._closed = threading.Event()
         self._thread = threading.Thread(target=self._spin, name="mansion_client", daemon=True)
         self._thread.start()
 
     def _spin(self) -> None:
         try:
-            self._executor.spin_until_future_complete(self._closed)
+            while not self._closed.is_set():
+                # With an end, because rclpy can miss the wake-up of a context that is shut down.
+                self._executor.spin_once(timeout_sec=SPIN)
         except ExternalShutdownException:
             return
         except Exception:
@@ -100,7 +110,8 @@ class MansionClient(Closing):
     def close(self) -> None:
         """End the client and its context."""
         # The executor's thread ends first: what it waits for must not be taken away under it.
-        self._closed.set_result(None)
+        self._closed.set()
+        self._executor.wake()
         self._thread.join(timeout=2.0)
         self._executor.shutdown(timeout_sec=2.0)
         self.node.destroy_node()
@@ -135,7 +146,7 @@ class MansionClient(Closing):
             What the service answered, ``UNAVAILABLE`` when no node serves it or its node is gone, or ``TIMEOUT``.
         """
         client = self._client(name, arguments)
-        if not client.service_is_ready() and not client.wait_for_service(timeout_sec=wait):
+        if not _becomes_ready(client, wait):
             raise self._unserved(str(client.service_name))
         request = client.srv_type.Request()
         if client.srv_type is JsonCall:
@@ -149,7 +160,7 @@ class MansionClient(Closing):
 
     def wait_served(self, name: str, timeout: float) -> bool:
         """Wait until a node serves `name`; False when none does after `timeout` seconds."""
-        return bool(self._client(name, {}).wait_for_service(timeout_sec=timeout))
+        return _becomes_ready(self._client(name, {}), timeout)
 
     def sees_node(self, name: str) -> bool:
         """Whether a node `name` runs in the namespace of this client."""
@@ -256,12 +267,41 @@ class MansionClient(Closing):
         Parameters
         ----------
         qos : Qos, optional
-            Of the interface table when the topic is in it, else a latched reader with a volatile fallback.
+            Of the interface table when the topic is in it, else reliable and volatile.
+        """
+        return self.subscribe(String, name, lambda message: handler(message.data), qos)
+
+    def subscribe(
+        self, kind: Any, name: str, handler: Callable[[Any], None], qos: Qos | None = None
+    ) -> Callable[[], None]:
+        """Call `handler` with each message of a topic of any type; return how to stop.
+
+        Parameters
+        ----------
+        kind : type
+            Of the messages.
+        qos : Qos, optional
+            Of the interface table when the topic is in it, else reliable and volatile.
         """
         if qos is None:
             known = {entry.name: entry.qos for entry in interfaces.TOPICS}
             qos = known.get(name, interfaces.STREAM)
-        subscription = self.node.create_subscription(
-            String, name, lambda message: handler(message.data), qos_profile(qos)
-        )
-        return lambda: self.node.destroy_subscription(subscription) and None
+        stopped = threading.Event()
+
+        def receive(message: Any) -> None:
+            if not stopped.is_set():
+                handler(message)
+
+        self.node.create_subscription(kind, name, receive, qos_profile(qos))
+        # The subscription itself stays: rclpy does not survive that one is destroyed while its executor waits.
+        return stopped.set
+
+
+def _becomes_ready(client: Client, timeout: float) -> bool:
+    """Wait until a service is there; False when it is not after `timeout` seconds."""
+    deadline = time.monotonic() + timeout
+    while not client.service_is_ready():
+        if time.monotonic() >= deadline:
+            return False
+        time.sleep(LOOK)
+    return True

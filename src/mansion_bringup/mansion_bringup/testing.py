@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Final
 
+from mansion_bringup.discovery import CHOICES, loopback_variables
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
@@ -44,14 +45,15 @@ def test_environment(environment: Mapping[str, str]) -> dict[str, str]:
     Parameters
     ----------
     environment : mapping
-        The caller's; its own choices stay, but for the discovery range.
+        The caller's; its own choices stay, but for how far nodes look.
     """
+    kept = {name: value for name, value in environment.items() if name not in CHOICES}
     return {
         "OMP_NUM_THREADS": "1",
         "OPENBLAS_NUM_THREADS": "1",
         "MPLBACKEND": "Agg",
-        **environment,
-        "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+        **kept,
+        **loopback_variables(kept),
     }
 
 

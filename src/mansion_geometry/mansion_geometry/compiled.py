@@ -15,4 +15,4 @@ def kernel(function: _Function) -> _Function:
 
     Strict IEEE arithmetic (no ``fastmath``), so that results are the same on every run.
     """
-    return cast(_Function, numba.njit(cache=True)(function))
+    return cast(_Function, numba.njit(cache=True, nogil=True)(function))

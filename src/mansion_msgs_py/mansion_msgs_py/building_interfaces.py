@@ -33,6 +33,12 @@ TOPICS: tuple[TopicInterface, ...] = (
         qos=LATCHED,
     ),
     TopicInterface("progress", "building_director", "How far a job is.", Progress),
+    TopicInterface(
+        "/diagnostics",
+        "every node",
+        "What each node does and how many calls it served, once a second.",
+        type="diagnostic_msgs/msg/DiagnosticArray",
+    ),
 )
 
 SERVICES: tuple[ServiceInterface, ...] = (

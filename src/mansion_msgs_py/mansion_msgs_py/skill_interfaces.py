@@ -105,11 +105,24 @@ TOPICS: tuple[TopicInterface, ...] = (
     TopicInterface(
         "/tf_static",
         "skill_server",
-        "`map` -> `floor_k`, `base_link` -> `base_scan`.",
+        "`map` -> `floor_k`, `base_link` -> `base_scan` and `imu_link`.",
         type="tf2_msgs/msg/TFMessage",
         qos=LATEST,
     ),
-    TopicInterface("/odom", "skill_server", "Odometry.", type="nav_msgs/msg/Odometry", qos=STREAM),
+    TopicInterface(
+        "/odom",
+        "skill_server",
+        "Odometry, 20 Hz: free of errors but for what its covariances say.",
+        type="nav_msgs/msg/Odometry",
+        qos=STREAM,
+    ),
+    TopicInterface(
+        "/imu",
+        "skill_server",
+        "Heading, turning speed and acceleration with gravity, 20 Hz.",
+        type="sensor_msgs/msg/Imu",
+        qos=SENSOR,
+    ),
     TopicInterface(
         "/scan",
         "skill_server",
@@ -120,7 +133,7 @@ TOPICS: tuple[TopicInterface, ...] = (
     TopicInterface(
         "camera/image",
         "skill_server",
-        "What the robot sees, rgb8; this and the next three while someone listens.",
+        "What the robot sees, rgb8; this and the next four while someone listens.",
         type="sensor_msgs/msg/Image",
         qos=CAMERA,
     ),
@@ -136,6 +149,13 @@ TOPICS: tuple[TopicInterface, ...] = (
         "skill_server",
         "What each pixel shows, 32SC1: an index of `camera/names`, -1 the sky.",
         type="sensor_msgs/msg/Image",
+        qos=CAMERA,
+    ),
+    TopicInterface(
+        "camera/points",
+        "skill_server",
+        "What the camera sees as coloured points, in the order of the pixels; NaN is the sky.",
+        type="sensor_msgs/msg/PointCloud2",
         qos=CAMERA,
     ),
     TopicInterface(

@@ -7,10 +7,10 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 import typer.main
-from click import Command
 from sample_building import write_building
 from typer.testing import CliRunner
 
@@ -95,8 +95,8 @@ def test_what_is_no_such_file_is_named(
     assert file in refused(words, file, things, monkeypatch)
 
 
-def commands() -> list[tuple[tuple[str, ...], Command]]:
-    def below(path: tuple[str, ...], command: Command) -> list[tuple[tuple[str, ...], Command]]:
+def commands() -> list[tuple[tuple[str, ...], Any]]:
+    def below(path: tuple[str, ...], command: Any) -> list[tuple[tuple[str, ...], Any]]:
         inner = getattr(command, "commands", {})
         if not inner:
             return [(path, command)]

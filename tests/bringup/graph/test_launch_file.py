@@ -45,6 +45,7 @@ class NodeAction:
     parameters: list[Any] = field(default_factory=list)
     arguments: list[str] = field(default_factory=list)
     ros_arguments: list[str] = field(default_factory=list)
+    remappings: list[tuple[str, str]] = field(default_factory=list)
     output: str = "log"
     respawn: bool = False
     respawn_delay: float = 0.0
@@ -106,13 +107,30 @@ def test_all_nodes_of_the_graph_start_below_mansion(description: list[Any]) -> N
 
 
 def test_parameter_files_come_after_the_switches_and_the_own_one_last(
-    description: list[Any],
+    description: list[Any], tmp_path: Path
 ) -> None:
-    nodes = started(
-        description, params_file="/all.yaml", skill_server_params="/own.yaml", use_sim_time="true"
-    )
-    assert nodes["skill_server"].parameters == [{"use_sim_time": True}, "/all.yaml", "/own.yaml"]
-    assert nodes["floor_solver"].parameters == [{"use_sim_time": True}, "/all.yaml"]
+    every, own = str(tmp_path / "all.yaml"), str(tmp_path / "own.yaml")
+    for path in (every, own):
+        Path(path).touch()
+    nodes = started(description, params_file=every, skill_server_params=own, use_sim_time="true")
+    assert nodes["skill_server"].parameters == [{"use_sim_time": True}, every, own]
+    assert nodes["floor_solver"].parameters == [{"use_sim_time": True}, every]
+
+
+def test_a_parameter_file_that_is_missing_is_named(description: list[Any]) -> None:
+    for name in ("params_file", "skill_server_params"):
+        with pytest.raises(RuntimeError, match=rf"{name}:=/nowhere.yaml: there is no such file"):
+            started(description, **{name: "/nowhere.yaml"})
+
+
+def test_two_buildings_have_names_frames_and_clocks_of_their_own(description: list[Any]) -> None:
+    nodes = started(description, namespace="site_b", frame_prefix="site_b/", use_sim_time="true")
+    assert {"frame_prefix": "site_b/"} in nodes["skill_server"].parameters
+    assert all(node.remappings == [("/clock", "/site_b/clock")] for node in nodes.values())
+    nodes = started(description, namespace="site_b", robot_namespace="/", use_sim_time="true")
+    assert {"robot_namespace": "/"} in nodes["skill_server"].parameters
+    assert all(node.remappings == [] for node in nodes.values())
+    assert all(node.remappings == [] for node in started(description, use_sim_time="true").values())
 
 
 def test_the_clock_is_published_by_the_skill_server_alone(description: list[Any]) -> None:

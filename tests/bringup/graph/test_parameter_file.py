@@ -14,26 +14,27 @@ from mansion_bringup.graph.nodes import GRAPH_NODES, NodeProcess
 rclpy = pytest.importorskip("rclpy")
 pytestmark = pytest.mark.graph
 
+os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+
 FILE = Path(__file__).resolve().parents[3] / "src" / "mansion_bringup" / "config" / "mansion.yaml"
 GIVEN_BY_ROS = {"use_sim_time", "start_type_description_service"}
 
 
 def node_class(entry: NodeProcess) -> type[Any]:
     """The node class that an executable runs."""
-    from rclpy.node import Node
+    from mansion_msgs_py.nodes.node import MansionNode
 
     kinds = [
         kind
         for kind in vars(import_module(entry.module)).values()
-        if isinstance(kind, type) and issubclass(kind, Node) and kind is not Node
+        if isinstance(kind, type) and issubclass(kind, MansionNode) and kind is not MansionNode
     ]
     assert len(kinds) == 1
     return kinds[0]
 
 
 @pytest.fixture
-def context(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+def context() -> Iterator[None]:
     arguments = ["--ros-args", "-r", "__ns:=/mansion"]
     rclpy.init(args=arguments, domain_id=150 + os.getpid() % 50)
     yield

@@ -19,7 +19,7 @@ from mansion_msgs_py.interfaces import service
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.nodes.shell import add_json_service
 
-os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 
 PROBLEM = FloorProblem(boundary=[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0)], nodes=[], floor=7)
 

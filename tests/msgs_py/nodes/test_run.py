@@ -32,8 +32,8 @@ def program() -> Iterator[Program]:
     """Start a program in a domain of its own, on loopback."""
     started: list[subprocess.Popen[str]] = []
     environment = {
-        **os.environ,
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+        **os.environ,
         "ROS_DOMAIN_ID": str(150 + os.getpid() % 50),
         "PYTHONPATH": os.pathsep.join(sys.path),
     }
@@ -78,7 +78,10 @@ def test_a_spinning_node_ends_without_a_traceback(program: Program, number: sign
     assert told(process, number) == (0, "")
 
 
-def test_a_node_that_is_still_being_made_ends_without_a_traceback(program: Program) -> None:
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_node_that_is_still_being_made_ends_without_a_traceback(
+    program: Program, number: signal.Signals
+) -> None:
     process = program("""
         class Slow(Bare):
             def __init__(self):
@@ -87,7 +90,42 @@ def test_a_node_that_is_still_being_made_ends_without_a_traceback(program: Progr
                 time.sleep(30)
         run_node(Slow)
     """)
-    assert told(process, signal.SIGINT) == (0, "")
+    assert told(process, number) == (0, "")
+
+
+def test_a_node_whose_call_goes_on_ends_within_the_grace(program: Program) -> None:
+    process = program("""
+        class Busy(Bare):
+            def __init__(self):
+                super().__init__()
+                self.create_timer(0.1, self.work)
+            def work(self):
+                print("ready")
+                while True:
+                    sum(range(10_000))
+        run_node(Busy)
+    """)
+    assert told(process, signal.SIGTERM) == (0, "")
+
+
+def test_two_interrupts_without_a_terminal_leave_status_0(program: Program) -> None:
+    process = program("""
+        class Spinning(Bare):
+            def __init__(self):
+                super().__init__()
+                self.create_timer(0.1, lambda: print("ready"))
+        run_node(Spinning)
+        print("ended")
+        time.sleep(1.0)
+    """)
+    assert process.stdout is not None
+    assert process.stdout.readline() == "ready\n"
+    process.send_signal(signal.SIGINT)
+    while process.stdout.readline() != "ended\n":
+        pass
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=20)
+    assert (process.returncode, errors) == (0, "")
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

@@ -24,7 +24,7 @@ from mansion_scene.editing.storage import BuildingStore
 
 pytestmark = pytest.mark.graph
 
-os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 NODE = NodeProcess("mansion_scene", "scene_editor", "scene/open")
 TABLE, DESK = "F1/kitchen/dining_table_1", "F2/private_office_1/office_desk_1"
 

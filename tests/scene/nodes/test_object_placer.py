@@ -10,13 +10,13 @@ from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.scene import FloorScene
 
 rclpy = pytest.importorskip("rclpy")
+os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 
 
 @pytest.fixture
-def executor(monkeypatch: pytest.MonkeyPatch) -> Iterator[object]:
+def executor() -> Iterator[object]:
     from rclpy.executors import MultiThreadedExecutor
 
-    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
     rclpy.init(args=[], domain_id=150 + os.getpid() % 50)
     spinner = MultiThreadedExecutor(num_threads=2)
     yield spinner

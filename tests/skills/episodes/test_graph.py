@@ -25,7 +25,7 @@ from mansion_skills.episodes.running import run_episode
 
 pytestmark = pytest.mark.graph
 
-os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 
 
 def test_agents_get_the_same_result_over_services_as_in_one_process(building: Path) -> None:

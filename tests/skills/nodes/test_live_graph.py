@@ -17,8 +17,6 @@ from mansion_bringup.graph.domain import free_domain
 from mansion_bringup.graph.nodes import NodeProcess
 from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.interfaces import topic
-from mansion_msgs_py.nodes.shell import qos_profile
 from mansion_msgs_py.scene import FloorScene
 from mansion_scene.export.nav2 import map_pgm, map_yaml
 
@@ -71,9 +69,9 @@ def next_message(
             got.append(message)
             arrived.set()
 
-    made = client.node.create_subscription(kind, name, keep, qos_profile(topic(name).qos))
+    stop = client.subscribe(kind, name, keep)
     assert arrived.wait(15.0), f"nothing on {name}"
-    client.node.destroy_subscription(made)
+    stop()
     return got[0]
 
 

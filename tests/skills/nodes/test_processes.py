@@ -28,7 +28,7 @@ from mansion_skills import Robot
 
 pytestmark = pytest.mark.graph
 
-os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 NODE = NodeProcess("mansion_skills", "skill_server", "load_building")
 worlds = itertools.count()
 KILLS = int(os.environ.get("MANSION_TEST_KILLS", "4"))
@@ -96,10 +96,9 @@ def receive(client: MansionClient, kind: type, name: str) -> Any:
         got.append(message)
         arrived.set()
 
-    qos = qos_profile(topic(name).qos)
-    subscription = client.node.create_subscription(kind, name, keep, qos)
+    stop = client.subscribe(kind, name, keep)
     assert arrived.wait(10.0), f"nothing on {name}"
-    client.node.destroy_subscription(subscription)
+    stop()
     return got[-1]
 
 
@@ -112,17 +111,19 @@ def test_a_refused_skill_answers_with_its_status_and_result(client: MansionClien
 
 def test_the_robot_stack_gets_map_frames_scan_and_drives(client: MansionClient) -> None:
     from geometry_msgs.msg import PoseStamped, Twist
-    from nav_msgs.msg import OccupancyGrid
-    from sensor_msgs.msg import LaserScan
-    from tf2_msgs.msg import TFMessage
+    from nav_msgs.msg import OccupancyGrid, Odometry
+    from sensor_msgs.msg import Imu, LaserScan
     from visualization_msgs.msg import MarkerArray
 
     grid = receive(client, OccupancyGrid, "/map")
     assert grid.info.resolution == pytest.approx(0.05) and {-1, 0, 100} == set(grid.data)
-    static = receive(client, TFMessage, "/tf_static")
-    assert {t.child_frame_id for t in static.transforms} >= {"floor_1", "floor_3", "base_scan"}
-    moving = receive(client, TFMessage, "/tf")
-    assert [t.child_frame_id for t in moving.transforms] == ["odom", "base_link"]
+    odometry = receive(client, Odometry, "/odom")
+    assert (odometry.header.frame_id, odometry.child_frame_id) == ("odom", "base_link")
+    assert all(odometry.pose.covariance[7 * axis] > 0 for axis in range(6))
+    assert all(odometry.twist.covariance[7 * axis] > 0 for axis in range(6))
+    imu = receive(client, Imu, "/imu")
+    assert imu.linear_acceleration.z == pytest.approx(9.81)
+    assert imu.angular_velocity_covariance[8] > 0
     scan = receive(client, LaserScan, "/scan")
     assert len(scan.ranges) == 360
     assert scan.ranges[270] == pytest.approx(1.44, abs=0.06)
@@ -135,6 +136,15 @@ def test_the_robot_stack_gets_map_frames_scan_and_drives(client: MansionClient) 
     while receive(client, PoseStamped, "robot_pose").pose.position.x < before + 0.3:
         assert time.monotonic() < end
         publisher.publish(command)
+
+
+def test_the_frames_are_published_where_their_message_type_is(client: MansionClient) -> None:
+    messages = pytest.importorskip("tf2_msgs.msg", reason="tf2_msgs is not installed")
+    static = receive(client, messages.TFMessage, "/tf_static")
+    children = {transform.child_frame_id for transform in static.transforms}
+    assert children >= {"floor_1", "floor_3", "base_scan", "imu_link"}
+    moving = receive(client, messages.TFMessage, "/tf")
+    assert [transform.child_frame_id for transform in moving.transforms] == ["odom", "base_link"]
 
 
 def test_the_map_follows_the_robot_to_another_floor(client: MansionClient) -> None:

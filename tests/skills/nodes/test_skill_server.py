@@ -15,21 +15,23 @@ from mansion_skills.world.overlay import DEFAULT_SESSION
 rclpy = pytest.importorskip("rclpy")
 pytestmark = pytest.mark.graph
 
+os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+
 Start = Callable[..., Any]
 
 
 @pytest.fixture
-def start(monkeypatch: pytest.MonkeyPatch) -> Iterator[Start]:
+def start() -> Iterator[Start]:
     """Make a server with parameters as on a command line, and an executor that does not spin yet."""
     from rclpy.executors import MultiThreadedExecutor
 
     from mansion_skills.nodes.skill_server import SkillServer
 
-    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
     made: list[Any] = []
 
-    def make(*parameters: str) -> Any:
+    def make(*parameters: str, namespace: str = "/mansion") -> Any:
         options = [part for parameter in parameters for part in ("-p", parameter)]
+        options += ["-r", f"__ns:={namespace}"]
         rclpy.init(args=["--ros-args", *options], domain_id=150 + os.getpid() % 50)
         node = SkillServer()
         executor = MultiThreadedExecutor(num_threads=4)
@@ -81,18 +83,40 @@ def test_a_motion_that_there_is_not_is_refused_with_those_there_are(start: Start
         start("motion:=slow")
 
 
-def test_a_stack_that_was_replaced_is_left_alone_by_the_timers(
-    start: Start, building: Path
-) -> None:
+def test_another_building_swaps_what_the_topics_show(start: Start, building: Path) -> None:
     server = start("camera:=false")
     server.load(LoadBuilding(path=str(building)))
-    former = server._stacks[DEFAULT_SESSION]
+    stack = server._stacks[DEFAULT_SESSION]
+    former = stack.seat
+    publishers = list(server.publishers)
     server.load(LoadBuilding(path=str(building), reset=True))
-    assert former.closed and not server._stacks[DEFAULT_SESSION].closed
-    # What a timer sees that began before the building was loaded anew.
-    server._stacks["former"] = former
+    assert server._stacks[DEFAULT_SESSION] is stack and stack.seat is not former
+    assert list(server.publishers) == publishers
+    stack.seat = former
+    with server._shown(stack) as seat:
+        # What a timer sees that waited for the world while another building was loaded.
+        stack.seat = server.engine.seat(DEFAULT_SESSION)
+        assert seat is former
     server._drive()
     server._publish_markers()
+
+
+def test_names_are_global_in_the_default_namespace_and_the_namespaces_own_in_another(
+    start: Start, building: Path
+) -> None:
+    server = start("camera:=false", "frame_prefix:=b/", namespace="/site_b")
+    server.load(LoadBuilding(path=str(building)))
+    server.load(LoadBuilding(path=str(building), session="r2", world="other"))
+    topics = {publisher.topic_name for publisher in server.publishers}
+    assert {"/site_b/map", "/site_b/odom", "/site_b/r2/odom", "/site_b/r2/robot_pose"} <= topics
+    assert not {"/map", "/odom", "/r2/odom"} & topics
+    assert server._names(DEFAULT_SESSION).frame("odom") == "b/odom"
+
+
+def test_a_named_robot_namespace_wins(start: Start, building: Path) -> None:
+    server = start("camera:=false", "robot_namespace:=/", namespace="/site_b")
+    server.load(LoadBuilding(path=str(building)))
+    assert {"/map", "/odom"} <= {publisher.topic_name for publisher in server.publishers}
 
 
 def test_the_clock_that_it_publishes_starts_with_simulated_time(

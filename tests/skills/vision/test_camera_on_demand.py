@@ -11,8 +11,10 @@ import pytest
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_skills import Robot
 from mansion_skills.nodes import camera_topics
-from mansion_skills.nodes.camera_topics import CameraSettings, CameraTopics
+from mansion_skills.nodes.camera_topics import CameraSettings, CameraTopics, point_cloud
+from mansion_skills.nodes.robot_names import RobotNames
 from mansion_skills.vision import Frame, Intrinsics
+from mansion_skills.world.overlay import DEFAULT_SESSION
 
 
 class Publisher:
@@ -35,9 +37,6 @@ class Node:
 
     def create_publisher(self, kind: type, name: str, qos: Any) -> Publisher:
         return self.publishers.setdefault(name, Publisher(name))
-
-    def destroy_publisher(self, publisher: Publisher) -> None:
-        self.publishers.pop(publisher.name)
 
     def get_clock(self) -> Any:
         from builtin_interfaces.msg import Time
@@ -83,7 +82,13 @@ def topics(building: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[Node], 
     monkeypatch.setattr(Camera, "broken", False)
     robot = Robot(building)
     seat = robot.engine.seat(robot.session)
-    return lambda node: CameraTopics(node, seat, CameraSettings(40, 30, 90.0))
+
+    def make(node: Node) -> CameraTopics:
+        made = CameraTopics(node, RobotNames("", "", DEFAULT_SESSION), CameraSettings(40, 30, 90.0))
+        made.show(seat)
+        return made
+
+    return make
 
 
 def test_nothing_is_opened_while_nobody_listens(topics: Callable[[Node], CameraTopics]) -> None:
@@ -151,13 +156,35 @@ def test_a_camera_that_fails_says_so_once_and_is_not_asked_again(
     assert [entry.closed for entry in Camera.opened] == [True]
 
 
-def test_closing_takes_the_topics_away_and_frees_the_camera(
-    topics: Callable[[Node], CameraTopics],
+def test_another_building_keeps_the_topics_and_gets_another_camera(
+    topics: Callable[[Node], CameraTopics], building: Path
 ) -> None:
     node = Node()
     camera = topics(node)
-    node.publishers["camera/image"].listeners = 1
+    image = node.publishers["camera/image"]
+    image.listeners = 1
     camera.publish()
-    camera.close()
-    assert node.publishers == {}
+    other = Robot(building)
+    camera.show(other.engine.seat(other.session))
     assert Camera.opened[0].closed
+    camera.publish()
+    assert node.publishers["camera/image"] is image and len(image.sent) == 2
+    assert len(Camera.opened) == 2
+
+
+def test_points_lie_where_the_depth_says_and_the_sky_is_nowhere() -> None:
+    from builtin_interfaces.msg import Time
+
+    intrinsics = Intrinsics(5, 3, 90.0)
+    depth = np.full((3, 5), 2.0, np.float32)
+    depth[0, 0] = np.inf
+    rgb = np.zeros((3, 5, 3), np.uint8)
+    rgb[1, 2] = (255, 128, 1)
+    message = point_cloud(depth, rgb, intrinsics, "camera", Time())
+    assert (message.height, message.width, message.point_step) == (3, 5, 16)
+    cloud = np.frombuffer(message.data.tobytes(), "<f4").reshape(3, 5, 4)
+    assert np.isnan(cloud[0, 0, :3]).all()
+    assert cloud[1, 2, :3] == pytest.approx([0.0, 0.0, 2.0])
+    right, down = 2 / intrinsics.focal * 2.0, 1 / intrinsics.focal * 2.0
+    assert cloud[2, 4, :3] == pytest.approx([right, down, 2.0])
+    assert cloud[1, 2, 3:].view("<u4")[0] == 0xFF8001

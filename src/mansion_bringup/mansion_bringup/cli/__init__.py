@@ -5,7 +5,8 @@ import sys
 from typing import NoReturn
 
 from mansion_bringup.cli.app import app
-from mansion_bringup.discovery import stay_on_this_machine
+from mansion_bringup.discovery import keep_to_this_machine
+from mansion_bringup.graph.presence import NO_RCLPY
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["main"]
@@ -16,9 +17,14 @@ EXIT_INFEASIBLE = 2
 
 def main() -> NoReturn:
     """Run the command line; expected failures print one line and end with status 1, an infeasible brief with 2."""
-    stay_on_this_machine()
+    keep_to_this_machine()
     try:
         app(prog_name="mansion")
+    except ModuleNotFoundError as error:
+        if error.name != "rclpy" or "MANSION_DEBUG" in os.environ:
+            raise
+        print(f"error: {ErrorCode.UNAVAILABLE}: {NO_RCLPY}", file=sys.stderr)
+        sys.exit(EXIT_FAILURE)
     except MansionError as error:
         if "MANSION_DEBUG" in os.environ:
             raise

@@ -42,6 +42,13 @@ def up(
     processes: Annotated[
         bool, typer.Option("--processes", help="Plain processes even where ros2 launch is.")
     ] = False,
+    with_tf: Annotated[
+        bool,
+        typer.Option(
+            "--with-tf",
+            help="Build tf2_msgs first where it is missing, so that there is /tf (needs a C++ compiler).",
+        ),
+    ] = False,
 ) -> None:
     """Start the node graph and stay until Ctrl-C.
 
@@ -51,12 +58,17 @@ def up(
 
       mansion up --namespace /site_b/mansion --log-level debug
 
+      mansion up --with-tf
+
       ROS_DOMAIN_ID=7 mansion up
     """
     if not processes and _has_launch():
         _exec_launch(namespace, log_level, params_file)
     from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
+    from mansion_bringup.graph.tf2_build import build_tf2_msgs, has_tf2
 
+    if with_tf and not has_tf2():
+        build_tf2_msgs(lambda text: err.print(text, highlight=False))
     options = GraphOptions(
         namespace=_namespace(namespace), log_level=log_level, params_file=params_file
     )

@@ -12,6 +12,7 @@ from pathlib import Path
 from types import TracebackType
 
 from mansion_bringup.graph.nodes import GRAPH_NODES, NodeProcess
+from mansion_bringup.graph.presence import check_rclpy
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
 
@@ -62,6 +63,10 @@ class GraphProcesses:
         self.running: dict[str, subprocess.Popen[bytes]] = {}
 
     def __enter__(self) -> "GraphProcesses":
+        check_rclpy()
+        params = self.options.params_file
+        if params is not None and not params.is_file():
+            raise MansionError(ErrorCode.NOT_FOUND, f"there is no parameter file {params}")
         try:
             for node in self.nodes:
                 self.start(node.executable)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.discovery import stays_on_this_machine
+from mansion_bringup.discovery import kept_to_this_machine
 from mansion_bringup.graph.domain import free_domain
 from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
@@ -38,7 +38,7 @@ def graph_client(
             return
     options = GraphOptions(namespace=namespace, domain_id=free_domain(), quiet=True)
     notice("no graph is running here: starting a private one")
-    with stays_on_this_machine(), GraphProcesses(options) as graph:
+    with kept_to_this_machine(), GraphProcesses(options) as graph:
         graph.wait_ready()
         with MansionClient(domain_id=options.domain_id, namespace=namespace) as client:
             yield client

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.discovery import stays_on_this_machine
+from mansion_bringup.discovery import kept_to_this_machine
 from mansion_bringup.graph.domain import free_domain
 from mansion_bringup.graph.nodes import NodeProcess
 from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
@@ -111,7 +111,7 @@ def graph_port() -> Iterator[SkillPort]:
         parameters={"skill_server": {"robot_stack": "false", "durable": "false"}},
         quiet=True,
     )
-    with stays_on_this_machine(), GraphProcesses(options, [SERVER]) as graph:
+    with kept_to_this_machine(), GraphProcesses(options, [SERVER]) as graph:
         graph.wait_ready(180.0)
         with MansionClient(domain_id=options.domain_id, timeout=120.0) as client:
             yield GraphPort(client)

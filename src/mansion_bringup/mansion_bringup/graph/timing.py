@@ -10,7 +10,7 @@ from pathlib import Path
 from statistics import median
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.discovery import stays_on_this_machine
+from mansion_bringup.discovery import kept_to_this_machine
 from mansion_bringup.graph.domain import free_domain
 from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 from mansion_bringup.pipeline.build import build_building
@@ -57,7 +57,7 @@ def compare_builds(
     remote: list[float] = []
     with (
         tempfile.TemporaryDirectory() as folder,
-        stays_on_this_machine(),
+        kept_to_this_machine(),
         GraphProcesses(options) as graph,
     ):
         root = Path(folder)

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.node import Node
 
 from mansion_bringup.client import MansionClient
 from mansion_bringup.pipeline.build import build_building
@@ -15,6 +14,7 @@ from mansion_bringup.pipeline.crew import export_pool
 from mansion_bringup.pipeline.remote import RemoteStages
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import (
     JsonPublisher,
@@ -30,7 +30,7 @@ __all__ = ["BuildingDirector", "main"]
 MAX_BUILDS = 4
 
 
-class BuildingDirector(Node):
+class BuildingDirector(MansionNode):
     """Serves ``build_building`` and builds what is published on ``build_requests``."""
 
     def __init__(self) -> None:

@@ -14,6 +14,9 @@ from mansion_msgs_py.nodes.interrupts import Interrupts
 
 __all__ = ["run_node"]
 
+SPIN = 0.5
+"""Seconds after which a node with nothing to do looks whether it shall end."""
+
 
 def run_node(
     make: Callable[[], Node], args: Sequence[str] | None = None, *, threads: int = 4
@@ -52,15 +55,20 @@ def run_node(
         if rclpy.ok():
             raise
     finally:
+        interrupts.ignore()
         if node is not None:
             node.destroy_node()
         rclpy.try_shutdown()
+        # rclpy has put back the handlers that it found.
+        interrupts.ignore()
 
 
 def _spin(node: Node, threads: int) -> None:
     executor = MultiThreadedExecutor(num_threads=threads)
     executor.add_node(node)
     try:
-        executor.spin()
+        while rclpy.ok():
+            # With an end, because rclpy can miss the wake-up of a context that a signal shuts down.
+            executor.spin_once(timeout_sec=SPIN)
     finally:
-        executor.shutdown()
+        executor.shutdown(timeout_sec=SPIN)

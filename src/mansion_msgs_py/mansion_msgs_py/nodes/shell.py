@@ -21,6 +21,7 @@ from std_srvs.srv import Trigger
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import Qos, ServiceInterface, TopicInterface
+from mansion_msgs_py.nodes.node import MansionNode
 
 __all__ = [
     "JsonCall",
@@ -63,29 +64,29 @@ class JsonPublisher:
         self.publisher.publish(String(data=encode(payload)))
 
 
-def run_handler(node: Node, name: str, call: Callable[[], Any]) -> tuple[bool, str]:
+def run_handler(node: MansionNode, name: str, call: Callable[[], Any]) -> tuple[bool, str]:
     """Run a handler and return (success, JSON); every failure becomes the error object, and the node lives on.
 
     What fails because the process is being ended is not worth a traceback.
     """
-    try:
-        return True, encode(call())
-    except MansionError as error:
-        node.get_logger().warning(f"{name}: {error}")
-        return False, encode(error.reply())
-    except Exception as error:
-        if node.context.ok():
-            node.get_logger().error(f"{name}: {traceback.format_exc()}")
-        internal = MansionError(
-            ErrorCode.INTERNAL,
-            f"{name} failed inside Mansion: {type(error).__name__}: {error}",
-            details={"node": node.get_fully_qualified_name()},
-        )
-        return False, encode(internal.reply())
+    with node.calls.one():
+        try:
+            return True, encode(call())
+        except MansionError as error:
+            node.calls.refuse()
+            node.get_logger().warning(f"{name}: {error}")
+            return False, encode(error.reply())
+        except Exception as error:
+            reason = f"{name} failed inside Mansion: {type(error).__name__}: {error}"
+            node.calls.fail(reason)
+            if node.context.ok():
+                node.get_logger().error(f"{name}: {traceback.format_exc()}")
+            details = {"node": node.get_fully_qualified_name()}
+            return False, encode(MansionError(ErrorCode.INTERNAL, reason, details=details).reply())
 
 
 def add_json_service(
-    node: Node,
+    node: MansionNode,
     interface: ServiceInterface,
     handler: Callable[[Any], Any],
     *,

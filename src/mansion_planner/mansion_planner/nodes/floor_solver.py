@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.node import Node
 
 from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
 from mansion_planner.solver import SolverOptions, solve_floor, warm
@@ -15,7 +15,7 @@ from mansion_planner.solver import SolverOptions, solve_floor, warm
 __all__ = ["FloorSolver", "main"]
 
 
-class FloorSolver(Node):
+class FloorSolver(MansionNode):
     """Serves ``solve_floor`` and publishes ``floor_layout``."""
 
     def __init__(self) -> None:

@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-import rclpy.node
 from rcl_interfaces.msg import ParameterDescriptor
 
 from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
 from mansion_msgs_py.request import BuildRequest
@@ -16,7 +16,7 @@ from mansion_planner.plan import plan_building
 __all__ = ["ProgramPlannerNode", "main"]
 
 
-class ProgramPlannerNode(rclpy.node.Node):  # type: ignore[misc]
+class ProgramPlannerNode(MansionNode):
     """Plans a building for each request, and publishes its program."""
 
     def __init__(self) -> None:

@@ -13,5 +13,5 @@ R = TypeVar("R")
 
 def kernel(function: Callable[P, R]) -> Callable[P, R]:
     """Compile `function` at its first call and keep the machine code on disk for later processes."""
-    compiled: Callable[P, R] = numba.njit(cache=True, error_model="numpy")(function)
+    compiled: Callable[P, R] = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
     return compiled

@@ -5,9 +5,9 @@ from pathlib import Path
 
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.callback_groups import ReentrantCallbackGroup
-from rclpy.node import Node
 
 from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
 from mansion_msgs_py.scene import FloorScene
@@ -18,7 +18,7 @@ from mansion_scene.catalogue import load_catalogue
 __all__ = ["ObjectPlacer", "main"]
 
 
-class ObjectPlacer(Node):
+class ObjectPlacer(MansionNode):
     """Serves ``furnish_floor`` and publishes each scene, latched."""
 
     def __init__(self) -> None:

@@ -3,14 +3,15 @@
 import re
 import threading
 from collections.abc import Callable, Sequence
+from datetime import UTC, datetime
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from rcl_interfaces.msg import ParameterDescriptor
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
-from rclpy.node import Node
+from rclpy.parameter import Parameter
 
 from mansion_msgs_py.editing import (
     AgentReport,
@@ -21,6 +22,7 @@ from mansion_msgs_py.editing import (
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
 from mansion_scene.catalogue import load_catalogue
@@ -40,7 +42,7 @@ _PARAMETERS = (
 _READ_ONCE = ("hooks", "building")
 
 
-class SceneEditorNode(Node):
+class SceneEditorNode(MansionNode):
     """Serves ``scene/...`` and publishes each floor that an edit changed."""
 
     def __init__(self) -> None:
@@ -48,6 +50,8 @@ class SceneEditorNode(Node):
         for name, value, text in _PARAMETERS:
             descriptor = ParameterDescriptor(description=text, read_only=name in _READ_ONCE)
             self.declare_parameter(name, value, descriptor)
+        engine_named(self._physics())
+        self.add_on_set_parameters_callback(_accept_physics)
         self._editors: dict[str, SceneEditor] = {}
         self._scenes = JsonPublisher(self, topic("floor_scene"))
         self._hooks = _load_hooks(str(self.get_parameter("hooks").value))
@@ -67,12 +71,11 @@ class SceneEditorNode(Node):
     def open(self, args: OpenEditorArgs) -> EditorInfo:
         """Open a building under a name."""
         validator = getattr(self._hooks, "new_faults", None)
-        store = BuildingStore(Path(args.path), validator=validator, clock=self._time)
-        engine = engine_named(str(self.get_parameter("physics").value))
+        store = BuildingStore(Path(args.path), validator=validator, clock=_time)
         editor = SceneEditor(
             store,
             load_catalogue(),
-            engine,
+            engine_named(self._physics()),
             who=args.who or args.editor or "scene_editor",
             autosave=args.autosave,
             retriever=configured_retriever(),
@@ -122,7 +125,13 @@ class SceneEditorNode(Node):
                 f"no building is open as {name!r}; call scene/open with its folder first",
                 path="$.editor",
             )
-        return self._editors[name]
+        editor = self._editors[name]
+        if editor.engine.name != (physics := self._physics()):
+            editor.engine = engine_named(physics)
+        return editor
+
+    def _physics(self) -> str:
+        return str(self.get_parameter("physics").value)
 
     def _landed(self, editor: SceneEditor, floors: Sequence[int]) -> None:
         for floor in floors or editor.store.log()[-1].revisions:
@@ -149,11 +158,21 @@ class SceneEditorNode(Node):
                     if floors:
                         self.get_logger().info(f"{folder}: wrote the files of floors {floors}")
 
-    def _time(self) -> str:
-        seconds = self.get_clock().now().nanoseconds // 1_000_000_000
-        from datetime import UTC, datetime
 
-        return datetime.fromtimestamp(seconds, UTC).isoformat()
+def _time() -> str:
+    """Return the time of day for a building's log, which simulated time says nothing about."""
+    return datetime.now(UTC).replace(microsecond=0).isoformat()
+
+
+def _accept_physics(parameters: Sequence[Parameter]) -> SetParametersResult:
+    """Refuse an engine that there is not."""
+    for parameter in parameters:
+        if parameter.name == "physics":
+            try:
+                engine_named(str(parameter.value))
+            except MansionError as error:
+                return SetParametersResult(successful=False, reason=error.info.message)
+    return SetParametersResult(successful=True)
 
 
 def _snake(name: str) -> str:

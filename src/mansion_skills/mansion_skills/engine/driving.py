@@ -53,6 +53,13 @@ class Drive:
             )
             self._until = now + STALE
 
+    def stop(self) -> None:
+        """Forget the last command, and stand still."""
+        with self._guard:
+            self._wanted, self._until = (0.0, 0.0), 0.0
+        self.forward = self.turning = 0.0
+        self.moved = False
+
     def wanted(self, now: float) -> tuple[float, float]:
         """Return the speeds that count now."""
         with self._guard:

@@ -6,6 +6,7 @@ from mansion_msgs_py.skills import SessionArgs
 from mansion_msgs_py.world import SkillChange, SkillProgress, SkillResult, SkillStatus
 from mansion_skills.engine.pace import Pace
 from mansion_skills.engine.seat import Seat, SharedWorld
+from mansion_skills.engine.stretch import Moment, Stretch
 from mansion_skills.skills.outcome import Step, refused
 from mansion_skills.skills.registry import Skill
 
@@ -30,11 +31,16 @@ def perform(
     before = (robot.floor, robot.pose)
     seat.stop.clear()
     running = skill.call(world, robot, arguments, pace.realtime)
+    here, floor = Moment(robot.pose, robot.odometry), robot.floor
     try:
         while True:
             step = next(running)
             world.objects.commit()
+            there = Moment(robot.pose, robot.odometry)
+            if pace.realtime and robot.floor == floor:
+                seat.stretch = Stretch(here, there, pace.clock(), step.seconds / pace.factor)
             _pass(seat, skill, step, pace, report)
+            here, floor = there, robot.floor
             if seat.stop.is_set():
                 running.close()
                 return _cancelled(seat, skill, before[1])
@@ -47,6 +53,8 @@ def perform(
     except BaseException:
         world.objects.roll_back()
         raise
+    finally:
+        seat.stretch = None
 
 
 def _pass(

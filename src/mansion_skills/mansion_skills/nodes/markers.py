@@ -19,16 +19,16 @@ OBJECT, PICKUPABLE = (0.65, 0.55, 0.4, 0.8), (0.95, 0.7, 0.1, 1.0)
 ROBOT = (0.1, 0.3, 0.9, 1.0)
 
 
-def floor_markers(world: World, floor: int, stamp: Time) -> MarkerArray:
-    """Return the markers of a floor in ``map``; they replace those of the floor before."""
+def floor_markers(world: World, floor: int, frame: str, stamp: Time) -> MarkerArray:
+    """Return the markers of a floor in the frame of the building; they replace those of the floor before."""
     elevation = world.building.entry(floor).elevation
     clear = Marker(action=Marker.DELETEALL)
-    clear.header.frame_id, clear.header.stamp = "map", stamp
+    clear.header.frame_id, clear.header.stamp = frame, stamp
     markers = [clear]
 
     def add(space: str, kind: int, color: tuple[float, float, float, float]) -> Marker:
         marker = Marker(ns=space, id=len(markers), type=kind, action=Marker.ADD)
-        marker.header.frame_id, marker.header.stamp = "map", stamp
+        marker.header.frame_id, marker.header.stamp = frame, stamp
         marker.color = ColorRGBA(r=color[0], g=color[1], b=color[2], a=color[3])
         marker.pose.orientation = heading(0.0)
         markers.append(marker)

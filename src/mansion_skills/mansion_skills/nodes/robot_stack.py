@@ -1,223 +1,243 @@
-"""One robot's topics for robot stacks: map, frames, odometry, laser, drive commands and pictures."""
+"""One robot's topics for robot stacks: map, frames, odometry, inertial unit, laser, drive commands and pictures."""
 
 from array import array
 from math import radians
 from time import monotonic
+from typing import Any
 
 import numpy as np
 from geometry_msgs.msg import PoseArray, PoseStamped, Twist
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
 from rclpy.callback_groups import CallbackGroup
 from rclpy.node import Node
-from sensor_msgs.msg import LaserScan
-from tf2_msgs.msg import TFMessage
+from sensor_msgs.msg import Imu, LaserScan
 from visualization_msgs.msg import MarkerArray
 
-from mansion_msgs_py.interfaces import topic
 from mansion_msgs_py.nodes.shell import qos_profile
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.engine.driving import Drive
 from mansion_skills.engine.seat import Seat
+from mansion_skills.engine.stretch import Moment
 from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import cast_rays, stamp_disc
-from mansion_skills.nodes.frames import between, pose, transform
+from mansion_skills.nodes.frames import between, heading, pose, transform
 from mansion_skills.nodes.markers import floor_markers
-from mansion_skills.world.overlay import DEFAULT_SESSION
+from mansion_skills.nodes.robot_names import RobotNames
+from mansion_skills.nodes.transforms import TransformPublisher
 
-__all__ = ["RobotStack"]
+__all__ = ["PERIOD", "RobotStack"]
 
 RAYS = 360
 RANGE = (0.05, 12.0)
 """Shortest and longest range of the laser, metres."""
 
 LASER_HEIGHT = 0.2
+IMU_HEIGHT = 0.1
+GRAVITY = 9.81
 PERIOD = 0.1
 """Seconds between two scans."""
 
+SURE, UNSURE = 1e-4, 1e-6
+"""Variances: of what the wheels count (1 cm, 0.6 degrees), and of what a robot on a flat floor cannot do."""
+
 
 class RobotStack:
-    """Publishers and the drive subscription of one session.
+    """Publishers and the drive subscription of one session, for as long as the node lives.
 
-    The default session uses the absolute names (``/map``, ``/scan``, ...) and those below the node's namespace; any
-    other one has its name in front (``/r2/map``, ``/mansion/r2/robot_pose``).
+    A session that loads another building keeps its topics: rclpy does not survive that a publisher is destroyed while
+    an executor waits.
+
+    Parameters
+    ----------
+    names : RobotNames
+    group : CallbackGroup
+        Of the drive commands.
     """
 
-    def __init__(self, node: Node, seat: Seat, group: CallbackGroup) -> None:
+    def __init__(self, node: Node, names: RobotNames, group: CallbackGroup) -> None:
         self._node = node
-        self.seat = seat
-        self._prefix = "" if seat.session == DEFAULT_SESSION else seat.session
+        self._names = names
+        self.seat: Seat | None = None
         self.drive = Drive()
-        self.closed = False
         self._floor: int | None = None
         self._mapped: tuple[int, int] | None = None
         self._viewers = 0
         self._shown: list[tuple[float, float]] | None = None
         self._stale_markers = True
+        self._speed = (monotonic(), 0.0)
         self._pose = self._make(PoseStamped, "robot_pose")
         self._landmarks = self._make(PoseArray, "landmarks")
         self._markers = self._make(MarkerArray, "markers")
         self._path = self._make(Path, "path")
         self._map = self._make(OccupancyGrid, "/map")
-        self._tf = self._make(TFMessage, "/tf")
-        self._tf_static = self._make(TFMessage, "/tf_static")
+        self._tf = TransformPublisher(node, names.interface("/tf"))
+        self._tf_static = TransformPublisher(node, names.interface("/tf_static"))
         self._odom = self._make(Odometry, "/odom")
+        self._imu = self._make(Imu, "/imu")
         self._scan = self._make(LaserScan, "/scan")
-        entry = topic("/cmd_vel")
-        self._commands = node.create_subscription(
-            Twist,
-            self._name(entry.name),
-            self._command,
-            qos_profile(entry.qos),
-            callback_group=group,
+        entry = names.interface("/cmd_vel")
+        node.create_subscription(
+            Twist, entry.name, self._command, qos_profile(entry.qos), callback_group=group
         )
 
-    def _name(self, name: str) -> str:
-        if not self._prefix:
-            return name
-        return f"/{self._prefix}{name}" if name.startswith("/") else f"{self._prefix}/{name}"
+    def _make(self, kind: type, name: str) -> Any:
+        entry = self._names.interface(name)
+        return self._node.create_publisher(kind, entry.name, qos_profile(entry.qos))
 
-    def _make(self, kind: type, name: str) -> object:
-        entry = topic(name)
-        return self._node.create_publisher(kind, self._name(name), qos_profile(entry.qos))
-
-    def close(self) -> None:
-        """Take the topics away; the caller holds the world's lock."""
-        self.closed = True
-        for publisher in (
-            self._pose,
-            self._landmarks,
-            self._markers,
-            self._path,
-            self._map,
-            self._tf,
-            self._tf_static,
-            self._odom,
-            self._scan,
-        ):
-            self._node.destroy_publisher(publisher)
-        self._node.destroy_subscription(self._commands)
+    def show(self, seat: Seat) -> None:
+        """Serve a session's robot from now on; the caller holds the lock of its world."""
+        self.seat = seat
+        self.drive.stop()
+        self._floor = self._mapped = self._shown = None
+        self.publish_all(seat)
 
     def _command(self, message: Twist) -> None:
         self.drive.command(message.linear.x, message.angular.z, monotonic())
 
-    def _elevation(self) -> float:
-        return self.seat.world.building.entry(self.seat.robot.floor).elevation
+    def _now(self) -> Any:
+        return self._node.get_clock().now().to_msg()
 
-    def publish_all(self) -> None:
+    def publish_all(self, seat: Seat) -> None:
         """Publish what a change has touched, but the pose, which goes out 20 times a second; the world is locked."""
-        stamp = self._node.get_clock().now().to_msg()
-        robot = self.seat.robot
+        stamp = self._now()
+        robot = seat.robot
         if self._floor is None:
-            self._publish_static(stamp)
+            self._publish_static(seat, stamp)
         if self._floor != robot.floor:
             self._floor = robot.floor
-            self._publish_landmarks(stamp)
-        self._publish_map(stamp)
+            self._publish_landmarks(seat, stamp)
+        self._publish_map(seat, stamp)
         self._stale_markers = True
         if self._shown is not robot.path:
-            self._publish_path(stamp)
+            self._publish_path(seat, stamp)
 
-    def _publish_path(self, stamp: object) -> None:
-        robot = self.seat.robot
+    def _publish_path(self, seat: Seat, stamp: Any) -> None:
+        robot = seat.robot
         self._shown = robot.path
         path = Path()
-        path.header.frame_id, path.header.stamp = "map", stamp
+        path.header.frame_id, path.header.stamp = self._names.frame("map"), stamp
         for x, y in robot.path:
             point = PoseStamped()
             point.header = path.header
-            point.pose = pose(Pose2D(x=x, y=y), self._elevation())
+            point.pose = pose(Pose2D(x=x, y=y), _elevation(seat))
             path.poses.append(point)
         self._path.publish(path)
 
-    def follow(self, floor: int) -> None:
+    def follow(self, seat: Seat, floor: int) -> None:
         """Publish the map when another robot changed something on this one's floor."""
-        if floor == self.seat.robot.floor:
-            self._publish_map(self._node.get_clock().now().to_msg())
+        if floor == seat.robot.floor:
+            self._publish_map(seat, self._now())
             self._stale_markers = True
 
-    def publish_markers(self) -> None:
+    def publish_markers(self, seat: Seat) -> None:
         """Publish markers when they are out of date and somebody looks; the caller holds the world's lock."""
         viewers = self._markers.get_subscription_count()
         wanted = viewers > 0 and (self._stale_markers or viewers > self._viewers)
         self._viewers = viewers
         if wanted:
             self._stale_markers = False
-            stamp = self._node.get_clock().now().to_msg()
-            self._markers.publish(floor_markers(self.seat.world, self.seat.robot.floor, stamp))
+            frame = self._names.frame("map")
+            self._markers.publish(floor_markers(seat.world, seat.robot.floor, frame, self._now()))
 
-    def _publish_static(self, stamp: object) -> None:
-        building = self.seat.world.building
+    def _publish_static(self, seat: Seat, stamp: Any) -> None:
+        building, frame = seat.world.building, self._names.frame
+        origin = Pose2D(x=0.0, y=0.0)
         frames = [
             transform(
-                "map",
-                f"floor_{floor}".replace("-", "m"),
-                Pose2D(x=0.0, y=0.0),
+                frame("map"),
+                frame(f"floor_{floor}".replace("-", "m")),
+                origin,
                 building.entry(floor).elevation,
                 stamp,
             )
             for floor in building.floors
         ]
-        frames.append(
-            transform("base_link", "base_scan", Pose2D(x=0.0, y=0.0), LASER_HEIGHT, stamp)
-        )
-        self._tf_static.publish(TFMessage(transforms=frames))
+        for sensor, height in (("base_scan", LASER_HEIGHT), ("imu_link", IMU_HEIGHT)):
+            frames.append(transform(frame("base_link"), frame(sensor), origin, height, stamp))
+        self._tf_static.publish(frames)
 
-    def _publish_landmarks(self, stamp: object) -> None:
+    def _publish_landmarks(self, seat: Seat, stamp: Any) -> None:
         marks = PoseArray()
-        marks.header.frame_id, marks.header.stamp = "map", stamp
-        z = self._elevation()
-        marks.poses = [
-            pose(mark.pose, z) for mark in self.seat.world.view(self.seat.robot.floor).landmarks
-        ]
+        marks.header.frame_id, marks.header.stamp = self._names.frame("map"), stamp
+        z = _elevation(seat)
+        marks.poses = [pose(mark.pose, z) for mark in seat.world.view(seat.robot.floor).landmarks]
         self._landmarks.publish(marks)
 
-    def _publish_map(self, stamp: object) -> None:
-        grid = self.seat.world.view(self.seat.robot.floor).map
-        if self._mapped == (self.seat.robot.floor, grid.version):
+    def _publish_map(self, seat: Seat, stamp: Any) -> None:
+        grid = seat.world.view(seat.robot.floor).map
+        if self._mapped == (seat.robot.floor, grid.version):
             return
-        self._mapped = (self.seat.robot.floor, grid.version)
+        self._mapped = (seat.robot.floor, grid.version)
         message = OccupancyGrid()
-        message.header.frame_id, message.header.stamp = "map", stamp
+        message.header.frame_id, message.header.stamp = self._names.frame("map"), stamp
         message.info.map_load_time = stamp
         message.info.resolution = RESOLUTION
         message.info.width, message.info.height = grid.frame.columns, grid.frame.rows
-        message.info.origin = pose(Pose2D(x=grid.frame.x0, y=grid.frame.y0), self._elevation())
+        message.info.origin = pose(Pose2D(x=grid.frame.x0, y=grid.frame.y0), _elevation(seat))
         message.data = array("b", grid.occupancy().tobytes())
         self._map.publish(message)
 
-    def publish_pose(self) -> None:
-        """Publish pose, frames and odometry; the caller holds the world's lock."""
-        stamp = self._node.get_clock().now().to_msg()
-        robot, z = self.seat.robot, self._elevation()
+    def publish_pose(self, seat: Seat) -> None:
+        """Publish pose, frames, odometry and the inertial unit; the caller holds the world's lock."""
+        stamp, now, frame = self._now(), monotonic(), self._names.frame
+        z = _elevation(seat)
+        moment = seat.moment(now)
+        forward = moment.forward + self.drive.forward
+        turning = moment.turning + self.drive.turning
         where = PoseStamped()
-        where.header.frame_id, where.header.stamp = "map", stamp
-        where.pose = pose(robot.pose, z)
+        where.header.frame_id, where.header.stamp = frame("map"), stamp
+        where.pose = pose(moment.pose, z)
         self._pose.publish(where)
-        shift = between(robot.pose, robot.odometry)
+        shift = between(moment.pose, moment.odometry)
         self._tf.publish(
-            TFMessage(
-                transforms=[
-                    transform("map", "odom", shift, z, stamp),
-                    transform("odom", "base_link", robot.odometry, 0.0, stamp),
-                ]
-            )
+            [
+                transform(frame("map"), frame("odom"), shift, z, stamp),
+                transform(frame("odom"), frame("base_link"), moment.odometry, 0.0, stamp),
+            ]
         )
+        self._publish_odometry(moment, forward, turning, stamp)
+        self._publish_imu(moment, forward, turning, now, stamp)
+
+    def _publish_odometry(self, moment: Moment, forward: float, turning: float, stamp: Any) -> None:
         odometry = Odometry()
-        odometry.header.frame_id, odometry.header.stamp = "odom", stamp
-        odometry.child_frame_id = "base_link"
-        odometry.pose.pose = pose(robot.odometry)
-        odometry.twist.twist.linear.x = self.drive.forward
-        odometry.twist.twist.angular.z = self.drive.turning
+        odometry.header.frame_id, odometry.header.stamp = self._names.frame("odom"), stamp
+        odometry.child_frame_id = self._names.frame("base_link")
+        odometry.pose.pose = pose(moment.odometry)
+        odometry.pose.covariance = planar_covariance()
+        odometry.twist.twist.linear.x = forward
+        odometry.twist.twist.angular.z = turning
+        odometry.twist.covariance = planar_covariance()
         self._odom.publish(odometry)
 
-    def publish_scan(self) -> None:
+    def _publish_imu(
+        self, moment: Moment, forward: float, turning: float, now: float, stamp: Any
+    ) -> None:
+        before, speed = self._speed
+        self._speed = (now, forward)
+        message = Imu()
+        message.header.frame_id, message.header.stamp = self._names.frame("imu_link"), stamp
+        message.orientation = heading(moment.odometry.yaw)
+        message.angular_velocity.z = turning
+        acceleration = message.linear_acceleration
+        acceleration.x = (forward - speed) / max(now - before, 1e-3)
+        acceleration.y = forward * turning
+        acceleration.z = GRAVITY
+        for covariance, variances in (
+            (message.orientation_covariance, (UNSURE, UNSURE, SURE)),
+            (message.angular_velocity_covariance, (UNSURE, UNSURE, SURE)),
+            (message.linear_acceleration_covariance, (SURE, SURE, SURE)),
+        ):
+            covariance[0], covariance[4], covariance[8] = variances
+        self._imu.publish(message)
+
+    def publish_scan(self, seat: Seat) -> None:
         """Publish a scan when somebody listens; the caller holds the world's lock."""
         if self._scan.get_subscription_count() == 0:
             return
-        robot = self.seat.robot
-        grid = self.seat.world.view(robot.floor).map
+        robot = seat.robot
+        grid = seat.world.view(robot.floor).map
         occupied = grid.occupied
-        others = self.seat.world.others(robot.session, robot.floor)
+        others = seat.world.others(robot.session, robot.floor)
         if others:
             occupied = occupied.copy()
             for x, y in others:
@@ -225,16 +245,26 @@ class RobotStack:
                 stamp_disc(
                     occupied, row, (x - grid.frame.x0) / RESOLUTION - 0.5, robot.radius / RESOLUTION
                 )
-        angles = radians(robot.pose.yaw) + np.linspace(-np.pi, np.pi, RAYS, endpoint=False)
-        row = (robot.pose.y - grid.frame.y0) / RESOLUTION
-        column = (robot.pose.x - grid.frame.x0) / RESOLUTION
+        here = seat.moment(monotonic()).pose
+        angles = radians(here.yaw) + np.linspace(-np.pi, np.pi, RAYS, endpoint=False)
+        row = (here.y - grid.frame.y0) / RESOLUTION
+        column = (here.x - grid.frame.x0) / RESOLUTION
         ranges = cast_rays(occupied, row, column, angles, RANGE[1] / RESOLUTION) * RESOLUTION
         message = LaserScan()
-        message.header.frame_id = "base_scan"
-        message.header.stamp = self._node.get_clock().now().to_msg()
+        message.header.frame_id = self._names.frame("base_scan")
+        message.header.stamp = self._now()
         message.angle_min, message.angle_max = -np.pi, np.pi - 2 * np.pi / RAYS
         message.angle_increment = 2 * np.pi / RAYS
         message.scan_time, message.range_min, message.range_max = PERIOD, RANGE[0], RANGE[1]
         ranges[ranges >= RANGE[1] - 1e-9] = np.inf
         message.ranges = array("f", ranges.astype(np.float32).tobytes())
         self._scan.publish(message)
+
+
+def planar_covariance() -> np.ndarray[Any, np.dtype[np.float64]]:
+    """Return the covariance of a robot on a flat floor: x, y, z, and the turns about them, row by row."""
+    return np.diag([SURE, SURE, UNSURE, UNSURE, UNSURE, SURE]).ravel()
+
+
+def _elevation(seat: Seat) -> float:
+    return seat.world.building.entry(seat.robot.floor).elevation

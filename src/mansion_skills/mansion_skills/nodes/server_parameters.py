@@ -26,6 +26,14 @@ PARAMETERS: tuple[tuple[str, Any, str, tuple[float, float] | None], ...] = (
     ("robot_radius", ROBOT_RADIUS, "metres", (0.05, 1.0)),
     ("durable", True, "sync every save to the disk", None),
     ("robot_stack", True, "publish map, frames, odometry, scan and markers", None),
+    (
+        "robot_namespace",
+        "",
+        "of map, odom, scan, cmd_vel, tf and clock: / for the global names; when empty, those in the namespace "
+        "/mansion, and below the node's own namespace in any other",
+        None,
+    ),
+    ("frame_prefix", "", "in front of every frame, as in site_b/", None),
     ("camera", True, "publish what the robots see while someone listens", None),
     ("camera_width", 300, "pixels", PIXELS),
     ("camera_height", 300, "pixels", PIXELS),

@@ -1,20 +1,19 @@
 """``skill_server``: the skills as services, the robots' topics, and the lifts."""
 
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from time import monotonic
 from typing import Any
 
-from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from rclpy.clock import Clock as RosClock
-from rclpy.clock import ClockType
-from rclpy.node import Node
+from rclpy.callback_groups import ReentrantCallbackGroup
 from rosgraph_msgs.msg import Clock
 
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.codec import to_builtins
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.interfaces import ServiceInterface, service, topic
+from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import (
     JsonPublisher,
@@ -29,23 +28,34 @@ from mansion_skills.engine.driving import drive_for
 from mansion_skills.engine.pace import Pace
 from mansion_skills.engine.seat import Seat
 from mansion_skills.nodes.camera_topics import CameraSettings, CameraTopics
+from mansion_skills.nodes.robot_names import RobotNames, robot_namespace
 from mansion_skills.nodes.robot_stack import PERIOD, RobotStack
 from mansion_skills.nodes.server_parameters import declare_parameters
+from mansion_skills.nodes.transforms import MISSING, TransformPublisher
 from mansion_skills.skills.registry import SKILLS
+from mansion_skills.vision.gl import rendering_fault
 from mansion_skills.world.overlay import DEFAULT_SESSION
 
 __all__ = ["SkillServer", "main"]
+
+UNTRIED, READY = "not tried yet", "ready"
+"""What is known of making pictures here; anything else is why there are none."""
 
 THREADS = 12
 """Enough for a full queue of skills beside cancel, questions and timers."""
 
 
-class SkillServer(Node):
-    """Serves ``load_building`` and the skills; saves the world after each."""
+class SkillServer(MansionNode):
+    """Serves ``load_building`` and the skills; saves the world after each.
+
+    What a session publishes is made once and kept: a session that loads another building swaps what its topics show.
+    """
 
     def __init__(self) -> None:
         super().__init__("skill_server")
         value = declare_parameters(self)
+        self._namespace = robot_namespace(value["robot_namespace"], self.get_namespace())
+        self._frame_prefix = value["frame_prefix"]
         self._robot_state = JsonPublisher(self, topic("robot_state"))
         self._lift_state = JsonPublisher(self, topic("lift_state"))
         self._progress = JsonPublisher(self, topic("skill_progress"))
@@ -59,6 +69,8 @@ class SkillServer(Node):
             progress=self._report,
         )
         self._with_stack = value["robot_stack"]
+        if self._with_stack and not TransformPublisher.is_possible():
+            self.get_logger().warning(MISSING)
         self._stacks: dict[str, RobotStack] = {}
         self._camera = (
             CameraSettings(value["camera_width"], value["camera_height"], value["camera_fov"])
@@ -66,6 +78,7 @@ class SkillServer(Node):
             else None
         )
         self._cameras: dict[str, CameraTopics] = {}
+        self._rendering = UNTRIED if value["camera"] else "switched off"
         self._looking = threading.Lock()
         self._group = ReentrantCallbackGroup()
         self._served: set[str] = set()
@@ -76,27 +89,33 @@ class SkillServer(Node):
         add_json_subscription(
             self, topic("lift_requests"), self._lift_request, callback_group=self._group
         )
-        self._wall = RosClock(clock_type=ClockType.STEADY_TIME)
-        self._repeat(1.0, self._publish_lifts)
+        self.repeat(1.0, self._publish_lifts)
         self._last = monotonic()
-        self._repeat(PERIOD / 2, self._drive)
+        self.repeat(PERIOD / 2, self._drive)
         self._odd = False
-        self._repeat(0.5, self._publish_markers)
+        self.repeat(0.5, self._publish_markers)
         if self._camera is not None:
             # Not more often than asked, and one after the other: pictures are made in their own callback.
-            self._repeat(1.0 / value["camera_rate"], self._publish_pictures)
+            self.repeat(1.0 / value["camera_rate"], self._publish_pictures)
         # Last, because who starts the node takes this service for the sign that all of it is there.
         self._json("load_building", self.load)
         if value["building"]:
             self.load(LoadBuilding(path=value["building"], session=value["session"]))
 
-    def _repeat(self, period: float, callback: Callable[[], None]) -> None:
-        """Call back by the wall's clock: by /clock, which this node may publish itself, it would never begin."""
-        self.create_timer(period, callback, MutuallyExclusiveCallbackGroup(), self._wall)
+    def facts(self) -> Iterable[tuple[str, object]]:
+        """Return what the diagnostics say of the sessions, and of what is left out."""
+        for seat in self.engine.seats:
+            where = f"{seat.world.building.building_id} floor {seat.robot.floor}"
+            yield f"session {seat.session or 'default'}", where
+        yield "camera", self._rendering
+        yield "transforms", "published" if TransformPublisher.is_possible() else "no tf2_msgs"
 
     def _clock_publisher(self) -> Any:
-        entry = topic("/clock")
+        entry = self._names(DEFAULT_SESSION).interface("/clock")
         return self.create_publisher(Clock, entry.name, qos_profile(entry.qos))
+
+    def _names(self, session: str) -> RobotNames:
+        return RobotNames(self._namespace, self._frame_prefix, session)
 
     def _json(self, name: str, handler: Callable[[Any], Any], prefix: str = "") -> None:
         entry = service(name)
@@ -125,22 +144,45 @@ class SkillServer(Node):
             self._served.add(session)
             self._serve_skills(session)
         seat = self.engine.seat(session)
-        if self._with_stack:
-            former = self._stacks.pop(session, None)
-            if former is not None:
-                with former.seat.shared.lock:
-                    former.close()
-            self._stacks[session] = RobotStack(self, seat, self._group)
-        if self._camera is not None:
-            with self._looking:
-                before = self._cameras.pop(session, None)
-                if before is not None:
-                    before.close()
-                self._cameras[session] = CameraTopics(self, seat, self._camera)
+        if self._with_stack and session not in self._stacks:
+            self._stacks[session] = RobotStack(self, self._names(session), self._group)
         with seat.shared.lock:
+            if self._with_stack:
+                self._stacks[session].show(seat)
             self._show(seat)
             self._publish_world_lifts(seat)
+        if self._camera is not None:
+            self._show_pictures(seat)
         return loaded
+
+    def _show_pictures(self, seat: Seat) -> None:
+        """Have the session's camera show a building, once it is known whether pictures can be made here."""
+        with self._looking:
+            if self._rendering == UNTRIED:
+                self._rendering = "being tried"
+                threading.Thread(target=self._try_rendering, name="rendering", daemon=True).start()
+            elif self._rendering == READY:
+                self._look_through(seat)
+
+    def _try_rendering(self) -> None:
+        fault = rendering_fault()
+        if not self.context.ok():
+            return
+        if fault:
+            self._rendering = fault
+            self.get_logger().warning(f"there will be no camera topics: {fault}")
+            return
+        with self._looking:
+            self._rendering = READY
+            for seat in self.engine.seats:
+                self._look_through(seat)
+
+    def _look_through(self, seat: Seat) -> None:
+        assert self._camera is not None
+        if seat.session not in self._cameras:
+            names = self._names(seat.session)
+            self._cameras[seat.session] = CameraTopics(self, names, self._camera)
+        self._cameras[seat.session].show(seat)
 
     def _runner(self, name: str, session: str) -> Callable[[Any], Any]:
         def run(arguments: Any) -> Any:
@@ -166,20 +208,17 @@ class SkillServer(Node):
 
     def _show(self, seat: Seat) -> None:
         self._robot_state.publish(seat.world.robot_state(seat.robot))
-        stack = self._stacks.get(seat.session)
-        if stack is not None:
-            stack.publish_all()
-        for other in list(self._stacks.values()):
-            if other is not stack and other.seat.shared is seat.shared and not other.closed:
-                other.follow(seat.robot.floor)
+        for stack in list(self._stacks.values()):
+            other = stack.seat
+            if other is seat:
+                stack.publish_all(seat)
+            elif other is not None and other.shared is seat.shared:
+                stack.follow(other, seat.robot.floor)
 
     def _report(self, progress: SkillProgress) -> None:
         self._progress.publish(progress)
         seat = self.engine.seat(progress.session)
         self._publish_changed_lifts(seat)
-        stack = self._stacks.get(progress.session)
-        if stack is not None and not stack.closed and self.engine.pace.realtime:
-            stack.publish_pose()
 
     def _publish_changed_lifts(self, seat: Seat) -> None:
         changes = seat.world.lift_changes
@@ -199,9 +238,20 @@ class SkillServer(Node):
 
     def _publish_markers(self) -> None:
         for stack in list(self._stacks.values()):
-            with stack.seat.shared.lock:
-                if not stack.closed:
-                    stack.publish_markers()
+            with self._shown(stack) as seat:
+                if seat is not None:
+                    stack.publish_markers(seat)
+
+    @staticmethod
+    @contextmanager
+    def _shown(stack: RobotStack) -> Iterator[Seat | None]:
+        """Lock the world that a stack shows; ``None`` when it shows another one by then."""
+        seat = stack.seat
+        if seat is None:
+            yield None
+            return
+        with seat.shared.lock:
+            yield seat if stack.seat is seat else None
 
     def _publish_pictures(self) -> None:
         with self._looking:
@@ -213,7 +263,6 @@ class SkillServer(Node):
         with self._looking:
             for camera in self._cameras.values():
                 camera.close()
-            self._cameras.clear()
         super().destroy_node()
 
     def _lift_request(self, request: LiftRequest) -> None:
@@ -233,18 +282,17 @@ class SkillServer(Node):
         self.engine.tick()
         self._odd = not self._odd
         for stack in list(self._stacks.values()):
-            seat = stack.seat
-            with seat.shared.lock:
-                if stack.closed:
+            with self._shown(stack) as seat:
+                if seat is None:
                     continue
                 moved = drive_for(seat, stack.drive, seconds, now)
                 if not moved and stack.drive.moved:
                     stack.drive.moved = False
                     seat.save()
                     self._robot_state.publish(seat.world.robot_state(seat.robot))
-                stack.publish_pose()
+                stack.publish_pose(seat)
                 if self._odd:
-                    stack.publish_scan()
+                    stack.publish_scan(seat)
         if self._world_clock is not None and (worlds := self.engine.worlds):
             nanoseconds = int(worlds[0].world.time * 1e9)
             message = Clock()

@@ -1,23 +1,24 @@
 """One thread that owns an offscreen OpenGL context, so that a camera may be asked from any thread."""
 
 import os
+import subprocess
+import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from ctypes.util import find_library
 from importlib import import_module
+from importlib.util import find_spec
 from typing import Any, TypeVar
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["BACKENDS", "GlThread", "backend"]
+__all__ = ["BACKENDS", "GlThread", "backend", "rendering_fault"]
 
 BACKENDS = {"egl": "EGL", "osmesa": "OSMesa"}
 """Ways to render without a display, and the library that each needs."""
 
-PACKAGES = (
-    "install libegl1, libgl1 and libgl1-mesa-dri (EGL; MUJOCO_GL=egl), or libosmesa6 (MUJOCO_GL=osmesa), and the "
-    "extra `sim` of the Python packages"
-)
+LIBRARIES = "install libegl1, libgl1 and libgl1-mesa-dri (EGL; MUJOCO_GL=egl), or libosmesa6 (MUJOCO_GL=osmesa)"
+MUJOCO = "MuJoCo is not installed; install the extra `sim`, or: python3 -m pip install mujoco"
 
 T = TypeVar("T")
 
@@ -35,11 +36,36 @@ def backend() -> str:
         if find_library(BACKENDS[name]) is not None:
             return name
     raise MansionError(
-        ErrorCode.UNAVAILABLE, f"there is no OpenGL that renders offscreen; {PACKAGES}"
+        ErrorCode.UNAVAILABLE, f"there is no OpenGL that renders offscreen; {LIBRARIES}"
     )
 
 
+def rendering_fault(patience: float = 60.0) -> str:
+    """Return why no pictures can be made here, or nothing when they can.
+
+    A process of its own opens a small OpenGL context, so that this one need not load what it may never use.
+    """
+    program = "from mansion_skills.vision.gl import GlThread; GlThread(16, 16).close()"
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    try:
+        done = subprocess.run(
+            [sys.executable, "-P", "-c", program],
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=patience,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return f"opening an OpenGL context took more than {patience:g} s"
+    lines = done.stderr.strip().splitlines() or [f"status {done.returncode}"]
+    return "" if done.returncode == 0 else lines[-1].rpartition("MansionError: ")[2]
+
+
 def _open_context(width: int, height: int) -> Any:
+    if find_spec("mujoco") is None:
+        raise MansionError(ErrorCode.UNAVAILABLE, MUJOCO)
     name = backend()
     try:
         # Bound before MuJoCo's own choice of a backend, which is made once for the process, can matter.
@@ -48,7 +74,7 @@ def _open_context(width: int, height: int) -> Any:
     except Exception as error:  # what a missing library or driver raises differs by version
         raise MansionError(
             ErrorCode.UNAVAILABLE,
-            f"MuJoCo cannot render with {BACKENDS[name]} ({type(error).__name__}: {error}); {PACKAGES}",
+            f"MuJoCo cannot render with {BACKENDS[name]} ({type(error).__name__}: {error}); {LIBRARIES}",
         ) from error
     return context
 
@@ -64,7 +90,7 @@ class GlThread:
     Raises
     ------
     MansionError
-        ``UNAVAILABLE`` where MuJoCo or OpenGL is missing.
+        ``UNAVAILABLE`` where MuJoCo or OpenGL is missing, with which of them.
     """
 
     def __init__(self, width: int, height: int) -> None:

@@ -1,0 +1,35 @@
+"""Whether there is an rclpy to run the node graph on, and what to do where there is none."""
+
+import importlib.util
+import os
+from typing import Final
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+
+__all__ = ["NO_RCLPY", "check_rclpy"]
+
+NO_RCLPY: Final = (
+    "the node graph needs rclpy, which is not installed here: on Linux with x86-64 and glibc 2.28 `./mansion` installs "
+    "it; elsewhere install ROS 2 Jazzy (apt or RoboStack) and source it; build, plan, check and view need none"
+)
+
+WHEELS: Final = "rmw_fastrtps_cpp"
+
+
+def check_rclpy() -> None:
+    """Refuse where the node graph cannot run.
+
+    Raises
+    ------
+    MansionError
+        ``UNAVAILABLE`` where there is no rclpy, or where ``RMW_IMPLEMENTATION`` asks its wheels for another middleware.
+    """
+    if importlib.util.find_spec("rclpy") is None:
+        raise MansionError(ErrorCode.UNAVAILABLE, NO_RCLPY)
+    wanted = os.environ.get("RMW_IMPLEMENTATION", "")
+    if "AMENT_PREFIX_PATH" not in os.environ and wanted not in ("", WHEELS):
+        raise MansionError(
+            ErrorCode.UNAVAILABLE,
+            f"RMW_IMPLEMENTATION is {wanted}, and without a sourced ROS 2 there is {WHEELS} alone; unset it, or source "
+            "a ROS 2 that has the other one",
+        )

@@ -1,1 +1,0 @@
-"""Interfaces of ROS 2 Jazzy's ``rcl_interfaces``."""

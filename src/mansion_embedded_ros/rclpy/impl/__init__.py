@@ -1,1 +1,0 @@
-"""The parts of rclpy behind its public modules."""
