@@ -3,8 +3,8 @@
 The wheels keep their shared libraries in ``PREFIX/lib`` and expect ``LD_LIBRARY_PATH`` to name it, which a process can
 only be given before it starts. Their own start-up file therefore runs every Python of the environment twice, and leaves
 two variables behind that break the ROS wheels of any other environment started from it. Mansion does without: when
-``rclpy`` is first imported, the libraries are loaded by their absolute paths, each after those that it needs, and the
-dynamic loader then finds them by name.
+``rclpy`` is first imported (``ros_wheels_hook.py``), the libraries are loaded by their absolute paths, each after those
+that it needs, and the dynamic loader then finds them by name.
 
 ``python -m _mansion_ros_wheels`` records which libraries there are, in an order that loads.
 """
@@ -14,12 +14,8 @@ import importlib.machinery
 import os
 import struct
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from pathlib import Path
-from types import ModuleType
-
-FIRST_MODULES = ("rclpy", "rosidl_generator_py")
-"""Whatever loads a shared library of ROS imports one of these before."""
 
 EXTENSIONS = ("rclpy/*.so", "*/*rosidl_typesupport_c*.so")
 """Where the extension modules are that ask for the libraries."""
@@ -37,19 +33,10 @@ _NEEDED, _STRING_TABLE, _OWN_NAME = 1, 5, 14
 """Tags of the dynamic section."""
 
 
-class LibraryLoader(importlib.machinery.PathFinder):
-    """A finder that finds nothing, but loads the libraries when a module is looked for that needs them."""
-
-    @classmethod
-    def find_spec(
-        cls, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
-    ) -> importlib.machinery.ModuleSpec | None:
-        """Load the libraries before the first import of ROS; leave the search to the other finders."""
-        if fullname in FIRST_MODULES:
-            sys.meta_path.remove(cls)
-            if _is_ours(fullname):
-                load(_recorded())
-        return None
+def load_for(module: str) -> None:
+    """Load the recorded libraries, if an import of `module` takes the one of the wheels."""
+    if _is_ours(module):
+        load(_recorded())
 
 
 def _is_ours(module: str) -> bool:
@@ -152,5 +139,3 @@ def linked_names(library: Path) -> tuple[str, list[str]]:
 
 if __name__ == "__main__":
     record()
-else:
-    sys.meta_path.insert(0, LibraryLoader)

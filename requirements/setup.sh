@@ -141,7 +141,8 @@ link_packages() {
     printf '%s\n' "${packages[@]}" >"${site[0]}/mansion.pth"
     if has_wheels; then
         cp -- "$root/requirements/ros_wheels.py" "${site[0]}/_mansion_ros_wheels.py"
-        echo 'import _mansion_ros_wheels' >>"${site[0]}/mansion.pth"
+        cp -- "$root/requirements/ros_wheels_hook.py" "${site[0]}/_mansion_ros_wheels_hook.py"
+        echo 'import _mansion_ros_wheels_hook' >>"${site[0]}/mansion.pth"
         "$venv/bin/python" -m _mansion_ros_wheels >>"$venv/setup.log" 2>&1 ||
             give_up "the libraries of the ROS wheels do not load on this machine:" "$(tail -n 1 -- "$venv/setup.log")" \
                 "To go without the node graph: HOSTTYPE=other ./mansion ..."

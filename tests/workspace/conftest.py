@@ -126,7 +126,8 @@ def make_miniature(folder: Path) -> Miniature:
     (package.parent / "setup.py").write_text("", encoding="utf-8")
     (package / "__init__.py").write_text("", encoding="utf-8")
     (package / "__main__.py").write_text(MAIN, encoding="utf-8")
-    shutil.copy2(ROOT / "requirements" / "ros_wheels.py", folder / "requirements")
+    for file in (ROOT / "requirements").glob("ros_wheels*.py"):
+        shutil.copy2(file, folder / "requirements")
     for name in ("brick", "rclpy"):
         _make_wheel(folder / "wheels", name)
     kept = {

@@ -111,7 +111,7 @@ class MansionClient(Closing):
         """End the client and its context."""
         # The executor's thread ends first: what it waits for must not be taken away under it.
         self._closed.set()
-        self._executor.wake()
+        self._executor.create_task(lambda: None)  # which ends its wait; waking it alone does not
         self._thread.join(timeout=2.0)
         self._executor.shutdown(timeout_sec=2.0)
         self.node.destroy_node()
