@@ -13,6 +13,7 @@ from types import TracebackType
 
 from mansion_bringup.graph.nodes import GRAPH_NODES, NodeProcess
 from mansion_bringup.graph.presence import check_rclpy
+from mansion_bringup.graph.shared_memory import SegmentLedger, remove_left_behind
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
 
@@ -61,12 +62,14 @@ class GraphProcesses:
         self.options = options or GraphOptions()
         self.nodes = tuple(nodes)
         self.running: dict[str, subprocess.Popen[bytes]] = {}
+        self._segments = SegmentLedger()
 
     def __enter__(self) -> "GraphProcesses":
         check_rclpy()
         params = self.options.params_file
         if params is not None and not params.is_file():
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no parameter file {params}")
+        remove_left_behind()
         try:
             for node in self.nodes:
                 self.start(node.executable)
@@ -116,6 +119,7 @@ class GraphProcesses:
 
     def ended(self) -> dict[str, int]:
         """Return the exit status of each node that is no longer running."""
+        self._note_segments(interval=1.0)
         return {
             name: process.returncode
             for name, process in self.running.items()
@@ -149,9 +153,15 @@ class GraphProcesses:
                         ErrorCode.UNAVAILABLE, f"not up after {timeout:g} s: {names}"
                     )
                 time.sleep(0.02)
+        self._note_segments()
+
+    def _note_segments(self, interval: float = 0.0) -> None:
+        pids = [process.pid for process in self.running.values() if process.returncode is None]
+        self._segments.note(pids, interval)
 
     def stop(self) -> None:
         """End every node: SIGTERM, and SIGKILL for what is still there after a grace."""
+        self._note_segments()
         for process in self.running.values():
             _signal(process, signal.SIGTERM)
         deadline = time.monotonic() + GRACE
@@ -162,6 +172,7 @@ class GraphProcesses:
                 _signal(process, signal.SIGKILL)
                 process.wait()
         self.running.clear()
+        self._segments.remove_dead()
 
 
 def _signal(process: subprocess.Popen[bytes], number: signal.Signals) -> None:
