@@ -108,7 +108,9 @@ class MansionClient(Closing):
                 raise
 
     def close(self) -> None:
-        """End the client and its context."""
+        """End the client and its context; to close it again does nothing."""
+        if self._closed.is_set():
+            return
         # The executor's thread ends first: what it waits for must not be taken away under it.
         self._closed.set()
         self._executor.create_task(lambda: None)  # which ends its wait; waking it alone does not

@@ -34,16 +34,16 @@ for word in sys.argv[2:]:
         if memory.tell() == 0:
             memory.truncate(4096)
         kept.append(mmap.mmap(memory.fileno(), 0))
-    if action in ("own", "share", "open"):
+    if action in ("own", "share", "open", "lock"):
         kept.append(open(shm / (name + ("_sl" if action == "share" else "_el")), "a+b"))
-    if action in ("own", "share"):
-        fcntl.flock(kept[-1], fcntl.LOCK_EX if action == "own" else fcntl.LOCK_SH)
+    if action in ("own", "share", "lock"):
+        fcntl.flock(kept[-1], fcntl.LOCK_SH if action == "share" else fcntl.LOCK_EX)
         if "port" in name:
             (shm / f"sem.{name}_mutex").write_bytes(b"1")
 print("ready", flush=True)
 sys.stdin.read()
 """
-"""A process that owns, shares, opens or maps the named segments until it is ended."""
+"""A process that owns, shares, opens, locks or maps the named segments until it is ended."""
 
 NODE = """
 import sys, threading
@@ -297,6 +297,17 @@ def test_a_port_that_another_process_reads_afterwards_is_that_readers(
     foreign.kill()
     assert ledger.remove_dead() == []
     assert _files(shm) == files
+
+
+def test_a_segment_that_is_noted_before_it_is_made_is_removed(
+    shm: Path, ledger: SegmentLedger, hold: Callable[..., Child]
+) -> None:
+    node = hold(f"lock:{DATA}")
+    ledger.note([node.pid])
+    (shm / DATA).touch()
+    node.kill()
+    assert ledger.remove_dead() == [DATA]
+    assert _files(shm) == set()
 
 
 def test_a_port_that_another_process_made_anew_stays(
@@ -556,6 +567,20 @@ def _present(inodes: dict[str, int]) -> set[str]:
     return found
 
 
+def _stops_with_one_of(ports: set[str], pid: int) -> bool:
+    """Stop the process; let it go on unless it has made one of the ports anew, without a lock.
+
+    Fast DDS sees after a second or so that nobody reads a port, and then makes it anew several times.
+    """
+    os.kill(pid, signal.SIGSTOP)
+    _wait(lambda: Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "T")
+    memory = Path(f"/proc/{pid}/maps").read_text()
+    if any(f"{SHM / name}\n" in memory and not (SHM / f"{name}_el").exists() for name in ports):
+        return True
+    os.kill(pid, signal.SIGCONT)
+    return False
+
+
 @pytest.mark.graph
 def test_killed_nodes_leave_nothing_and_foreign_ones_keep_theirs_and_go_on(
     nodes: Nodes, tmp_path: Path
@@ -588,7 +613,8 @@ def test_a_port_that_a_living_node_took_over_stays_and_works(nodes: Nodes, tmp_p
     noted.kill()
     (foreign,) = nodes.start("foreign")
     theirs = _inodes(foreign)
-    assert ours.keys() & theirs.keys(), "both have the same ports"
+    if not ours.keys() & theirs.keys():
+        pytest.skip("another graph is in this domain, so the new node has other ports")
     ledger.remove_dead()
     # The semaphore of a port goes over to its new reader.
     assert {name for name in _present(ours) if not name.startswith("sem.")} == set()
@@ -608,8 +634,7 @@ def test_a_port_that_a_noted_node_makes_for_a_killed_peer_is_removed_too(
     ledger.note([writer.pid, reader.pid])
     ports = {name for name in _inodes(reader) if name.removeprefix("fastrtps_port").isdecimal()}
     reader.kill()
-    # It takes Fast DDS a second or so to see that nobody reads.
-    _wait(lambda: any(_files(SHM) & {name, f"{name}_el"} == {name} for name in ports))
+    _wait(lambda: _stops_with_one_of(ports, writer.pid))
     ledger.note([writer.pid])
     files = _inodes_of(*ledger.names)
     writer.kill()

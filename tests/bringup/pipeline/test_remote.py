@@ -17,6 +17,7 @@ from mansion_bringup.pipeline.remote import RemoteStages
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.shell import add_json_service
 
 os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
@@ -39,7 +40,7 @@ def solver(client: MansionClient) -> Iterator[Node]:
     """A ``floor_solver`` that serves nothing yet, spinning."""
     context = Context()
     rclpy.init(context=context, args=[], domain_id=client.node.context.get_domain_id())
-    node = rclpy.create_node("floor_solver", namespace="/mansion", context=context)
+    node = MansionNode("floor_solver", namespace="/mansion", context=context)
     executor = SingleThreadedExecutor(context=context)
     executor.add_node(node)
     ended = threading.Event()

@@ -5,6 +5,7 @@ import sys
 from typing import NoReturn
 
 from mansion_bringup.cli.app import app
+from mansion_bringup.cli.console import EXIT_INTERRUPTED
 from mansion_bringup.discovery import keep_to_this_machine
 from mansion_bringup.graph.presence import NO_RCLPY
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -20,6 +21,8 @@ def main() -> NoReturn:
     keep_to_this_machine()
     try:
         app(prog_name="mansion")
+    except KeyboardInterrupt:
+        sys.exit(EXIT_INTERRUPTED)
     except ModuleNotFoundError as error:
         if error.name != "rclpy" or "MANSION_DEBUG" in os.environ:
             raise

@@ -38,6 +38,9 @@ MAPPING: Final = re.compile(r"(?:\S+ +){4}(\d+) +.*/(fastrtps_\w+)(?: \(deleted\
 LEDGER: Final = re.compile(r"([0-9]+)-([0-9]+)-[0-9]+\.json(?:\.new)?")
 """Process id and start time of the supervisor, and the number of the ledger in it."""
 
+SETTLING: Final = 2.0
+"""Seconds after which a process that makes a port surely has it in its memory."""
+
 _numbers = itertools.count()
 
 
@@ -118,7 +121,7 @@ class SegmentLedger:
             found.update(_owned(pid, self._shm))
             if new := unread - self._seen:
                 found.update(_written(pid, new))
-        self._seen = unread
+        self._seen = {port for port in unread if _is_settled(port)}
         if not found <= self._noted or (found and not self._is_saved()):
             self._noted = {
                 segment for segment in self._noted | found if _remains(segment, self._shm)
@@ -243,6 +246,10 @@ def _unread_ports(names: set[str], shm: Path) -> set[Segment]:
     return {Segment(name, memory) for name in ports if (memory := _id_at(shm / name)) is not None}
 
 
+def _is_settled(port: Segment) -> bool:
+    return port.memory is not None and time.time() - port.memory.modified / 1e9 > SETTLING
+
+
 def _written(pid: int, ports: set[Segment]) -> Iterator[Segment]:
     """Yield the ports that the process has in its memory."""
     mapped = _mapped(pid)
@@ -295,7 +302,8 @@ def _remove(segment: Segment, shm: Path) -> bool:
     if descriptor is None:
         return False
     try:
-        changed = os.path.lexists(memory) and _id_at(memory) != segment.memory
+        noted = segment.memory
+        changed = noted is not None and os.path.lexists(memory) and _id_at(memory) != noted
         if unlocked and (changed or _is_mapped(segment) or all(map(os.path.lexists, locks))):
             lock.unlink(missing_ok=True)
         elif not changed:

@@ -4,7 +4,7 @@ import threading
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from time import monotonic
-from typing import Final
+from typing import Any, Final
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
@@ -67,14 +67,20 @@ class CallCounts:
 class MansionNode(Node):
     """A node that publishes ``/diagnostics`` once a second.
 
+    Parameters
+    ----------
+    name : str
+    **options
+        Of `rclpy.node.Node`.
+
     Attributes
     ----------
     calls : CallCounts
         Of its JSON services.
     """
 
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
+    def __init__(self, name: str, **options: Any) -> None:
+        super().__init__(name, **options)
         self.calls = CallCounts()
         self._steady = Clock(clock_type=ClockType.STEADY_TIME)
         self._diagnostics = self.create_publisher(DiagnosticArray, "/diagnostics", 10)
