@@ -13,10 +13,10 @@ import pytest
 
 pytest.importorskip("rclpy")
 
-from mansion_bringup.graph.domain import free_domain  # noqa: E402
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses  # noqa: E402
-from mansion_bringup.pipeline.build import build_building  # noqa: E402
-from mansion_msgs_py.request import BuildRequest  # noqa: E402
+from mansion_bringup.graph.domain import free_domain
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
+from mansion_bringup.pipeline.build import build_building
+from mansion_msgs_py.request import BuildRequest
 
 pytestmark = pytest.mark.graph
 

@@ -11,11 +11,11 @@ from sample_building import write_building
 
 pytest.importorskip("rclpy")
 
-from mansion_bringup.client import MansionClient  # noqa: E402
-from mansion_bringup.graph.domain import free_domain  # noqa: E402
-from mansion_bringup.graph.nodes import NodeProcess  # noqa: E402
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses  # noqa: E402
-from mansion_skills.skills.motion import SPEED  # noqa: E402
+from mansion_bringup.client import MansionClient
+from mansion_bringup.graph.domain import free_domain
+from mansion_bringup.graph.nodes import NodeProcess
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
+from mansion_skills.skills.motion import SPEED
 
 pytestmark = pytest.mark.graph
 
