@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw
 
-from mansion_scene.assets import mesh
-from mansion_scene.catalogue import Asset, load_catalogue
+from mansion_assets.catalogue import Asset, load_catalogue
+from mansion_assets.meshes import mesh
 
 TILE = 180
 COLUMNS = 8

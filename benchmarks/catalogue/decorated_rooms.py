@@ -9,10 +9,10 @@ from pathlib import Path
 
 from shapely import Polygon
 
+from mansion_assets.catalogue import furnish_request, load_catalogue
 from mansion_geometry.randomness import item_seed
 from mansion_msgs_py.placement import PlacementOpening, PlacementRoom
 from mansion_msgs_py.scene import Door, SceneObject, Window
-from mansion_scene.catalogue import furnish_request, load_catalogue
 from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.decor.frames import footprint
 from mansion_scene.placement import place_room

@@ -15,13 +15,13 @@ from pathlib import Path
 
 import numpy as np
 
-from mansion_bringup.check import check_building
 from mansion_bringup.cli.edit import open_editor
 from mansion_bringup.edit_hooks import building_files, floor_files
+from mansion_bringup.verify import verify_building
+from mansion_editing.agent.instruct import instruct
+from mansion_editing.editor import SceneEditor
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_scene.editing.agent.instruct import instruct
-from mansion_scene.editing.editor import SceneEditor
 
 Scenes = list[FloorScene]
 SMALL = {
@@ -163,7 +163,7 @@ def run(args: argparse.Namespace, make: Making) -> Score:
         for number, folder in enumerate(folders):
             copy = Path(work) / folder.name
             shutil.copytree(folder, copy)
-            faults = set(check_building(copy))
+            faults = set(verify_building(copy))
             editor = open_editor(copy, physics=args.physics, who="bench")
             for turn in range(args.each):
                 rng = np.random.default_rng([args.seed, number, turn])
@@ -172,7 +172,7 @@ def run(args: argparse.Namespace, make: Making) -> Score:
                     score.asked[case.kind] += 1
                     score.met[case.kind] += judge(editor, copy, case)
             editor.store.refresh(floor_files, building_files)
-            new = set(check_building(copy)) - faults
+            new = set(verify_building(copy)) - faults
             score.unclean += bool(new)
             for fault in sorted(new, key=str):
                 print(f"{folder.name}: new fault {fault}")

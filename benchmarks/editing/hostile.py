@@ -18,12 +18,12 @@ from typing import Any
 import msgspec
 
 from mansion_bringup.cli.edit import open_editor
+from mansion_editing.agent.controller import run_agent
+from mansion_editing.agent.instruct import instruct
+from mansion_editing.agent.protocol import Action, Policy, Verdict
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
-from mansion_scene.editing.agent.controller import run_agent
-from mansion_scene.editing.agent.instruct import instruct
-from mansion_scene.editing.agent.protocol import Action, Policy, Verdict
 
 PATHS = ["../../etc/passwd", "/etc/shadow", "..\\..\\windows", "file:///etc/hosts", "~/.ssh/id_rsa", "F1/../../building.json",  # noqa: E501
          "%2e%2e%2fetc", "\x00null", "$(rm -rf /)", "`id`"]  # fmt: skip

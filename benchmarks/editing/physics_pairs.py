@@ -14,18 +14,18 @@ from pathlib import Path
 
 import numpy as np
 
+from mansion_assets.catalogue import load_catalogue
+from mansion_editing.packing import ledges_of
+from mansion_editing.physics.engines import engine_named
+from mansion_editing.physics.problem import PosedBox, SettleProblem
+from mansion_editing.physics.shell import half_diagonal, receptacle_shell, support_boxes
+from mansion_editing.state import SceneState
+from mansion_editing.tools.placing import place_in_container, place_on_surface
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_scene.catalogue import load_catalogue
 from mansion_scene.decor.frames import footprint, to_local
-from mansion_scene.editing.packing import ledges_of
-from mansion_scene.editing.physics.engines import engine_named
-from mansion_scene.editing.physics.problem import PosedBox, SettleProblem
-from mansion_scene.editing.physics.shell import half_diagonal, receptacle_shell, support_boxes
-from mansion_scene.editing.state import SceneState
-from mansion_scene.editing.tools.placing import place_in_container, place_on_surface
 
 STAYS = 0.002
 

@@ -18,8 +18,8 @@ from instructions import Maker
 from kinds import level
 from statements import Names, Statement, names_in, statement
 
+from mansion_editing.editor import SceneEditor
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_scene.editing.editor import SceneEditor
 
 MOST_ON, SPACE = 6, 0.45
 """Things on a table, and its area in square metres, so that there is room for more."""

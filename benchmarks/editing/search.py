@@ -11,10 +11,10 @@ from pathlib import Path
 
 import msgspec
 
-from mansion_scene.catalogue import Catalogue, load_catalogue
-from mansion_scene.editing.retrieval.embedding import EmbeddingRetriever
-from mansion_scene.editing.retrieval.encoders import FolderEncoder
-from mansion_scene.editing.retrieval.retriever import Retriever, TextRetriever
+from mansion_assets.catalogue import Catalogue, load_catalogue
+from mansion_assets.retrieval.embedding import EmbeddingRetriever
+from mansion_assets.retrieval.encoders import FolderEncoder
+from mansion_assets.retrieval.retriever import Retriever, TextRetriever
 
 LISTS = Path(__file__).parents[2] / "tests" / "scene" / "catalogue"
 FILES = ("search_queries.json", "search_queries_worded.json")

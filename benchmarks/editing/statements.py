@@ -8,8 +8,8 @@ from typing import Any, Protocol
 from cases import ORDINALS, Scenes, count, objects, room_words
 from kinds import EACH, EVERY, WITHIN, EachStatement, EveryStatement, WithinStatement, of_kind
 
+from mansion_assets.catalogue import Catalogue
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_scene.catalogue import Catalogue
 
 NEAR = 0.9
 _ALSO = {"vase": ("vase", "flower_vase")}

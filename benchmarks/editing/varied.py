@@ -29,8 +29,8 @@ from cases import (
 )
 from instructions import Maker
 
+from mansion_editing.editor import SceneEditor
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_scene.editing.editor import SceneEditor
 
 THINGS = [w for w in SMALL if w not in ("laptop", "toilet paper")]
 FURNITURE = ("armchair", "couch", "round table", "stool")

@@ -11,16 +11,16 @@ from pathlib import Path
 
 import msgspec
 
+from mansion_export.glb import building_glb
+from mansion_export.html import view_page
+from mansion_export.mjcf import floor_mjcf
+from mansion_export.nav2 import map_pgm
+from mansion_export.overview import overview_png
+from mansion_export.plan import plan_png, plan_svg
+from mansion_export.sdf import world_sdf
+from mansion_export.thor import house
+from mansion_export.thor_check import validate_house
 from mansion_msgs_py.scene import FloorScene
-from mansion_scene.export.glb import building_glb
-from mansion_scene.export.html import view_page
-from mansion_scene.export.mjcf import floor_mjcf
-from mansion_scene.export.nav2 import map_pgm
-from mansion_scene.export.overview import overview_png
-from mansion_scene.export.plan import plan_png, plan_svg
-from mansion_scene.export.sdf import world_sdf
-from mansion_scene.export.thor import house
-from mansion_scene.export.thor_check import validate_house
 
 FLOOR: dict[str, Callable[[FloorScene], int]] = {
     "plan.svg": lambda scene: len(plan_svg(scene)),

@@ -10,8 +10,8 @@ import msgspec
 import mujoco
 import numpy as np
 
+from mansion_export.mjcf import floor_mjcf
 from mansion_msgs_py.scene import FloorScene
-from mansion_scene.export.mjcf import floor_mjcf
 
 MOVED = 0.05
 """Metres from which an object counts as moved."""

@@ -16,18 +16,19 @@ from pathlib import Path
 
 import msgspec
 
+from mansion_bringup.building.houses import check_houses
 from mansion_bringup.building.report import building_index
-from mansion_bringup.check import Fault, check_building, check_floors
-from mansion_bringup.check.houses import check_houses
+from mansion_bringup.check import Fault, check_floors
 from mansion_bringup.check.request import check_request
 from mansion_bringup.pipeline import floors as steps
 from mansion_bringup.pipeline.build import build_building
 from mansion_bringup.pipeline.stages import LocalStages
+from mansion_bringup.verify import verify_building
+from mansion_export.thor import house
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.scene import FloorScene
-from mansion_scene.export.thor import house
 
 SENTENCES = {
     "flat": "A small flat with one bedroom and a balcony",
@@ -116,7 +117,7 @@ def _row(name: str, seed: int, folder: Path, *, scenes_only: bool) -> Row:
         else:
             path = folder / f"{name}_{seed}"
             built = build_building(request, path)
-            faults = check_building(path)
+            faults = verify_building(path)
             scenes = [
                 decode(FloorScene, (path / entry.files["scene"]).read_bytes())
                 for entry in built.building.floors

@@ -22,7 +22,7 @@ COLOURS = {
 
 def draw(axis: object, reply: PlanReply, number: int, layout: FloorLayout) -> None:
     """Draw one floor into a matplotlib axis."""
-    from mansion_planner.knowledge import default_knowledge
+    from mansion_knowledge import default_knowledge
 
     base = default_knowledge()
     topology, problem = reply.topologies[number], reply.problems[number]

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mansion_skills.env.building_env import BuildingEnv
+from mansion_tasks.env.building_env import BuildingEnv
 
 
 def steps_a_second(env: BuildingEnv, steps: int, seed: int) -> float:

@@ -16,11 +16,11 @@ from pathlib import Path
 import numpy as np
 
 from mansion_msgs_py.task import SkillCall, Task
-from mansion_skills.tasks.generate import generate
-from mansion_skills.tasks.oracle import Oracle
-from mansion_skills.tasks.progress import ProgressTracker
-from mansion_skills.tasks.sandbox import SESSION, Sandbox
-from mansion_skills.tasks.solving import PATIENCE, replay
+from mansion_tasks.tasks.generate import generate
+from mansion_tasks.tasks.oracle import Oracle
+from mansion_tasks.tasks.progress import ProgressTracker
+from mansion_tasks.tasks.sandbox import SESSION, Sandbox
+from mansion_tasks.tasks.solving import PATIENCE, replay
 
 
 def random_call(sandbox: Sandbox, rng: np.random.Generator) -> SkillCall:

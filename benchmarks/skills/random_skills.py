@@ -11,7 +11,7 @@ from collections import Counter
 from pathlib import Path
 from random import Random
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "skills"))
+sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "support"))
 
 from invariants import check_world
 

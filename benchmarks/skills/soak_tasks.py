@@ -20,11 +20,11 @@ import numpy as np
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.task import Task
-from mansion_skills.env.building_env import BuildingEnv
-from mansion_skills.tasks.generate import generate
-from mansion_skills.tasks.sandbox import Sandbox
-from mansion_skills.tasks.solving import solve
 from mansion_skills.world.world import World
+from mansion_tasks.env.building_env import BuildingEnv
+from mansion_tasks.tasks.generate import generate
+from mansion_tasks.tasks.sandbox import Sandbox
+from mansion_tasks.tasks.solving import solve
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -7,7 +7,7 @@ NAME = "mansion_scene"
 setup(
     name=NAME,
     version="0.1.0",
-    description="From floor layouts to furnished scenes: openings, objects, light, editing and export.",
+    description="Structure, openings, furniture, decoration and light: from floor layouts to furnished scenes.",
     author="Mansion maintainers",
     maintainer="Mansion maintainers",
     maintainer_email="maintainers@mansion.example",
@@ -21,29 +21,19 @@ setup(
     ],
     zip_safe=False,
     install_requires=[
+        "mansion_assets",
         "mansion_geometry",
         "mansion_llm",
         "mansion_msgs_py",
         "matplotlib>=3.6",
         "msgspec>=0.19",
-        "networkx>=2.8",
-        "numba>=0.59",
         "numpy>=1.26",
-        "pillow>=10",
         "shapely>=2.0",
-        "trimesh>=4.0",
     ],
-    extras_require={
-        "test": ["pytest"],
-        "usd": ["usd-core>=24"],
-        "sim": ["mujoco>=3.0"],
-        "thor": ["ai2thor>=5.0"],
-        "embeddings": ["sentence-transformers>=3"],
-    },
+    extras_require={"test": ["pytest"]},
     entry_points={
         "console_scripts": [
             "object_placer = mansion_scene.nodes.object_placer:main",
-            "scene_editor = mansion_scene.nodes.scene_editor:main",
         ],
     },
 )

@@ -7,7 +7,7 @@ NAME = "mansion_skills"
 setup(
     name=NAME,
     version="0.1.0",
-    description="The robot in the building: world state, navigation, skills, tasks and agents.",
+    description="The robot in the building: world state, navigation, skills and camera.",
     author="Mansion maintainers",
     maintainer="Mansion maintainers",
     maintainer_email="maintainers@mansion.example",
@@ -22,27 +22,20 @@ setup(
     zip_safe=False,
     install_requires=[
         "mansion_geometry",
-        "mansion_llm",
         "mansion_msgs_py",
         "msgspec>=0.19",
-        "networkx>=2.8",
-        "numba>=0.59",
         "numpy>=1.26",
         "pillow>=10.1",
         "shapely>=2.0",
     ],
     extras_require={
         "test": ["pytest"],
-        "llm": ["openai>=1.0"],
-        "sim": ["gymnasium>=1.0", "mujoco>=3.0"],
+        "sim": ["mujoco>=3.0"],
         "thor": ["ai2thor>=5.0"],
     },
     entry_points={
         "console_scripts": [
             "skill_server = mansion_skills.nodes.skill_server:main",
-        ],
-        "gymnasium.envs": [
-            "__root__ = mansion_skills.env.registration:register_environments",
         ],
     },
 )

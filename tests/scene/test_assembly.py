@@ -6,12 +6,13 @@ import pytest
 import shapely
 from shapely.geometry import LineString, Point, Polygon
 
+from mansion_geometry.robot_body import footprint
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_scene.assembly import furnish_floor
 from mansion_scene.room_contents import room_openings
-from mansion_scene.spawn import footprint, free_region
+from mansion_scene.spawn import free_region
 from mansion_scene.structure import build_structure
 
 

@@ -5,9 +5,10 @@ from types import ModuleType
 import pytest
 from shapely.geometry import LineString, Point, Polygon
 
+from mansion_geometry.robot_body import footprint
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom
-from mansion_scene.spawn import footprint, place_spawn
+from mansion_scene.spawn import place_spawn
 from mansion_scene.structure import build_structure
 
 

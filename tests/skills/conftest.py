@@ -1,12 +1,8 @@
 """The sample building, and a robot in it."""
 
-import sys
 from pathlib import Path
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parent))
-
 from sample_building import write_building
 
 from mansion_skills import Robot

@@ -15,13 +15,18 @@ import setuptools
 catkin_package = pytest.importorskip("catkin_pkg.package")
 
 NAMES = [
+    "mansion_assets",
     "mansion_bringup",
+    "mansion_editing",
+    "mansion_export",
     "mansion_geometry",
+    "mansion_knowledge",
     "mansion_llm",
     "mansion_msgs_py",
     "mansion_planner",
     "mansion_scene",
     "mansion_skills",
+    "mansion_tasks",
 ]
 
 # Keys of rosdep's python.yaml with a rule for Ubuntu 24.04: an unknown one stops `rosdep install`.
@@ -57,8 +62,9 @@ ROS_PACKAGES = {
 
 NODES = {
     "mansion_bringup": ["building_director"],
+    "mansion_editing": ["scene_editor"],
     "mansion_planner": ["floor_solver", "program_planner"],
-    "mansion_scene": ["object_placer", "scene_editor"],
+    "mansion_scene": ["object_placer"],
     "mansion_skills": ["skill_server"],
 }
 

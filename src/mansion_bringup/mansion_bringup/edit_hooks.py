@@ -119,7 +119,7 @@ def floor_files(scene: FloorScene) -> dict[str, bytes]:
 
 def building_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
     """Return the files made from all scenes."""
-    from mansion_scene.export.glb import building_glb
-    from mansion_scene.export.overview import overview_png
+    from mansion_export.glb import building_glb
+    from mansion_export.overview import overview_png
 
     return {"building.glb": building_glb(scenes), "building.png": overview_png(scenes)}

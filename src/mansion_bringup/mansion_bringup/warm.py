@@ -29,10 +29,10 @@ def _navigation() -> None:
 def _pictures() -> None:
     import numpy as np
 
-    from mansion_scene.export.gltf import write_glb
-    from mansion_scene.export.model import Material, Model, Node, Surface
-    from mansion_scene.export.triangles import flatten
-    from mansion_scene.export.zbuffer import View, render
+    from mansion_export.gltf import write_glb
+    from mansion_export.model import Material, Model, Node, Surface
+    from mansion_export.triangles import flatten
+    from mansion_export.zbuffer import View, render
 
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]])
     model = Model("warm", 1, 0.0)

@@ -6,6 +6,7 @@ Lines 1 to 7 of Algorithm 1 (section C.1): by rules, or with a language model wh
 import hashlib
 
 from mansion_geometry.randomness import item_generator
+from mansion_knowledge import KnowledgeBase, default_knowledge
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import BuildingProgram, Downgrade
@@ -13,7 +14,6 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_msgs_py.wording import with_article
 from mansion_planner.brief import BriefFacts, read_brief
-from mansion_planner.knowledge import KnowledgeBase, default_knowledge
 from mansion_planner.program.building import plan_program
 from mansion_planner.topology.graph import floor_topology
 from mansion_planner.topology.problem import floor_problem

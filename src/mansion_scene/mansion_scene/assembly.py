@@ -12,7 +12,7 @@ from mansion_scene.structure import FloorStructure, build_structure
 from mansion_scene.structure.regions import ring_points
 
 if TYPE_CHECKING:
-    from mansion_scene.catalogue import Catalogue
+    from mansion_assets.catalogue import Catalogue
     from mansion_scene.llm.chooser import ModelChooser
 
 __all__ = ["ProgressReport", "furnish_floor"]

@@ -6,9 +6,9 @@ import shapely
 from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
+from mansion_geometry.robot_body import footprint
 from mansion_msgs_py.placement import PlacementOpening
 from mansion_msgs_py.scene import SceneObject
-from mansion_scene.spawn import footprint
 from mansion_scene.structure.dimensions import DOOR_HEIGHT
 
 __all__ = ["clear_of_ways"]

@@ -5,17 +5,17 @@ from collections.abc import Callable, Sequence
 import msgspec
 from shapely.geometry import LineString, Polygon
 
-from mansion_geometry.randomness import item_seed
-from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementRoom
-from mansion_msgs_py.scene import Discard, Door, SceneObject, SceneRoom
-from mansion_msgs_py.shapes import Segment
-from mansion_scene.catalogue import (
+from mansion_assets.catalogue import (
     Catalogue,
     RoomFurnishing,
     furnish_request,
     load_catalogue,
 )
-from mansion_scene.catalogue.records import Item
+from mansion_assets.catalogue.records import Item
+from mansion_geometry.randomness import item_seed
+from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementRoom
+from mansion_msgs_py.scene import Discard, Door, SceneObject, SceneRoom
+from mansion_msgs_py.shapes import Segment
 from mansion_scene.clearance import clear_of_ways
 from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.placement import place_room

@@ -8,46 +8,20 @@ import numpy as np
 import shapely
 from shapely.geometry import LineString, Point, Polygon
 
+from mansion_geometry.robot_body import ROBOT_RADIUS, footprint, oblique_margin
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Door, SceneObject, SceneRoom, SpawnPose
 
-__all__ = [
-    "BODY_RADIUS",
-    "ROBOT_RADIUS",
-    "footprint",
-    "free_region",
-    "oblique_margin",
-    "place_spawn",
-]
-
-ROBOT_RADIUS: Final = 0.20
-BODY_RADIUS: Final = ROBOT_RADIUS - 1e-3
-"""What a way must be wide enough for on both sides, metres: the robot, less the rounding of coordinates."""
+__all__ = ["free_region", "place_spawn"]
 
 _GRID: Final = 0.25
 _SPACIOUS: Final = 1.0  # metres of clearance beyond which more is no better
 _HEADROOM: Final = 1.8  # an object that starts above this height is no obstacle
 
 
-def footprint(item: SceneObject) -> Polygon:
-    """Return the rectangle that an object covers on the floor."""
-    x, y, _ = item.position
-    half_w, half_d = item.size[0] / 2, item.size[1] / 2
-    turn = math.radians(item.rotation)
-    cos, sin = math.cos(turn), math.sin(turn)
-    corners = ((-half_w, -half_d), (half_w, -half_d), (half_w, half_d), (-half_w, half_d))
-    return Polygon([(x + u * cos - v * sin, y + u * sin + v * cos) for u, v in corners])
-
-
 def _is_obstacle(item: SceneObject) -> bool:
     bottom, top = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
     return item.mount in ("floor", "wall") and bottom < _HEADROOM and top > 0.05
-
-
-def oblique_margin(item: SceneObject) -> float:
-    """Return what a way past an object must be wider, metres: the skills' grid of 0.05 m is coarser along a slant."""
-    turn = item.rotation % 90.0
-    return 0.021 if min(turn, 90.0 - turn) > 0.5 else 0.0
 
 
 def free_region(

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from mansion_bringup.check import check_building
 from mansion_bringup.pipeline.build import build_building
+from mansion_bringup.verify import verify_building
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 
@@ -42,7 +42,7 @@ def scene(building: Path, floor: int = 2) -> Path:
 
 
 def kinds(building: Path) -> set[str]:
-    return {fault.kind for fault in check_building(building)}
+    return {fault.kind for fault in verify_building(building)}
 
 
 def standing(value: Json) -> Json:
@@ -199,7 +199,7 @@ PLANTED: list[tuple[Callable[[Json], None], str]] = [
 
 
 def test_a_sound_building_has_no_fault(sound: Path) -> None:
-    assert check_building(sound) == []
+    assert verify_building(sound) == []
 
 
 @pytest.mark.parametrize(
@@ -235,14 +235,14 @@ def test_a_number_that_is_not_finite_is_found(building: Path) -> None:
 
 def test_a_missing_file_is_named(building: Path) -> None:
     (building / "floors/floor_1/plan.svg").unlink()
-    assert [(f.kind, f.where) for f in check_building(building)] == [
+    assert [(f.kind, f.where) for f in verify_building(building)] == [
         ("FILE", "floors/floor_1/plan.svg")
     ]
 
 
 def test_a_cut_scene_file_is_named(building: Path) -> None:
     scene(building).write_text(scene(building).read_text()[:1000])
-    faults = check_building(building)
+    faults = verify_building(building)
     assert [fault.kind for fault in faults] == ["FILE"]
     assert "floor_2/scene.json" in str(faults[0])
 
@@ -267,4 +267,4 @@ def test_no_way_in_from_outside_is_found(building: Path) -> None:
 
 def test_a_folder_that_is_no_building_is_refused(tmp_path: Path) -> None:
     with pytest.raises(MansionError, match="mansion build"):
-        check_building(tmp_path)
+        verify_building(tmp_path)

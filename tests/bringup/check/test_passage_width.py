@@ -7,13 +7,13 @@ import msgspec
 import pytest
 from sample_building import scene, thing
 
+from mansion_assets.catalogue import load_catalogue
 from mansion_bringup.check.reach import check_reach
+from mansion_editing.state import SceneState
+from mansion_editing.tools.paths import check_path
+from mansion_geometry.robot_body import ROBOT_RADIUS
 from mansion_msgs_py.editing import CheckPathArgs
 from mansion_msgs_py.scene import Door, FloorScene
-from mansion_scene.catalogue import load_catalogue
-from mansion_scene.editing.state import SceneState
-from mansion_scene.editing.tools.paths import check_path
-from mansion_scene.spawn import ROBOT_RADIUS
 from mansion_skills.navigation.floor_map import Body, FloorMap
 
 WEST, EAST = (1.0, 1.5), (9.0, 1.5)

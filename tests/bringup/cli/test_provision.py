@@ -6,18 +6,18 @@ import msgspec
 import pytest
 from sample_building import write_building
 
+from mansion_assets.catalogue import load_catalogue
 from mansion_bringup.cli.edit import open_editor, read_tasks
+from mansion_editing.agent.instruct import provision
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.task import Need, Task, TaskKind, TaskSet
-from mansion_scene.catalogue import load_catalogue
 from mansion_scene.decor.frames import scene_object
-from mansion_scene.editing.agent.instruct import provision
-from mansion_skills.tasks.grounding import ground
-from mansion_skills.tasks.paper import PAPER_TASKS
-from mansion_skills.tasks.sandbox import Sandbox
-from mansion_skills.tasks.solving import replay
+from mansion_tasks.tasks.grounding import ground
+from mansion_tasks.tasks.paper import PAPER_TASKS
+from mansion_tasks.tasks.sandbox import Sandbox
+from mansion_tasks.tasks.solving import replay
 
 LAPTOP = Task(
     id="laptop",

@@ -6,10 +6,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from mansion_knowledge import default_knowledge
 from mansion_planner.brief import read_brief
 from mansion_planner.brief.facts import BriefFacts
 from mansion_planner.brief.tokens import tokenize
-from mansion_planner.knowledge import default_knowledge
 
 
 def read(text: str) -> BriefFacts:

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mansion_planner.knowledge import default_knowledge
+from mansion_knowledge import default_knowledge
 from mansion_planner.llm.cleaning import (
     clean_id,
     clean_text,

@@ -2,8 +2,8 @@
 
 import pytest
 
+from mansion_knowledge import default_knowledge
 from mansion_msgs_py.topology import Edge, FloorTopology, TopologyNode
-from mansion_planner.knowledge import default_knowledge
 from mansion_planner.llm.graph_rules import access_promoted, graph_faults
 
 NODES = ["hallway", "kitchen", "toilet", "bedroom_1", "bedroom_2", "stair_1"]

@@ -9,13 +9,13 @@ from typing import Any
 
 import pytest
 
+from mansion_knowledge import default_knowledge
 from mansion_llm import LlmClient, LlmSettings
 from mansion_llm.secret import Secret
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
-from mansion_planner.knowledge import default_knowledge
 from mansion_planner.llm.graph_rules import graph_faults
 from mansion_planner.llm.planner import plan_with_model
 from mansion_planner.plan import plan_building

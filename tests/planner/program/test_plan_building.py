@@ -10,11 +10,11 @@ import pytest
 import shapely
 from shapely.geometry import Polygon
 
+from mansion_knowledge import default_knowledge
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
-from mansion_planner.knowledge import default_knowledge
 from mansion_planner.plan import plan_building
 from mansion_planner.program.blocks import widened
 from mansion_planner.solver import solve_floor

@@ -2,10 +2,10 @@
 
 import pytest
 
+from mansion_knowledge import default_knowledge
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief import read_brief
-from mansion_planner.knowledge import default_knowledge
 from mansion_planner.plan import plan_building
 
 

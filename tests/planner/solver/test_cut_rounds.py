@@ -1,10 +1,8 @@
 """The pieces of Algorithms 2 and 3: rounds, radii, batches, growth, clean-up, energy."""
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
+from problem_floors import box, flat, office
 
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.topology import Edge
@@ -16,9 +14,6 @@ from mansion_planner.solver.polygons import trace
 from mansion_planner.solver.rounds import build_cut_rounds, subtree_areas
 from mansion_planner.solver.sampling import base_radii, sample_batch
 from mansion_planner.solver.scoring import candidate_energy
-
-sys.path.insert(0, str(Path(__file__).parent))
-from floors import box, flat, office
 
 
 def geometry(rows: int, columns: int) -> np.ndarray:

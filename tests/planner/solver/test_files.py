@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from problem_floors import box, flat, office
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -17,9 +18,6 @@ from mansion_planner.solver import solve_floor
 from mansion_planner.solver.files import solve_file
 from mansion_planner.solver.protocol import TrueProblem, figures, score_plan, table
 from mansion_planner.solver.workers import largest_first
-
-sys.path.insert(0, str(Path(__file__).parent))
-from floors import box, flat, office
 
 
 def write(path: Path, problems: list[FloorProblem]) -> Path:

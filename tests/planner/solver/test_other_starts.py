@@ -1,10 +1,8 @@
 """Starts of later attempts: rounds rooted at another room, and open access edges carved through other rooms."""
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
+from problem_floors import box, flat
 
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.topology import Edge
@@ -22,9 +20,6 @@ from mansion_planner.solver.refine import Partition, make_goal
 from mansion_planner.solver.rounds import build_cut_rounds
 from mansion_planner.solver.starts import flood
 from mansion_planner.solver.state import Goal, State, make_state
-
-sys.path.insert(0, str(Path(__file__).parent))
-from floors import box, flat
 
 OPTIONS = SolverOptions()
 

@@ -1,12 +1,10 @@
 """What a layout keeps to: rooms, walls, topology, zones, cores, outlines."""
 
-import sys
-from pathlib import Path
-
 import msgspec
 import numpy as np
 import pytest
 import shapely
+from problem_floors import box, flat, office
 
 from mansion_geometry.rings import as_polygon
 from mansion_geometry.shared_walls import edge_array, shared_walls
@@ -16,9 +14,6 @@ from mansion_msgs_py.layout import FixedRoom, FloorLayout, FloorProblem, Problem
 from mansion_msgs_py.topology import Edge, SeedBox, SeedPlan
 from mansion_planner.solver import SolverOptions, solve_floor
 from mansion_planner.solver.seeding import SeedRequest
-
-sys.path.insert(0, str(Path(__file__).parent))
-from floors import box, flat, office
 
 
 def shapes(layout: FloorLayout) -> dict[str, shapely.Polygon]:

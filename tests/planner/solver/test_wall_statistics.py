@@ -1,10 +1,8 @@
 """The running statistics of the wall search agree with those counted anew; narrow places are found."""
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
+from problem_floors import flat, office
 
 from mansion_planner.solver import SolverOptions
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
@@ -14,9 +12,6 @@ from mansion_planner.solver.painting import paint, recount
 from mansion_planner.solver.refine import make_goal
 from mansion_planner.solver.search import anneal
 from mansion_planner.solver.state import Goal, State, make_state
-
-sys.path.insert(0, str(Path(__file__).parent))
-from floors import flat, office
 
 
 def striped(spacing: float = 1.0) -> tuple[Goal, Grid, State]:

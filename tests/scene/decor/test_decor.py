@@ -5,9 +5,9 @@ import math
 import pytest
 from shapely import Polygon
 
+from mansion_assets.catalogue import RoomFurnishing, furnish_request, load_catalogue
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.scene import Door, SceneObject, Window
-from mansion_scene.catalogue import RoomFurnishing, furnish_request, load_catalogue
 from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.decor.frames import footprint, to_floor, to_local
 

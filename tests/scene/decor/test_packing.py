@@ -1,6 +1,6 @@
 """Small rectangles on a surface: apart from each other, and below what hangs over it."""
 
-from mansion_scene.catalogue import Surface
+from mansion_assets.catalogue import Surface
 from mansion_scene.decor.packing import Shelf, spot_of
 
 

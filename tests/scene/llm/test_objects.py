@@ -11,12 +11,12 @@ from typing import Any
 import msgspec
 import pytest
 
+from mansion_assets.catalogue import load_catalogue
 from mansion_llm import LlmClient, LlmSettings
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_scene import assembly
-from mansion_scene.catalogue import load_catalogue
 from mansion_scene.llm.answers import ObjectsAnswer
 from mansion_scene.llm.chooser import ModelChooser
 from mansion_scene.llm.objects import floor_categories, object_faults, object_items

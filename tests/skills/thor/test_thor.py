@@ -11,18 +11,15 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from invariants import check_world
 from sample_building import write_building
-
-sys.path.insert(0, str(Path(__file__).parent))
-
 from thor_double import OUT_OF_SIGHT, ThorDouble
 
+from mansion_export.thor import house
 from mansion_geometry.thor.axes import from_point, heading, thor_heading, thor_point
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import SkillStatus
-from mansion_scene.export.thor import house
 from mansion_skills import Robot
 from mansion_skills.thor import ThorGym, open_controller
 

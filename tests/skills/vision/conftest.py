@@ -8,10 +8,10 @@ import msgspec
 import pytest
 from sample_building import write_building
 
+from mansion_export.mjcf import floor_mjcf
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
-from mansion_scene.export.mjcf import floor_mjcf
 from mansion_skills import Robot
 from mansion_skills.vision import Camera
 from mansion_skills.vision.gl import GlThread

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mansion_skills.tasks.generate import generate
-from mansion_skills.tasks.sandbox import Sandbox
+from mansion_tasks.tasks.generate import generate
+from mansion_tasks.tasks.sandbox import Sandbox
 
 gymnasium = pytest.importorskip("gymnasium")
 
@@ -18,7 +18,7 @@ def test_gymnasiums_checker_has_nothing_to_say_of_pictures(
 ) -> None:
     from gymnasium.utils.env_checker import check_env
 
-    from mansion_skills.env import ENV_ID
+    from mansion_tasks.env import ENV_ID
 
     tasks = generate(Sandbox(pictured), 4, seed=0)
     env = gymnasium.make(

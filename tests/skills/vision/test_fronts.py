@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from mansion_assets.catalogue import load_catalogue
+from mansion_export.object_meshes import _surfaces as surfaces_of
+from mansion_export.stl import write_stl
 from mansion_msgs_py.scene import SceneObject
-from mansion_scene.catalogue import load_catalogue
-from mansion_scene.export.object_meshes import _surfaces as surfaces_of
-from mansion_scene.export.stl import write_stl
 from mansion_skills.vision.fronts import hinges_of, part_of, read_stl
 
 

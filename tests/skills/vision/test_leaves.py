@@ -5,8 +5,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sample_building import scene
 
+from mansion_export.opening_meshes import leaf_nodes
 from mansion_msgs_py.scene import Door
-from mansion_scene.export.opening_meshes import leaf_nodes
 from mansion_skills.vision.leaves import leaves_of
 
 SCENE = scene(1, [1])

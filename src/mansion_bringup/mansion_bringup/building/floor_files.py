@@ -1,11 +1,12 @@
 """Everything that is written for one floor, as bytes by file name."""
 
+from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
 
-__all__ = ["FLOOR_FILES", "floor_directory", "floor_files", "scene_files"]
+__all__ = ["FLOOR_FILES", "floor_files", "scene_files"]
 
 FLOOR_FILES = {
     "topology": "topology.json",
@@ -20,17 +21,12 @@ FLOOR_FILES = {
 }
 
 
-def floor_directory(floor: int) -> str:
-    """Return the folder of a floor, relative to the building's."""
-    return f"floors/floor_{floor}"
-
-
 def scene_files(scene: FloorScene) -> dict[str, bytes]:
     """Return what is made from the scene alone, by path relative to the building's folder."""
-    from mansion_scene.export.mjcf import floor_mjcf
-    from mansion_scene.export.nav2 import map_pgm, map_yaml
-    from mansion_scene.export.plan import plan_png, plan_svg
-    from mansion_scene.export.thor import house
+    from mansion_export.mjcf import floor_mjcf
+    from mansion_export.nav2 import map_pgm, map_yaml
+    from mansion_export.plan import plan_png, plan_svg
+    from mansion_export.thor import house
 
     folder = floor_directory(scene.floor)
     model = floor_mjcf(scene)

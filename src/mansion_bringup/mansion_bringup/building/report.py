@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 
 from mansion_bringup import __version__
-from mansion_bringup.building.floor_files import FLOOR_FILES, floor_directory
+from mansion_bringup.building.floor_files import FLOOR_FILES
 from mansion_msgs_py.building import Building, BuildingReport, FloorEntry, FloorReport
+from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.request import BuildRequest

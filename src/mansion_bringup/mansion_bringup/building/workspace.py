@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Any, TypeVar
 
 from mansion_bringup import __version__
-from mansion_bringup.building.floor_files import floor_directory
+from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic

@@ -1,13 +1,11 @@
 """All checks of a building, in an order that goes from files to geometry to reach."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
-from mansion_bringup.building.read import BuildingFolder
 from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.files import check_files, check_maps
-from mansion_bringup.check.houses import check_house_files
 from mansion_bringup.check.identity import check_identity
 from mansion_bringup.check.objects import check_objects
 from mansion_bringup.check.openings import check_openings
@@ -15,15 +13,27 @@ from mansion_bringup.check.partition import check_partition
 from mansion_bringup.check.reach import check_reach
 from mansion_bringup.check.request import check_request
 from mansion_bringup.check.walls import check_walls
+from mansion_msgs_py.building import Building
+from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
 
-__all__ = ["check_building", "check_floors"]
+__all__ = ["FileCheck", "check_building", "check_floors"]
 
 
-def check_building(path: Path | str) -> list[Fault]:
+FileCheck = Callable[[Path, Building], Iterable[Fault]]
+"""Yields the faults of some files of a building folder."""
+
+
+def check_building(path: Path | str, further: Sequence[FileCheck] = ()) -> list[Fault]:
     """Return every fault of the building in a folder; empty for a sound one.
+
+    Parameters
+    ----------
+    path : Path or str
+    further : sequence of callable
+        Checks of formats that this package knows nothing of.
 
     Raises
     ------
@@ -46,7 +56,7 @@ def check_building(path: Path | str) -> list[Fault]:
     faults = [
         *check_files(folder, read.building),
         *check_maps(folder, read.building, scenes),
-        *check_house_files(folder, read.building),
+        *(fault for further_check in further for fault in further_check(folder, read.building)),
         *check_request(read.building, layouts, scenes),
         *check_floors(read.building.building_id, scenes, topologies),
     ]

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 from shapely import LineString, Polygon, STRtree
 
 from mansion_bringup.check.fault import Fault
-from mansion_bringup.check.shapes import footprint, net_area, vertical
+from mansion_bringup.check.shapes import net_area, vertical
+from mansion_geometry.robot_body import footprint
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 
 __all__ = ["check_objects"]

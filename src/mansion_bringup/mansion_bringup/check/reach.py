@@ -8,9 +8,9 @@ from shapely import LineString, MultiPolygon, Point, Polygon, STRtree, union_all
 from shapely.geometry.base import BaseGeometry
 
 from mansion_bringup.check.fault import Fault
-from mansion_bringup.check.shapes import footprint, net_area, vertical
+from mansion_bringup.check.shapes import net_area, vertical
+from mansion_geometry.robot_body import BODY_RADIUS, ROBOT_RADIUS, footprint, oblique_margin
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_scene.spawn import BODY_RADIUS, ROBOT_RADIUS, oblique_margin
 
 __all__ = ["check_reach"]
 

@@ -12,7 +12,6 @@ from mansion_msgs_py.shapes import Point, Ring, Segment
 
 __all__ = [
     "along",
-    "footprint",
     "free_region",
     "net_area",
     "room_area",
@@ -34,16 +33,6 @@ def net_area(room: SceneRoom) -> Polygon:
 def free_region(outline: Ring, holes: Sequence[Ring], cores: Sequence[Ring]) -> BaseGeometry:
     """The floor less courtyards and cores."""
     return Polygon(outline, holes).difference(unary_union([Polygon(core) for core in cores]))
-
-
-def footprint(thing: SceneObject) -> Polygon:
-    """The object's rectangle on the floor; at rotation 0 its front faces +y."""
-    x, y, _ = thing.position
-    half_w, half_d = thing.size[0] / 2, thing.size[1] / 2
-    turn = math.radians(thing.rotation)
-    cos, sin = math.cos(turn), math.sin(turn)
-    corners = ((-half_w, -half_d), (half_w, -half_d), (half_w, half_d), (-half_w, half_d))
-    return Polygon([(x + cos * u - sin * v, y + sin * u + cos * v) for u, v in corners])
 
 
 def vertical(thing: SceneObject) -> tuple[float, float]:

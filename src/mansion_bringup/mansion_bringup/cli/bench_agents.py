@@ -14,8 +14,8 @@ from mansion_msgs_py.wording import counted
 from mansion_msgs_py.world import Progress
 
 if TYPE_CHECKING:
-    from mansion_skills.episodes.benching import Bench, Ports
-    from mansion_skills.episodes.table import BenchResult
+    from mansion_tasks.episodes.benching import Bench, Ports
+    from mansion_tasks.episodes.table import BenchResult
 
 __all__ = ["agents"]
 
@@ -77,9 +77,9 @@ def _run(
     sheets: int,
 ) -> None:
     """Run the bench, print its table, and draw what was asked for."""
-    from mansion_skills.agents.registry import AGENTS
-    from mansion_skills.episodes.benching import Bench, local_port
-    from mansion_skills.episodes.table import render
+    from mansion_tasks.agents.registry import AGENTS
+    from mansion_tasks.episodes.benching import Bench, local_port
+    from mansion_tasks.episodes.table import render
 
     chosen = tuple(name.strip() for name in names.split(",") if name.strip())
     if not chosen:
@@ -110,7 +110,7 @@ def _run(
 def _provide(names: tuple[str, ...], sheets: int) -> None:
     """Install what agents and pictures need; a model that is not configured is complained of when it is asked."""
     from mansion_llm import load_settings
-    from mansion_skills.agents.registry import ASKING
+    from mansion_tasks.agents.registry import ASKING
 
     asking = [name for name in names if name in ASKING]
     settings = load_settings() if asking else None
@@ -127,7 +127,7 @@ def _provide(names: tuple[str, ...], sheets: int) -> None:
 
 def _followed(bench: "Bench", jobs: int) -> tuple["BenchResult", int]:
     """Run the bench and show its progress; return its result and how many episodes an earlier run had done."""
-    from mansion_skills.episodes.benching import TAKEN_OVER, run_bench
+    from mansion_tasks.episodes.benching import TAKEN_OVER, run_bench
 
     taken_over, last = 0, Progress(stage="bench", message="", done=0, total=0)
     try:
@@ -172,9 +172,9 @@ def _task_files(given: list[Path]) -> list[Path]:
 
 def _repeat(log_file: Path, building: Path | None, graph: bool, output: Path | None) -> None:
     """Run a log's skills again; exit status 1 when something else comes of them."""
-    from mansion_skills.episodes.benching import local_port
-    from mansion_skills.episodes.log import read_log
-    from mansion_skills.episodes.replaying import replay
+    from mansion_tasks.episodes.benching import local_port
+    from mansion_tasks.episodes.log import read_log
+    from mansion_tasks.episodes.replaying import replay
 
     log = read_log(log_file)
     folder = building or Path(log.start.building)
@@ -194,9 +194,9 @@ def _repeat(log_file: Path, building: Path | None, graph: bool, output: Path | N
 
 def _picture(log_file: Path, output: Path, building: Path | None = None) -> None:
     """Write the contact sheet and the animation of an episode beside each other."""
-    from mansion_skills.episodes.log import read_log
-    from mansion_skills.episodes.port import LocalPort
-    from mansion_skills.episodes.sheet import episode_frames, write_gif, write_sheet
+    from mansion_tasks.episodes.log import read_log
+    from mansion_tasks.episodes.port import LocalPort
+    from mansion_tasks.episodes.sheet import episode_frames, write_gif, write_sheet
 
     log = read_log(log_file)
     frames = episode_frames(log, building or Path(log.start.building), LocalPort())

@@ -15,7 +15,7 @@ from mansion_msgs_py.reading import decode_from, read_bytes
 from mansion_msgs_py.task import Task, TaskSet
 
 if TYPE_CHECKING:
-    from mansion_scene.editing.editor import SceneEditor
+    from mansion_editing.editor import SceneEditor
 
 __all__ = ["open_editor", "read_tasks", "register"]
 
@@ -63,7 +63,7 @@ def edit(
 
       mansion edit out/office --task tasks.json --id deliver_3
     """
-    from mansion_scene.editing.editor import TOOLS
+    from mansion_editing.editor import TOOLS
 
     if (task is None) == (not what):
         raise MansionError(
@@ -101,12 +101,12 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "S
     MansionError
         ``NOT_FOUND`` for no building or no such engine, ``UNAVAILABLE`` when the engine is not installed.
     """
+    from mansion_assets.catalogue import load_catalogue
+    from mansion_assets.retrieval.configured import configured_retriever
     from mansion_bringup.edit_hooks import new_faults
-    from mansion_scene.catalogue import load_catalogue
-    from mansion_scene.editing.editor import SceneEditor
-    from mansion_scene.editing.physics.engines import engine_named
-    from mansion_scene.editing.retrieval.configured import configured_retriever
-    from mansion_scene.editing.storage import BuildingStore
+    from mansion_editing.editor import SceneEditor
+    from mansion_editing.physics.engines import engine_named
+    from mansion_editing.storage import BuildingStore
 
     if physics in _EXTRAS:
         ensure_extra(_EXTRAS[physics])
@@ -125,7 +125,7 @@ def _now() -> str:
 
 
 def _instruct(editor: "SceneEditor", instruction: str, planner: str) -> AgentReport:
-    from mansion_scene.editing.agent.instruct import instruct
+    from mansion_editing.agent.instruct import instruct
 
     if planner == "llm":
         ensure_extra("llm")
@@ -133,7 +133,7 @@ def _instruct(editor: "SceneEditor", instruction: str, planner: str) -> AgentRep
 
 
 def _provision(editor: "SceneEditor", file: Path, task_id: str) -> list[AgentReport]:
-    from mansion_scene.editing.agent.instruct import provision
+    from mansion_editing.agent.instruct import provision
 
     return [provision(editor, task) for task in read_tasks(file, task_id)]
 

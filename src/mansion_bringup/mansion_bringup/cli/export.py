@@ -7,11 +7,10 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.building.floor_files import floor_directory
-from mansion_bringup.building.read import BuildingFolder
 from mansion_bringup.cli.console import err
 from mansion_bringup.cli.outputs import check_output_file, check_output_folder
 from mansion_bringup.extras import ensure_extra
+from mansion_msgs_py.building_folder import BuildingFolder, floor_directory
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
@@ -26,7 +25,7 @@ def register(app: typer.Typer) -> None:
 
 
 def _thor(building: BuildingFolder) -> dict[str, bytes]:
-    from mansion_scene.export.thor import house
+    from mansion_export.thor import house
 
     return {
         f"{floor_directory(scene.floor)}/house.json": encode_bytes(house(scene))
@@ -35,7 +34,7 @@ def _thor(building: BuildingFolder) -> dict[str, bytes]:
 
 
 def _glb(building: BuildingFolder) -> dict[str, bytes]:
-    from mansion_scene.export.glb import building_glb, floor_glb
+    from mansion_export.glb import building_glb, floor_glb
 
     scenes = building.scenes()
     files = {f"{floor_directory(scene.floor)}/floor.glb": floor_glb(scene) for scene in scenes}
@@ -43,7 +42,7 @@ def _glb(building: BuildingFolder) -> dict[str, bytes]:
 
 
 def _mjcf(building: BuildingFolder) -> dict[str, bytes]:
-    from mansion_scene.export.mjcf import floor_mjcf
+    from mansion_export.mjcf import floor_mjcf
 
     files = {}
     for scene in building.scenes():
@@ -54,7 +53,7 @@ def _mjcf(building: BuildingFolder) -> dict[str, bytes]:
 
 
 def _nav2(building: BuildingFolder) -> dict[str, bytes]:
-    from mansion_scene.export.nav2 import map_pgm, map_yaml
+    from mansion_export.nav2 import map_pgm, map_yaml
 
     files = {}
     for scene in building.scenes():
@@ -66,13 +65,13 @@ def _nav2(building: BuildingFolder) -> dict[str, bytes]:
 
 def _usd(building: BuildingFolder) -> dict[str, bytes]:
     ensure_extra("usd")
-    from mansion_scene.export.usd import building_usd
+    from mansion_export.usd import building_usd
 
     return {"building.usdc": building_usd(building.scenes())}
 
 
 def _sdf(building: BuildingFolder) -> dict[str, bytes]:
-    from mansion_scene.export.sdf import world_sdf
+    from mansion_export.sdf import world_sdf
 
     world = world_sdf(building.scenes())
     return {
@@ -82,7 +81,7 @@ def _sdf(building: BuildingFolder) -> dict[str, bytes]:
 
 
 def _rmf(building: BuildingFolder) -> dict[str, bytes]:
-    from mansion_scene.export.rmf.maps import rmf_files
+    from mansion_export.rmf.maps import rmf_files
 
     return rmf_files(building.scenes())
 
@@ -142,7 +141,7 @@ def view(
 
       mansion view out/office --open
     """
-    from mansion_scene.export.html import view_page
+    from mansion_export.html import view_page
 
     page = output or building / "view.html"
     scenes = BuildingFolder(building).scenes()

@@ -30,9 +30,9 @@ def check(
 
       mansion check out/office
     """
-    from mansion_bringup.check import check_building
+    from mansion_bringup.verify import verify_building
 
-    faults = check_building(building)
+    faults = verify_building(building)
     if as_json:
         print_json(faults)
     else:

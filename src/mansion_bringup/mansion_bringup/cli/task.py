@@ -17,7 +17,7 @@ from mansion_msgs_py.task import Task, TaskKind, TaskSet
 from mansion_msgs_py.wording import choices, counted
 
 if TYPE_CHECKING:
-    from mansion_skills.tasks.sandbox import Sandbox
+    from mansion_tasks.tasks.sandbox import Sandbox
 
 __all__ = ["register"]
 
@@ -35,13 +35,13 @@ def register(app: typer.Typer) -> None:
 
 
 def _task_set(file: Path) -> TaskSet:
-    from mansion_skills.tasks.files import read_task_set
+    from mansion_tasks.tasks.files import read_task_set
 
     return read_task_set(file)
 
 
 def _sandbox(building: Path) -> "Sandbox":
-    from mansion_skills.tasks.sandbox import Sandbox
+    from mansion_tasks.tasks.sandbox import Sandbox
 
     return Sandbox(building)
 
@@ -85,7 +85,7 @@ def _chosen(tasks: list[Task], name: str) -> list[Task]:
 
 def _in_words(name: str) -> Task:
     """Return the paper's task of that id, or the task that a file holds."""
-    from mansion_skills.tasks.paper import PAPER_TASKS
+    from mansion_tasks.tasks.paper import PAPER_TASKS
 
     if name in PAPER_TASKS:
         return PAPER_TASKS[name].task
@@ -107,7 +107,7 @@ def _in_words(name: str) -> Task:
 
 def _advised(error: MansionError, name: str, building: Path) -> MansionError:
     """Say how the building, or another one, can have what a task lacks: objects can be added, rooms cannot."""
-    from mansion_skills.tasks.paper import PAPER_TASKS
+    from mansion_tasks.tasks.paper import PAPER_TASKS
 
     missing = error.info.details.get("missing", [])
     if not missing:
@@ -153,7 +153,7 @@ def generate(
 
       mansion task generate out/office --kind search
     """
-    from mansion_skills.tasks.generate import generate as make
+    from mansion_tasks.tasks.generate import generate as make
 
     _check_output(output)
     sandbox = _sandbox(building)
@@ -201,7 +201,7 @@ def paper(
 
       mansion task paper office_laptop -o laptop.json
     """
-    from mansion_skills.tasks.paper import PAPER_TASKS, paper_task
+    from mansion_tasks.tasks.paper import PAPER_TASKS, paper_task
 
     if not name:
         for entry in PAPER_TASKS.values():
@@ -230,8 +230,8 @@ def ground(
 
       mansion task ground laptop.json out/office
     """
-    from mansion_skills.tasks.grounding import ground as find
-    from mansion_skills.tasks.paper import PAPER_TASKS
+    from mansion_tasks.tasks.grounding import ground as find
+    from mansion_tasks.tasks.paper import PAPER_TASKS
 
     _check_output(output)
     words = _in_words(task)
@@ -261,7 +261,7 @@ def run(
 
       mansion task run tasks.json search_s0_3 --plan
     """
-    from mansion_skills.tasks.solving import replay, solve
+    from mansion_tasks.tasks.solving import replay, solve
 
     read = _task_set(tasks)
     chosen = _chosen(read.tasks, name)

@@ -23,7 +23,7 @@ GRAPH_NODES: tuple[NodeProcess, ...] = (
     NodeProcess("mansion_planner", "program_planner", "plan_program"),
     NodeProcess("mansion_planner", "floor_solver", "solve_floor"),
     NodeProcess("mansion_scene", "object_placer", "furnish_floor"),
-    NodeProcess("mansion_scene", "scene_editor", "scene/open"),
+    NodeProcess("mansion_editing", "scene_editor", "scene/open"),
     NodeProcess("mansion_skills", "skill_server", "load_building"),
     NodeProcess("mansion_bringup", "building_director", "build_building"),
 )

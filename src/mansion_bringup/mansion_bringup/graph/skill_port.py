@@ -17,11 +17,11 @@ from mansion_msgs_py.interfaces import TRIGGER, service
 from mansion_msgs_py.skills import Landmarks, SessionArgs, VisibleArgs, VisibleObjects
 from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import SkillResult
-from mansion_skills.episodes.mirror import Mirror
-from mansion_skills.episodes.port import SkillPort, as_result, called_skill, invalid_call
-from mansion_skills.episodes.stand_in import SESSION, WORLD
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
+from mansion_tasks.episodes.mirror import Mirror
+from mansion_tasks.episodes.port import SkillPort, as_result, called_skill, invalid_call
+from mansion_tasks.episodes.stand_in import SESSION, WORLD
 
 __all__ = ["GraphPort", "graph_port"]
 

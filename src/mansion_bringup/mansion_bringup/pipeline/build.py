@@ -9,13 +9,14 @@ from typing import TypeVar
 
 import msgspec
 
-from mansion_bringup.building.floor_files import floor_directory, floor_files
+from mansion_bringup.building.floor_files import floor_files
 from mansion_bringup.building.report import building_index, building_report
 from mansion_bringup.building.workspace import Workspace
 from mansion_bringup.pipeline import floors as steps
 from mansion_bringup.pipeline.crew import Crew, local_crew, remote_crew
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_msgs_py.building import Building, BuildingReport
+from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout
@@ -242,12 +243,12 @@ def _write_building(
 
 
 def _model(scenes: list[FloorScene]) -> dict[str, bytes]:
-    from mansion_scene.export.glb import building_glb
+    from mansion_export.glb import building_glb
 
     return {"building.glb": building_glb(scenes)}
 
 
 def _picture(scenes: list[FloorScene]) -> dict[str, bytes]:
-    from mansion_scene.export.overview import overview_png
+    from mansion_export.overview import overview_png
 
     return {"building.png": overview_png(scenes)}

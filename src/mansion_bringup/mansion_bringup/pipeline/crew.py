@@ -19,7 +19,7 @@ __all__ = ["Crew", "export_pool", "local_crew", "remote_crew"]
 
 T = TypeVar("T")
 
-PRELOAD = ["mansion_scene.export.plan", "mansion_scene.export.glb", "mansion_scene.export.overview"]
+PRELOAD = ["mansion_export.plan", "mansion_export.glb", "mansion_export.overview"]
 
 
 @dataclass(frozen=True)
@@ -96,8 +96,7 @@ def _tie_to_parent() -> None:
 
 def _import_stages() -> None:
     """Import what the workers need before they are forked, once instead of in each."""
+    import mansion_export.glb
+    import mansion_export.overview
+    import mansion_export.plan  # noqa: F401
     import mansion_planner.solver  # noqa: F401
-    import mansion_scene.assembly
-    import mansion_scene.export.glb
-    import mansion_scene.export.overview
-    import mansion_scene.export.plan  # noqa: F401

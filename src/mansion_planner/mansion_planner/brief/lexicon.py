@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 from functools import cache
 
+from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.tokens import Token, singular
-from mansion_planner.knowledge import KnowledgeBase
 
 __all__ = ["Lexicon", "Mention", "lexicon_of"]
 

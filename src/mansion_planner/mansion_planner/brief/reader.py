@@ -1,5 +1,6 @@
 """Read a brief: storeys, areas, building type, rooms and wishes, each from the words that state it."""
 
+from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.areas import read_areas
 from mansion_planner.brief.building import read_building
 from mansion_planner.brief.facts import BriefFacts
@@ -17,7 +18,6 @@ from mansion_planner.brief.wishes import (
     read_shape,
     read_vertical,
 )
-from mansion_planner.knowledge import KnowledgeBase
 
 __all__ = ["read_brief"]
 
@@ -34,7 +34,7 @@ def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
 
     Examples
     --------
-    >>> from mansion_planner.knowledge import default_knowledge
+    >>> from mansion_knowledge import default_knowledge
     >>> facts = read_brief("A two-storey house with three bedrooms", default_knowledge())
     >>> [quantity.value for quantity in facts.floors], facts.building[0][0]
     ([2.0], 'house')

@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass, field
 
+from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.spelling import corrected
 from mansion_planner.brief.tokens import Token, tokenize
-from mansion_planner.knowledge import KnowledgeBase
 
 __all__ = ["FLOOR_WORDS", "Reading", "start_reading"]
 

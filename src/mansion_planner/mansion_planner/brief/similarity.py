@@ -3,7 +3,7 @@
 import difflib
 from functools import cache
 
-from mansion_planner.knowledge import KnowledgeBase
+from mansion_knowledge import KnowledgeBase
 
 __all__ = ["AS_ROOM", "HEAD_TYPES", "similar_room_type"]
 
@@ -51,7 +51,7 @@ def similar_room_type(name: str, knowledge: KnowledgeBase) -> str:
 
     Examples
     --------
-    >>> from mansion_planner.knowledge import default_knowledge
+    >>> from mansion_knowledge import default_knowledge
     >>> similar_room_type("pottery_workshop", default_knowledge())
     'workshop'
     """

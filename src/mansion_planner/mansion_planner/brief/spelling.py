@@ -1,8 +1,8 @@
 """Correct misspelt words to the planner's vocabulary, by one edit (two in long words)."""
 
 from functools import cache
-from pathlib import Path
 
+from mansion_knowledge.words import common_words
 from mansion_planner.brief.tokens import ORDINALS, Token, singular
 
 __all__ = ["GRAMMAR", "corrected"]
@@ -93,13 +93,6 @@ GRAMMAR = frozenset(
 )
 
 
-@cache
-def _common() -> frozenset[str]:
-    """English words that are no misspelling of a word of the vocabulary."""
-    file = Path(__file__).parent.parent / "knowledge" / "data" / "common_words.txt"
-    return frozenset(file.read_text(encoding="utf-8").split())
-
-
 def corrected(tokens: list[Token], words: frozenset[str]) -> list[Token]:
     """Return the tokens with misspelt words replaced by the vocabulary's nearest word.
 
@@ -144,7 +137,7 @@ def _deletions(word: str) -> list[str]:
 
 
 def _nearest(word: str, words: frozenset[str]) -> str:
-    if word in words or word in GRAMMAR or word in _common() or singular(word) in words:
+    if word in words or word in GRAMMAR or word in common_words() or singular(word) in words:
         return word
     if word[0] == "f" and "ph" + word[1:] in words:
         return "ph" + word[1:]

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from mansion_planner.knowledge import RoomType
+from mansion_knowledge import RoomType
 from mansion_planner.program.model import Storey
 
 __all__ = ["ChosenFloor", "ChosenRoom", "chosen_of_storey"]

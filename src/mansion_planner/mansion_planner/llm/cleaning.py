@@ -3,8 +3,8 @@
 import re
 import unicodedata
 
+from mansion_knowledge import KnowledgeBase, RoomType
 from mansion_planner.brief.similarity import similar_room_type
-from mansion_planner.knowledge import KnowledgeBase, RoomType
 
 __all__ = ["clean_id", "clean_text", "is_core_name", "material_fault", "room_kind"]
 

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass, field
 
+from mansion_knowledge import KnowledgeBase
 from mansion_llm import LlmClient
-from mansion_planner.knowledge import KnowledgeBase
 
 __all__ = ["LLM", "RULES", "Context"]
 

@@ -2,8 +2,8 @@
 
 import networkx as nx
 
+from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.topology import FloorTopology, TopologyNode
-from mansion_planner.knowledge import KnowledgeBase
 
 __all__ = ["MOST_CHILDREN", "access_promoted", "graph_faults"]
 

@@ -4,6 +4,7 @@ import dataclasses
 
 import msgspec
 
+from mansion_knowledge import KnowledgeBase
 from mansion_llm import LlmClient
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, SeedRange
@@ -11,7 +12,6 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_msgs_py.topology import FloorTopology, SeedBox, SeedPlan
 from mansion_planner.brief import read_brief
-from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.llm.chosen import chosen_of_storey
 from mansion_planner.llm.context import Context
 from mansion_planner.llm.numbers import plan_reference

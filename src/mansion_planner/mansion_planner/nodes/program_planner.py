@@ -4,13 +4,13 @@ from pathlib import Path
 
 from rcl_interfaces.msg import ParameterDescriptor
 
+from mansion_knowledge import load_knowledge
 from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
-from mansion_planner.knowledge import load_knowledge
 from mansion_planner.plan import plan_building
 
 __all__ = ["ProgramPlannerNode", "main"]

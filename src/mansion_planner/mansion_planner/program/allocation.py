@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass, field
 
+from mansion_knowledge import KnowledgeBase, RoomType
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.facts import RoomFact
-from mansion_planner.knowledge import KnowledgeBase, RoomType
 from mansion_planner.program.decisions import Decisions, quoted
 from mansion_planner.program.inference import note
 from mansion_planner.program.model import PlannedRoom, Storey

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from mansion_geometry.randomness import item_generator
-from mansion_planner.knowledge import KnowledgeBase
+from mansion_knowledge import KnowledgeBase
 from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.envelope import Envelope, envelope_of

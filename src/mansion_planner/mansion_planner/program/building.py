@@ -4,11 +4,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.program import BuildingProgram, CorePlan, VerticalConnectivity
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import with_article
 from mansion_planner.brief.facts import BriefFacts
-from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.allocation import allocate
 from mansion_planner.program.arrangement import best_arrangement
 from mansion_planner.program.bearing import bearing_walls

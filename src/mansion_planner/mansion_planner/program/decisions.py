@@ -4,10 +4,10 @@ from dataclasses import dataclass, field
 
 from shapely.geometry import Polygon
 
+from mansion_knowledge import BuildingType
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_planner.brief.facts import BriefFacts, Quantity, Span
-from mansion_planner.knowledge import BuildingType
 
 __all__ = ["Decisions", "contradiction", "one_value", "quoted"]
 

@@ -1,6 +1,6 @@
 """Fill a storey with rooms up to what it can hold, and settle their areas."""
 
-from mansion_planner.knowledge import KnowledgeBase
+from mansion_knowledge import KnowledgeBase
 from mansion_planner.program.allocation import Allocation, planned_room
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import entries_of

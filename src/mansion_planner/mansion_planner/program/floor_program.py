@@ -1,8 +1,8 @@
 """A storey's part of the building program of Fig. 23: rooms with areas and materials, and the sum of areas."""
 
+from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.program import AreaSummary, FloorProgram, RoomProgram
 from mansion_msgs_py.wording import with_article
-from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.envelope import Envelope
 from mansion_planner.program.materials import materials_of

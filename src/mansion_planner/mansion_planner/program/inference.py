@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from mansion_knowledge import BuildingType
 from mansion_msgs_py.program import TraceEntry
 from mansion_msgs_py.wording import with_article
 from mansion_planner.brief.facts import BriefFacts, Span
-from mansion_planner.knowledge import BuildingType
 
 __all__ = ["MOST_FLOORS", "infer_building", "infer_floors", "note"]
 

@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from mansion_knowledge import BuildingType
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.wording import with_article
-from mansion_planner.knowledge import BuildingType
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.inference import note
 from mansion_planner.program.model import CoreBox, Massing, Wing

@@ -1,7 +1,7 @@
 """Materials of a room from the building's style."""
 
+from mansion_knowledge import KnowledgeBase, RoomType
 from mansion_planner.brief.facts import MaterialFact
-from mansion_planner.knowledge import KnowledgeBase, RoomType
 
 __all__ = ["materials_of"]
 
@@ -15,7 +15,7 @@ def materials_of(
 
     Examples
     --------
-    >>> from mansion_planner.knowledge import default_knowledge
+    >>> from mansion_knowledge import default_knowledge
     >>> base = default_knowledge()
     >>> materials_of(base.room("bathroom"), "neutral", base)
     ('ceramic tile, light gray', 'ceramic wall tile, white')

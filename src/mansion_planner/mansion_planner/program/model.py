@@ -7,7 +7,7 @@ The massing frame has its x axis along the main corridor and the first stair in 
 from dataclasses import dataclass, field
 from typing import Literal
 
-from mansion_planner.knowledge import BuildingType, RoomType
+from mansion_knowledge import BuildingType, RoomType
 
 __all__ = ["Box", "CoreBox", "Massing", "PlannedRoom", "Side", "Storey", "Wing", "box_area"]
 

@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from mansion_knowledge import BuildingType, KnowledgeBase
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Span
-from mansion_planner.knowledge import BuildingType, KnowledgeBase
 from mansion_planner.program.areas import area_of_footprint, settle_area
 from mansion_planner.program.decisions import Decisions, contradiction, one_value, quoted
 from mansion_planner.program.inference import MOST_FLOORS, infer_building, infer_floors, note

@@ -1,8 +1,8 @@
 """The gross area of a storey: stated, or what the rooms need."""
 
+from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wording import with_article
-from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.allocation import Allocation, planned_room
 from mansion_planner.program.areas import AREA_CAP
 from mansion_planner.program.decisions import Decisions

@@ -1,8 +1,8 @@
 """The storeys of a building: role, use, hub, which repeat another, and what rooms the building type gives to each."""
 
+from mansion_knowledge import BuildingType, KnowledgeBase, RoomEntry
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.facts import FloorRef
-from mansion_planner.knowledge import BuildingType, KnowledgeBase, RoomEntry
 from mansion_planner.program.decisions import Decisions, quoted
 from mansion_planner.program.inference import note
 from mansion_planner.program.model import Storey

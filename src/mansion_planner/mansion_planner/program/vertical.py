@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from mansion_planner.knowledge import KnowledgeBase
+from mansion_knowledge import KnowledgeBase
 from mansion_planner.program.allocation import Allocation
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.model import Storey

@@ -1,7 +1,7 @@
 """The room graph of a floor (schema of Fig. 24) from its sketch."""
 
+from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.topology import Edge, FloorTopology, TopologyNode
-from mansion_planner.knowledge import KnowledgeBase
 from mansion_planner.program.building import PlannedBuilding
 from mansion_planner.program.materials import materials_of
 from mansion_planner.program.model import Storey, box_area

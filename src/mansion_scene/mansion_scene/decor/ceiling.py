@@ -7,9 +7,9 @@ import numpy as np
 from shapely import Point as ShapelyPoint
 from shapely import Polygon
 
+from mansion_assets.catalogue import Asset, Catalogue, HangWish
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point
-from mansion_scene.catalogue import Asset, Catalogue, HangWish
 from mansion_scene.decor.frames import Ids, WallEdge, footprint, scene_object
 from mansion_scene.decor.rugs import matches
 

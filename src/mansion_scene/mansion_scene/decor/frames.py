@@ -5,9 +5,9 @@ from collections.abc import Iterable, Sequence
 
 from shapely import Polygon
 
+from mansion_assets.catalogue import Asset
 from mansion_msgs_py.scene import Mount, SceneObject
 from mansion_msgs_py.shapes import Point, Point3, Segment
-from mansion_scene.catalogue import Asset
 
 __all__ = [
     "Ids",

@@ -5,8 +5,8 @@ import math
 import msgspec
 import numpy as np
 
+from mansion_assets.catalogue import Surface, Volume
 from mansion_msgs_py.shapes import Point, Size3
-from mansion_scene.catalogue import Surface, Volume
 
 __all__ = ["Shelf", "Spot", "shelves_of", "spot_of"]
 

@@ -2,10 +2,10 @@
 
 from collections.abc import Sequence
 
+from mansion_assets.catalogue import Catalogue, RoomFurnishing
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.scene import Door, SceneObject, Window
 from mansion_msgs_py.shapes import Ring
-from mansion_scene.catalogue import Catalogue, RoomFurnishing
 from mansion_scene.decor.ceiling import ceiling_objects
 from mansion_scene.decor.frames import Ids, room_polygon, wall_edges
 from mansion_scene.decor.rugs import rugs

@@ -7,9 +7,9 @@ import numpy as np
 from shapely import Polygon
 from shapely.strtree import STRtree
 
+from mansion_assets.catalogue import Asset, RugWish
 from mansion_msgs_py.scene import Door, SceneObject
 from mansion_msgs_py.shapes import Point
-from mansion_scene.catalogue import Asset, RugWish
 from mansion_scene.decor.frames import Ids, WallEdge, footprint, scene_object, to_floor
 
 __all__ = ["matches", "rugs"]

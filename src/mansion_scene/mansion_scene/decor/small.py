@@ -5,10 +5,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from mansion_assets.catalogue import Asset, Catalogue
+from mansion_assets.catalogue.records import Arrangement, Scatter, Slot
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.scene import SceneObject
-from mansion_scene.catalogue import Asset, Catalogue
-from mansion_scene.catalogue.records import Arrangement, Scatter, Slot
 from mansion_scene.decor.frames import Ids, scene_object, to_floor, to_local
 from mansion_scene.decor.packing import Shelf, Spot, shelves_of, spot_of
 

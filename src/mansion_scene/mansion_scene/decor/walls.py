@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 import msgspec
 import numpy as np
 
+from mansion_assets.catalogue import Asset, HangWish
 from mansion_msgs_py.scene import Door, SceneObject, Window
 from mansion_msgs_py.shapes import Point3
-from mansion_scene.catalogue import Asset, HangWish
 from mansion_scene.decor.frames import Ids, WallEdge, footprint, scene_object
 from mansion_scene.decor.rugs import matches
 

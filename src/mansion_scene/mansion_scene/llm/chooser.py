@@ -4,12 +4,12 @@ from collections.abc import Sequence
 
 import msgspec
 
+from mansion_assets.catalogue import Catalogue, load_catalogue
+from mansion_assets.catalogue.records import Item
 from mansion_llm import LlmClient
 from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_msgs_py.usage import LlmUsage
-from mansion_scene.catalogue import Catalogue, load_catalogue
-from mansion_scene.catalogue.records import Item
 from mansion_scene.llm.answers import ObjectsAnswer
 from mansion_scene.llm.objects import object_faults, object_items, objects_prompt
 

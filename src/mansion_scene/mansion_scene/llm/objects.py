@@ -3,11 +3,11 @@
 import re
 from typing import get_args
 
+from mansion_assets.catalogue import Catalogue
+from mansion_assets.catalogue.records import Item, MatrixShape
 from mansion_llm import Fault, Prompt, quoted_data
 from mansion_msgs_py.placement import GlobalConstraint, Relation, RelationKind
 from mansion_msgs_py.wording import with_article
-from mansion_scene.catalogue import Catalogue
-from mansion_scene.catalogue.records import Item, MatrixShape
 from mansion_scene.llm.answers import ObjectAnswer, ObjectsAnswer
 
 __all__ = ["object_faults", "object_items", "objects_prompt"]

@@ -6,6 +6,7 @@ from pathlib import Path
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.callback_groups import ReentrantCallbackGroup
 
+from mansion_assets.catalogue import load_catalogue
 from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
@@ -13,7 +14,6 @@ from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_scene.assembly import furnish_floor
-from mansion_scene.catalogue import load_catalogue
 
 __all__ = ["ObjectPlacer", "main"]
 

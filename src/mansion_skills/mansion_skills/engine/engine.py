@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from mansion_geometry.robot_body import ROBOT_RADIUS
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.skills import Control, ControlArgs, Loaded, SessionArgs
@@ -28,7 +29,6 @@ from mansion_skills.engine.seat import Seat, SharedWorld
 from mansion_skills.skills.asking import landmark_infos
 from mansion_skills.skills.registry import SKILLS, Skill, skill_named
 from mansion_skills.world.overlay import check_session, overlay_path
-from mansion_skills.world.world import ROBOT_RADIUS
 
 __all__ = ["Engine"]
 

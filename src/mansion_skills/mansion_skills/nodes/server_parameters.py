@@ -5,8 +5,8 @@ from typing import Any
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.node import Node
 
+from mansion_geometry.robot_body import ROBOT_RADIUS
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_skills.world.world import ROBOT_RADIUS
 
 __all__ = ["PARAMETERS", "declare_parameters"]
 

@@ -7,6 +7,7 @@ from math import dist
 import numpy as np
 import numpy.typing as npt
 
+from mansion_geometry.robot_body import ROBOT_RADIUS
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore
 from mansion_msgs_py.shapes import Point
@@ -19,10 +20,7 @@ from mansion_skills.world.lift import Lift
 from mansion_skills.world.objects import ObjectTable
 from mansion_skills.world.robot_body import RobotBody
 
-__all__ = ["ROBOT_RADIUS", "World"]
-
-ROBOT_RADIUS = 0.20
-"""Metres; the scenes are furnished for it."""
+__all__ = ["World"]
 
 MOST_LIFT_CHANGES = 256
 """How many changes of lifts wait to be published; a script that publishes nothing keeps no more."""

@@ -1,0 +1,3 @@
+"""The catalogue of assets, their meshes made from parametric recipes, and finding them by words."""
+
+__version__ = "0.1.0"

@@ -1,0 +1,254 @@
+"""Builds a mesh from boxes, turned bodies, rods and cushions, in metres from the floor below the asset's centre."""
+
+import itertools
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from mansion_assets.catalogue import Asset, Surface, Volume
+from mansion_assets.solids import (
+    Axis,
+    Floats,
+    Ints,
+    Vec3,
+    bar,
+    box_solid,
+    extruded,
+    revolved,
+    rounded_box,
+)
+
+__all__ = ["Box", "Builder", "Piece", "Rect"]
+
+
+class Box(NamedTuple):
+    """An axis-aligned box: centre and full extent, metres."""
+
+    center: Vec3
+    size: Vec3
+
+
+class Rect(NamedTuple):
+    """A carrier of the asset in the builder's frame."""
+
+    x0: float
+    x1: float
+    y0: float
+    y1: float
+    z: float
+    top: float
+
+
+class Piece:
+    """The triangles of one part in one material."""
+
+    def __init__(self, part: str, material: str) -> None:
+        self.part, self.material = part, material
+        self.vertices: list[Floats] = []
+        self.faces: list[Ints] = []
+        self._count = 0
+
+    def add(self, vertices: Floats, faces: Ints) -> None:
+        """Append triangles."""
+        self.vertices.append(vertices)
+        self.faces.append(faces + self._count)
+        self._count += len(vertices)
+
+
+class Builder:
+    """Collects the pieces and the collision boxes of one asset.
+
+    Attributes
+    ----------
+    w, d, h : float
+        The asset's size; x runs from -w/2 to w/2, y from -d/2 (back) to d/2 (front), z from 0 to h.
+    p : dict
+        The recipe's parameters.
+    """
+
+    def __init__(self, asset: Asset) -> None:
+        self.asset = asset
+        self.w, self.d, self.h = asset.size
+        self.p: dict[str, Any] = asset.parameters
+        self.pieces: dict[tuple[str, str], Piece] = {}
+        self.boxes: list[Box] = []
+
+    @property
+    def tops(self) -> list[Rect]:
+        """Surfaces in this frame."""
+        return [self._rect(s) for s in self.asset.surfaces]
+
+    @property
+    def cells(self) -> list[Rect]:
+        """Inner volumes in this frame: `z` is the floor, `top` the ceiling of each."""
+        return [self._cell(v) for v in self.asset.volumes]
+
+    def _rect(self, s: Surface) -> Rect:
+        z = s.z + self.h / 2
+        return Rect(s.x - s.w / 2, s.x + s.w / 2, s.y - s.d / 2, s.y + s.d / 2, z, z + s.clearance)
+
+    def _cell(self, v: Volume) -> Rect:
+        low = v.z - v.h / 2 + self.h / 2
+        return Rect(v.x - v.w / 2, v.x + v.w / 2, v.y - v.d / 2, v.y + v.d / 2, low, low + v.h)
+
+    def mat(self, role: str = "main", default: str = "wood_oak") -> str:
+        """Return the material of a role of the recipe."""
+        return self.asset.materials.get(role, default)
+
+    def raw(
+        self, vertices: Floats, faces: Ints, material: str, part: str, solid: bool = False
+    ) -> None:
+        """Add triangles; a solid's bounding box takes part in collisions."""
+        key = (part, material)
+        self.pieces.setdefault(key, Piece(part, material)).add(vertices, faces)
+        if solid:
+            low, high = vertices.min(axis=0), vertices.max(axis=0)
+            center, size = (low + high) / 2, high - low
+            self.boxes.append(
+                Box(
+                    (float(center[0]), float(center[1]), float(center[2])),
+                    (float(size[0]), float(size[1]), float(size[2])),
+                )
+            )
+
+    def box(
+        self,
+        x: tuple[float, float],
+        y: tuple[float, float],
+        z: tuple[float, float],
+        material: str,
+        part: str = "body",
+        solid: bool = True,
+    ) -> None:
+        """Add an axis-aligned box; a thin one that is no solid is lifted off the face of the asset that it lies in."""
+        if not solid:
+            x, y, z = (
+                self._lifted(x, self.w / 2),
+                self._lifted(y, self.d / 2),
+                self._lifted(z, self.h),
+            )
+        self.raw(*box_solid(x, y, z), material, part, solid)
+
+    @staticmethod
+    def _lifted(span: tuple[float, float], limit: float) -> tuple[float, float]:
+        """Move a thin span's outer end 1.5 mm beyond `limit`, so that it does not share a plane with what it is on."""
+        flush = span[1] - span[0] <= 0.012 and abs(span[1] - limit) < 1e-6
+        return (span[0], span[1] + 0.0015) if flush and limit > 0.02 else span
+
+    def lathe(
+        self,
+        profile: Sequence[tuple[float, float]],
+        material: str,
+        at: tuple[float, float] = (0.0, 0.0),
+        part: str = "body",
+        n: int = 20,
+        stretch: tuple[float, float] = (1.0, 1.0),
+        solid: bool = True,
+    ) -> None:
+        """Add a body of revolution about a vertical axis; `profile` lists (radius, height) from pole to pole."""
+        self.raw(*revolved(profile, at, n, stretch), material, part, solid)
+
+    def cyl(
+        self,
+        x: float,
+        y: float,
+        z: tuple[float, float],
+        r: float,
+        material: str,
+        part: str = "body",
+        r2: float | None = None,
+        n: int = 16,
+        solid: bool = True,
+    ) -> None:
+        """Add an upright cylinder, or a cone frustum whose upper radius is `r2`."""
+        self.lathe(
+            [(r, z[0]), (r if r2 is None else r2, z[1])], material, (x, y), part, n, solid=solid
+        )
+
+    def rod(
+        self,
+        start: Vec3,
+        end: Vec3,
+        r: float,
+        material: str,
+        part: str = "frame",
+        n: int = 8,
+        solid: bool = False,
+    ) -> None:
+        """Add a round bar between two points."""
+        self.raw(*bar(start, end, r, n), material, part, solid)
+
+    def path(self, points: Sequence[Vec3], r: float, material: str, part: str = "frame") -> None:
+        """Add round bars along a line of points."""
+        for start, end in itertools.pairwise(points):
+            self.rod(start, end, r, material, part)
+
+    def ball(
+        self,
+        center: Vec3,
+        radii: Vec3,
+        material: str,
+        part: str = "body",
+        n: int = 12,
+        solid: bool = True,
+    ) -> None:
+        """Add an ellipsoid."""
+        self.cushion(
+            (center[0] - radii[0], center[0] + radii[0]),
+            (center[1] - radii[1], center[1] + radii[1]),
+            (center[2] - radii[2], center[2] + radii[2]),
+            material,
+            part,
+            round_=1.0,
+            n=n,
+            solid=solid,
+        )
+
+    def cushion(
+        self,
+        x: tuple[float, float],
+        y: tuple[float, float],
+        z: tuple[float, float],
+        material: str,
+        part: str = "cushion",
+        round_: float = 0.45,
+        n: int = 10,
+        solid: bool = True,
+    ) -> None:
+        """Add a box with rounded edges; `round_` 1 makes an ellipsoid."""
+        self.raw(*rounded_box(x, y, z, round_, n), material, part, solid)
+
+    def prism(
+        self,
+        outline: Sequence[tuple[float, float]],
+        span: tuple[float, float],
+        material: str,
+        axis: Axis = "x",
+        part: str = "body",
+        solid: bool = True,
+    ) -> None:
+        """Add a convex outline drawn out along an axis: (y, z) along x, (x, z) along y, (x, y) along z."""
+        self.raw(*extruded(outline, span, axis), material, part, solid)
+
+    def legs(
+        self,
+        z: tuple[float, float],
+        r: float,
+        material: str,
+        inset: float = 0.04,
+        round_: bool = False,
+    ) -> None:
+        """Add four legs at the corners."""
+        for sx in (-1, 1):
+            for sy in (-1, 1):
+                x, y = sx * (self.w / 2 - inset - r), sy * (self.d / 2 - inset - r)
+                if round_:
+                    self.cyl(x, y, z, r, material, "legs", n=10)
+                else:
+                    self.box((x - r, x + r), (y - r, y + r), z, material, "legs")
+
+    def wheels(self, r: float, inset: float = 0.05, material: str = "rubber_black") -> None:
+        """Add four castors."""
+        for sx in (-1, 1):
+            for sy in (-1, 1):
+                x, y = sx * (self.w / 2 - inset), sy * (self.d / 2 - inset)
+                self.rod((x - 0.015, y, r), (x + 0.015, y, r), r, material, "wheels", n=12)

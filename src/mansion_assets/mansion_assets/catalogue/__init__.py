@@ -1,0 +1,20 @@
+"""The asset catalogue: categories, sizes, properties, and the object programs of room types."""
+
+from mansion_assets.catalogue.asset import Asset, Surface, Volume
+from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
+from mansion_assets.catalogue.furnish import furnish_request
+from mansion_assets.catalogue.furnishing import HangWish, RoomFurnishing, RugWish
+from mansion_assets.catalogue.loading import load_catalogue
+
+__all__ = [
+    "Asset",
+    "Catalogue",
+    "HangWish",
+    "RoomFurnishing",
+    "RoomProgramCard",
+    "RugWish",
+    "Surface",
+    "Volume",
+    "furnish_request",
+    "load_catalogue",
+]

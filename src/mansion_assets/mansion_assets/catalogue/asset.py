@@ -1,0 +1,116 @@
+"""What can stand, hang or lie in a building: one asset of the catalogue."""
+
+from typing import Any
+
+import msgspec
+
+from mansion_assets.catalogue.palette import material
+from mansion_msgs_py.scene import Mount
+from mansion_msgs_py.shapes import Size3
+
+__all__ = ["Asset", "Surface", "Volume"]
+
+
+class Surface(msgspec.Struct, frozen=True, kw_only=True):
+    """A flat rectangle that carries things, in the asset's frame (origin at the bounding-box centre).
+
+    Attributes
+    ----------
+    kind : str
+        ``top``, ``shelf``, ``seat``, ``mattress``, ...
+    x, y, z : float
+        Centre of the rectangle; `z` is its height. Metres.
+    w, d : float
+        Extent along x and y.
+    clearance : float
+        Free height above it.
+    round : bool
+        Only the inscribed ellipse carries.
+    """
+
+    kind: str
+    x: float
+    y: float
+    z: float
+    w: float
+    d: float
+    clearance: float = 1.0
+    round: bool = False
+
+
+class Volume(msgspec.Struct, frozen=True, kw_only=True):
+    """An inner box that holds things; they rest on its floor.
+
+    Attributes
+    ----------
+    x, y, z : float
+        Its centre in the asset's frame.
+    w, d, h : float
+        Its inner extent.
+    """
+
+    kind: str
+    x: float
+    y: float
+    z: float
+    w: float
+    d: float
+    h: float
+
+
+class Asset(msgspec.Struct, frozen=True, kw_only=True):
+    """One thing that a building can be furnished with.
+
+    Attributes
+    ----------
+    key : str
+        Unique in the catalogue; of an AI2-THOR asset its ``assetId``.
+    size : (w, d, h)
+        Bounding box: width along the front, depth, height; the front faces +y.
+    asset_id, thor_type : str
+        AI2-THOR's ``assetId`` and ``objectType``; ``None`` and empty for assets of our own.
+    surfaces, volumes : tuples
+        What carries and what holds other objects.
+    recipe, parameters
+        The mesh recipe of `mansion_assets`; empty when `glb` names a file.
+    materials : dict
+        From a role of the recipe (``main``, ``frame``, ...) to a PBR material, ``family_colour``.
+    rooms : tuple of str
+        Room types whose programs use the category.
+    """
+
+    key: str
+    category: str
+    name: str
+    size: Size3
+    synonyms: tuple[str, ...] = ()
+    asset_id: str | None = None
+    thor_type: str = ""
+    mount: Mount = "floor"
+    pickupable: bool = False
+    receptacle: bool = False
+    openable: bool = False
+    toggleable: bool = False
+    surfaces: tuple[Surface, ...] = ()
+    volumes: tuple[Volume, ...] = ()
+    rooms: tuple[str, ...] = ()
+    materials: dict[str, str] = {}
+    recipe: str = ""
+    parameters: dict[str, Any] = {}
+    glb: str | None = None
+    tags: tuple[str, ...] = ()
+
+    @property
+    def footprint(self) -> float:
+        """Area of the bounding box on the floor, square metres."""
+        return self.size[0] * self.size[1]
+
+    @property
+    def material(self) -> str:
+        """Name of the main material, empty when the mesh brings its own."""
+        return self.materials.get("main", "")
+
+    @property
+    def color(self) -> str:
+        """Colour of the main material, ``#rrggbb``."""
+        return material(self.material).color

@@ -1,0 +1,337 @@
+"""From a room type and an area to wish lists: which objects, how many, with what constraints."""
+
+from collections.abc import Sequence
+
+import msgspec
+import numpy as np
+
+from mansion_assets.catalogue.asset import Asset
+from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
+from mansion_assets.catalogue.counts import copies, grid, room_extent
+from mansion_assets.catalogue.furnishing import HangWish, RoomFurnishing, RugWish
+from mansion_assets.catalogue.records import Arrangement, HangItem, Item
+from mansion_assets.catalogue.seats import seating_tables, seats_around, sits_around, wanted_seats
+from mansion_geometry.randomness import item_generator
+from mansion_msgs_py.placement import (
+    MatrixStructure,
+    PairedStructure,
+    PlacementObject,
+    SingleStructure,
+    Structure,
+)
+
+__all__ = ["furnish_request"]
+
+_LOYALTY = 0.7
+"""Probability that a room takes the building's own variant of a category."""
+
+
+def furnish_request(
+    catalogue: Catalogue,
+    room_type: str,
+    area: float,
+    *,
+    seed: int,
+    style: str = "",
+    room_id: str = "",
+    extent: tuple[float, float] | None = None,
+    items: Sequence[Item] | None = None,
+) -> RoomFurnishing:
+    """Return what a room is to be furnished with.
+
+    Parameters
+    ----------
+    area : float
+        Net area of the room, square metres.
+    seed : int
+        Of the building; with `room_id` it decides what the room gets.
+    style : str
+        Of the building: rooms of one style and seed prefer the same variants.
+    extent : (float, float), optional
+        Sides of the room's bounding rectangle, metres; matrices and long objects then fit it.
+    items : sequence of Item, optional
+        Floor objects in the place of the room type's own list.
+
+    Notes
+    -----
+    Items are taken in the order of the program until floor objects cover its share of the room (`cover`), less in rooms
+    below 12 m2; what does not fit the share gets fewer copies, or a smaller asset, or is left out.
+    """
+    card = catalogue.room_program(room_type)
+    if items is not None:
+        card = msgspec.structs.replace(card, floor=tuple(items))
+    rng = item_generator(seed, "furnish", room_id, card.room_type)
+    draft = _Draft(catalogue, card, area, extent, rng, _Style(seed, style))
+    for item in card.floor:
+        draft.add(item)
+    floor, assets, alternatives = draft.finished()
+    return RoomFurnishing(
+        room_id=room_id,
+        room_type=room_type,
+        program=card.room_type,
+        floor=floor,
+        floor_assets=assets,
+        alternatives=alternatives,
+        wall=[w for item in card.wall if (w := _hang(draft, item)) is not None],
+        ceiling=[w for item in card.ceiling if (w := _hang(draft, item)) is not None],
+        rugs=_rugs(draft),
+        small=_arrangements(catalogue, card),
+    )
+
+
+class _Style:
+    def __init__(self, seed: int, name: str) -> None:
+        self.seed, self.name = seed, name
+
+    def pick(self, assets: list[Asset], rng: np.random.Generator) -> Asset:
+        """Return one of `assets`; the building's own choice more often than not."""
+        draws = rng.random(2)
+        if draws[0] < _LOYALTY:
+            generator = item_generator(
+                self.seed, "style", self.name, assets[0].category, len(assets)
+            )
+            return assets[int(generator.integers(len(assets)))]
+        return assets[int(draws[1] * len(assets))]
+
+
+class _Entry(msgspec.Struct):
+    item: Item
+    asset: Asset
+    count: int
+    structure: Structure
+    smaller: list[Asset]
+
+
+class _Draft:
+    """The floor objects of a room while its share of floor fills up."""
+
+    def __init__(
+        self,
+        catalogue: Catalogue,
+        card: RoomProgramCard,
+        area: float,
+        extent: tuple[float, float] | None,
+        rng: np.random.Generator,
+        style: _Style,
+    ) -> None:
+        self.catalogue, self.card, self.area, self.rng, self.style = (
+            catalogue,
+            card,
+            area,
+            rng,
+            style,
+        )
+        self.extent = room_extent(area, extent)
+        self.left = area * card.cover * min(1.0, 0.7 + 0.3 * area / 12.0)
+        self.entries: dict[str, _Entry] = {}
+
+    @property
+    def numbers(self) -> dict[str, int]:
+        return {name: entry.count for name, entry in self.entries.items()}
+
+    def category_of(self, name: str) -> str:
+        """Return the category that an item of the room got; `name` itself where no item is called so."""
+        return self.entries[name].asset.category if name in self.entries else name
+
+    def add(self, item: Item) -> None:
+        """Take an item of the program as far as the share of floor allows."""
+        wanted = copies(item.count, self.area, self.numbers, self.rng)
+        present = self.rng.random() < item.p and item.min_area <= self.area <= item.max_area
+        asset = self._asset(item, wanted)
+        if asset is None or not present or wanted < 1 or item.name in self.entries:
+            return
+        wanted = min(wanted, self._places(item, asset))
+        structure: Structure = SingleStructure()
+        if item.paired:
+            if item.paired not in self.entries:
+                return
+            wanted = self.entries[item.paired].count
+            structure = PairedStructure(with_=item.paired)
+        elif asset.footprint > 0.0:
+            wanted = min(
+                wanted, max(1, int((self.left - self._reserved(item)) / self._share(item, asset)))
+            )
+            wanted = wanted if asset.footprint <= max(self.left, 0.0) else 0
+            if item.matrix is not None:
+                rows, cols = self._grid(item, asset, wanted)
+                wanted = rows * cols
+                structure = MatrixStructure(rows=rows, cols=cols) if wanted > 1 else structure
+        if wanted < 1:
+            return
+        self.left -= wanted * asset.footprint
+        smaller = [] if item.paired else self._smaller(item, asset)
+        self.entries[item.name] = _Entry(item, asset, wanted, structure, smaller)
+
+    def _places(self, item: Item, seat: Asset) -> int:
+        """Return how many copies find a place around the tables that they belong to."""
+        tables = [e for name, e in self.entries.items() if sits_around(item, name)]
+        if not tables:
+            return 999
+        return sum(entry.count * seats_around(entry.asset, seat) for entry in tables)
+
+    def _for_seats(self, item: Item, assets: list[Asset], wanted: int) -> list[Asset]:
+        """Keep the tables that seat as many as the room asks to sit around each of them."""
+        for other in self.card.floor:
+            if not sits_around(other, item.name) or not (
+                other.min_area <= self.area <= other.max_area
+            ):
+                continue
+            seats = self.catalogue.choose_from(other.category, other.extent)
+            if seats:
+                largest = max(seats, key=lambda a: (a.size[0], a.key))
+                number = wanted_seats(other, self.area, wanted)
+                return seating_tables(assets, largest, number, self.extent)
+        return assets
+
+    def _share(self, item: Item, asset: Asset) -> float:
+        """Floor that one copy takes, with the accessories that are paired with it or follow it."""
+        total = asset.footprint
+        for other in self.card.floor:
+            follows = not isinstance(other.count, int) and other.count.each == item.name
+            if (other.paired == item.name or follows) and other.min_area <= self.area:
+                sizes = [
+                    a.footprint for a in self.catalogue.choose_from(other.category, other.extent)
+                ]
+                times = 1.0 if isinstance(other.count, int) or not follows else other.count.times
+                total += times * other.p * (min(sizes) if sizes else 0.0)
+        return total
+
+    def _reserved(self, item: Item) -> float:
+        """Floor kept for the smallest assets of the later items that every such room has."""
+        later = self.card.floor[self.card.floor.index(item) + 1 :]
+        total = 0.0
+        for other in later:
+            certain = other.p >= 1.0 and other.min_area <= self.area <= other.max_area
+            if certain and not other.paired and isinstance(other.count, int):
+                sizes = [
+                    a.footprint for a in self.catalogue.choose_from(other.category, other.extent)
+                ]
+                total += other.count * (min(sizes) if sizes else 0.0)
+        return total
+
+    def _grid(self, item: Item, asset: Asset, wanted: int) -> tuple[int, int]:
+        assert item.matrix is not None
+        depth = asset.size[1]
+        for other in self.card.floor:
+            if other.paired == item.name:
+                sizes = [
+                    a.size[1] for a in self.catalogue.choose_from(other.category, other.extent)
+                ]
+                depth += 0.8 * min(sizes) if sizes else 0.0
+        return grid(wanted, (asset.size[0], depth), item.matrix, self.extent)
+
+    def _asset(self, item: Item, wanted: int) -> Asset | None:
+        """Draw an asset whose copies fit what is left of the share, the smallest ones where none does."""
+        assets = self.catalogue.choose_from(item.category, item.extent)
+        long, short = self.extent
+        assets = [a for a in assets if a.size[0] <= long - 0.3 and a.size[1] <= short - 0.3]
+        if not assets:
+            return None
+        assets = self._for_seats(item, assets, wanted)
+        free = max(self.left - self._reserved(item), 0.0)
+        limit = 99.0 if item.paired else 0.7 * free / max(1, min(wanted, 3))
+        fitting = [a for a in assets if a.footprint <= limit]
+        if not fitting:
+            fitting = sorted(assets, key=lambda a: a.footprint)[: max(1, len(assets) // 8)]
+        return self.style.pick(fitting, self.rng)
+
+    def _smaller(self, item: Item, asset: Asset) -> list[Asset]:
+        """Return up to two assets of the same category that are smaller in plan, the largest of them first."""
+        w, d, _ = asset.size
+        choices = self.catalogue.choose_from(asset.category, item.extent)
+        fits = [
+            a
+            for a in choices
+            if a.size[0] <= w and a.size[1] <= d and a.footprint < 0.93 * asset.footprint
+        ]
+        fits.sort(key=lambda a: (-a.footprint, a.key))
+        out = fits[:1]
+        if out:
+            out += [a for a in fits if a.footprint < 0.85 * out[0].footprint][:1]
+        return out
+
+    def _enough_seats(self, name: str, entry: _Entry) -> list[Asset]:
+        """Return the smaller assets around which the seats that the room got still find places."""
+        seats = [e for e in self.entries.values() if sits_around(e.item, name)]
+        return [
+            table
+            for table in entry.smaller
+            if all(entry.count * seats_around(table, e.asset) >= e.count for e in seats)
+        ]
+
+    def finished(self) -> tuple[list[PlacementObject], dict[str, Asset], dict[str, list[Asset]]]:
+        """Return the placer's objects, without relations to what the room has not."""
+        floor = []
+        for name, entry in self.entries.items():
+            entry.smaller = self._enough_seats(name, entry)
+            relative = [
+                r for r in entry.item.relative if r.target in self.entries and r.target != name
+            ]
+            floor.append(
+                PlacementObject(
+                    name=name,
+                    size=entry.asset.size,
+                    category=entry.asset.category,
+                    quantity=entry.count,
+                    global_=entry.item.global_,
+                    structure=entry.structure,
+                    relative=relative,
+                    smaller=[a.size for a in entry.smaller],
+                )
+            )
+        assets = {name: entry.asset for name, entry in self.entries.items()}
+        return (
+            floor,
+            assets,
+            {name: entry.smaller for name, entry in self.entries.items() if entry.smaller},
+        )
+
+
+def _hang(draft: _Draft, item: HangItem) -> HangWish | None:
+    wanted = copies(item.count, draft.area, draft.numbers, draft.rng)
+    present = draft.rng.random() < item.p and draft.area >= item.min_area
+    assets = draft.catalogue.choose_from(item.category)
+    asset = draft.style.pick(assets, draft.rng) if assets else None
+    if asset is None or not present or wanted < 1:
+        return None
+    return HangWish(
+        asset=asset,
+        count=wanted,
+        place=item.place,
+        height=item.height,
+        above=draft.category_of(item.above),
+        spacing=item.spacing,
+    )
+
+
+def _rugs(draft: _Draft) -> list[RugWish]:
+    out = []
+    for item in draft.card.rugs:
+        present = draft.rng.random() < item.p
+        assets = draft.catalogue.choose_from(item.category)
+        order = draft.rng.permutation(len(assets))
+        if present and assets and (not item.under or _has(draft, item.under)):
+            chosen = tuple(assets[int(i)] for i in order)
+            out.append(
+                RugWish(
+                    assets=chosen,
+                    under=draft.category_of(item.under),
+                    margin=item.margin,
+                    count=item.count,
+                )
+            )
+    return out
+
+
+def _has(draft: _Draft, under: str) -> bool:
+    return any(under in (name, entry.asset.category) for name, entry in draft.entries.items())
+
+
+def _arrangements(catalogue: Catalogue, card: RoomProgramCard) -> list[Arrangement]:
+    """Return the room's own arrangements, then those for its type, then those for any room."""
+    table = catalogue.arrangements
+    own = [table[name] for name in card.arrangements if name in table]
+    names = {card.room_type, *card.tags}
+    typed = [a for a in table.values() if names & set(a.rooms)]
+    general = [a for a in table.values() if not a.rooms]
+    return own + [a for a in typed if a not in own] + [a for a in general if a not in own]

@@ -1,0 +1,255 @@
+"""The JSON records that catalogue files hold, for our own data and for user folders alike."""
+
+from typing import Annotated, Any, Literal, TypeAlias
+
+import msgspec
+
+from mansion_assets.catalogue.asset import Surface, Volume
+from mansion_msgs_py.placement import GlobalConstraint, Relation
+from mansion_msgs_py.scene import Mount
+from mansion_msgs_py.shapes import Size3
+
+__all__ = [
+    "Arrangement",
+    "AssetRecord",
+    "CategoryRecord",
+    "Count",
+    "Extent",
+    "HangItem",
+    "Item",
+    "MatrixShape",
+    "RoomRecord",
+    "RugItem",
+    "Scatter",
+    "Slot",
+]
+
+Probability: TypeAlias = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
+Snake: TypeAlias = Annotated[str, msgspec.Meta(pattern=r"^[a-z][a-z0-9_]*$", max_length=80)]
+
+
+class CategoryRecord(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """A kind of object and its variants.
+
+    Attributes
+    ----------
+    sizes, finishes : lists
+        Sizes (w, d, h) and main materials; variant ``i`` takes entry ``i`` of each, cyclically.
+    thor : str
+        AI2-THOR object type whose assets belong to this category.
+    thor_match : str
+        Only the asset ids that contain this text.
+    materials : dict
+        Materials of the other roles of the recipe.
+    """
+
+    category: Snake
+    recipe: Snake
+    name: str = ""
+    synonyms: list[str] = []
+    sizes: list[Size3] = []
+    finishes: list[str] = []
+    materials: dict[str, str] = {}
+    parameters: dict[str, Any] = {}
+    mount: Mount = "floor"
+    pickupable: bool = False
+    openable: bool = False
+    toggleable: bool = False
+    thor: str = ""
+    thor_match: str = ""
+    tags: list[str] = []
+
+
+class AssetRecord(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """A user's asset: a GLB file (glTF axes: y up, front +z) or a recipe, and its facts.
+
+    Attributes
+    ----------
+    glb : str, optional
+        Path relative to the record; the mesh is scaled to `size`.
+    rooms : list of str
+        Room types that get the asset, with `count` copies at `global_`.
+    """
+
+    key: Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9_.\-]+$", max_length=80)]
+    category: Snake
+    size: Size3
+    name: str = ""
+    synonyms: list[str] = []
+    glb: str | None = None
+    recipe: str = ""
+    parameters: dict[str, Any] = {}
+    materials: dict[str, str] = {}
+    mount: Mount = "floor"
+    pickupable: bool = False
+    openable: bool = False
+    toggleable: bool = False
+    surfaces: list[Surface] = []
+    volumes: list[Volume] = []
+    rooms: list[str] = []
+    asset_id: str | None = None
+    tags: list[str] = []
+
+
+class Count(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """How many: one for each `per` square metres within [`min`, `max`], or `times` for each copy of `each`."""
+
+    per: Annotated[float, msgspec.Meta(gt=0)] | None = None
+    min: Annotated[int, msgspec.Meta(ge=0)] = 0
+    max: Annotated[int, msgspec.Meta(ge=1)] = 1
+    each: str = ""
+    times: float = 1.0
+
+
+class MatrixShape(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """How a matrix spreads: greatest numbers of rows and columns, and free space around a copy, metres."""
+
+    max_rows: int = 12
+    max_cols: int = 12
+    gap: tuple[float, float] = (0.9, 0.9)
+
+
+class Extent(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """Which assets of a category will do: bounds of width, depth and height, metres."""
+
+    min: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    max: tuple[float, float, float] = (99.0, 99.0, 99.0)
+
+
+class Item(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """A floor object of a room program.
+
+    Attributes
+    ----------
+    category : str or list of str
+        One of these, drawn by seed.
+    p : float
+        Probability that the room has it at all.
+    min_area, max_area : float
+        Of the room, square metres.
+    matrix, paired
+        Structural constraint; without either each copy stands on its own.
+    """
+
+    name: Snake
+    category: str | list[str]
+    count: int | Count = 1
+    global_: GlobalConstraint = msgspec.field(name="global", default="unconstrained")
+    matrix: MatrixShape | None = None
+    paired: str = ""
+    relative: list[Relation] = []
+    p: Probability = 1.0
+    min_area: float = 0.0
+    max_area: float = 1e9
+    extent: Extent | None = None
+
+
+class HangItem(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """A wall or ceiling object.
+
+    Attributes
+    ----------
+    height : float, optional
+        Of the object's centre above the floor, for wall objects.
+    above : str
+        Name or category of the floor object over which it hangs.
+    place : str
+        Wall: ``free``, ``door`` (beside it), ``facing_door``, ``facing_seats``, ``above``. Ceiling: ``grid``,
+        ``center``, ``spread``, ``door``, ``above``.
+    spacing : float
+        Of a ceiling grid, metres.
+    """
+
+    category: str | list[str]
+    count: int | Count = 1
+    p: Probability = 1.0
+    height: float | None = None
+    above: str = ""
+    place: Literal[
+        "free", "door", "facing_door", "facing_seats", "above", "grid", "center", "spread"
+    ] = "free"
+    spacing: float = 3.0
+    min_area: float = 0.0
+
+
+class RugItem(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """A rug below a floor object; `margin` metres beyond it; an empty `under` puts it in the middle."""
+
+    category: str | list[str] = "rug"
+    under: str = ""
+    margin: float = 0.4
+    p: Probability = 1.0
+    count: int = 1
+
+
+class Slot(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """A small object with a place of its own: (u, v) in [0, 1] from the surface's left back corner.
+
+    Attributes
+    ----------
+    turn : float
+        Degrees added to the receptacle's heading.
+    """
+
+    category: str | list[str]
+    u: float = 0.5
+    v: float = 0.5
+    turn: float = 0.0
+    p: Probability = 1.0
+    jitter: float = 0.02
+
+
+class Scatter(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """Small objects without a place of their own: between `min` and `max` of them, on or in the receptacle."""
+
+    category: str | list[str]
+    min: int = 0
+    max: int = 1
+    p: Probability = 1.0
+    inside: bool = False
+    line: bool = False
+
+
+class Arrangement(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """What lies on or in a receptacle.
+
+    Attributes
+    ----------
+    on : list of str
+        Receptacle categories.
+    rooms : list of str
+        Room types; empty for any.
+    seats : list of Slot
+        Laid before each chair at the receptacle: u to the right of the sitter, v from the edge inwards, metres.
+    """
+
+    name: Snake
+    on: list[str]
+    rooms: list[str] = []
+    slots: list[Slot] = []
+    seats: list[Slot] = []
+    scatter: list[Scatter] = []
+    p: Probability = 1.0
+
+
+class RoomRecord(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """What a room type is furnished with.
+
+    Attributes
+    ----------
+    like : str
+        Room type whose lists stand in for those that this record leaves out.
+    cover : float
+        Greatest share of the room's area under floor objects.
+    """
+
+    room_type: Snake
+    synonyms: list[str] = []
+    like: str = ""
+    cover: Annotated[float, msgspec.Meta(gt=0, le=0.6)] = 0.34
+    floor: list[Item] | None = None
+    wall: list[HangItem] | None = None
+    ceiling: list[HangItem] | None = None
+    rugs: list[RugItem] | None = None
+    arrangements: list[str] = []
+    tags: list[str] = []

@@ -1,0 +1,124 @@
+"""From any room type that a planner may write to one that has a program."""
+
+import re
+from collections.abc import Iterable
+from typing import Literal, TypeAlias
+
+from mansion_assets.catalogue.records import RoomRecord
+
+__all__ = ["FALLBACK", "RoomIndex", "normalise"]
+
+FALLBACK = "generic_room"
+"""Room type that answers for what nothing resembles."""
+
+How: TypeAlias = Literal["exact", "synonym", "similar", "fallback"]
+
+_NUMBER = re.compile(r"[_\s\-]*\d+$")
+_WEAK_WORDS = frozenset(
+    (
+        "room",
+        "area",
+        "space",
+        "zone",
+        "hall",
+        "main",
+        "small",
+        "large",
+        "shared",
+        "common",
+        "general",
+        "the",
+        "and",
+    )
+)
+
+
+def normalise(room_type: str) -> str:
+    """Return a room type in snake case, without a trailing number.
+
+    Examples
+    --------
+    >>> normalise("Meeting Room 2")
+    'meeting_room'
+    """
+    text = _NUMBER.sub("", room_type.strip())
+    text = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", text).lower()
+    return re.sub(r"[^a-z0-9]+", "_", text).strip("_")
+
+
+def _singular(word: str) -> str:
+    if word.endswith("ies") and len(word) > 4:
+        return word[:-3] + "y"
+    if word.endswith("s") and not word.endswith(("ss", "us")) and len(word) > 3:
+        return word[:-1]
+    return word
+
+
+def _words(name: str) -> list[str]:
+    return [_singular(word) for word in name.split("_") if word]
+
+
+def _trigrams(name: str) -> set[str]:
+    text = f"  {name} "
+    return {text[i : i + 3] for i in range(len(text) - 2)}
+
+
+class RoomIndex:
+    """Finds the record that answers for a room type.
+
+    Parameters
+    ----------
+    records : iterable of RoomRecord
+    """
+
+    def __init__(self, records: Iterable[RoomRecord]) -> None:
+        self._names: dict[str, tuple[str, How]] = {}
+        entries = list(records)
+        for record in entries:
+            for synonym in record.synonyms:
+                self._names.setdefault(normalise(synonym), (record.room_type, "synonym"))
+        for record in entries:
+            self._names[record.room_type] = (record.room_type, "exact")
+        for name in list(self._names):
+            flat = "_".join(_words(name))
+            self._names.setdefault(flat, (self._names[name][0], "synonym"))
+        self._memo: dict[str, tuple[str, How]] = {}
+
+    def resolve(self, room_type: str) -> tuple[str, How]:
+        """Return the room type that answers, and how it was found.
+
+        The last word counts most (a `staff_kitchen` is a kitchen), words such as ``room`` count little, and spelling
+        decides between equals; below a similarity of 0.34 the fallback answers.
+        """
+        asked = normalise(room_type)
+        if asked not in self._memo:
+            self._memo[asked] = self._find(asked)
+        return self._memo[asked]
+
+    def _find(self, asked: str) -> tuple[str, How]:
+        if asked in self._names:
+            return self._names[asked]
+        flat = "_".join(_words(asked))
+        if flat in self._names:
+            return self._names[flat][0], "synonym"
+        best, best_score = FALLBACK, 0.34
+        for name, (target, _) in self._names.items():
+            score = _similarity(asked, name)
+            if score > best_score + 1e-9:
+                best, best_score = target, score
+        return best, "fallback" if best == FALLBACK else "similar"
+
+
+def _similarity(asked: str, name: str) -> float:
+    first, second = _words(asked), _words(name)
+    weight = {word: 0.15 if word in _WEAK_WORDS else 1.0 for word in first + second}
+    shared = sum(weight[word] for word in first if word in second)
+    total = sum(weight[w] for w in first) + sum(weight[w] for w in second) - shared
+    head_first = [w for w in first if w not in _WEAK_WORDS][-1:]
+    head_second = [w for w in second if w not in _WEAK_WORDS][-1:]
+    head = 0.25 if head_first and head_first == head_second else 0.0
+    a, b = _trigrams(asked), _trigrams(name)
+    spelling = len(a & b) / max(1, len(a | b))
+    return (
+        0.75 * shared / max(total, 1e-9) + head + 0.35 * spelling * (shared < 0.5) + 0.05 * spelling
+    )

@@ -1,0 +1,304 @@
+"""Household and kitchen appliances."""
+
+import itertools
+
+from mansion_assets.builder import Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+def hollow(
+    b: Builder,
+    x: tuple[float, float],
+    y: tuple[float, float],
+    z: tuple[float, float],
+    t: float,
+    material: str,
+) -> None:
+    """A box open towards the front, for a case with something inside."""
+    b.box((x[0], x[0] + t), y, z, material, "case")
+    b.box((x[1] - t, x[1]), y, z, material, "case")
+    b.box(x, (y[0], y[0] + t), z, material, "case")
+    b.box(x, y, (z[0], z[0] + t), material, "case")
+    b.box(x, y, (z[1] - t, z[1]), material, "case")
+
+
+@recipe("fridge")
+def fridge(b: Builder) -> None:
+    """Case with boards inside, two doors with a gap, handles."""
+    w, d, h = b.w, b.d, b.h
+    main, face = b.mat(), d / 2 - 0.075
+    hollow(b, (-w / 2, w / 2), (-d / 2, face), (0.02, h), 0.045, main)
+    b.box(
+        (-w / 2 + 0.03, w / 2 - 0.03),
+        (-d / 2 + 0.03, face - 0.03),
+        (0, 0.03),
+        "plastic_black",
+        "feet",
+        False,
+    )
+    for cell in b.cells:
+        b.box(
+            (cell.x0, cell.x1),
+            (cell.y0, min(cell.y1, face)),
+            (cell.z - 0.012, cell.z),
+            "glass_white",
+            "boards",
+        )
+    split = (0.03, h) if b.p.get("doors") == 1 else (0.03, h * 0.36, h)
+    for z0, z1 in itertools.pairwise(split):
+        b.box((-w / 2, w / 2), (face + 0.006, d / 2 - 0.03), (z0, z1 - 0.008), main, "door", False)
+        zm = z0 + 0.12 if z0 > 0.1 else z1 - 0.5 * (z1 - z0)
+        b.box(
+            (w / 2 - 0.08, w / 2 - 0.055),
+            (d / 2 - 0.03, d / 2),
+            (zm, zm + min(0.45, (z1 - z0) * 0.4)),
+            "metal_steel",
+            "handle",
+            False,
+        )
+    b.box((-w / 2, w / 2), (-d / 2, face), (h - 0.004, h), main, "case", False)
+
+
+@recipe("display_fridge")
+def display_fridge(b: Builder) -> None:
+    """Cooler with glass doors, or open to the front, full of bottles and cartons."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    hollow(b, (-w / 2, w / 2), (-d / 2, d / 2 - 0.04), (0, h), 0.05, main)
+    cells = b.cells
+    count = len(cells) or 5
+    for k in range(count):
+        z = cells[k].z if cells else 0.25 + k * (h - 0.4) / count
+        b.box(
+            (-w / 2 + 0.05, w / 2 - 0.05),
+            (-d / 2 + 0.05, d / 2 - 0.1),
+            (z - 0.015, z),
+            "metal_steel",
+            "boards",
+        )
+        if cells:
+            continue
+        goods = max(3, int(w / 0.11))
+        for i in range(goods):
+            x = -w / 2 + 0.08 + i * (w - 0.16) / goods
+            color = ("paper_blue", "plastic_white", "paper_red", "paper_yellow", "paper_green")[
+                (i // 3 + k) % 5
+            ]
+            b.box((x, x + 0.08), (-0.05, d / 2 - 0.14), (z, z + 0.18), color, "goods", False)
+    if b.asset.openable:
+        doors = max(1, round(w / 0.7))
+        for k in range(doors):
+            x0 = -w / 2 + k * w / doors
+            b.box(
+                (x0 + 0.004, x0 + w / doors - 0.004),
+                (d / 2 - 0.038, d / 2 - 0.02),
+                (0.1, h - 0.16),
+                "glass_clear",
+                "door",
+                False,
+            )
+            b.box(
+                (x0 + w / doors - 0.08, x0 + w / doors - 0.06),
+                (d / 2 - 0.02, d / 2),
+                (h * 0.4, h * 0.6),
+                "metal_steel",
+                "handle",
+                False,
+            )
+    else:
+        b.box((-w / 2, w / 2), (d / 2 - 0.2, d / 2), (0.0, 0.25), main, "front")
+    b.box(
+        (-w / 2, w / 2), (d / 2 - 0.05, d / 2 - 0.03), (h - 0.15, h), "light_white", "sign", False
+    )
+
+
+@recipe("oven")
+def oven(b: Builder) -> None:
+    """Oven, stove with a hob, microwave or dishwasher."""
+    w, d = b.w, b.d
+    face = d / 2 - min(0.05, d * 0.12)
+    side = b.p.get("panel") == "side"
+    right = b.cells[0].x1 + 0.01 if side else w / 2
+    grip = d / 2 - min(0.03, d * 0.06)
+    _oven_case(b, face)
+    _oven_door(b, right, (face + 0.004, grip))
+    if side:
+        _side_panel(b, right, face, grip)
+    else:
+        _knobs(b, face, grip)
+    if b.p.get("hob"):
+        _hob(b, face)
+
+
+def _oven_case(b: Builder, face: float) -> None:
+    """Case about the cell, open to the front."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    cell = b.cells[0]
+    t = min(0.03, w * 0.06)
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + t), (0, h), main, "case")
+    b.box((-w / 2, cell.x0), (-d / 2, face), (0, h), main, "case")
+    b.box((cell.x1, w / 2), (-d / 2, face), (0, h), main, "case")
+    b.box((-w / 2, w / 2), (-d / 2, face), (0, cell.z), main, "case")
+    b.box((-w / 2, w / 2), (-d / 2, face), (cell.top, h), main, "case")
+
+
+def _oven_door(b: Builder, right: float, front: tuple[float, float]) -> None:
+    """Door with a window."""
+    w = b.w
+    main = b.mat()
+    cell = b.cells[0]
+    t = min(0.03, w * 0.06)
+    b.box(
+        (-w / 2 + 0.005, right - 0.005),
+        front,
+        (cell.z - t, cell.top + t * 0.6),
+        main,
+        "door",
+        False,
+    )
+    b.box(
+        (cell.x0 + 0.02, cell.x1 - 0.02),
+        (front[1], front[1] + 0.003),
+        (cell.z + 0.03, cell.top - 0.04),
+        "glass_black",
+        "window",
+        False,
+    )
+
+
+def _side_panel(b: Builder, right: float, face: float, grip: float) -> None:
+    """Handle, display and buttons beside the door."""
+    w, d, h = b.w, b.d, b.h
+    cell = b.cells[0]
+    b.box(
+        (right - 0.02, right - 0.01),
+        (grip, d / 2),
+        (cell.z, cell.top),
+        "metal_steel",
+        "handle",
+        False,
+    )
+    b.box(
+        (right + 0.01, w / 2 - 0.01),
+        (face, face + 0.01),
+        (h * 0.7, h * 0.85),
+        "screen_green",
+        "panel",
+        False,
+    )
+    for k in range(4):
+        b.box(
+            (right + 0.015, w / 2 - 0.015),
+            (face, face + 0.012),
+            (h * (0.18 + 0.11 * k), h * (0.25 + 0.11 * k)),
+            "plastic_dark",
+            "buttons",
+            False,
+        )
+
+
+def _knobs(b: Builder, face: float, grip: float) -> None:
+    """Handle and a row of knobs above the door."""
+    w, d, h = b.w, b.d, b.h
+    cell = b.cells[0]
+    b.box(
+        (-w * 0.38, w * 0.38),
+        (grip, d / 2),
+        (cell.top - 0.01, cell.top + 0.008),
+        "metal_steel",
+        "handle",
+        False,
+    )
+    for k in range(4 if h > 0.6 else 2):
+        x = -w * 0.3 + k * w * 0.2
+        b.rod(
+            (x, face, (cell.top + h) / 2),
+            (x, d / 2 - 0.005, (cell.top + h) / 2),
+            min(0.022, (h - cell.top) * 0.3),
+            "plastic_black",
+            "knobs",
+            12,
+        )
+
+
+def _hob(b: Builder, face: float) -> None:
+    """Glass hob with four burners."""
+    w, d, h = b.w, b.d, b.h
+    b.box(
+        (-w / 2 + 0.02, w / 2 - 0.02),
+        (-d / 2 + 0.04, face - 0.03),
+        (h - 0.006, h),
+        "glass_black",
+        "hob",
+        False,
+    )
+    for sx in (-1, 1):
+        for sy in (-1, 1):
+            b.cyl(
+                sx * w * 0.24,
+                sy * d * 0.2 - 0.01,
+                (h - 0.005, h),
+                0.075,
+                "metal_dark",
+                "burners",
+                n=20,
+                solid=False,
+            )
+
+
+@recipe("washer")
+def washer(b: Builder) -> None:
+    """Washing machine or dryer with a round door; two of them in a tower."""
+    w, d, h = b.w, b.d, b.h
+    main, count = b.mat(), int(b.p.get("stack", 1))
+    for k in range(count):
+        z0, z1 = h * k / count, h * (k + 1) / count
+        top = z1 - 0.004 * (k < count - 1)
+        hollow(b, (-w / 2, w / 2), (-d / 2, d / 2 - 0.06), (z0, top), 0.06, main)
+        b.box((-w / 2, w / 2), (d / 2 - 0.06, d / 2 - 0.05), (z0, top), main, "front", False)
+        zm, r = z0 + (z1 - z0) * 0.45, min(w, z1 - z0) * 0.3
+        b.rod((0, d / 2 - 0.06, zm), (0, d / 2 - 0.012, zm), r, "metal_chrome", "door", 28)
+        b.rod((0, d / 2 - 0.03, zm), (0, d / 2, zm), r * 0.78, "glass_black", "door", 28)
+        b.box(
+            (-w / 2 + 0.01, w / 2 - 0.01),
+            (d / 2 - 0.05, d / 2 - 0.04),
+            (z1 - (z1 - z0) * 0.16, z1 - 0.02),
+            "plastic_dark",
+            "panel",
+            False,
+        )
+        b.rod(
+            (w * 0.3, d / 2 - 0.05, z1 - (z1 - z0) * 0.09),
+            (w * 0.3, d / 2 - 0.02, z1 - (z1 - z0) * 0.09),
+            0.03,
+            "metal_chrome",
+            "dial",
+            16,
+        )
+        b.box(
+            (-w / 2 + 0.03, -w / 2 + 0.2),
+            (d / 2 - 0.04, d / 2 - 0.035),
+            (z1 - (z1 - z0) * 0.13, z1 - (z1 - z0) * 0.05),
+            main,
+            "drawer",
+            False,
+        )
+
+
+@recipe("hood")
+def hood(b: Builder) -> None:
+    """Extractor: sloped hood with a duct."""
+    w, d, h = b.w, b.d, b.h
+    low = min(0.06, h * 0.15)
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, low), b.mat(), "rim")
+    b.prism(
+        [(-d / 2, low), (d / 2, low), (-d / 2 + 0.22, h * 0.45), (-d / 2, h * 0.45)],
+        (-w * 0.48, w * 0.48),
+        b.mat(),
+        part="slope",
+    )
+    b.box((-0.14, 0.14), (-d / 2, -d / 2 + 0.22), (h * 0.45, h), b.mat(), "duct")
+    b.box((-w * 0.3, w * 0.3), (-d * 0.2, d * 0.3), (0, 0.004), "light_warm", "lamp", False)

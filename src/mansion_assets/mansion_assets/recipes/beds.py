@@ -1,0 +1,234 @@
+"""Beds: at home, bunks, cots, loungers, hospital, examination and operating tables."""
+
+from mansion_assets.builder import Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+def _mattress(b: Builder, z: float, low: float, pillows: int, sheet: str, inset: float) -> None:
+    """Mattress with its top at `z`, a cover from the chest down, and pillows at the head (-y)."""
+    w, d = b.w, b.d
+    x = (-w / 2 + inset, w / 2 - inset)
+    b.cushion(
+        x, (-d / 2 + 0.05, d / 2 - 0.03), (low, z - 0.004), "fabric_white", "mattress", 0.35, 12
+    )
+    b.box(
+        (x[0] - 0.006, x[1] + 0.006),
+        (-d / 2 + min(0.6, d * 0.3), d / 2 - 0.02),
+        (z - 0.05, z),
+        sheet,
+        "cover",
+        False,
+    )
+    for k in range(pillows):
+        width = (x[1] - x[0]) / pillows
+        x0 = x[0] + k * width
+        b.cushion(
+            (x0 + 0.03, x0 + width - 0.03),
+            (-d / 2 + 0.06, -d / 2 + min(0.45, d * 0.24)),
+            (z - 0.02, z + 0.1),
+            "fabric_white",
+            "pillows",
+            0.6,
+            10,
+        )
+
+
+@recipe("bed")
+def bed(b: Builder) -> None:
+    """Frame, headboard, mattress, pillows; two tiers for bunks."""
+    style = b.p.get("style")
+    if style in ("hospital", "exam", "operating"):
+        _medical(b, str(style))
+        return
+    if style == "crib":
+        _crib(b)
+        return
+    w, d, h = b.w, b.d, b.h
+    frame, z = b.mat("frame"), b.tops[0].z
+    pillows = int(b.p.get("pillows", 2 if w > 1.25 else 1))
+    if len(b.tops) > 1:
+        b.legs((0, h), 0.03, frame, 0.0)
+        for top in b.tops:
+            b.box((-w / 2, w / 2), (-d / 2, d / 2), (top.z - 0.2, top.z - 0.14), frame, "frame")
+            _mattress(b, top.z, top.z - 0.15, pillows, b.mat(), 0.05)
+        high = b.tops[1].z
+        b.box(
+            (w / 2 - 0.03, w / 2), (-d / 2, d / 2 - 0.5), (high + 0.1, high + 0.16), frame, "rail"
+        )
+        for k in range(5):
+            zk = 0.25 + k * (high - 0.3) / 4
+            b.rod(
+                (w / 2 - 0.02, d / 2 - 0.4, zk),
+                (w / 2 - 0.02, d / 2 - 0.06, zk),
+                0.015,
+                frame,
+                "steps",
+            )
+        return
+    if style == "lounger":
+        b.legs((0, z - 0.1), 0.025, frame)
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (max(0.02, z - 0.14), z - 0.08), frame, "frame")
+        _mattress(b, z, z - 0.09, pillows, b.mat(), 0.03)
+        b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.04), (0.0, h), frame, "head")
+        return
+    b.legs((0, 0.12), 0.03, frame, 0.02)
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0.1, max(0.16, z - 0.22)), frame, "frame")
+    b.box((-w / 2, w / 2), (d / 2 - 0.04, d / 2), (0.1, min(z - 0.08, h)), frame, "foot")
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.05), (0.0, h), frame, "head")
+    _mattress(b, z, max(0.14, z - 0.25), pillows, b.mat(), 0.03)
+
+
+def _medical(b: Builder, style: str) -> None:
+    w, d, h = b.w, b.d, b.h
+    z, frame = b.tops[0].z, b.mat("frame", "metal_white")
+    if style == "hospital":
+        b.wheels(0.07, 0.1)
+        b.box(
+            (-w / 2 + 0.1, w / 2 - 0.1), (-d / 2 + 0.15, d / 2 - 0.15), (0.14, 0.2), frame, "base"
+        )
+        for y in (-d * 0.25, d * 0.25):
+            b.box((-0.08, 0.08), (y - 0.06, y + 0.06), (0.18, z - 0.2), "metal_grey", "lift")
+        b.box(
+            (-w / 2 + 0.05, w / 2 - 0.05),
+            (-d / 2 + 0.03, d / 2 - 0.03),
+            (z - 0.22, z - 0.15),
+            frame,
+            "deck",
+        )
+        b.box(
+            (-w / 2 + 0.03, w / 2 - 0.03), (-d / 2, -d / 2 + 0.035), (0.3, h), "wood_birch", "head"
+        )
+        b.box(
+            (-w / 2 + 0.03, w / 2 - 0.03),
+            (d / 2 - 0.035, d / 2),
+            (0.3, h - 0.12),
+            "wood_birch",
+            "foot",
+        )
+        for sx in (-1, 1):
+            x = sx * (w / 2 - 0.012)
+            for zr in (z + 0.08, z + 0.22):
+                b.rod((x, -d * 0.32, zr), (x, d * 0.2, zr), 0.012, "metal_chrome", "rails")
+            for y in (-d * 0.32, -d * 0.06, d * 0.2):
+                b.rod((x, y, z - 0.1), (x, y, z + 0.22), 0.01, "metal_chrome", "rails")
+        _mattress(b, z, z - 0.16, 1, b.mat(), 0.05)
+        return
+    if style == "operating":
+        b.box((-w * 0.4, w * 0.4), (-d * 0.2, d * 0.2), (0, 0.1), "metal_steel", "base")
+        b.box((-0.13, 0.13), (-0.2, 0.2), (0.1, z - 0.12), "metal_steel", "column")
+    else:
+        b.legs((0, z - 0.12), 0.025, "metal_chrome", 0.05)
+        b.box(
+            (-w / 2 + 0.06, w / 2 - 0.06),
+            (-d * 0.3, d * 0.35),
+            (0.18, z - 0.2),
+            "wood_white",
+            "cabinet",
+        )
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - 0.14, z - 0.09), "metal_steel", "deck")
+    head = -d / 2 + d * 0.26
+    b.cushion((-w / 2, w / 2), (head, d / 2), (z - 0.1, z), b.mat(), "pad", 0.4)
+    b.prism(
+        [(-d / 2, h - 0.08), (-d / 2, h), (head, z), (head, z - 0.09)],
+        (-w / 2 + 0.01, w / 2 - 0.01),
+        b.mat(),
+        part="rest",
+    )
+
+
+def _crib(b: Builder) -> None:
+    """Child's bed: mattress on a deck between barred sides."""
+    w, d, h = b.w, b.d, b.h
+    frame, z = b.mat("frame", "wood_white"), b.tops[0].z
+    low = z - 0.12
+    b.legs((0, h), 0.022, frame, 0.0)
+    b.box(
+        (-w / 2 + 0.02, w / 2 - 0.02),
+        (-d / 2 + 0.02, d / 2 - 0.02),
+        (low - 0.02, low),
+        frame,
+        "deck",
+    )
+    b.cushion(
+        (-w / 2 + 0.05, w / 2 - 0.05),
+        (-d / 2 + 0.05, d / 2 - 0.05),
+        (low, z),
+        "fabric_white",
+        "mattress",
+        0.35,
+    )
+    _crib_sides(b, low, frame)
+    b.cushion(
+        (-w * 0.3, w * 0.3), (-d / 2 + 0.08, -d / 2 + 0.28), (z, z + 0.06), b.mat(), "pillows", 0.6
+    )
+
+
+def _crib_sides(b: Builder, low: float, frame: str) -> None:
+    """Rails around the deck and around the rim, with bars between them."""
+    w, d, h = b.w, b.d, b.h
+    for z in (low, h - 0.03):
+        for sx in (-1, 1):
+            x = sx * (w / 2 - 0.015)
+            b.box((x - 0.015, x + 0.015), (-d / 2, d / 2), (z, z + 0.03), frame, "rails")
+        for sy in (-1, 1):
+            y = sy * (d / 2 - 0.015)
+            b.box((-w / 2, w / 2), (y - 0.015, y + 0.015), (z, z + 0.03), frame, "rails")
+    for k in range(1, 10):
+        y = -d / 2 + k * d / 10
+        for sx in (-1, 1):
+            x = sx * (w / 2 - 0.015)
+            b.rod((x, y, low), (x, y, h - 0.02), 0.007, frame, "bars", 6)
+    for k in range(1, 6):
+        x = -w / 2 + k * w / 6
+        for sy in (-1, 1):
+            y = sy * (d / 2 - 0.015)
+            b.rod((x, y, low), (x, y, h - 0.02), 0.007, frame, "bars", 6)
+
+
+@recipe("pet_bed")
+def pet_bed(b: Builder) -> None:
+    """Padded ring around a cushion."""
+    w, d, h = b.w, b.d, b.h
+    b.cushion(
+        (-w * 0.42, w * 0.42), (-d * 0.42, d * 0.42), (0, h * 0.5), "fabric_beige", "cushion", 0.9
+    )
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * w * 0.36))
+        b.cushion((lo, hi), (-d / 2, d / 2), (0, h), b.mat(), "rim", 0.9)
+    b.cushion((-w / 2, w / 2), (-d / 2, -d * 0.36), (0, h), b.mat(), "rim", 0.9)
+    b.cushion((-w / 2, w / 2), (d * 0.36, d / 2), (0, h * 0.7), b.mat(), "rim", 0.9)
+
+
+@recipe("pillow")
+def pillow(b: Builder) -> None:
+    """A cushion, thick in the middle."""
+    b.cushion((-b.w / 2, b.w / 2), (-b.d / 2, b.d / 2), (0, b.h), b.mat(), "pillow", 0.95, 16)
+
+
+@recipe("textile")
+def textile(b: Builder) -> None:
+    """Cloth: crumpled flat, hung, or folded in a stack."""
+    w, d, h = b.w, b.d, b.h
+    style, main = b.p.get("style", "flat"), b.mat()
+    if style == "stack":
+        count = max(2, round(h / 0.05))
+        for k in range(count):
+            color = main if k % 2 == 0 else "fabric_light"
+            b.cushion(
+                (-w / 2, w / 2),
+                (-d / 2, d / 2),
+                (h * k / count, h * (k + 1) / count),
+                color,
+                "folds",
+                0.8,
+                8,
+            )
+    elif style == "hung":
+        for k in range(5):
+            x0 = -w / 2 + k * w / 5
+            b.cushion((x0, x0 + w / 5), (-d / 2, d / 2), (0, h), main, "cloth", 0.9, 8)
+    else:
+        b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, h), main, "cloth", 0.7, 8)
+        b.cushion((-w * 0.3, w * 0.42), (-d * 0.35, d * 0.2), (h * 0.2, h), main, "cloth", 0.7, 8)

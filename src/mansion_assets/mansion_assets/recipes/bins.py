@@ -1,0 +1,168 @@
+"""Bins, baskets, sacks, and stands open at the top."""
+
+from mansion_assets.builder import Box, Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+@recipe("bin")
+def bin_(b: Builder) -> None:
+    """Open bin, round or rectangular, its wall thick enough to see into; lids where it has one."""
+    w, d, h = b.w, b.d, b.h
+    lid = b.p.get("lid")
+    high = h - (0.06 if lid else 0.0)
+    t = min(0.02, w * 0.06)
+    if b.p.get("shape", "round") == "round":
+        b.lathe(
+            [(0.4, 0), (0.5, high), (0.47, high), (0.37, 0.015)],
+            b.mat(),
+            stretch=(w, d),
+            n=24,
+            solid=False,
+        )
+        _hollow(b, high, t, 0.92)
+    else:
+        _tapered_walls(b, high, t)
+        _hollow(b, high, t, 1.0)
+    if lid:
+        cover = "plastic_dark" if lid == "slot" else b.mat()
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (high, h), cover, "lid", False)
+        b.box((-w * 0.3, w * 0.3), (-0.02, 0.0), (h - 0.003, h), "plastic_black", "slot", False)
+
+
+def _tapered_walls(b: Builder, high: float, t: float) -> None:
+    """Four walls `t` thick, narrower at the floor than at the rim."""
+    w, d, main = b.w, b.d, b.mat()
+    b.prism(
+        [
+            (-w * 0.45, 0),
+            (w * 0.45, 0),
+            (w / 2, high),
+            (w / 2 - t, high),
+            (-w / 2 + t, high),
+            (-w / 2, high),
+        ],
+        (-d / 2, -d / 2 + t),
+        main,
+        "y",
+        solid=False,
+    )
+    b.prism(
+        [(-w * 0.45, 0), (w * 0.45, 0), (w / 2, high), (-w / 2, high)],
+        (d / 2 - t, d / 2),
+        main,
+        "y",
+        solid=False,
+    )
+    for sx in (-1, 1):
+        b.prism(
+            [
+                (sx * w * 0.45, 0),
+                (sx * w / 2, high),
+                (sx * (w / 2 - t), high),
+                (sx * (w * 0.45 - t), 0),
+            ],
+            (-d / 2, d / 2),
+            main,
+            "y",
+            solid=False,
+        )
+    b.box((-w * 0.45, w * 0.45), (-d * 0.47, d * 0.47), (0, t), main, "floor", False)
+
+
+def _hollow(b: Builder, high: float, t: float, shrink: float) -> None:
+    """Collision boxes of four walls and a floor, so that the inside stays free."""
+    w, d = b.w, b.d
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2 * shrink, sx * (w / 2 * shrink - t)))
+        b.boxes.append(_box((lo, hi), (-d / 2 * shrink, d / 2 * shrink), (0, high)))
+    for sy in (-1, 1):
+        lo, hi = sorted((sy * d / 2 * shrink, sy * (d / 2 * shrink - t)))
+        b.boxes.append(_box((-w / 2 * shrink, w / 2 * shrink), (lo, hi), (0, high)))
+    b.boxes.append(_box((-w * 0.4, w * 0.4), (-d * 0.4, d * 0.4), (0, 0.015)))
+
+
+def _box(x: tuple[float, float], y: tuple[float, float], z: tuple[float, float]) -> Box:
+    center = ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (z[0] + z[1]) / 2)
+    return Box(center, (x[1] - x[0], y[1] - y[0], z[1] - z[0]))
+
+
+@recipe("basket")
+def basket(b: Builder) -> None:
+    """Woven or wire basket with two handles."""
+    w, d, h = b.w, b.d, b.h
+    count = max(3, round(h / 0.05))
+    for k in range(count):
+        z0, z1 = h * k / count, h * (k + 1) / count - 0.006 * (k < count - 1)
+        grow = 0.9 + 0.1 * k / (count - 1)
+        for sx in (-1, 1):
+            lo, hi = sorted((sx * w / 2 * grow, sx * (w / 2 * grow - 0.015)))
+            b.box((lo, hi), (-d / 2 * grow, d / 2 * grow), (z0, z1), b.mat(), "weave")
+        for sy in (-1, 1):
+            lo, hi = sorted((sy * d / 2 * grow, sy * (d / 2 * grow - 0.015)))
+            b.box((-w / 2 * grow, w / 2 * grow), (lo, hi), (z0, z1), b.mat(), "weave")
+    b.box((-w * 0.44, w * 0.44), (-d * 0.44, d * 0.44), (0, 0.01), b.mat(), "floor")
+
+
+@recipe("sack")
+def sack(b: Builder) -> None:
+    """Tied bag."""
+    b.lathe(
+        [
+            (0.3, 0),
+            (0.5, b.h * 0.2),
+            (0.48, b.h * 0.5),
+            (0.2, b.h * 0.85),
+            (0.06, b.h * 0.9),
+            (0.2, b.h),
+        ],
+        b.mat(),
+        stretch=(b.w, b.d),
+        n=14,
+    )
+
+
+@recipe("open_top")
+def open_top(b: Builder) -> None:
+    """Stand open at the top: fruit, frozen food, flowers, hot food, oil."""
+    w, d, h = b.w, b.d, b.h
+    depth, fill, main = float(b.p.get("depth", h * 0.3)), str(b.p.get("fill", "fruit")), b.mat()
+    t = 0.05
+    low = h - depth
+    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.02, d / 2 - 0.02), (0.06, low), main, "base")
+    b.box(
+        (-w / 2 + 0.05, w / 2 - 0.05),
+        (-d / 2 + 0.05, d / 2 - 0.05),
+        (0, 0.06),
+        "plastic_dark",
+        "plinth",
+        False,
+    )
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
+        b.box((lo, hi), (-d / 2, d / 2), (low - 0.1, h), main, "rim")
+    for sy in (-1, 1):
+        lo, hi = sorted((sy * d / 2, sy * (d / 2 - t)))
+        b.box((-w / 2, w / 2), (lo, hi), (low - 0.1, h), main, "rim")
+    _tray(b, fill, low, depth)
+
+
+def _tray(b: Builder, fill: str, z: float, depth: float) -> None:
+    w, d = b.w - 0.12, b.d - 0.12
+    cols, rows = max(2, round(w / 0.32)), max(1, round(d / 0.32))
+    colors = {
+        "fruit": ("food_red", "food_green", "food_orange", "food_yellow", "food_purple"),
+        "frozen": ("paper_blue", "paper_white", "paper_red"),
+        "flowers": ("leaf_red", "leaf_yellow", "leaf_pink", "leaf_white"),
+        "food": ("food_green", "food_brown", "food_orange", "food_beige"),
+    }.get(fill, ("food_yellow",))
+    for i in range(cols):
+        for j in range(rows):
+            x0, y0 = -w / 2 + i * w / cols, -d / 2 + j * d / rows
+            x, y = (x0 + 0.01, x0 + w / cols - 0.01), (y0 + 0.01, y0 + d / rows - 0.01)
+            color = colors[(i + 2 * j) % len(colors)]
+            if fill in ("fruit", "flowers"):
+                b.cushion(x, y, (z - 0.02, z + depth * 0.75), color, "goods", 0.95, 8, False)
+            else:
+                b.box(x, y, (z, z + depth * (0.45 + 0.1 * ((i + j) % 3))), color, "goods", False)

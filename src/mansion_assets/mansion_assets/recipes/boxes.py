@@ -1,0 +1,180 @@
+"""Box-shaped things, told apart by what is on them."""
+
+from mansion_assets.builder import Builder
+from mansion_assets.recipes.cases import CASES
+from mansion_assets.registry import Recipe, recipe
+
+__all__: list[str] = []
+
+
+@recipe("block")
+def block(b: Builder) -> None:
+    """Box-shaped things, told apart by what is on them."""
+    _BLOCKS.get(str(b.p.get("style", "plain")), _plain)(b)
+
+
+def _plain(b: Builder) -> None:
+    """Plain box."""
+    w, d, h = b.w, b.d, b.h
+    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
+    main = b.mat()
+    b.box(x, y, (0, h), main, "body")
+
+
+def _speaker(b: Builder) -> None:
+    """Case with two cones."""
+    w, d, h = b.w, b.d, b.h
+    x = (-w / 2, w / 2)
+    main = b.mat()
+    b.box(x, (-d / 2, d / 2 - 0.012), (0, h), main, "case")
+    for z, r in ((0.32, 0.36), (0.74, 0.22)):
+        b.rod((0, d / 2 - 0.014, z * h), (0, d / 2, z * h), r * w, "plastic_dark", "cones", 20)
+        b.rod(
+            (0, d / 2 - 0.013, z * h),
+            (0, d / 2 - 0.001, z * h),
+            r * w * 0.4,
+            "metal_grey",
+            "cones",
+            12,
+        )
+
+
+def _screen(b: Builder) -> None:
+    """Case with a display and a plate on top."""
+    w, d, h = b.w, b.d, b.h
+    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
+    main = b.mat()
+    b.box(x, y, (0, h), main, "case")
+    b.box(
+        (-w * 0.3, w * 0.3),
+        (d / 2 - 0.001, d / 2),
+        (h * 0.3, h * 0.7),
+        "screen_blue",
+        "panel",
+        False,
+    )
+    b.box(
+        (-w * 0.35, w * 0.35),
+        (-d * 0.2, d * 0.25),
+        (h - 0.001, h),
+        "plastic_light",
+        "plate",
+        False,
+    )
+
+
+def _papers(b: Builder) -> None:
+    """Stack of sheets."""
+    w, d, h = b.w, b.d, b.h
+    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
+    count = 4
+    for k in range(count):
+        shift = 0.004 * (k % 3) - 0.004
+        b.box(
+            (x[0] + max(0, shift), x[1] + min(0, shift)),
+            (y[0] + max(0, -shift), y[1]),
+            (h * k / count, h * (k + 1) / count),
+            "paper_white" if k % 2 else "paper_light",
+            "sheets",
+        )
+
+
+def _layers(b: Builder) -> None:
+    """Layers of food."""
+    w, d, h = b.w, b.d, b.h
+    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
+    for k, color in enumerate(("food_beige", "food_green", "food_red", "food_beige")):
+        b.box(x, y, (h * k / 4, h * (k + 1) / 4), color, "layers")
+
+
+def _wrapped(b: Builder) -> None:
+    """Box with a band and a bow."""
+    w, d, h = b.w, b.d, b.h
+    x, y = (-w / 2, w / 2), (-d / 2, d / 2)
+    main = b.mat()
+    b.box(x, y, (0, h * 0.95), main, "body")
+    b.box((-w * 0.06, w * 0.06), y, (0, h * 0.96), "paper_white", "band", False)
+    b.box(x, (-d * 0.06, d * 0.06), (0, h * 0.96), "paper_white", "band", False)
+    b.ball((0, 0, h * 0.96), (w * 0.12, d * 0.12, h * 0.04), "paper_white", "bow", 8, False)
+
+
+def _wedge(b: Builder) -> None:
+    """Wedge, or a tent with a thin ridge."""
+    w, d, h = b.w, b.d, b.h
+    x = (-w / 2, w / 2)
+    main = b.mat()
+    style = b.p.get("style")
+    tip = 0.004 if style == "tent" else d * 0.25
+    b.prism([(-d / 2, 0), (d / 2, 0), (tip if style == "tent" else d / 2, h), (-tip, h)], x, main)
+
+
+def _knives(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    b.prism(
+        [(-d / 2, 0), (d / 2, 0), (d * 0.2, h * 0.72), (-d / 2, h * 0.6)], (-w / 2, w / 2), b.mat()
+    )
+    for k in range(4):
+        x = -w * 0.3 + k * w * 0.2
+        b.rod((x, -d * 0.1, h * 0.6), (x, -d * 0.3, h - 0.01), 0.009, "plastic_black", "handles", 6)
+
+
+def _clipboard(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.35), b.mat(), "board")
+    b.box(
+        (-w * 0.44, w * 0.44),
+        (-d * 0.46, d * 0.36),
+        (h * 0.35, h * 0.45),
+        "paper_white",
+        "sheet",
+        False,
+    )
+    b.box((-w * 0.18, w * 0.18), (d * 0.36, d * 0.48), (h * 0.35, h), "metal_steel", "clip")
+
+
+def _tube(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    b.prism(
+        [(-w / 2, h * 0.4), (w * 0.25, 0), (w * 0.25, h), (-w / 2, h * 0.6)],
+        (-d / 2, d / 2),
+        b.mat(),
+        "y",
+    )
+    b.box((w * 0.25, w / 2), (-d * 0.3, d * 0.3), (h * 0.15, h * 0.85), "plastic_red", "cap")
+
+
+def _napkins(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    for sy in (-1, 1):
+        lo, hi = sorted((sy * d / 2, sy * (d / 2 - 0.006)))
+        b.box((-w / 2, w / 2), (lo, hi), (0, h * 0.75), b.mat(), "holder")
+    b.box((-w * 0.45, w * 0.45), (-d * 0.3, d * 0.3), (0.0, h), "paper_white", "napkins")
+
+
+def _pad(b: Builder) -> None:
+    w, d, h = b.w, b.d, b.h
+    b.cushion((-w / 2, w / 2), (-d * 0.1, d / 2), (0, h * 0.75), b.mat(), "body", 0.9)
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * w * 0.2))
+        b.cushion((lo, hi), (-d / 2, d * 0.2), (0, h * 0.7), b.mat(), "grips", 0.9)
+        b.cyl(
+            sx * w * 0.15, 0.0, (h * 0.7, h), w * 0.06, "plastic_dark", "sticks", n=10, solid=False
+        )
+
+
+_BLOCKS: dict[str, Recipe] = {
+    **CASES,
+    "clipboard": _clipboard,
+    "flatbox": _wrapped,
+    "gift": _wrapped,
+    "knives": _knives,
+    "layers": _layers,
+    "napkins": _napkins,
+    "pad": _pad,
+    "papers": _papers,
+    "screen": _screen,
+    "speaker": _speaker,
+    "tent": _wedge,
+    "tube": _tube,
+    "wedge": _wedge,
+}

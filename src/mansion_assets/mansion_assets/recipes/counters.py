@@ -1,0 +1,154 @@
+"""Counters of shops, receptions and canteens, and checkouts."""
+
+from mansion_assets.builder import Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+@recipe("counter")
+def counter(b: Builder) -> None:
+    """Closed front with a worktop; reception desks with a raised ledge towards the visitor."""
+    if b.p.get("style") == "buffet":
+        _buffet(b)
+        return
+    tops = b.tops
+    work = tops[0].z if tops else b.h
+    _closed_front(b, work, 0.3 if len(tops) > 1 else 0.05)
+    if len(tops) > 1:
+        _reception(b, work)
+    else:
+        _worktop(b)
+
+
+def _buffet(b: Builder) -> None:
+    """Steel buffet with food under a glass guard and a tray rail."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    b.box((-w / 2, w / 2), (-d / 2 + 0.05, d / 2 - 0.2), (0.08, 0.88), main, "body")
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.15), (0.88, 0.92), "metal_steel", "top")
+    for z in (0.84, 0.88):
+        b.rod(
+            (-w / 2, d / 2 - 0.03 - (z - 0.84), z),
+            (w / 2, d / 2 - 0.03 - (z - 0.84), z),
+            0.012,
+            "metal_steel",
+            "rail",
+        )
+    b.rod(
+        (-w / 2, d / 2 - 0.012, 0.86),
+        (w / 2, d / 2 - 0.012, 0.86),
+        0.012,
+        "metal_steel",
+        "rail",
+    )
+    count = max(2, round(w / 0.6))
+    for k in range(count):
+        x = -w / 2 + (k + 0.5) * w / count
+        b.box(
+            (x - 0.22, x + 0.22),
+            (-d / 2 + 0.1, d / 2 - 0.28),
+            (0.92, 0.935),
+            ("food_brown", "food_green", "food_orange")[k % 3],
+            "food",
+            False,
+        )
+    for x in (-w / 2 + 0.05, w / 2 - 0.05):
+        b.box((x - 0.02, x + 0.02), (-0.12, -0.08), (0.92, h), "metal_steel", "posts", False)
+    b.prism(
+        [(-0.2, h), (-0.2, h - 0.02), (d / 2 - 0.18, h - 0.18), (d / 2 - 0.18, h - 0.16)],
+        (-w / 2, w / 2),
+        "glass_clear",
+        part="guard",
+        solid=False,
+    )
+
+
+def _closed_front(b: Builder, work: float, back: float) -> None:
+    """Body on a plinth, up to the worktop and `back` from the rear."""
+    w, d = b.w, b.d
+    main = b.mat()
+    b.box(
+        (-w / 2 + 0.03, w / 2 - 0.03),
+        (-d / 2 + back, d / 2 - 0.04),
+        (0, work - 0.04),
+        main,
+        "body",
+    )
+    b.box(
+        (-w / 2 + 0.05, w / 2 - 0.05),
+        (d / 2 - 0.05, d / 2 - 0.03),
+        (0, 0.06),
+        "metal_dark",
+        "plinth",
+        False,
+    )
+
+
+def _reception(b: Builder, work: float) -> None:
+    """Sides, worktop and a lit front under a ledge."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    for x in (-w / 2 + 0.02, w / 2 - 0.02):
+        b.box((x - 0.02, x + 0.02), (-d / 2, d / 2 - 0.03), (0, h - 0.04), main, "sides")
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.27), (work - 0.03, work), "wood_white", "top")
+    b.box((-w / 2, w / 2), (d / 2 - 0.07, d / 2 - 0.03), (0, h - 0.04), main, "front")
+    b.box(
+        (-w / 2, w / 2),
+        (d / 2 - 0.3, d / 2),
+        (h - 0.04, h),
+        b.mat("top", "stone_white"),
+        "ledge",
+    )
+    b.box(
+        (-w / 2 + 0.02, w / 2 - 0.02),
+        (d / 2 - 0.03, d / 2 - 0.02),
+        (h * 0.45, h * 0.5),
+        "light_white",
+        "strip",
+        False,
+    )
+
+
+def _worktop(b: Builder) -> None:
+    """Worktop over a row of panels."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    style = b.p.get("style")
+    b.box(
+        (-w / 2, w / 2),
+        (-d / 2, d / 2),
+        (h - 0.045, h),
+        b.mat("top", "stone_grey" if style != "altar" else "stone_white"),
+        "top",
+    )
+    count = max(2, round(w / 0.6))
+    for k in range(count):
+        x0 = -w / 2 + 0.05 + k * (w - 0.1) / count
+        b.box(
+            (x0 + 0.02, x0 + (w - 0.1) / count - 0.02),
+            (d / 2 - 0.04, d / 2 - 0.025),
+            (0.12, h - 0.12),
+            main,
+            "panels",
+            False,
+        )
+
+
+@recipe("checkout")
+def checkout(b: Builder) -> None:
+    """Cashier's desk: belt, scanner, bagging end."""
+    w, d, h = b.w, b.d, b.h
+    z = h
+    b.box((-w / 2, w / 2), (-d / 2 + 0.35, d / 2), (0.05, z - 0.05), b.mat(), "body")
+    b.box((-w / 2, w / 2), (-d / 2 + 0.33, d / 2), (z - 0.06, z), "metal_steel", "top")
+    b.box(
+        (-w / 2 + 0.05, 0.2),
+        (-d / 2 + 0.45, d / 2 - 0.08),
+        (z - 0.004, z),
+        "rubber_black",
+        "belt",
+        False,
+    )
+    b.box((-0.45, 0.45), (-d / 2, -d / 2 + 0.36), (0.05, z * 0.72), b.mat(), "cash")
+    b.box((-w / 2, w / 2), (-d / 2 + 0.34, d / 2), (0, 0.06), "metal_dark", "plinth")

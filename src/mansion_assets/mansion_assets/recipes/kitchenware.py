@@ -1,0 +1,210 @@
+"""Food, cutlery, tools with a handle, and boxes of all kinds."""
+
+from mansion_assets.builder import Box, Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+@recipe("ball")
+def ball(b: Builder) -> None:
+    """Round things: fruit, bread, balls, half shells."""
+    w, d, h = b.w, b.d, b.h
+    style = b.p.get("style", "plain")
+    if style == "dome":
+        b.lathe(
+            [
+                (0.5, 0),
+                (0.5, h * 0.12),
+                (0.42, h * 0.16),
+                (0.36, h * 0.6),
+                (0.18, h * 0.95),
+                (0.02, h),
+            ],
+            b.mat(),
+            stretch=(w, d),
+            n=20,
+        )
+        return
+    if style == "loaf":
+        b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, h), b.mat(), "loaf", 0.8, 14)
+        for k in range(3):
+            y = -d * 0.25 + k * d * 0.25
+            b.box(
+                (-w * 0.25, w * 0.25),
+                (y - 0.006, y + 0.006),
+                (h * 0.97, h),
+                "food_beige",
+                "cuts",
+                False,
+            )
+        return
+    top = h * (0.93 if style == "apple" else 1.0)
+    b.ball((0, 0, top / 2), (w / 2, d / 2, top / 2), b.mat(), "body", 16)
+    if style == "apple":
+        b.rod((0, 0, top * 0.95), (0, 0, h), max(0.002, w * 0.03), "wood_brown", "stalk", 6)
+    elif style == "leafy":
+        for k in range(4):
+            x, y = ((0.2, 0), (-0.2, 0.1), (0, 0.22), (0.05, -0.2))[k]
+            b.ball(
+                (x * w, y * d, h * 0.55),
+                (w * 0.28, d * 0.28, h * 0.42),
+                "leaf_green",
+                "leaves",
+                8,
+                False,
+            )
+    elif style == "seams":
+        for r in ((w * 0.502, 0.008, h * 0.5), (0.008, d * 0.502, h * 0.502)):
+            b.ball(
+                (0, 0, h / 2),
+                (max(r[0], 0.004), max(r[1], 0.004), r[2]),
+                "rubber_black",
+                "seams",
+                16,
+                False,
+            )
+
+
+@recipe("banana")
+def banana(b: Builder) -> None:
+    """A bent fruit."""
+    w, d, h = b.w, b.d, b.h
+    points = [
+        (-w * 0.46, d * 0.3, h * 0.5),
+        (-w * 0.3, -d * 0.1, h * 0.5),
+        (0, -d * 0.3, h * 0.5),
+        (w * 0.3, -d * 0.1, h * 0.5),
+        (w * 0.46, d * 0.3, h * 0.5),
+    ]
+    b.path(points, h * 0.4, b.mat(), "fruit")
+    b.boxes.append(_flat(b))
+    b.rod(points[-1], (w / 2, d / 2, h * 0.5), h * 0.15, "food_brown", "tip")
+
+
+def _flat(b: Builder) -> Box:
+    return Box((0.0, 0.0, b.h / 2), (b.w, b.d, b.h))
+
+
+@recipe("utensil")
+def utensil(b: Builder) -> None:
+    """Long things with the working end to the front: cutlery, pens, tools, rackets."""
+    style = str(b.p.get("style", "pen"))
+    if b.h > 2 * b.d and b.h > b.w:
+        _upright(b, style)
+    elif style in ("knife", "wrench", "scissors"):
+        _bladed(b, style)
+    elif style in ("fork", "spoon", "spatula", "brush", "racket"):
+        _headed(b, style)
+    else:
+        _straight(b, style)
+
+
+def _bladed(b: Builder, style: str) -> None:
+    """A flat handle and a blade that tapers to the front."""
+    w, d, h = b.w, b.d, b.h
+    main, grip = b.mat(), -d * 0.1
+    handle = "plastic_black" if style != "wrench" else main
+    b.box((-w / 2, w / 2), (-d / 2, grip), (0, h), handle, "handle")
+    left, right = (-w / 2, w / 2) if style != "knife" else (-w * 0.2, w * 0.2)
+    b.prism(
+        [(left, grip), (right, grip), (w * 0.2, d * 0.45), (0, d / 2)],
+        (h * 0.1, h * 0.9),
+        main,
+        "z",
+        "blade",
+    )
+    if style == "scissors":
+        b.prism(
+            [(-w / 2, -d * 0.2), (-w * 0.2, -d * 0.2), (w / 2, d / 2 - 0.01)],
+            (0, h * 0.6),
+            main,
+            "z",
+            "blade",
+        )
+
+
+def _headed(b: Builder, style: str) -> None:
+    """A round handle and a bowl, tines, a strung frame or a blade at its end."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    b.rod(
+        (0, -d / 2, h * 0.4),
+        (0, d * 0.2, h * 0.4),
+        min(w * 0.16, h * 0.3),
+        main if style != "brush" else "wood_oak",
+        "handle",
+        8,
+        True,
+    )
+    if style == "spoon":
+        b.ball((0, d / 2 - d * 0.16, h / 2), (w / 2, d * 0.16, h / 2), main, "bowl", 10)
+    elif style == "fork":
+        b.box((-w / 2, w / 2), (d * 0.2, d * 0.3), (0, h * 0.5), main, "neck")
+        for k in range(4):
+            x = -w / 2 + (k + 0.5) * w / 4
+            b.box((x - w * 0.07, x + w * 0.07), (d * 0.3, d / 2), (h * 0.1, h), main, "tines")
+    elif style == "racket":
+        b.lathe(
+            [(0.5, 0), (0.5, h), (0.44, h), (0.44, h * 0.1)],
+            main,
+            (0, d * 0.26),
+            "frame",
+            24,
+            (w, d * 0.48),
+        )
+        b.cyl(0, -d * 0.36, (0, h), min(w * 0.08, 0.02), "leather_black", "grip")
+    else:
+        b.box((-w / 2, w / 2), (d * 0.15, d / 2), (0, h), main, "blade")
+
+
+def _straight(b: Builder, style: str) -> None:
+    """Bars one behind the other: pen, hammer, screwdriver, or a plain bar."""
+    w, d, h = b.w, b.d, b.h
+    main, r, z = b.mat(), min(w, h) / 2, h / 2
+    if style == "pen":
+        b.rod((0, -d / 2, z), (0, d * 0.4, z), r, main, "barrel", 8, True)
+        b.rod((0, d * 0.4, z), (0, d / 2, z), r * 0.4, "plastic_black", "tip", 8)
+    elif style == "hammer":
+        b.rod((0, -d / 2, z), (0, d * 0.4, z), h * 0.35, main, "handle", 8, True)
+        b.box((-w / 2, w / 2), (d * 0.36, d / 2), (0, h), "metal_steel", "head")
+    elif style == "screwdriver":
+        b.rod((0, -d / 2, z), (0, -d * 0.02, z), r, main, "handle", 8, True)
+        b.rod((0, -d * 0.02, z), (0, d / 2, z), r * 0.3, "metal_steel", "shaft", 8, True)
+    else:
+        b.rod((0, -d / 2, z), (0, d / 2, z), r, main, "body", 10, True)
+
+
+def _upright(b: Builder, style: str) -> None:
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    if style == "umbrella":
+        b.lathe(
+            [(0.05, 0), (0.3, h * 0.2), (0.5, h * 0.7), (0.1, h * 0.74), (0.06, h * 0.9)],
+            main,
+            stretch=(w, d),
+        )
+        b.path(
+            [(0, 0, h * 0.88), (0, 0, h - 0.02), (w * 0.35, 0, h - 0.012), (w * 0.4, 0, h * 0.93)],
+            0.01,
+            "wood_brown",
+            "handle",
+        )
+    elif style == "mic":
+        b.lathe([(0.3, 0), (0.34, h * 0.7), (0.3, h * 0.72)], main, stretch=(w, d))
+        b.ball((0, 0, h * 0.84), (w / 2, d / 2, h * 0.16), "metal_steel", "head", 10)
+    elif style == "bat":
+        b.lathe(
+            [
+                (0.3, 0),
+                (0.3, h * 0.02),
+                (0.2, h * 0.05),
+                (0.22, h * 0.4),
+                (0.5, h * 0.85),
+                (0.3, h),
+            ],
+            main,
+            stretch=(w, d),
+        )
+    else:
+        b.lathe([(0.45, 0), (0.5, h * 0.1), (0.5, h * 0.9), (0.2, h)], main, stretch=(w, d), n=10)

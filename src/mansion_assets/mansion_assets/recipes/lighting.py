@@ -1,0 +1,256 @@
+"""Lamps: floor, table, desk, wall and ceiling."""
+
+import math
+
+from mansion_assets.builder import Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+@recipe("lamp")
+def lamp(b: Builder) -> None:
+    """Foot, stem and shade; desk lamps with a bent arm."""
+    w, d, h = b.w, b.d, b.h
+    style = b.p.get("style", "floor")
+    r = min(w, d) / 2
+    metal = "metal_black" if b.mat() != "metal_black" else "metal_steel"
+    if style == "desk":
+        b.lathe([(0.34, 0), (0.34, 0.015), (0.1, 0.03)], b.mat(), (0, -d * 0.2), "foot", 20, (w, w))
+        b.path(
+            [(0, -d * 0.2, 0.02), (0, -d * 0.42, h * 0.55), (0, d * 0.1, h - 0.03)],
+            0.009,
+            b.mat(),
+            "arm",
+        )
+        b.lathe(
+            [(0.5, h * 0.72), (0.2, h - 0.01), (0.12, h), (0.1, h)],
+            b.mat(),
+            (0, d / 2 - min(w, d) / 2),
+            "shade",
+            20,
+            (min(w, d), min(w, d)),
+        )
+        b.ball(
+            (0, d / 2 - min(w, d) / 2, h * 0.75),
+            (r * 0.4, r * 0.4, h * 0.05),
+            "light_warm",
+            "bulb",
+            8,
+            False,
+        )
+        return
+    shade = h * (0.82 if style == "floor" else 0.55)
+    b.lathe([(0.6, 0), (0.6, 0.02), (0.1, 0.035)], metal, part="foot", n=20, stretch=(r, r))
+    if style == "table":
+        b.lathe(
+            [(0.35, 0.02), (0.55, h * 0.2), (0.2, h * 0.45), (0.1, h * 0.55)],
+            "ceramic_white",
+            part="body",
+            n=18,
+            stretch=(r, r),
+        )
+    b.cyl(0, 0, (0.02, shade + 0.05), 0.012, metal, "stem", n=10)
+    b.lathe(
+        [(0.5, shade), (0.36, h), (0.34, h), (0.48, shade + 0.004)],
+        b.mat(),
+        part="shade",
+        n=24,
+        stretch=(w, d),
+    )
+    b.ball((0, 0, shade + (h - shade) * 0.4), (0.04, 0.04, 0.05), "light_warm", "bulb", 8, False)
+
+
+@recipe("sconce")
+def sconce(b: Builder) -> None:
+    """Wall lamp."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w * 0.25, w * 0.25), (-d / 2, -d / 2 + 0.02), (h * 0.2, h * 0.7), b.mat(), "plate")
+    b.rod((0, -d / 2 + 0.02, h * 0.45), (0, 0.0, h * 0.45), 0.01, b.mat(), "arm")
+    r = min(w / 2, d * 0.38)
+    b.lathe(
+        [(r * 0.7, 0.0), (r, h), (r * 0.95, h), (r * 0.65, 0.01)],
+        "glass_white",
+        (0, d / 2 - r),
+        "shade",
+        20,
+        (w / 2 / r, 1.0),
+    )
+    b.ball((0, d / 2 - r, h * 0.5), (0.03, 0.03, 0.04), "light_warm", "bulb", 8, False)
+
+
+@recipe("dome")
+def dome(b: Builder) -> None:
+    """Flat ceiling lamp, detector or sprinkler."""
+    w, d, h = b.w, b.d, b.h
+    style = b.p.get("style", "dome")
+    if style == "sprinkler":
+        b.lathe(
+            [(0.5, 0), (0.5, h * 0.08), (0.08, h * 0.1), (0.12, h * 0.7), (0.5, h * 0.9), (0.5, h)],
+            b.mat(),
+            stretch=(w, d),
+            n=12,
+        )
+    elif style == "detector":
+        b.lathe([(0.2, 0), (0.34, h * 0.25), (0.46, h * 0.6), (0.5, h)], b.mat(), stretch=(w, d))
+        b.cyl(w * 0.2, 0, (h * 0.3, h * 0.5), w * 0.04, "light_red", "led", n=8, solid=False)
+    else:
+        b.lathe(
+            [(0.1, 0), (0.35, h * 0.15), (0.46, h * 0.55), (0.48, h * 0.8)],
+            "light_warm",
+            stretch=(w, d),
+            part="glass",
+            n=28,
+        )
+        b.lathe([(0.5, h * 0.75), (0.5, h)], "metal_steel", stretch=(w, d), part="rim", n=28)
+
+
+@recipe("ceiling_panel")
+def ceiling_panel(b: Builder) -> None:
+    """Luminous panel in a frame, or an air outlet with slats."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.3, h), b.mat(), "frame")
+    if b.p.get("style") == "vent":
+        for k in range(7):
+            y = -d * 0.44 + k * d * 0.13
+            b.box((-w * 0.46, w * 0.46), (y, y + d * 0.07), (0, h * 0.3), b.mat(), "slats", False)
+        return
+    edge = min(0.02, d * 0.1)
+    b.box(
+        (-w / 2 + edge, w / 2 - edge),
+        (-d / 2 + edge, d / 2 - edge),
+        (0, h * 0.31),
+        "light_white",
+        "panel",
+        False,
+    )
+
+
+@recipe("pendant")
+def pendant(b: Builder) -> None:
+    """Shade on a cable; chandeliers with arms."""
+    w, d, h = b.w, b.d, b.h
+    b.cyl(0, 0, (h - 0.03, h), min(0.06, w * 0.2), "metal_black", "rose", n=16, solid=False)
+    b.cyl(0, 0, (h * 0.4, h - 0.02), 0.006, "plastic_black", "cable", n=6, solid=False)
+    if b.p.get("style") == "arms":
+        b.lathe(
+            [(0.02, 0.0), (0.08, h * 0.08), (0.03, h * 0.2), (0.05, h * 0.4), (0.01, h * 0.45)],
+            b.mat(),
+            part="stem",
+            n=14,
+            stretch=(w, d),
+        )
+        for k in range(8):
+            a = k * math.pi / 4
+            x, y = math.cos(a) * (w / 2 - 0.035), math.sin(a) * (d / 2 - 0.035)
+            b.path(
+                [(0, 0, h * 0.12), (x * 0.6, y * 0.6, h * 0.06), (x, y, h * 0.16)],
+                0.009,
+                b.mat(),
+                "arms",
+            )
+            b.cyl(x, y, (h * 0.15, h * 0.17), 0.035, b.mat(), "cups", n=10, solid=False)
+            b.ball((x, y, h * 0.22), (0.018, 0.018, 0.04), "light_warm", "bulbs", 8, False)
+        return
+    top = min(0.3, h * 0.5)
+    b.lathe(
+        [(0.5, 0), (0.42, top * 0.4), (0.12, top), (0.1, top), (0.4, top * 0.38), (0.47, 0.004)],
+        b.mat(),
+        part="shade",
+        n=24,
+        stretch=(w, d),
+    )
+    b.ball((0, 0, top * 0.3), (0.05, 0.05, 0.06), "light_warm", "bulb", 10, False)
+
+
+@recipe("track")
+def track(b: Builder) -> None:
+    """Rail with spots."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d * 0.15, d * 0.15), (h - 0.03, h), b.mat(), "rail")
+    for k in range(3):
+        x = -w * 0.35 + k * w * 0.35
+        b.rod((x, 0, h - 0.03), (x, 0, h * 0.55), 0.008, b.mat(), "arms")
+        b.rod(
+            (x, -d / 2 + 0.03, h * 0.62),
+            (x, d / 2 - 0.02, h * 0.2),
+            min(0.035, h * 0.2),
+            b.mat(),
+            "spots",
+            14,
+            True,
+        )
+        b.rod(
+            (x, d / 2 - 0.02, h * 0.2),
+            (x, d / 2 - 0.012, h * 0.17),
+            min(0.03, h * 0.17),
+            "light_warm",
+            "lens",
+            14,
+        )
+
+
+@recipe("fan")
+def fan(b: Builder) -> None:
+    """Ceiling fan with four blades."""
+    w, d, h = b.w, b.d, b.h
+    b.cyl(0, 0, (h * 0.35, h), 0.015, "metal_steel", "rod")
+    b.lathe(
+        [(0.03, 0), (0.09, h * 0.1), (0.1, h * 0.35), (0.04, h * 0.42)],
+        "metal_steel",
+        part="hub",
+        stretch=(1.0, 1.0),
+    )
+    b.box((-w / 2, w / 2), (-0.07, 0.07), (h * 0.24, h * 0.27), b.mat(), "blades")
+    b.box((-0.07, 0.07), (-d / 2, d / 2), (h * 0.24, h * 0.27), b.mat(), "blades")
+
+
+@recipe("surgical_light")
+def surgical_light(b: Builder) -> None:
+    """Lamp head on a jointed ceiling arm."""
+    w, d, h = b.w, b.d, b.h
+    b.cyl(0, -d * 0.3, (h - 0.05, h), 0.12, b.mat(), "rose", n=20)
+    b.rod((0, -d * 0.3, h), (0, -d * 0.3, h * 0.5), 0.035, b.mat(), "arm")
+    b.rod((0, -d * 0.3, h * 0.5), (0, 0.1, h * 0.42), 0.03, b.mat(), "arm")
+    b.lathe(
+        [(0.46, 0.0), (0.5, 0.06), (0.36, 0.14), (0.1, 0.2)], b.mat(), (0, 0), "head", 32, (w, d)
+    )
+    for k in range(7):
+        a = k * 2 * math.pi / 6
+        r = 0.28 if k < 6 else 0.0
+        b.cyl(
+            math.cos(a) * r * w,
+            math.sin(a) * r * d,
+            (-0.004, 0.004),
+            0.07,
+            "light_white",
+            "lamps",
+            n=14,
+            solid=False,
+        )
+
+
+@recipe("studio_light")
+def studio_light(b: Builder) -> None:
+    """Soft box or dryer hood on a tripod or castor base."""
+    w, d, h = b.w, b.d, b.h
+    for k in range(3):
+        a = math.pi / 2 + k * 2 * math.pi / 3
+        b.rod(
+            (0, 0, 0.25),
+            (math.cos(a) * w * 0.48, math.sin(a) * d * 0.48, 0.015),
+            0.012,
+            "metal_black",
+            "legs",
+        )
+    b.cyl(0, 0, (0.02, h - 0.2), 0.016, "metal_black", "pole")
+    if b.p.get("style") == "hood":
+        b.ball((0, 0.04, h - 0.18), (w * 0.4, d * 0.44, 0.18), b.mat(), "hood", 14)
+        return
+    b.prism(
+        [(-d * 0.2, h - 0.16), (-d * 0.2, h - 0.3), (d / 2, h - 0.6), (d / 2, h)],
+        (-w * 0.4, w * 0.4),
+        b.mat(),
+        part="box",
+    )
+    b.box((-w / 2, w / 2), (d / 2 - 0.02, d / 2), (h - 0.6, h), "light_white", "front", False)

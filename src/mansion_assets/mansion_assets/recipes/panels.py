@@ -1,0 +1,197 @@
+"""Framed faces: pictures, mirrors and boards, on walls and on stands."""
+
+from mansion_assets.builder import Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+_ART = (
+    ("paper_beige", "paper_blue", "paper_orange", "paper_dark"),
+    ("paper_white", "paper_red", "paper_yellow", "paper_green"),
+    ("paper_light", "paper_green", "paper_blue", "paper_brown"),
+)
+
+
+def _face(b: Builder, face: str, x: tuple[float, float], z: tuple[float, float], y: float) -> None:
+    """What a panel shows, flat on its front at `y`."""
+    w, h = x[1] - x[0], z[1] - z[0]
+    thin = 0.0015
+    if face not in ("art", "map"):
+        b.box(x, (y - thin, y), z, face, "face", False)
+        return
+    key = sum(ord(c) for c in b.mat()) + round(1000 * (b.w + b.h))
+    colors = (
+        _ART[key % 3]
+        if face == "art"
+        else ("paper_blue", "paper_green", "paper_beige", "paper_green")
+    )
+    b.box(x, (y - 2 * thin, y - thin), z, colors[0], "face", False)
+    for k in range(5):
+        u, v = ((key * (k + 3)) % 17) / 17 * 0.6, ((key * (k + 5)) % 13) / 13 * 0.6
+        bw, bh = (0.15 + 0.25 * ((key + k) % 3) / 2), (0.12 + 0.2 * ((key + 2 * k) % 3) / 2)
+        patch = (
+            (x[0] + u * w, x[0] + min(0.96, u + bw) * w),
+            (z[0] + v * h, z[0] + min(0.96, v + bh) * h),
+        )
+        b.box(
+            patch[0],
+            (y - thin, y - thin * 0.5 + 0.0001 * k),
+            patch[1],
+            colors[1 + k % 3],
+            "face",
+            False,
+        )
+
+
+@recipe("panel")
+def panel(b: Builder) -> None:
+    """Framed face: picture, mirror, board; on an easel, a rolling stand or a post; a roller screen."""
+    style = b.p.get("style")
+    if style in ("easel", "aframe"):
+        _easel(b)
+    elif style == "roll":
+        _roller_screen(b)
+    elif style == "stand":
+        _rolling_stand(b)
+        _framed(b, (-0.02, 0.02), b.h * 0.42)
+    elif style == "post":
+        _post(b)
+        _framed(b, (-0.02, 0.015), b.h * 0.6)
+    else:
+        _framed(b, (-b.d / 2, b.d / 2), 0.0)
+
+
+def _rim(b: Builder) -> float:
+    """Return the width of the frame."""
+    return min(float(b.p.get("rim", 0.03)), b.w * 0.1)
+
+
+def _rolling_stand(b: Builder) -> None:
+    """Two posts on feet with castors."""
+    w, d, h = b.w, b.d, b.h
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.06)
+        b.box((x - 0.02, x + 0.02), (-d / 2, d / 2), (0.05, 0.08), b.mat(), "feet")
+        b.box((x - 0.02, x + 0.02), (-0.04, 0.0), (0.06, h), b.mat(), "posts")
+    b.wheels(0.03, 0.06)
+
+
+def _easel(b: Builder) -> None:
+    """Leaning frame with a leg behind it; an A-frame leans whole."""
+    w, d, h = b.w, b.d, b.h
+    style = b.p.get("style")
+    thick = 0.02 if h > 0.4 else 0.008
+    lean = d * 0.5
+    b.prism(
+        [(d / 2, 0), (d / 2 - thick, 0), (d / 2 - lean - thick, h), (d / 2 - lean, h)],
+        (-w / 2, w / 2) if style == "aframe" or h < 0.4 else (-w / 2, -w / 2 + 0.04),
+        b.mat(),
+        part="frame",
+    )
+    if style == "easel" and h >= 0.4:
+        b.prism(
+            [(d / 2, 0), (d / 2 - thick, 0), (d / 2 - lean - thick, h), (d / 2 - lean, h)],
+            (w / 2 - 0.04, w / 2),
+            b.mat(),
+            part="frame",
+        )
+    b.rod(
+        (0, -d / 2 + 0.01, 0.0),
+        (0, d / 2 - lean, h * 0.92),
+        0.012 if h > 0.4 else 0.005,
+        b.mat(),
+        "leg",
+        solid=True,
+    )
+    _leaning_face(b, lean)
+
+
+def _leaning_face(b: Builder, lean: float) -> None:
+    """What an easel carries, with paint on a canvas."""
+    w, d, h = b.w, b.d, b.h
+    face = str(b.p.get("face", "paper_white"))
+    rim = _rim(b)
+    low = h * (0.38 if h > 1.0 and face != "glass_mirror" else 0.06)
+    s0, s1 = d / 2 - lean * low / h, d / 2 - lean * 0.97
+    b.prism(
+        [(s0, low), (s0 + 0.006, low), (s1 + 0.006, h * 0.97), (s1, h * 0.97)],
+        (-w / 2 + rim, w / 2 - rim),
+        face if face not in ("art", "map") else "paper_white",
+        part="face",
+    )
+    if face == "art":
+        b.prism(
+            [
+                (s0 + 0.004, low + 0.1),
+                (s0 + 0.0085, low + 0.1),
+                ((s0 + s1) / 2 + 0.0085, (low + h) / 2),
+                ((s0 + s1) / 2 + 0.004, (low + h) / 2),
+            ],
+            (-w * 0.25, w * 0.2),
+            "paper_blue",
+            part="paint",
+            solid=False,
+        )
+
+
+def _post(b: Builder) -> None:
+    """Round foot and post."""
+    w, d, h = b.w, b.d, b.h
+    b.cyl(0, 0, (0, 0.02), min(w, d) / 2, b.mat(), "foot", n=20)
+    b.cyl(0, -0.02, (0.01, h * 0.7), 0.018, b.mat(), "post")
+
+
+def _roller_screen(b: Builder) -> None:
+    """Screen hanging from its case."""
+    w, d, h = b.w, b.d, b.h
+    face = str(b.p.get("face", "paper_white"))
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.1, h), b.mat(), "case")
+    b.box((-w / 2 + 0.04, w / 2 - 0.04), (-0.004, 0.004), (0, h - 0.1), face, "screen")
+    b.box(
+        (-w / 2 + 0.03, w / 2 - 0.03),
+        (-0.012, 0.012),
+        (0, 0.025),
+        "plastic_black",
+        "bar",
+        False,
+    )
+
+
+def _framed(b: Builder, y: tuple[float, float], from_z: float) -> None:
+    """Back, frame and face between two depths, from a height up to the top; a tray and notes on it."""
+    w, d = b.w, b.d
+    face = str(b.p.get("face", "paper_white"))
+    rim = _rim(b)
+    (y0, y1), z0, z1 = y, from_z, b.h
+    b.box((-w / 2, w / 2), (y0, y1 - 0.008 if d > 0.02 else y1 - 0.004), (z0, z1), b.mat(), "back")
+    for side in ((-w / 2, -w / 2 + rim), (w / 2 - rim, w / 2)):
+        b.box(side, (y0, y1), (z0, z1), b.mat(), "frame", False)
+    for level in ((z0, z0 + rim), (z1 - rim, z1)):
+        b.box((-w / 2, w / 2), (y0, y1), level, b.mat(), "frame", False)
+    _face(
+        b,
+        face,
+        (-w / 2 + rim, w / 2 - rim),
+        (z0 + rim, z1 - rim),
+        y1 - (0.004 if d > 0.02 else 0.001),
+    )
+    if b.p.get("tray"):
+        b.box((-w * 0.3, w * 0.3), (y1 - 0.03, y1), (0, 0.015), "metal_steel", "tray", False)
+    if b.p.get("notes"):
+        _notes(b, y1)
+
+
+def _notes(b: Builder, y1: float) -> None:
+    """Eight notes on the face."""
+    w, h = b.w, b.h
+    for k in range(8):
+        x, z = -w * 0.4 + (k % 4) * w * 0.22, h * (0.2 if k < 4 else 0.58)
+        b.box(
+            (x, x + w * 0.14),
+            (y1 - 0.004, y1 - 0.002),
+            (z, z + h * 0.24),
+            ("paper_white", "paper_yellow", "paper_blue", "paper_pink")[k % 4],
+            "notes",
+            False,
+        )

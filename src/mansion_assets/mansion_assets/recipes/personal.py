@@ -1,0 +1,183 @@
+"""Books, shoes and other personal things."""
+
+import math
+
+from mansion_assets.builder import Box, Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+_COVERS = ("paper_red", "paper_blue", "paper_green", "paper_brown", "paper_beige", "paper_orange")
+
+
+@recipe("book")
+def book(b: Builder) -> None:
+    """Book lying flat, a stack, a row standing upright, or one folder."""
+    w, d, h = b.w, b.d, b.h
+    style = b.p.get("style")
+    if style == "row":
+        count = max(4, round(w / 0.03))
+        for k in range(count):
+            x0, high = -w / 2 + k * w / count, h * (1.0, 0.86, 0.93, 0.78, 0.97)[k % 5]
+            b.box(
+                (x0, x0 + w / count - 0.001),
+                (-d / 2, d / 2 - 0.006 * (k % 3)),
+                (0, high),
+                _COVERS[(k * 5 + k // 3) % 6],
+                "books",
+                False,
+            )
+        b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))
+        return
+    if style == "upright":
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h), b.mat(), "cover")
+        b.box(
+            (-w * 0.3, w * 0.3),
+            (d / 2 - 0.001, d / 2),
+            (h * 0.4, h * 0.7),
+            "paper_white",
+            "label",
+            False,
+        )
+        return
+    count = int(b.p.get("stack", 1))
+    for k in range(count):
+        z0, z1 = h * k / count, h * (k + 1) / count
+        shrink = 1.0 if count == 1 or k == 0 else 0.84 + 0.04 * (k % 3)
+        cover = b.mat() if k == 0 else _COVERS[(k * 2 + 1) % 6]
+        t = (z1 - z0) * 0.16
+        x, y = (-w / 2 * shrink, w / 2 * shrink), (-d / 2 * shrink, d / 2 * shrink)
+        b.box(x, y, (z0, z0 + t), cover, "cover", False)
+        b.box(x, y, (z1 - t, z1), cover, "cover", False)
+        b.box((x[0], x[0] + 0.004), y, (z0, z1), cover, "cover", False)
+        b.box(
+            (x[0] + 0.003, x[1] - 0.004),
+            (y[0] + 0.004, y[1] - 0.004),
+            (z0 + t, z1 - t),
+            "paper_light",
+            "pages",
+            False,
+        )
+    b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))
+
+
+@recipe("shoes")
+def shoes(b: Builder) -> None:
+    """A pair of shoes or boots, toes to the front."""
+    w, d, h = b.w, b.d, b.h
+    low = b.p.get("style") == "low"
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * w * 0.04))
+        b.box((lo, hi), (-d / 2, d / 2), (0, h * (0.12 if low else 0.05)), "rubber_black", "soles")
+        b.cushion(
+            (lo, hi), (-d / 2, d / 2), (0, h * (0.7 if low else 0.25)), b.mat(), "uppers", 0.8
+        )
+        b.cushion((lo + 0.004, hi - 0.004), (-d / 2, -d * 0.02), (0, h), b.mat(), "shafts", 0.6)
+
+
+@recipe("keys")
+def keys(b: Builder) -> None:
+    """Ring with keys."""
+    w, d, h = b.w, b.d, b.h
+    r = min(w, d) * 0.3
+    points = [
+        (-w / 2 + r + r * math.cos(a), r * math.sin(a), h / 2)
+        for a in [k * math.pi / 6 for k in range(13)]
+    ]
+    b.path(points, h * 0.3, b.mat(), "ring")
+    for y, color in ((-d * 0.3, "metal_steel"), (d * 0.3, "metal_brass")):
+        b.box((-w * 0.1, w / 2), (y - d * 0.1, y + d * 0.1), (0, h), color, "keys")
+        b.cyl(-w * 0.05, y, (0, h), d * 0.2, color, "keys", n=10)
+
+
+@recipe("ring")
+def ring(b: Builder) -> None:
+    """Band on the table: watch, stethoscope."""
+    w, d, h = b.w, b.d, b.h
+    r = h / 2
+    rx, ry = w / 2 - r, d / 2 - r
+    points = [
+        (rx * math.cos(a), ry * math.sin(a), r) for a in [k * math.pi / 10 for k in range(21)]
+    ]
+    b.path(points, r * 0.7, b.mat(), "band")
+    b.cyl(0, d / 2 - r * 1.2, (0, h), r * 1.1, "metal_steel", "face", n=16)
+
+
+@recipe("goggles")
+def goggles(b: Builder) -> None:
+    """Protective spectacles."""
+    w, d, h = b.w, b.d, b.h
+    b.cushion((-w / 2, w / 2), (d * 0.1, d / 2), (0, h), "glass_clear", "lens", 0.7)
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.01)))
+        b.box((lo, hi), (-d / 2, d * 0.3), (h * 0.4, h * 0.7), b.mat(), "arms")
+
+
+@recipe("hair_dryer")
+def hair_dryer(b: Builder) -> None:
+    """Pistol shape: dryer, cordless drill."""
+    w, d, h = b.w, b.d, b.h
+    r = min(d / 2, h * 0.22)
+    b.rod((-w / 2 + w * 0.15, 0, h - r), (w * 0.2, 0, h - r), r, b.mat(), "body", 16, True)
+    b.rod((w * 0.2, 0, h - r), (w / 2, 0, h - r), r * 0.5, "plastic_black", "nozzle", 12)
+    b.ball((-w / 2 + w * 0.15, 0, h - r), (w * 0.15, r, r), b.mat(), "back", 10, False)
+    b.box((-w * 0.25, -w * 0.02), (-d * 0.3, d * 0.3), (0, h - r), "plastic_black", "grip")
+
+
+@recipe("coat_rack")
+def coat_rack(b: Builder) -> None:
+    """Stand with hooks, a coat and a hat."""
+    w, d, h = b.w, b.d, b.h
+    for k in range(4):
+        a = math.pi / 4 + k * math.pi / 2
+        b.rod(
+            (0, 0, 0.12),
+            (math.cos(a) * w * 0.66, math.sin(a) * d * 0.66, 0.015),
+            0.016,
+            b.mat(),
+            "feet",
+        )
+    b.cyl(0, 0, (0.05, h), 0.022, b.mat(), "pole")
+    for k in range(6):
+        a = k * math.pi / 3
+        b.path(
+            [
+                (0, 0, h - 0.22),
+                (math.cos(a) * w * 0.36, math.sin(a) * d * 0.36, h - 0.2),
+                (math.cos(a) * w * 0.44, math.sin(a) * d * 0.44, h - 0.06),
+            ],
+            0.011,
+            b.mat(),
+            "hooks",
+        )
+    b.cushion(
+        (w * 0.12, w * 0.44),
+        (-d * 0.18, d * 0.18),
+        (h * 0.42, h - 0.2),
+        "fabric_blue",
+        "coat",
+        0.6,
+        10,
+        False,
+    )
+
+
+@recipe("toy_car")
+def toy_car(b: Builder) -> None:
+    """Toy car."""
+    w, d, h = b.w, b.d, b.h
+    r = h * 0.22
+    b.cushion((-w * 0.42, w * 0.42), (-d / 2, d / 2), (r * 0.7, h * 0.62), b.mat(), "body", 0.4)
+    b.cushion(
+        (-w * 0.36, w * 0.36), (-d * 0.25, d * 0.15), (h * 0.55, h), "glass_black", "cabin", 0.4
+    )
+    for sx in (-1, 1):
+        for sy in (-1, 1):
+            b.rod(
+                (sx * w * 0.34, sy * d * 0.3, r),
+                (sx * w / 2, sy * d * 0.3, r),
+                r,
+                "rubber_black",
+                "wheels",
+                12,
+            )

@@ -1,0 +1,267 @@
+"""Shelves, cabinets, racks, boxes."""
+
+from mansion_assets.builder import Builder, Rect
+from mansion_assets.catalogue.carriers import BOARD
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+_BOOKS = (
+    "paper_red",
+    "paper_blue",
+    "paper_green",
+    "paper_brown",
+    "paper_beige",
+    "paper_dark",
+    "paper_orange",
+)
+
+
+_GOODS = (
+    "paper_red",
+    "paper_yellow",
+    "paper_blue",
+    "paper_green",
+    "paper_orange",
+    "plastic_white",
+    "paper_purple",
+)
+
+
+def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
+    """Show goods in a compartment; they are part of the mesh, and the compartment is no receptacle."""
+    room = cell.top - cell.z
+    step, palette = {
+        "books": (0.045, _BOOKS),
+        "folders": (0.08, ("paper_dark", "paper_blue", "paper_grey")),
+        "groceries": (0.1, _GOODS),
+        "medicine": (0.06, ("paper_white", "paper_blue", "paper_green")),
+        "boxes": (0.36, ("paper_brown", "paper_beige")),
+        "bins": (0.2, ("plastic_blue", "plastic_red")),
+        "bottles": (0.09, ("glass_green", "glass_brown")),
+        "toys": (0.17, _GOODS),
+        "bags": (0.32, ("fabric_red", "fabric_blue", "fabric_green")),
+        "shoes": (0.13, ("leather_brown", "fabric_white", "leather_black")),
+        "linen": (0.36, ("fabric_white", "fabric_beige")),
+        "magazines": (0.2, _GOODS),
+        "plants": (0.22, ("leaf_green",)),
+    }.get(fill, (0.2, _GOODS))
+    count = max(1, int((cell.x1 - cell.x0) / step))
+    step = (cell.x1 - cell.x0) / count
+    tall = {"books": 0.78, "folders": 0.85, "magazines": 0.9, "shoes": 0.4, "boxes": 0.72}.get(
+        fill, 0.66
+    )
+    mid = (cell.y0 + cell.y1) / 2
+    for k in range(count):
+        mark = (k * 7 + key * 13 + k * k * 3) % 11
+        height = room * tall * (0.8 + 0.02 * mark)
+        x0 = cell.x0 + k * step
+        color = palette[(mark + k) % len(palette)]
+        back = cell.y0 + 0.01 + 0.002 * mark
+        front = min(cell.y1 - 0.01, back + depth * (0.8 if fill != "magazines" else 0.3))
+        if fill in ("bottles", "plants"):
+            b.cyl(
+                x0 + step / 2,
+                mid,
+                (cell.z, cell.z + height),
+                step * 0.4,
+                color,
+                "goods",
+                n=8,
+                solid=False,
+            )
+        elif fill == "books" and mark == 3:
+            continue
+        else:
+            b.box(
+                (x0 + 0.002, x0 + step - 0.002),
+                (back, front),
+                (cell.z, cell.z + height),
+                color,
+                "goods",
+                False,
+            )
+
+
+@recipe("shelf")
+def shelf(b: Builder) -> None:
+    """Boards between sides or posts; filled where the surface rule says that they are not free."""
+    w, d, h = b.w, b.d, b.h
+    count = int(b.p.get("levels", max(2, round(h / 0.38))))
+    base = float(b.p.get("base", 0.08 if h > 0.5 else 0.03))
+    heights = [base + (h - base) * i / count for i in range(count)]
+    main, posts, double = b.mat(), b.p.get("frame") == "posts", b.p.get("sides") == 2
+    if posts:
+        b.legs((0, h), 0.018, main, 0.0)
+    else:
+        for sx in (-1, 1):
+            lo, hi = sorted((sx * w / 2, sx * (w / 2 - BOARD)))
+            b.box((lo, hi), (-d / 2, d / 2), (0, h), main, "sides")
+    if double:
+        b.box((-w / 2, w / 2), (-0.012, 0.012), (0.02, h), main, "back")
+    elif not posts:
+        b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.01), (0.02, h), main, "back")
+    for z in (*heights, h):
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - BOARD, z), main, "boards")
+    if base > 0.05 and not posts:
+        b.box(
+            (-w / 2, w / 2), (-d / 2 + 0.01, d / 2 - 0.02), (0, base - BOARD), main, "plinth", False
+        )
+    free = {round(t.z, 2) for t in b.tops}
+    fill = str(b.p.get("fill", "none"))
+    if fill == "none":
+        return
+    gap = (h - base) / count - BOARD
+    sides = (
+        [(0.014, d / 2 - 0.01), (-d / 2 + 0.01, -0.014)]
+        if double
+        else [(-d / 2 + 0.012, d / 2 - 0.01)]
+    )
+    for level, z in enumerate(heights):
+        if round(z, 2) in free:
+            continue
+        for y0, y1 in sides:
+            goods(b, fill, Rect(-w / 2 + 0.03, w / 2 - 0.03, y0, y1, z, z + gap), y1 - y0, level)
+
+
+@recipe("cabinet")
+def cabinet(b: Builder) -> None:
+    """Carcass with doors or drawers, plinth or castors, handles, a worktop where it has one."""
+    w, d, h = b.w, b.d, b.h
+    cols, rows = int(b.p.get("cols", 2)), int(b.p.get("rows", 1))
+    plinth = float(b.p.get("plinth", min(0.08, h * 0.1)))
+    front, main = str(b.p.get("front", "drawers")), b.mat()
+    z1 = h
+    if b.p.get("top"):
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - BOARD, h), str(b.p["top"]), "top")
+        z1 = h - BOARD
+    face = d / 2 - 0.022
+    if front == "wheels":
+        b.wheels(0.045)
+    elif plinth > 0.01:
+        b.box(
+            (-w / 2 + 0.015, w / 2 - 0.015),
+            (-d / 2 + 0.01, face - 0.03),
+            (0, plinth),
+            "plastic_dark",
+            "plinth",
+        )
+    for sx in (-1, 1):
+        lo, hi = sorted((sx * w / 2, sx * (w / 2 - BOARD)))
+        b.box((lo, hi), (-d / 2, face), (plinth, z1), main, "sides")
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.015), (plinth, z1), main, "back")
+    width, height = (w - BOARD) / cols, (h - plinth - BOARD) / rows
+    for row in range(rows + 1):
+        z = plinth + row * height
+        b.box((-w / 2, w / 2), (-d / 2, face), (z, z + BOARD), main, "boards")
+    for col in range(1, cols):
+        x = -w / 2 + col * width
+        b.box((x, x + BOARD), (-d / 2, face), (plinth, z1), main, "sides")
+    for row in range(rows):
+        for col in range(cols):
+            x0, z0 = -w / 2 + BOARD / 2 + col * width, plinth + BOARD / 2 + row * height
+            _front(
+                b,
+                front,
+                (x0 + 0.002, x0 + width - 0.002),
+                (z0 + 0.002, z0 + height - 0.002),
+                face,
+                (row, col),
+            )
+
+
+Span = tuple[float, float]
+
+
+def _front(b: Builder, style: str, x: Span, z: Span, face: float, place: tuple[int, int]) -> None:
+    """One door or drawer front with its handle, slightly apart from its neighbours."""
+    main, y = b.mat(), (face + 0.001, face + 0.016)
+    grip = (y[1], b.d / 2)
+    if style == "glass":
+        b.box(x, y, z, "glass_clear", "doors", False)
+        for z0, z1 in ((z[0], z[0] + 0.04), (z[1] - 0.04, z[1])):
+            b.box(x, y, (z0, z1), main, "doors", False)
+    else:
+        b.box(x, y, z, main, "doors" if style != "drawers" else "drawers", False)
+    if style in ("recycle", "slot"):
+        _slots(b, style, x, z[1], grip, place[1])
+        return
+    if style == "locker":
+        _vents(b, x, z[1], grip[0])
+    _grip(b, style, x, z, grip, place[1])
+
+
+def _slots(b: Builder, style: str, x: Span, top: float, y: Span, column: int) -> None:
+    """A letter slot; or a label in the colour of what is collected, and the slot below it."""
+    if style == "slot":
+        slot = (x[0] + 0.1, x[1] - 0.1)
+        b.box(slot, y, (top - 0.25, top - 0.18), "plastic_black", "slots", False)
+        return
+    color = ("plastic_blue", "plastic_yellow", "plastic_green", "plastic_grey")[column % 4]
+    b.box((x[0] + 0.03, x[1] - 0.03), y, (top - 0.22, top - 0.06), color, "labels", False)
+    middle = (x[0] + x[1]) / 2
+    b.box(
+        (middle - 0.07, middle + 0.07),
+        (y[0], y[1] - 0.001),
+        (top - 0.36, top - 0.27),
+        "plastic_black",
+        "slots",
+        False,
+    )
+
+
+def _vents(b: Builder, x: Span, top: float, face: float) -> None:
+    """Three slits for air."""
+    middle = (x[0] + x[1]) / 2
+    for k in range(3):
+        b.box(
+            (middle - 0.06, middle + 0.06),
+            (face, face + 0.003),
+            (top - 0.1 - k * 0.02, top - 0.09 - k * 0.02),
+            "plastic_dark",
+            "vents",
+            False,
+        )
+
+
+def _grip(b: Builder, style: str, x: Span, z: Span, y: Span, column: int) -> None:
+    """The dial of a safe, an upright handle on the free side of a door, or a level one."""
+    xm, zm = (x[0] + x[1]) / 2, (z[0] + z[1]) / 2
+    if style == "safe":
+        b.rod((xm, y[0], zm), (xm, y[1], zm), min(b.w, b.h) * 0.12, "metal_steel", "dial", 16)
+        return
+    if style in ("doors", "glass", "locker"):
+        left = column % 2 == 1 or b.p.get("cols", 2) == 1
+        hx = x[0] + 0.04 if left else x[1] - 0.04
+        across, up = (hx - 0.006, hx + 0.006), (zm - 0.07, zm + 0.07)
+    else:
+        half = min(0.07, (x[1] - x[0]) * 0.3)
+        level = zm if style != "lid" else z[1] - 0.05
+        across, up = (xm - half, xm + half), (level - 0.006, level + 0.006)
+    b.box(across, y, up, "metal_steel", "handles", False)
+
+
+@recipe("trolley")
+def trolley(b: Builder) -> None:
+    """Trays between posts on castors, with a push bar."""
+    w, d = b.w, b.d
+    for t in b.tops:
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (t.z - 0.025, t.z), b.mat(), "trays")
+    for sx in (-1, 1):
+        for sy in (-1, 1):
+            x, y = sx * (w / 2 - 0.02), sy * (d / 2 - 0.02)
+            b.rod((x, y, 0.09), (x, y, b.h - 0.012), 0.012, "metal_steel", "posts", solid=True)
+    for sx in (-1, 1):
+        b.rod(
+            (sx * (w / 2 - 0.02), -d / 2 + 0.02, b.h - 0.012),
+            (sx * (w / 2 - 0.02), d / 2 - 0.02, b.h - 0.012),
+            0.012,
+            "metal_steel",
+            "rail",
+        )
+    b.wheels(0.05)
+    fill = str(b.p.get("fill", "none"))
+    if fill != "none":
+        t = b.tops[-1]
+        goods(b, fill, Rect(t.x0, t.x1, t.y0, t.y1, 0.12, t.z - 0.05), d * 0.8, 1)

@@ -1,0 +1,186 @@
+"""Tables, desks, counters, workbenches."""
+
+from collections.abc import Callable
+
+from mansion_assets.builder import Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+def _supports(b: Builder, style: str, z: float, frame: str) -> None:
+    """Legs below a top at height `z`."""
+    _SUPPORTS.get(style, _four_legs)(b, z, frame)
+
+
+def _pedestal(b: Builder, z: float, frame: str) -> None:
+    """A column in the middle on a round foot."""
+    w, d = b.w, b.d
+    b.lathe(
+        [(0.42, 0.0), (0.42, 0.02), (0.06, 0.05), (0.05, z * 0.9), (0.12, z)],
+        frame,
+        stretch=(min(w, d), min(w, d)),
+        part="legs",
+        n=20,
+    )
+    b.boxes.pop()
+    b.cyl(0, 0, (0.0, 0.03), min(w, d) * 0.42, frame, "legs", n=20)
+    b.cyl(0, 0, (0.03, z), 0.05, frame, "legs")
+
+
+def _panels(b: Builder, z: float, frame: str) -> None:
+    """A panel at each end and one across the back."""
+    w, d = b.w, b.d
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.06)
+        b.box((x - 0.02, x + 0.02), (-d / 2 + 0.06, d / 2 - 0.06), (0, z), frame, "legs")
+    b.box(
+        (-w / 2 + 0.08, w / 2 - 0.08),
+        (-d / 2 + 0.12, -d / 2 + 0.14),
+        (z * 0.35, z),
+        frame,
+        "modesty",
+    )
+
+
+def _end_frame(b: Builder, side: int, z: float, frame: str, posts: tuple[float, ...]) -> None:
+    """A bar on the floor, posts at the `posts` (y) and a bar below the top, at one end."""
+    reach = (-b.d / 2 + 0.03, b.d / 2 - 0.03)
+    x = side * (b.w / 2 - 0.08)
+    b.box((x - 0.03, x + 0.03), reach, (0, 0.03), frame, "legs")
+    b.box((x - 0.03, x + 0.03), reach, (z - 0.03, z), frame, "legs")
+    for y in posts:
+        b.box((x - 0.03, x + 0.03), (y - 0.03, y + 0.03), (0.02, z - 0.02), frame, "legs")
+
+
+def _tee(b: Builder, z: float, frame: str) -> None:
+    for side in (-1, 1):
+        _end_frame(b, side, z, frame, (0.0,))
+
+
+def _sled(b: Builder, z: float, frame: str) -> None:
+    reach = (-b.d / 2 + 0.03, b.d / 2 - 0.03)
+    for side in (-1, 1):
+        _end_frame(b, side, z, frame, (reach[0] + 0.03, reach[1] - 0.03))
+
+
+def _cee(b: Builder, z: float, frame: str) -> None:
+    """A frame at one end that carries the top alone, as beside a bed."""
+    _end_frame(b, -1, z, frame, (0.0,))
+    b.box((-b.w / 2 + 0.05, b.w / 2 - 0.05), (-0.04, 0.04), (0, 0.05), frame, "legs")
+
+
+def _trestles(b: Builder, z: float, frame: str) -> None:
+    w, d = b.w, b.d
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.2)
+        for sy in (-1, 1):
+            foot, head = sy * (d / 2 - 0.05), (x, sy * d * 0.28, z)
+            b.rod((x - 0.08, foot, 0), head, 0.022, frame, "legs", solid=True)
+            b.rod((x + 0.08, foot, 0), head, 0.022, frame, "legs")
+        b.box((x - 0.03, x + 0.03), (-d * 0.3, d * 0.3), (z - 0.06, z), frame, "legs", False)
+
+
+def _cloth(b: Builder, z: float, frame: str) -> None:
+    """A cloth down to the floor."""
+    b.lathe([(0.5, 0.0), (0.47, z)], b.mat(), stretch=(b.w, b.d), part="cloth", n=28)
+
+
+def _four_legs(b: Builder, z: float, frame: str) -> None:
+    """Four legs joined by an apron."""
+    w, d = b.w, b.d
+    b.legs((0, z), min(0.035, w * 0.04), frame, 0.02)
+    rail = (z - 0.07, z)
+    for y in ((-d / 2 + 0.05, -d / 2 + 0.07), (d / 2 - 0.07, d / 2 - 0.05)):
+        b.box((-w / 2 + 0.05, w / 2 - 0.05), y, rail, frame, "apron", False)
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.06)
+        b.box((x - 0.01, x + 0.01), (-d / 2 + 0.05, d / 2 - 0.05), rail, frame, "apron", False)
+
+
+_SUPPORTS: dict[str, Callable[[Builder, float, str], None]] = {
+    "pedestal": _pedestal,
+    "panel": _panels,
+    "tee": _tee,
+    "sled": _sled,
+    "cee": _cee,
+    "trestle": _trestles,
+    "cloth": _cloth,
+}
+
+
+def _top(b: Builder, z: float, thick: float, round_: bool) -> None:
+    w, d = b.w, b.d
+    if round_:
+        b.lathe(
+            [(0.485, z - thick), (0.5, z - thick * 0.5), (0.5, z)],
+            b.mat(),
+            stretch=(w, d),
+            part="top",
+            n=32,
+        )
+    else:
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - thick, z), b.mat(), "top")
+
+
+@recipe("table")
+def table(b: Builder) -> None:
+    """Rectangular or round top on legs, a pedestal, panels or frames."""
+    h = b.h
+    thick = min(0.04, h * 0.1)
+    _top(b, h, thick, b.p.get("shape") == "round")
+    style = str(b.p.get("legs", "four"))
+    frame = b.mat("frame", b.mat() if style != "cloth" else "metal_grey")
+    _supports(b, style, h - thick, frame)
+    if b.p.get("shelf") or (h < 0.6 and style == "four" and b.w * 1000 % 2 < 1):
+        z = h * 0.3
+        b.box(
+            (-b.w / 2 + 0.04, b.w / 2 - 0.04),
+            (-b.d / 2 + 0.04, b.d / 2 - 0.04),
+            (z - 0.02, z),
+            frame,
+            "shelf",
+        )
+
+
+@recipe("desk")
+def desk(b: Builder) -> None:
+    """Top on legs or panels, drawers under the right side, a hutch on high ones."""
+    w, d = b.w, b.d
+    z = b.tops[0].z
+    style = str(b.p.get("legs", "panel"))
+    _top(b, z, 0.03, False)
+    _supports(b, style, z - 0.03, b.mat("frame", b.mat()))
+    if style == "panel" and (b.p.get("drawers") or w > 1.0) and d > 0.3:
+        width = min(0.42, w * 0.32)
+        sides = (-1, 1) if int(b.p.get("drawers", 1)) > 1 else (1,)
+        for sx in sides:
+            lo, hi = sorted((sx * (w / 2 - 0.08), sx * (w / 2 - 0.08 - width)))
+            b.box((lo, hi), (-d / 2 + 0.1, d / 2 - 0.1), (0.1, z - 0.03), b.mat(), "drawers")
+            for k in range(3):
+                z0 = 0.12 + k * (z - 0.17) / 3
+                b.box(
+                    (lo + 0.01, hi - 0.01),
+                    (d / 2 - 0.1, d / 2 - 0.085),
+                    (z0, z0 + (z - 0.17) / 3 - 0.012),
+                    b.mat(),
+                    "fronts",
+                    False,
+                )
+                b.box(
+                    ((lo + hi) / 2 - 0.06, (lo + hi) / 2 + 0.06),
+                    (d / 2 - 0.085, d / 2 - 0.07),
+                    (z0 + 0.1, z0 + 0.115),
+                    "metal_steel",
+                    "handles",
+                    False,
+                )
+    if b.h > z + 0.02:
+        shelf = b.tops[1]
+        for x in (-w / 2 + 0.012, w / 2 - 0.012):
+            b.box((x - 0.012, x + 0.012), (-d / 2, shelf.y1 + 0.02), (z, b.h), b.mat(), "hutch")
+        b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.012), (z, b.h), b.mat(), "hutch")
+        for level in (b.h, z + (b.h - z) * 0.55):
+            b.box(
+                (-w / 2, w / 2), (-d / 2, shelf.y1 + 0.02), (level - 0.022, level), b.mat(), "hutch"
+            )

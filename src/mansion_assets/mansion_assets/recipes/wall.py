@@ -1,0 +1,215 @@
+"""Boxes, shelves and signs on walls."""
+
+from mansion_assets.builder import Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+@recipe("wall_box")
+def wall_box(b: Builder) -> None:
+    """Boxes on walls: switches, dispensers, dryers, cabinets, air conditioners."""
+    style = str(b.p.get("style", "plain"))
+    if style == "nozzle":
+        _nozzle(b)
+    elif style == "fold":
+        _folding_table(b)
+    else:
+        front = _FRONTS.get(style)
+        body = b.d * (0.9 if front is not None else 1.0)
+        b.box((-b.w / 2, b.w / 2), (-b.d / 2, -b.d / 2 + body), (0, b.h), b.mat(), "case")
+        if front is not None:
+            front(b, (-b.d / 2 + body, b.d / 2))
+        elif style == "vent":
+            _slats(b)
+
+
+def _nozzle(b: Builder) -> None:
+    """Case with a nozzle below and a window."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.015), (h * 0.15, h), main, "case")
+    b.box((-w * 0.15, w * 0.15), (-0.02, d / 2), (0, h * 0.2), "plastic_grey", "nozzle")
+    b.box(
+        (-w * 0.4, w * 0.4),
+        (d / 2 - 0.016, d / 2 - 0.01),
+        (h * 0.45, h * 0.85),
+        "plastic_grey",
+        "window",
+        False,
+    )
+
+
+def _folding_table(b: Builder) -> None:
+    """Table with a pad, folded down from its back."""
+    w, d, h = b.w, b.d, b.h
+    main = b.mat()
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.1), (0, h), main, "back")
+    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.1, d / 2), (0, 0.06), main, "table")
+    b.box(
+        (-w / 2 + 0.1, w / 2 - 0.1),
+        (-d / 2 + 0.1, d / 2 - 0.05),
+        (0.06, 0.075),
+        "rubber_grey",
+        "pad",
+        False,
+    )
+
+
+def _button(b: Builder, y: tuple[float, float]) -> None:
+    """Rocker or push button."""
+    w, h = b.w, b.h
+    main = b.mat()
+    b.box(
+        (-w * 0.28, w * 0.28),
+        y,
+        (h * 0.28, h * 0.72),
+        "plastic_light" if main != "plastic_white" else "plastic_grey",
+        "button",
+        False,
+    )
+
+
+def _socket(b: Builder, y: tuple[float, float]) -> None:
+    """Round socket."""
+    w, h = b.w, b.h
+    b.rod((0, y[0], h / 2), (0, y[1], h / 2), w * 0.34, "plastic_grey", "socket", 20)
+
+
+def _sockets(b: Builder, y: tuple[float, float]) -> None:
+    """Row of six gas and power outlets."""
+    w, h = b.w, b.h
+    for k in range(6):
+        x = -w * 0.42 + k * w * 0.168
+        b.box(
+            (x - 0.04, x + 0.04),
+            y,
+            (h * 0.3, h * 0.7),
+            (
+                "plastic_blue",
+                "plastic_green",
+                "plastic_grey",
+                "light_white",
+                "plastic_grey",
+                "plastic_red",
+            )[k],
+            "sockets",
+            False,
+        )
+
+
+def _cross(b: Builder, y: tuple[float, float]) -> None:
+    """Cross of first aid."""
+    w, h = b.w, b.h
+    main = b.mat()
+    other = "plastic_white" if main != "plastic_white" else "plastic_green"
+    b.box((-w * 0.3, w * 0.3), y, (h * 0.42, h * 0.58), other, "cross", False)
+    b.box((-w * 0.09, w * 0.09), y, (h * 0.24, h * 0.76), other, "cross", False)
+
+
+def _door_front(b: Builder, y: tuple[float, float]) -> None:
+    """Door with a handle and a label."""
+    w, h = b.w, b.h
+    main = b.mat()
+    b.box(
+        (-w * 0.44, w * 0.44),
+        (y[0], y[0] + 0.4 * (y[1] - y[0])),
+        (h * 0.05, h * 0.95),
+        main,
+        "door",
+        False,
+    )
+    b.box((w * 0.32, w * 0.36), y, (h * 0.4, h * 0.6), "metal_steel", "handle", False)
+    b.box(
+        (-w * 0.2, w * 0.1),
+        (y[0], y[0] + 0.5 * (y[1] - y[0])),
+        (h * 0.6, h * 0.8),
+        "paper_white",
+        "label",
+        False,
+    )
+
+
+def _slot(b: Builder, y: tuple[float, float]) -> None:
+    """Slot near the lower edge."""
+    w, h = b.w, b.h
+    b.box((-w * 0.35, w * 0.35), y, (h * 0.05, h * 0.12), "plastic_black", "slot", False)
+
+
+def _slats(b: Builder) -> None:
+    """Slats of an air outlet, and a lamp."""
+    w, d, h = b.w, b.d, b.h
+    for k in range(4):
+        z = h * (0.08 + 0.07 * k)
+        b.box(
+            (-w * 0.42, w * 0.42),
+            (d / 2 - 0.003, d / 2),
+            (z, z + h * 0.03),
+            "plastic_dark",
+            "slats",
+            False,
+        )
+    b.box(
+        (w * 0.3, w * 0.4),
+        (d / 2 - 0.003, d / 2),
+        (h * 0.75, h * 0.82),
+        "light_green",
+        "led",
+        False,
+    )
+
+
+_FRONTS = {
+    "button": _button,
+    "cross": _cross,
+    "door": _door_front,
+    "slot": _slot,
+    "socket": _socket,
+    "sockets": _sockets,
+}
+"""What stands out on the front of a box, from the case to the asset's front at `y`."""
+
+
+@recipe("wall_shelf")
+def wall_shelf(b: Builder) -> None:
+    """Board on two brackets, its upper face at the top."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.025, h), b.mat(), "board")
+    for sx in (-1, 1):
+        x = sx * w * 0.36
+        b.box(
+            (x - 0.01, x + 0.01),
+            (-d / 2, -d / 2 + 0.012),
+            (0, h - 0.025),
+            "metal_black",
+            "brackets",
+        )
+        b.rod(
+            (x, -d / 2 + 0.01, 0.01), (x, d / 2 - 0.03, h - 0.03), 0.007, "metal_black", "brackets"
+        )
+
+
+@recipe("sign")
+def sign(b: Builder) -> None:
+    """Plate with a symbol; exit signs with an arrow and a running figure of bars."""
+    w, d, h = b.w, b.d, b.h
+    z1 = h * 0.62 if b.p.get("style") == "hanging" else h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.002), (0, z1), b.mat(), "plate")
+    if z1 < h:
+        for sx in (-1, 1):
+            b.rod((sx * w * 0.35, 0, z1), (sx * w * 0.35, 0, h), 0.006, "metal_steel", "rods")
+    light = "light_white" if b.mat() == "plastic_green" else "plastic_dark"
+    b.prism(
+        [(w * 0.08, z1 * 0.5), (w * 0.25, z1 * 0.25), (w * 0.25, z1 * 0.75)],
+        (d / 2 - 0.002, d / 2),
+        light,
+        "y",
+        "arrow",
+        False,
+    )
+    b.box(
+        (w * 0.25, w * 0.42), (d / 2 - 0.002, d / 2), (z1 * 0.42, z1 * 0.58), light, "arrow", False
+    )
+    b.box(
+        (-w * 0.4, -w * 0.1), (d / 2 - 0.002, d / 2), (z1 * 0.2, z1 * 0.8), light, "symbol", False
+    )

@@ -1,0 +1,187 @@
+"""Weights and the machines that lift them."""
+
+from mansion_assets.builder import Builder
+from mansion_assets.registry import recipe
+
+__all__: list[str] = []
+
+
+@recipe("weight_bench")
+def weight_bench(b: Builder) -> None:
+    """Padded bench."""
+    w, d, h = b.w, b.d, b.h
+    for y in (-d * 0.4, d * 0.4):
+        b.box((-w / 2, w / 2), (y - 0.03, y + 0.03), (0, 0.05), "metal_black", "feet")
+        b.box((-0.03, 0.03), (y - 0.03, y + 0.03), (0.05, h - 0.1), "metal_black", "posts")
+    b.box((-0.03, 0.03), (-d * 0.4, d * 0.4), (h - 0.14, h - 0.08), "metal_black", "beam")
+    b.cushion((-0.15, 0.15), (-d / 2, d / 2), (h - 0.08, h), b.mat(), "pad", 0.4)
+
+
+def _barbell(b: Builder, y: float, z: float) -> None:
+    half = b.w / 2
+    b.rod((-half, y, z), (half, y, z), 0.014, "metal_chrome", "bar", solid=True)
+    for sx in (-1, 1):
+        for k, r in enumerate((0.21, 0.17)):
+            x = sx * (half - 0.2 + 0.05 * k)
+            b.rod((x - 0.018, y, z), (x + 0.018, y, z), r, "rubber_black", "plates", 24, True)
+
+
+@recipe("bench_press")
+def bench_press(b: Builder) -> None:
+    """Bench below a barbell on its rack."""
+    _w, d, h = b.w, b.d, b.h
+    for sx in (-1, 1):
+        x = sx * 0.5
+        b.box((x - 0.03, x + 0.03), (-d / 2, -d * 0.1), (0, 0.05), b.mat(), "feet")
+        b.box((x - 0.03, x + 0.03), (-d * 0.36, -d * 0.32), (0.04, h - 0.1), b.mat(), "posts")
+    b.box((-0.5, 0.5), (-d * 0.36, -d * 0.32), (0.2, 0.26), b.mat(), "beam")
+    b.cushion((-0.15, 0.15), (-d * 0.4, d * 0.46), (0.4, 0.48), "leather_black", "pad", 0.4)
+    b.box((-0.03, 0.03), (-d * 0.3, d * 0.4), (0.3, 0.4), b.mat(), "beam")
+    b.box((-0.25, 0.25), (d / 2 - 0.06, d / 2), (0, 0.05), b.mat(), "feet")
+    b.box((-0.03, 0.03), (d / 2 - 0.06, d / 2), (0.04, 0.36), b.mat(), "posts")
+    _barbell(b, -d * 0.3, h - 0.21)
+
+
+@recipe("dumbbell")
+def dumbbell(b: Builder) -> None:
+    """One weight lying on the floor, its bar along y."""
+    w, d, h = b.w, b.d, b.h
+    r = min(w, h) / 2
+    b.rod((0, -d * 0.3, r), (0, d * 0.3, r), r * 0.28, "metal_chrome", "bar", 10)
+    for sy in (-1, 1):
+        b.rod((0, sy * d * 0.24, r), (0, sy * d / 2, r), r, b.mat(), "weights", 16, True)
+
+
+@recipe("dumbbell_rack")
+def dumbbell_rack(b: Builder) -> None:
+    """Sloped tiers of dumbbells or kettlebells."""
+    w, d, h = b.w, b.d, b.h
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.03)
+        b.box((x - 0.03, x + 0.03), (-d / 2, d / 2), (0, 0.05), b.mat(), "frame")
+        b.prism(
+            [(d * 0.3, 0.04), (d * 0.4, 0.04), (-d * 0.3, h), (-d * 0.4, h)],
+            (x - 0.03, x + 0.03),
+            b.mat(),
+            part="frame",
+        )
+    tiers = 3 if h > 0.9 else 2
+    for k in range(tiers):
+        z = 0.22 + k * (h - 0.36) / max(1, tiers - 1)
+        y = d * 0.26 - k * d * 0.48 / max(1, tiers - 1)
+        b.box((-w / 2 + 0.03, w / 2 - 0.03), (y - 0.11, y + 0.11), (z - 0.03, z), b.mat(), "tiers")
+        count = int((w - 0.2) / 0.17)
+        for j in range(count):
+            x = -w / 2 + 0.13 + j * (w - 0.26) / (count - 1)
+            if b.p.get("style") == "kettle":
+                b.ball(
+                    (x, y, z + 0.08),
+                    (0.07, 0.07, 0.08),
+                    ("rubber_black", "paint_red", "paint_blue")[j % 3],
+                    "weights",
+                    10,
+                    False,
+                )
+                b.path(
+                    [
+                        (x - 0.04, y, z + 0.13),
+                        (x - 0.03, y, z + 0.2),
+                        (x + 0.03, y, z + 0.2),
+                        (x + 0.04, y, z + 0.13),
+                    ],
+                    0.012,
+                    "metal_dark",
+                    "weights",
+                )
+            else:
+                for sy in (-1, 1):
+                    b.rod(
+                        (x, y + sy * 0.05, z + 0.065),
+                        (x, y + sy * 0.13, z + 0.065),
+                        0.06,
+                        "rubber_black",
+                        "weights",
+                        12,
+                    )
+                b.rod(
+                    (x, y - 0.06, z + 0.065),
+                    (x, y + 0.06, z + 0.065),
+                    0.016,
+                    "metal_chrome",
+                    "weights",
+                )
+
+
+@recipe("gym_frame")
+def gym_frame(b: Builder) -> None:
+    """Weight machines: cable tower, leg press, power rack."""
+    style = b.p.get("style", "cable")
+    if style == "rack":
+        _power_rack(b)
+    elif style == "seat":
+        _leg_press(b)
+    else:
+        _cable_tower(b)
+
+
+def _power_rack(b: Builder) -> None:
+    """Frame of four posts with a barbell."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    b.legs((0, h), 0.035, m, 0.05)
+    for z in (0.03, h - 0.03):
+        for sx in (-1, 1):
+            x = sx * (w / 2 - 0.085)
+            b.box((x - 0.03, x + 0.03), (-d / 2, d / 2), (z - 0.03, z + 0.03), m, "frame")
+        b.box((-w / 2, w / 2), (-d / 2 + 0.05, -d / 2 + 0.11), (z - 0.03, z + 0.03), m, "frame")
+    _barbell(b, d / 2 - 0.14, h * 0.6)
+
+
+def _leg_press(b: Builder) -> None:
+    """Sloped rails with a sled of plates, facing a reclined seat."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    b.box((-w * 0.4, w * 0.4), (-d / 2, d / 2), (0, 0.06), m, "base")
+    for sx in (-1, 1):
+        x, plate = sx * w * 0.3, (-d * 0.22, h * 0.62)
+        b.rod((x, d * 0.2, 0.05), (x, -d / 2 + 0.05, h - 0.04), 0.035, m, "rails", 10, True)
+        b.rod((sx * w * 0.34, *plate), (sx * w / 2, *plate), 0.2, "rubber_black", "plates", 24)
+    b.prism(
+        [
+            (-d * 0.3, h * 0.5),
+            (-d * 0.24, h * 0.46),
+            (-d * 0.12, h * 0.78),
+            (-d * 0.2, h * 0.82),
+        ],
+        (-w * 0.3, w * 0.3),
+        "metal_dark",
+        part="sled",
+    )
+    b.cushion((-0.24, 0.24), (d * 0.12, d * 0.36), (0.2, 0.32), "leather_black", "seat")
+    b.prism(
+        [(d * 0.34, 0.28), (d * 0.4, 0.26), (d * 0.5, 0.85), (d * 0.42, 0.88)],
+        (-0.24, 0.24),
+        "leather_black",
+        part="back",
+    )
+
+
+def _cable_tower(b: Builder) -> None:
+    """Stack of weights between posts, a grip on a cable, a seat before it."""
+    w, d, h = b.w, b.d, b.h
+    m, posts = b.mat(), (-d / 2 + 0.08, -d / 2 + 0.16)
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.3), (0, 0.06), m, "base")
+    b.box((-0.05, 0.05), (-d / 2 + 0.1, d / 2), (0, 0.06), m, "base")
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.04)
+        b.box((x - 0.03, x + 0.03), posts, (0.05, h), m, "posts")
+    b.box((-w / 2, w / 2), posts, (h - 0.07, h), m, "head")
+    b.box((-0.04, 0.04), (-d / 2 + 0.1, 0.1), (h - 0.06, h), m, "head")
+    for k in range(11):
+        z = 0.12 + k * 0.06
+        y = (-d / 2 + 0.04, -d / 2 + 0.22)
+        b.box((-0.16, 0.16), y, (z, z + 0.05), "metal_dark", "stack", k in (0, 10))
+    b.rod((0, 0.08, h - 0.06), (0, 0.12, h * 0.78), 0.005, "plastic_black", "cable")
+    b.rod((-0.4, 0.12, h * 0.77), (0.4, 0.12, h * 0.77), 0.014, "metal_chrome", "grip")
+    b.cushion((-0.17, 0.17), (0.08, d / 2 - 0.02), (0.42, 0.5), "leather_black", "seat")
+    b.box((-0.03, 0.03), (d * 0.2, d * 0.26), (0.05, 0.44), m, "posts")

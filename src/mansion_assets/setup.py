@@ -1,0 +1,35 @@
+"""Build mansion_assets with colcon (ament_python) or pip."""
+
+from setuptools import find_packages, setup
+
+NAME = "mansion_assets"
+
+setup(
+    name=NAME,
+    version="0.1.0",
+    description="The catalogue of furniture and fittings, their meshes, and finding them by words.",
+    author="Mansion maintainers",
+    maintainer="Mansion maintainers",
+    maintainer_email="maintainers@mansion.example",
+    license="Apache-2.0",
+    python_requires=">=3.11,<3.14",
+    packages=find_packages(include=[NAME, f"{NAME}.*"]),
+    package_data={"": ["py.typed", "**/NOTICE", "**/data/**", "**/*.json"]},
+    data_files=[
+        ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
+        (f"share/{NAME}", ["package.xml"]),
+    ],
+    zip_safe=False,
+    install_requires=[
+        "mansion_geometry",
+        "mansion_llm",
+        "mansion_msgs_py",
+        "msgspec>=0.19",
+        "numpy>=1.26",
+        "trimesh>=4.0",
+    ],
+    extras_require={
+        "test": ["pytest"],
+        "embeddings": ["sentence-transformers>=3"],
+    },
+)

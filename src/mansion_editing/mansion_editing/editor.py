@@ -1,0 +1,262 @@
+"""The editor of one building: tools by name, edits that wait or land at once, undo and redo."""
+
+from collections.abc import Callable
+from typing import Any, Final
+
+import msgspec
+
+from mansion_assets.catalogue import Catalogue
+from mansion_assets.retrieval.retriever import Retriever
+from mansion_editing.merging import net_changes
+from mansion_editing.passages import passages_of
+from mansion_editing.physics.problem import PhysicsEngine
+from mansion_editing.state import SceneState
+from mansion_editing.storage import BuildingStore
+from mansion_editing.tools import changing, paths, perception, placing
+from mansion_msgs_py.codec import decode, encode
+from mansion_msgs_py.editing import (
+    CheckPathArgs,
+    CheckSurfaceArgs,
+    DiffReport,
+    EditResult,
+    ListObjectsArgs,
+    MoveObjectArgs,
+    ObjectChange,
+    PlaceInContainerArgs,
+    PlaceOnSurfaceArgs,
+    RemoveObjectArgs,
+    SearchAssetsArgs,
+    SearchContentsArgs,
+    SetStateArgs,
+    ToolArgs,
+    Transaction,
+)
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import SceneObject
+
+__all__ = ["ACTION_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "TOOLS", "SceneEditor"]
+
+PERCEPTION_TOOLS: Final[dict[str, type[Any]]] = {
+    "CheckPath": CheckPathArgs,
+    "SearchAssets": SearchAssetsArgs,
+    "ListObjects": ListObjectsArgs,
+    "CheckSurface": CheckSurfaceArgs,
+    "SearchContents": SearchContentsArgs,
+}
+ACTION_TOOLS: Final[dict[str, type[Any]]] = {
+    "PlaceInContainer": PlaceInContainerArgs,
+    "PlaceOnSurface": PlaceOnSurfaceArgs,
+    "RemoveObject": RemoveObjectArgs,
+    "MoveObject": MoveObjectArgs,
+    "SetState": SetStateArgs,
+}
+HISTORY_TOOLS: Final[dict[str, type[Any]]] = {
+    "Undo": ToolArgs,
+    "Redo": ToolArgs,
+    "Diff": ToolArgs,
+    "Save": ToolArgs,
+}
+TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **HISTORY_TOOLS}
+"""Each tool's name and the type of its arguments."""
+
+_ASK: Final[dict[str, Callable[[SceneState, Any], Any]]] = {
+    "CheckPath": paths.check_path,
+    "SearchAssets": perception.search_assets,
+    "ListObjects": perception.list_objects,
+    "CheckSurface": perception.check_surface,
+    "SearchContents": perception.search_contents,
+}
+
+
+class SceneEditor:
+    """Tools over one building.
+
+    Parameters
+    ----------
+    store : BuildingStore
+    catalogue : Catalogue
+    engine : PhysicsEngine
+    who : str
+        Written into the log.
+    autosave : bool
+        Land each edit at once.
+    retriever : Retriever, optional
+        What SearchAssets asks; text search when absent.
+    """
+
+    def __init__(
+        self,
+        store: BuildingStore,
+        catalogue: Catalogue,
+        engine: PhysicsEngine,
+        *,
+        who: str = "",
+        autosave: bool = True,
+        retriever: Retriever | None = None,
+    ) -> None:
+        self.store, self.catalogue, self.engine = store, catalogue, engine
+        self.who, self.autosave, self.retriever = who, autosave, retriever
+        self.state = SceneState([], catalogue, retriever)
+        self._what: list[str] = []
+        self._marks: list[int] = []
+        self._redo: list[tuple[str, list[ObjectChange]]] = []
+        self.reload()
+
+    def reload(self) -> None:
+        """Take the scenes from disk, dropping what waits to be saved."""
+        scenes = list(self.store.scenes().values())
+        self.state = SceneState(scenes, self.catalogue, self.retriever)
+        self._what, self._marks, self._redo = [], [], []
+
+    def refreshed(self) -> SceneState:
+        """Return the state, read anew when nothing waits and another editor has landed something."""
+        if not self.state.pending:
+            scenes = self.store.scenes()
+            if any(self.state.scenes[f].revision != s.revision for f, s in scenes.items()):
+                self.reload()
+        return self.state
+
+    def call(self, tool: str, arguments: Any = None) -> Any:
+        """Run a tool by name.
+
+        Parameters
+        ----------
+        arguments : payload, dict or JSON text, optional
+
+        Raises
+        ------
+        MansionError
+            ``NOT_FOUND`` for an unknown tool, ``INVALID_PAYLOAD`` for arguments that do not fit, or the tool's own.
+        """
+        kind = TOOLS.get(tool)
+        if kind is None:
+            raise MansionError(
+                ErrorCode.NOT_FOUND,
+                f"there is no tool {str(tool)[:80]!r}; tools are {', '.join(TOOLS)}",
+                path="$.tool",
+            )
+        args = arguments
+        if not isinstance(arguments, kind):
+            text = arguments if isinstance(arguments, str) else encode(arguments or {})
+            args = decode(kind, text)
+        state = self.refreshed()
+        if tool in _ASK:
+            return _ASK[tool](state, args)
+        if tool in ACTION_TOOLS:
+            return self._edit(tool, args)
+        return {"Undo": self.undo, "Redo": self.redo, "Diff": self.diff, "Save": self.save}[tool]()
+
+    def _edit(self, tool: str, args: Any) -> EditResult:
+        start = len(self.state.pending)
+        try:
+            message = self._act(tool, args)
+        except BaseException:
+            self.state.roll_back(start)
+            raise
+        ids = list(dict.fromkeys(change.id for change in self.state.pending[start:]))
+        if len(self.state.pending) > start:
+            self._marks.append(start)
+            self._what.append(f"{tool} {encode(_without_editor(args))}")
+            self._redo = []
+        if not self.autosave or not self.state.pending:
+            return EditResult(message=message, object_ids=ids, saved=not self.state.pending)
+        saved = self.save()
+        return msgspec.structs.replace(saved, message=message)
+
+    def _act(self, tool: str, args: Any) -> str:
+        state, engine = self.state, self.engine
+        if tool == "PlaceInContainer":
+            item = placing.place_in_container(state, args, engine)
+            return f"{item.id} is in {item.parent}"
+        if tool == "PlaceOnSurface":
+            item = placing.place_on_surface(state, args, engine, self._acceptable)
+            return f"{item.id} is on {item.parent or 'the floor of ' + item.room}"
+        if tool == "RemoveObject":
+            gone = changing.remove_object(state, args)
+            return f"removed {', '.join(gone)}" if gone else "there was nothing to remove"
+        if tool == "MoveObject":
+            item = changing.move_object(state, args, engine)
+            return f"{item.id} is now on {item.parent or 'the floor of ' + item.room}"
+        item = changing.set_state(state, args)
+        return f"{item.id}: {encode(item.states)}"
+
+    def _acceptable(self, floor: int, item: SceneObject) -> bool:
+        """Whether an object may stand there: no new fault of the check, and no room cut for a robot."""
+        before = dict(self.state.scenes)
+        objects = [*before[floor].objects, item]
+        after = {**before, floor: msgspec.structs.replace(before[floor], objects=objects)}
+        if self.store.new_faults(before, after):
+            return False
+        cuts = passages_of(after[floor]).cuts
+        return cuts.keys() <= self.state.index(floor).passages.cuts.keys()
+
+    def diff(self) -> DiffReport:
+        """Say what waits to be saved."""
+        changes = net_changes(self.state.pending)
+        words = [
+            f"{'+' if c.before is None else '-' if c.after is None else '~'} {c.id}"
+            for c in changes
+        ]
+        return DiffReport(message=", ".join(words) or "nothing waits to be saved", changes=changes)
+
+    def save(self, what: str = "") -> EditResult:
+        """Land what waits as one transaction; when it is refused, what waited is dropped.
+
+        Raises
+        ------
+        MansionError
+            ``INFEASIBLE`` or ``CONFLICT`` with the reason.
+        """
+        changes = net_changes(self.state.pending)
+        if not changes:
+            self.reload()
+            return EditResult(message="nothing to save", saved=True)
+        try:
+            done = self.store.land(changes, self.who, what or "; ".join(self._what))
+        finally:
+            self.reload()
+        return _landed("saved", done)
+
+    def undo(self) -> EditResult:
+        """Take back the last edit: one that waits, else this user's last one on disk."""
+        if self._marks:
+            start = self._marks.pop()
+            taken = self.state.pending[start:]
+            self._redo.append((self._what.pop(), taken))
+            self.state.roll_back(start)
+            ids = list(dict.fromkeys(change.id for change in taken))
+            return EditResult(message=f"took back {', '.join(ids)}", object_ids=ids)
+        done = self.store.undo(self.who)
+        self.reload()
+        return _landed(done.what, done)
+
+    def redo(self) -> EditResult:
+        """Do again what was undone last."""
+        if self._redo:
+            what, changes = self._redo.pop()
+            self._marks.append(len(self.state.pending))
+            self._what.append(what)
+            for change in changes:
+                self.state.apply(change)
+            ids = list(dict.fromkeys(change.id for change in changes))
+            return EditResult(message=f"did again {', '.join(ids)}", object_ids=ids)
+        done = self.store.redo(self.who)
+        self.reload()
+        return _landed(done.what, done)
+
+
+def _landed(message: str, done: Transaction) -> EditResult:
+    return EditResult(
+        message=message,
+        object_ids=[change.id for change in done.changes],
+        saved=True,
+        transaction=done.number,
+        revisions=done.revisions,
+    )
+
+
+def _without_editor(args: Any) -> dict[str, Any]:
+    plain: dict[str, Any] = msgspec.to_builtins(args)
+    return {
+        name: value for name, value in plain.items() if name != "editor" and value not in ("", None)
+    }

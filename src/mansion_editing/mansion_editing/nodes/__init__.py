@@ -1,0 +1,1 @@
+"""The scene editor as a ROS 2 node."""

@@ -1,0 +1,198 @@
+"""``scene_editor``: the one writer of scenes; the editing tools and the editing agent as services."""
+
+import re
+import threading
+from collections.abc import Callable, Sequence
+from datetime import UTC, datetime
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.parameter import Parameter
+
+from mansion_assets.catalogue import load_catalogue
+from mansion_assets.retrieval.configured import configured_retriever
+from mansion_editing.agent.instruct import instruct, provision
+from mansion_editing.editor import TOOLS, SceneEditor
+from mansion_editing.physics.engines import engine_named
+from mansion_editing.storage import BuildingStore
+from mansion_msgs_py.editing import (
+    AgentReport,
+    EditorInfo,
+    InstructArgs,
+    OpenEditorArgs,
+    ProvisionArgs,
+)
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.interfaces import service, topic
+from mansion_msgs_py.nodes.node import MansionNode
+from mansion_msgs_py.nodes.run import run_node
+from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
+
+__all__ = ["SceneEditorNode", "main"]
+
+_PARAMETERS = (
+    ("hooks", "mansion_bringup.edit_hooks", "module that checks edits and writes derived files"),
+    ("physics", "mujoco", "engine that settles placed objects: mujoco, static or thor"),
+    ("building", "", "folder to open at the start"),
+)
+_READ_ONCE = ("hooks", "building")
+
+
+class SceneEditorNode(MansionNode):
+    """Serves ``scene/...`` and publishes each floor that an edit changed."""
+
+    def __init__(self) -> None:
+        super().__init__("scene_editor")
+        for name, value, text in _PARAMETERS:
+            descriptor = ParameterDescriptor(description=text, read_only=name in _READ_ONCE)
+            self.declare_parameter(name, value, descriptor)
+        engine_named(self._physics())
+        self.add_on_set_parameters_callback(_accept_physics)
+        self._editors: dict[str, SceneEditor] = {}
+        self._scenes = JsonPublisher(self, topic("floor_scene"))
+        self._hooks = _load_hooks(str(self.get_parameter("hooks").value))
+        self._behind: dict[str, BuildingStore] = {}
+        self._wake = threading.Event()
+        threading.Thread(target=self._derive, name="derive", daemon=True).start()
+        group = MutuallyExclusiveCallbackGroup()
+        add_json_service(self, service("scene/open"), self.open, callback_group=group)
+        add_json_service(self, service("scene/instruct"), self.instruct, callback_group=group)
+        add_json_service(self, service("scene/provision"), self.provision, callback_group=group)
+        for tool in TOOLS:
+            name = f"scene/{_snake(tool)}"
+            add_json_service(self, service(name), self._tool(tool), callback_group=group)
+        if folder := str(self.get_parameter("building").value):
+            self.open(OpenEditorArgs(path=folder))
+
+    def open(self, args: OpenEditorArgs) -> EditorInfo:
+        """Open a building under a name."""
+        validator = getattr(self._hooks, "new_faults", None)
+        store = BuildingStore(Path(args.path), validator=validator, clock=_time)
+        editor = SceneEditor(
+            store,
+            load_catalogue(),
+            engine_named(self._physics()),
+            who=args.who or args.editor or "scene_editor",
+            autosave=args.autosave,
+            retriever=configured_retriever(),
+        )
+        self._editors[args.editor] = editor
+        self._finish(store)
+        entries = store.index.floors
+        return EditorInfo(
+            building_id=store.index.building_id,
+            floors=[entry.floor for entry in entries],
+            labels=[entry.label for entry in entries],
+            revisions={str(f): scene.revision for f, scene in editor.state.scenes.items()},
+            editor=args.editor,
+            who=editor.who,
+            autosave=args.autosave,
+        )
+
+    def instruct(self, args: InstructArgs) -> AgentReport:
+        """Carry out an instruction."""
+        editor = self._editor(args.editor)
+        return self._reported(editor, instruct(editor, args.instruction, args.planner))
+
+    def provision(self, args: ProvisionArgs) -> AgentReport:
+        """Make a task possible."""
+        editor = self._editor(args.editor)
+        return self._reported(editor, provision(editor, args.task))
+
+    def _reported(self, editor: SceneEditor, report: AgentReport) -> AgentReport:
+        if report.saved:
+            self._landed(editor, [])
+        return report
+
+    def _tool(self, tool: str) -> Callable[[Any], Any]:
+        def call(args: Any) -> Any:
+            editor = self._editor(args.editor)
+            reply = editor.call(tool, args)
+            if getattr(reply, "transaction", None) is not None:
+                self._landed(editor, [int(floor) for floor in reply.revisions])
+            return reply
+
+        return call
+
+    def _editor(self, name: str) -> SceneEditor:
+        if name not in self._editors:
+            raise MansionError(
+                ErrorCode.NOT_LOADED,
+                f"no building is open as {name!r}; call scene/open with its folder first",
+                path="$.editor",
+            )
+        editor = self._editors[name]
+        if editor.engine.name != (physics := self._physics()):
+            editor.engine = engine_named(physics)
+        return editor
+
+    def _physics(self) -> str:
+        return str(self.get_parameter("physics").value)
+
+    def _landed(self, editor: SceneEditor, floors: Sequence[int]) -> None:
+        for floor in floors or editor.store.log()[-1].revisions:
+            self._scenes.publish(editor.state.scenes[int(floor)])
+        self._finish(editor.store)
+
+    def _finish(self, store: BuildingStore) -> None:
+        """Have the files that are made from scenes written, after the reply."""
+        if hasattr(self._hooks, "floor_files"):
+            self._behind[str(store.folder.resolve())] = store
+            self._wake.set()
+
+    def _derive(self) -> None:
+        while True:
+            self._wake.wait()
+            self._wake.clear()
+            for folder in list(self._behind):
+                store = self._behind.pop(folder)
+                try:
+                    floors = store.refresh(self._hooks.floor_files, self._hooks.building_files)
+                except (MansionError, OSError) as error:
+                    self.get_logger().error(f"{folder}: derived files are behind: {error}")
+                else:
+                    if floors:
+                        self.get_logger().info(f"{folder}: wrote the files of floors {floors}")
+
+
+def _time() -> str:
+    """Return the time of day for a building's log, which simulated time says nothing about."""
+    return datetime.now(UTC).replace(microsecond=0).isoformat()
+
+
+def _accept_physics(parameters: Sequence[Parameter]) -> SetParametersResult:
+    """Refuse an engine that there is not."""
+    for parameter in parameters:
+        if parameter.name == "physics":
+            try:
+                engine_named(str(parameter.value))
+            except MansionError as error:
+                return SetParametersResult(successful=False, reason=error.info.message)
+    return SetParametersResult(successful=True)
+
+
+def _snake(name: str) -> str:
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
+
+
+def _load_hooks(name: str) -> ModuleType:
+    try:
+        return import_module(name)
+    except ImportError as error:
+        raise MansionError(
+            ErrorCode.UNAVAILABLE,
+            f"the parameter hooks names {name!r}, which cannot be imported: {error}",
+        ) from None
+
+
+def main(args: Sequence[str] | None = None) -> None:
+    """Run the node."""
+    run_node(SceneEditorNode, args)
+
+
+if __name__ == "__main__":
+    main()

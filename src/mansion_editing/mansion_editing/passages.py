@@ -1,0 +1,125 @@
+"""Where a robot's body fits between the furniture of a floor: the parts of each room's floor, and the doors of each."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import shapely
+from shapely.geometry import LineString, Point, Polygon
+
+from mansion_geometry.robot_body import BODY_RADIUS, footprint
+from mansion_msgs_py.scene import Door, FloorScene, SceneObject
+from mansion_scene.spawn import free_region
+
+__all__ = ["LOW", "OVERHEAD", "Passages", "passages_of"]
+
+LOW, OVERHEAD = 0.03, 1.5
+"""A thing lower than the one is walked over, one that starts above the other is walked under, metres."""
+
+_DOORWAY = 0.40
+"""How far before a door's middle line the robot's centre must have come, metres."""
+
+_THIN = 0.02
+"""What hangs closer to its wall stops nobody, metres."""
+
+_WORTH, _SHARE = 1.0, 0.2
+"""Area for the robot's centre, square metres and share of the room's, from which a part is more than a nook."""
+
+
+@dataclass(frozen=True)
+class Passages:
+    """How one floor hangs together for a robot.
+
+    Attributes
+    ----------
+    parts : mapping from room id to list of Polygon
+        Where the robot's centre may be, connected parts, the largest first. A room too narrow for a robot when empty
+        is left out: furniture does not close it.
+    doors : mapping from (room id, door id) to list of int
+        Numbers of the room's parts that the door leads to.
+    cuts : mapping from room id to list of str
+        Objects that stand before a door without leaving it a part, or between two parts of a room that each matter: a
+        door leads to it, or it is large.
+    """
+
+    parts: Mapping[str, Sequence[Polygon]]
+    doors: Mapping[tuple[str, str], Sequence[int]]
+    cuts: Mapping[str, Sequence[str]]
+
+    def at_door(self, room: str, door: str) -> Sequence[int]:
+        """Return the parts of a room that a door leads to; its only one for a place that is not looked into."""
+        return self.doors.get((room, door), (0,))
+
+    def at_point(self, room: str, x: float, y: float) -> int:
+        """Return the part nearest to a point."""
+        parts = self.parts.get(room, ())
+        here = Point(x, y)
+        return min(range(len(parts)), key=lambda n: float(parts[n].distance(here)), default=0)
+
+
+def passages_of(scene: FloorScene) -> Passages:
+    """Return the passages of a floor as it is furnished."""
+    standing: dict[str, list[SceneObject]] = {}
+    for item in scene.objects:
+        if _stops(item):
+            standing.setdefault(item.room, []).append(item)
+    parts: dict[str, list[Polygon]] = {}
+    doors: dict[tuple[str, str], list[int]] = {}
+    cuts: dict[str, list[str]] = {}
+    for room in scene.rooms:
+        empty = free_region(room, [], BODY_RADIUS)
+        if room.kind in ("stair", "elevator") or not empty:
+            continue
+        things = standing.get(room.id, [])
+        found = free_region(room, things, BODY_RADIUS) if things else empty
+        parts[room.id] = found
+        own = [door for door in scene.doors if room.id in door.rooms]
+        for door in own:
+            doors[room.id, door.id] = _led_to(door, found, empty)
+        shut = [door for door in own if not doors[room.id, door.id]]
+        if shut:
+            cuts[room.id] = _before(shut, things)
+            continue
+        between = _between(found, {n for d in own for n in doors[room.id, d.id]}, things)
+        if between is not None:
+            cuts[room.id] = between
+    return Passages(parts, doors, cuts)
+
+
+def _stops(item: SceneObject) -> bool:
+    low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
+    thin = item.mount == "wall" and item.size[1] <= _THIN
+    return item.mount in ("floor", "wall") and low < OVERHEAD and high > LOW and not thin
+
+
+def _led_to(door: Door, found: Sequence[Polygon], empty: Sequence[Polygon]) -> list[int]:
+    """Return the parts before a door; all of them where even the empty room has none there (a door in a deep wall)."""
+    line = LineString(door.segment)
+    if not (shapely.distance(list(empty), line) <= _DOORWAY).any():
+        return list(range(len(found)))
+    return [n for n, part in enumerate(found) if part.distance(line) <= _DOORWAY]
+
+
+def _before(shut: Sequence[Door], things: Sequence[SceneObject]) -> list[str]:
+    """Return what stands before doors."""
+    lines = [LineString(door.segment) for door in shut]
+    return sorted(
+        item.id
+        for item in things
+        if (shapely.distance(lines, footprint(item)) <= _DOORWAY + BODY_RADIUS).any()
+    )
+
+
+def _between(
+    found: Sequence[Polygon], entered: set[int], things: Sequence[SceneObject]
+) -> list[str] | None:
+    """Return what stands between the parts of a room that matter, None where only one does."""
+    whole = sum(part.area for part in found)
+    large = {n for n, part in enumerate(found) if part.area >= max(_WORTH, _SHARE * whole)}
+    matter = sorted(entered | large)
+    if len(matter) < 2:
+        return None
+    shapes = [footprint(item) for item in things]
+    near = sum(
+        (shapely.distance(shapes, found[n]) <= BODY_RADIUS + 0.02).astype(int) for n in matter
+    )
+    return sorted(item.id for item, sides in zip(things, near, strict=True) if sides > 1)

@@ -1,0 +1,317 @@
+"""What a user's words mean in a building: objects by id or keyword, rooms by id or by name and floor."""
+
+import re
+from collections.abc import Sequence
+
+from mansion_editing.state import SceneState
+from mansion_editing.vocabulary import stems
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import SceneCore, SceneObject, SceneRoom
+from mansion_msgs_py.wording import ORDINALS
+
+__all__ = ["find_floor", "find_rooms", "matching_objects", "object_named", "place_named"]
+
+_ALIKE = (
+    ("restroom", "bathroom", "toilet", "washroom", "lavatory", "wc", "loo", "toilets", "restrooms"),
+    ("living room", "lounge", "sitting room", "family room"),
+    ("kitchen", "kitchenette", "galley", "pantry"),
+    ("meeting room", "conference room", "boardroom", "board room", "huddle room"),
+    ("lobby", "foyer", "entrance hall", "entry hall", "hall", "vestibule", "entryway", "entrance"),
+    ("reception", "reception area", "front desk", "lobby", "waiting room", "waiting area"),
+    ("corridor", "hallway", "passage", "hall", "passageway", "aisle"),
+    ("cafeteria", "canteen", "dining hall", "dining room", "dining area", "mess hall"),
+    ("break room", "staff room", "tea kitchen", "coffee room", "lounge", "staff lounge"),
+    ("private office", "office", "study", "workroom", "executive office", "open office"),
+    ("storage", "storage room", "store room", "storeroom", "closet", "supply room", "utility room"),
+    ("bedroom", "sleeping room", "master bedroom", "guest room", "hotel room"),
+    ("print room", "copy room", "printer room", "copier room"),
+    ("server room", "data center", "data centre", "it room"),
+    ("mail room", "mailroom", "post room"),
+    ("security room", "guard room", "security office"),
+)
+"""Names of rooms that people use for each other, where a building has none of the very name."""
+
+_TO = r"\b(?:on |at |of |from |to |in )?(?:the )?"
+_FLOOR_WORDS = r"(?:floor|storey|story|level)"
+
+
+def find_floor(state: SceneState, text: str) -> tuple[int | None, str]:
+    """Return the floor that a text names, if any, and the text without it.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for a floor that the building lacks.
+
+    Notes
+    -----
+    Ordinals count from the entrance floor: the second floor is number 2; the ground floor is 1.
+    """
+    low = text.lower()
+    ordinal = "|".join(ORDINALS)
+    patterns = (
+        rf"{_TO}(?:{_FLOOR_WORDS} )?(?P<word>{ordinal}|{'|'.join(_NAMED)}|\d+(?:st|nd|rd|th)) {_FLOOR_WORDS}\b",
+        rf"{_TO}{_FLOOR_WORDS} (?:number |no\.? )?(?P<word>-?\d+|{'|'.join(_NUMBERS)})\b",
+        rf"\b(?:on|at) the (?P<word>{ordinal}|\d+(?:st|nd|rd|th))\b",
+        rf"{_TO}(?P<word>basement|cellar|upstairs|downstairs)\b",
+    )
+    for pattern in patterns:
+        match = re.search(pattern, low)
+        if match:
+            floor = _floor_number(state, match["word"])
+            rest = f"{text[: match.start()]} {text[match.end() :]}"
+            return floor, " ".join(rest.split())
+    return None, text
+
+
+_NAMED = [
+    "ground",
+    "entrance",
+    "street",
+    "lowest",
+    "bottom",
+    "top",
+    "topmost",
+    "uppermost",
+    "highest",
+    "upper",
+    "lower",
+    "last",
+]
+_NUMBERS = [
+    "one",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+]
+
+
+def _floor_number(state: SceneState, word: str) -> int:
+    digits = re.match(r"-?\d+", word)
+    if digits:
+        number = int(digits.group()) if len(digits.group()) < 6 else 10**6
+    elif word in ORDINALS:
+        number = ORDINALS.index(word) + 1
+    elif word in _NUMBERS:
+        number = _NUMBERS.index(word) + 1
+    else:
+        number = _named_floor(state, word)
+    if number not in state.scenes:
+        raise MansionError(
+            ErrorCode.NOT_FOUND,
+            f"there is no floor {word}; the building has floors {', '.join(map(str, state.floors))}",
+            details={"floors": state.floors},
+        )
+    return number
+
+
+def _named_floor(state: SceneState, word: str) -> int:
+    if word in ("ground", "entrance", "street"):
+        return 1
+    if word in ("basement", "cellar"):
+        return min(0, state.floors[0])
+    if word in ("lowest", "bottom", "lower", "downstairs"):
+        return state.floors[0] if word != "downstairs" else 1
+    if word == "upstairs":
+        return min(2, state.floors[-1])
+    return state.floors[-1]
+
+
+def find_rooms(
+    state: SceneState, text: str, on_floor: int | None = None, *, every: bool = False
+) -> list[tuple[int, SceneRoom]]:
+    """Return the rooms that a text names, the best fits only: by id, by the end of it, or by words and floor.
+
+    Parameters
+    ----------
+    on_floor : int, optional
+        The floor, where the text does not name one.
+    every : bool
+        All rooms of the kind instead of the best fits.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for a floor that is not there.
+    """
+    whole = state.room(text)
+    if whole is not None:
+        return [whole]
+    floor, rest = find_floor(state, text)
+    floor = on_floor if floor is None else floor
+    rooms = [
+        (number, room)
+        for number in state.floors
+        if floor in (None, number)
+        for room in state.scenes[number].rooms
+        if room.kind not in ("stair", "elevator")
+    ]
+    ends = [pair for pair in rooms if pair[1].id.split("/", 1)[-1] == rest.strip().lower()]
+    if ends and not every:
+        return ends
+    size = re.match(r"^(?:the )?(?P<word>largest|biggest|smallest)\s+(?P<rest>.+)$", rest, re.I)
+    if size:
+        few = find_rooms(state, size["rest"], floor, every=True)
+        few.sort(key=lambda pair: pair[1].area, reverse=size["word"].lower() != "smallest")
+        return few[:1]
+    nth = re.match(rf"^(?:the )?(?P<word>{'|'.join(ORDINALS)})\s+(?P<rest>.+)$", rest, re.I)
+    if nth:
+        few = find_rooms(state, nth["rest"], floor, every=True)
+        at = ORDINALS.index(nth["word"].lower())
+        return few[at : at + 1]
+    words = tuple(w for w in stems(rest) if w != "room") or stems(rest)
+    if not words:
+        return rooms if floor is not None else []
+    ranked = [(_room_rank(room, words, stems(rest)), pair) for pair in rooms for room in [pair[1]]]
+    best = max((rank for rank, _ in ranked), default=0)
+    if not best:
+        return _by_synonym(rooms, rest)
+    least = min(best, 2) if every else best
+    return [pair for rank, pair in ranked if rank >= least]
+
+
+def _by_synonym(rooms: Sequence[tuple[int, SceneRoom]], text: str) -> list[tuple[int, SceneRoom]]:
+    """Return the rooms that another word for the same kind of room names."""
+    number = re.search(r"\s(?:number |no\.? )?(\d+)$", text.strip())
+    words = stems(text[: number.start()] if number else text)
+    group = next((names for names in _ALIKE if any(stems(name) == words for name in names)), ())
+    kinds = [stems(name) for name in group]
+    return [
+        pair
+        for pair in rooms
+        if (stems(pair[1].room_type.replace("_", " ")) in kinds or stems(pair[1].name) in kinds)
+        and (number is None or pair[1].id.endswith(f"_{number[1]}"))
+    ]
+
+
+def _room_rank(room: SceneRoom, words: tuple[str, ...], whole: tuple[str, ...]) -> int:
+    own = stems(room.id.split("/", 1)[-1].replace("_", " "))
+    kind = stems(room.room_type.replace("_", " "))
+    named = stems(room.name)
+    if whole == own or (named and whole == named):
+        return 4
+    if whole == kind:
+        return 3
+    if words == tuple(w for w in kind if w != "room"):
+        return 2
+    return 1 if set(words) <= {*own, *kind, *named} else 0
+
+
+def matching_objects(
+    state: SceneState, keyword: str, rooms: Sequence[str] | None = None, floor: int | None = None
+) -> list[tuple[int, SceneObject]]:
+    """Return the objects that a keyword or id names, the best fits first.
+
+    Parameters
+    ----------
+    rooms : sequence of str, optional
+        Only in these rooms.
+    """
+    whole = state.find(keyword)
+    if whole is not None:
+        return [whole]
+    words = state.vocabulary
+    ranked: list[tuple[int, int, tuple[int, SceneObject]]] = []
+    memory: dict[tuple[str, str], int] = {}
+    for number, (its_floor, item) in enumerate(state.objects()):
+        if (rooms is not None and item.room not in rooms) or floor not in (None, its_floor):
+            continue
+        if "/" in keyword or "_" in keyword:
+            rank = 4 if item.id.endswith(f"/{keyword}") else 0
+        else:
+            rank = 0
+        if not rank:
+            key = (item.category, item.name)
+            if key not in memory:
+                memory[key] = words.rank(item, keyword.replace("_", " "))
+            rank = memory[key]
+        if rank:
+            ranked.append((-rank, number, (its_floor, item)))
+    ranked.sort(key=lambda entry: entry[:2])
+    if ranked and ranked[0][0] < -1:
+        ranked = [entry for entry in ranked if entry[0] < -1]
+    return [pair for _, _, pair in ranked]
+
+
+def object_named(state: SceneState, reference: str, path: str) -> tuple[int, SceneObject]:
+    """Return the one object that an id, the end of an id, or a keyword names.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for none, ``CONFLICT`` for several of a keyword, with ids to choose from.
+    """
+    whole = state.find(reference)
+    if whole is not None:
+        return whole
+    found = matching_objects(state, reference) if reference else []
+    if not found:
+        return state.get(reference, path)
+    if len(found) > 1:
+        some = [item.id for _, item in found[:6]]
+        raise MansionError(
+            ErrorCode.CONFLICT,
+            f"{reference[:120]!r} names {len(found)} objects; give an id: {', '.join(some)}"
+            + (", ..." if len(found) > 6 else ""),
+            path=path,
+            details={"candidates": some},
+        )
+    return found[0]
+
+
+def place_named(state: SceneState, reference: str, path: str) -> tuple[int, str]:
+    """Return floor and id of the room or core that a reference names; an object stands for its room.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for none, ``CONFLICT`` for rooms that cannot be told apart.
+    """
+    core = _core(state, reference)
+    if core is not None:
+        return core
+    rooms = find_rooms(state, reference)
+    if len(rooms) == 1:
+        return rooms[0][0], rooms[0][1].id
+    if not rooms:
+        found = state.find(reference) or next(iter(matching_objects(state, reference)), None)
+        if found is not None:
+            return found[0], found[1].room
+        known = [room.id for scene in state.scenes.values() for room in scene.rooms]
+        raise MansionError(
+            ErrorCode.NOT_FOUND,
+            f"no room {reference[:120]!r}; rooms are {', '.join(known[:40])}",
+            path=path,
+            details={"rooms": known},
+        )
+    some = [room.id for _, room in rooms[:8]]
+    raise MansionError(
+        ErrorCode.CONFLICT,
+        f"{reference[:120]!r} names {len(rooms)} rooms; give an id: {', '.join(some)}",
+        path=path,
+        details={"candidates": some},
+    )
+
+
+def _core(state: SceneState, reference: str) -> tuple[int, str] | None:
+    floor, rest = find_floor(state, reference)
+    names = {"elevator": "elevator", "lift": "elevator", "stairs": "stair", "stair": "stair"}
+    wanted = rest.strip().lower().removeprefix("the ")
+    cores: list[tuple[int, SceneCore]] = [
+        (number, core)
+        for number in state.floors
+        if floor in (None, number)
+        for core in state.scenes[number].cores
+    ]
+    for number, core in cores:
+        if core.id == wanted or core.type == names.get(wanted):
+            return number, core.id
+    return None

@@ -1,0 +1,237 @@
+"""The static semantic state: a building's scenes, what waits to be saved, and quick answers about both."""
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+
+import msgspec
+import numpy as np
+import numpy.typing as npt
+
+from mansion_assets.catalogue import Asset, Catalogue
+from mansion_assets.retrieval.retriever import Retriever, TextRetriever
+from mansion_editing.passages import Passages, passages_of
+from mansion_editing.vocabulary import Vocabulary, vocabulary_of
+from mansion_msgs_py.editing import ObjectChange
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
+from mansion_scene.decor.frames import room_polygon
+
+__all__ = ["FloorIndex", "SceneState", "changed", "inverse"]
+
+
+class FloorIndex:
+    """What is asked often about the objects of one floor, from one revision of it.
+
+    Attributes
+    ----------
+    boxes : (n, 7) array
+        Position, size and rotation (degrees) of each object, in the scene's order.
+    """
+
+    def __init__(self, scene: FloorScene) -> None:
+        self.objects = scene.objects
+        self.at = {item.id: number for number, item in enumerate(scene.objects)}
+        self.boxes: npt.NDArray[np.float64] = np.array(
+            [[*item.position, *item.size, item.rotation] for item in scene.objects], dtype=float
+        ).reshape(-1, 7)
+        self._scene = scene
+
+    @cached_property
+    def children(self) -> dict[str, list[SceneObject]]:
+        """Objects by the receptacle that the scene names."""
+        out: dict[str, list[SceneObject]] = {}
+        for item in self.objects:
+            if item.parent is not None:
+                out.setdefault(item.parent, []).append(item)
+        return out
+
+    @cached_property
+    def passages(self) -> Passages:
+        """Where a robot passes between the furniture."""
+        return passages_of(self._scene)
+
+    def room_at(self, x: float, y: float) -> SceneRoom | None:
+        """Return the room whose interior holds a point."""
+        from shapely import Point
+
+        for room in self._scene.rooms:
+            if room_polygon(room.net_polygon, room.net_holes).covers(Point(x, y)):
+                return room
+        return None
+
+
+class SceneState:
+    """Scenes of a building while they are edited; scenes handed in are never changed.
+
+    Parameters
+    ----------
+    scenes : sequence of FloorScene
+    catalogue : Catalogue
+    retriever : Retriever, optional
+        What SearchAssets asks; text search when absent.
+
+    Attributes
+    ----------
+    pending : list of ObjectChange
+        What differs from the scenes handed in, in the order it was done.
+    """
+
+    def __init__(
+        self,
+        scenes: Sequence[FloorScene],
+        catalogue: Catalogue,
+        retriever: Retriever | None = None,
+    ) -> None:
+        self.catalogue = catalogue
+        self.retriever: Retriever = retriever or TextRetriever()
+        self.scenes = {scene.floor: scene for scene in scenes}
+        self.pending: list[ObjectChange] = []
+        self._indexes: dict[int, FloorIndex] = {}
+
+    @property
+    def vocabulary(self) -> Vocabulary:
+        """The words by which objects are known."""
+        return vocabulary_of(self.catalogue)
+
+    @property
+    def floors(self) -> list[int]:
+        """Floor numbers, ascending."""
+        return sorted(self.scenes)
+
+    def index(self, floor: int) -> FloorIndex:
+        """Return the index of a floor as it is now."""
+        if floor not in self._indexes:
+            self._indexes[floor] = FloorIndex(self.scenes[floor])
+        return self._indexes[floor]
+
+    def objects(self) -> Iterator[tuple[int, SceneObject]]:
+        """Yield each object with its floor, from below."""
+        for floor in self.floors:
+            for item in self.scenes[floor].objects:
+                yield floor, item
+
+    def find(self, object_id: str) -> tuple[int, SceneObject] | None:
+        """Return an object and its floor by its whole id."""
+        for floor in self.floors:
+            index = self.index(floor)
+            if object_id in index.at:
+                return floor, index.objects[index.at[object_id]]
+        return None
+
+    def get(self, object_id: str, path: str = "$.object_id") -> tuple[int, SceneObject]:
+        """Return an object and its floor.
+
+        Raises
+        ------
+        MansionError
+            ``NOT_FOUND`` with the nearest ids.
+        """
+        found = self.find(object_id)
+        if found is not None:
+            return found
+        import difflib
+
+        known = [item.id for _, item in self.objects()]
+        near = difflib.get_close_matches(object_id[:200], known, n=4, cutoff=0.6)
+        raise MansionError(
+            ErrorCode.NOT_FOUND,
+            f"no object {object_id[:120]!r}; ListObjects names them all, nearest: {', '.join(near) or 'none'}",
+            path=path,
+            details={"nearest": near},
+        )
+
+    def room(self, room_id: str) -> tuple[int, SceneRoom] | None:
+        """Return a room and its floor by its whole id."""
+        for floor in self.floors:
+            for room in self.scenes[floor].rooms:
+                if room.id == room_id:
+                    return floor, room
+        return None
+
+    def asset(self, item: SceneObject) -> Asset | None:
+        """Return the asset of an object, None where the catalogue lacks it."""
+        return self.catalogue.assets.get(item.asset)
+
+    def subtree(self, floor: int, item: SceneObject) -> list[SceneObject]:
+        """Return an object and all that it carries, by the scene's hierarchy, carriers first."""
+        out, seen = [item], {item.id}
+        for member in out:
+            for child in self.index(floor).children.get(member.id, []):
+                if child.id not in seen:
+                    seen.add(child.id)
+                    out.append(child)
+        return out
+
+    def new_id(self, floor: int, room_id: str, category: str) -> str:
+        """Return the next free id ``ROOM/category_n``."""
+        taken = self.index(floor).at
+        number = 1
+        while f"{room_id}/{category}_{number}" in taken:
+            number += 1
+        return f"{room_id}/{category}_{number}"
+
+    def add(self, floor: int, item: SceneObject) -> None:
+        """Append an object."""
+        self.apply(
+            ObjectChange(floor=floor, index=len(self.scenes[floor].objects), after=item),
+        )
+
+    def remove(self, floor: int, item: SceneObject) -> None:
+        """Take an object away."""
+        self.apply(ObjectChange(floor=floor, index=self.index(floor).at[item.id], before=item))
+
+    def replace(self, floor: int, item: SceneObject, by: SceneObject) -> None:
+        """Put `by` where `item` was."""
+        at = self.index(floor).at[item.id]
+        self.apply(ObjectChange(floor=floor, index=at, before=item, after=by))
+
+    def apply(self, change: ObjectChange) -> None:
+        """Do one change and remember it."""
+        self.scenes[change.floor] = changed(self.scenes[change.floor], change)
+        self._indexes.pop(change.floor, None)
+        self.pending.append(change)
+
+    def roll_back(self, count: int) -> None:
+        """Take back all but the first `count` pending changes."""
+        while len(self.pending) > count:
+            change = self.pending.pop()
+            self.scenes[change.floor] = changed(self.scenes[change.floor], inverse(change))
+            self._indexes.pop(change.floor, None)
+
+
+def inverse(change: ObjectChange) -> ObjectChange:
+    """Return the change that takes `change` back."""
+    return msgspec.structs.replace(change, before=change.after, after=change.before)
+
+
+def changed(scene: FloorScene, change: ObjectChange) -> FloorScene:
+    """Return `scene` with one change done.
+
+    Raises
+    ------
+    MansionError
+        ``CONFLICT`` when the object is not as the change has it before.
+    """
+    objects = list(scene.objects)
+    before, after = change.before, change.after
+    if before is not None:
+        at = next((i for i, item in enumerate(objects) if item.id == before.id), None)
+        if at is None or objects[at] != before:
+            state = "is gone" if at is None else "was changed"
+            raise MansionError(
+                ErrorCode.CONFLICT,
+                f"{before.id} {state} since this edit began; look again and repeat the edit",
+                details={"object": before.id},
+            )
+        objects.pop(at)
+        if after is not None:
+            objects.insert(at, after)
+    elif after is not None:
+        if any(item.id == after.id for item in objects):
+            raise MansionError(
+                ErrorCode.CONFLICT,
+                f"the id {after.id} is taken by now; repeat the edit",
+                details={"object": after.id},
+            )
+        objects.insert(min(change.index, len(objects)), after)
+    return msgspec.structs.replace(scene, objects=objects)

@@ -1,0 +1,289 @@
+"""A building on disk and its edits: transactions that land whole, a log, undo and redo.
+
+``DIR/edits/log.jsonl`` holds one `Transaction` a line. A transaction is written to ``pending.json`` first, then into
+the scenes, then into the log; whoever takes the lock next finishes what a killed process left.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+
+import msgspec
+
+from mansion_editing.files import append_line, locked
+from mansion_editing.merging import rebase
+from mansion_editing.sessions import refuse_touched
+from mansion_editing.state import changed, inverse
+from mansion_msgs_py.building import FloorEntry
+from mansion_msgs_py.codec import decode, encode_bytes
+from mansion_msgs_py.editing import ObjectChange, Transaction
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.reading import decode_from
+from mansion_msgs_py.scene import FloorScene
+
+__all__ = ["BuildingStore", "Validator"]
+
+Scenes = Mapping[int, FloorScene]
+Validator = Callable[[Scenes, Scenes], Sequence[str]]
+"""Gets the floors before and after, and returns the faults that are new."""
+
+
+class BuildingIndex(msgspec.Struct, kw_only=True):
+    """What of ``building.json`` an editor needs."""
+
+    building_id: str
+    floors: list[FloorEntry]
+
+
+class BuildingStore:
+    """The scenes of one building folder.
+
+    Parameters
+    ----------
+    folder : Path
+    validator : callable, optional
+        Judges each transaction before it lands.
+    clock : callable
+        Returns the time for the log.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` when `folder` holds no building, ``INVALID_PAYLOAD`` when a file does not fit its type.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        *,
+        validator: Validator | None = None,
+        clock: Callable[[], str] = lambda: "",
+    ) -> None:
+        self.folder = folder
+        self._validator = validator
+        self._clock = clock
+        self.index = decode_from(
+            BuildingIndex, self._read(folder / "building.json"), folder / "building.json"
+        )
+        self._edits = folder / "edits"
+        self.lock_file = self._edits / "lock"
+        if (self._edits / "pending.json").exists():
+            with locked(self.lock_file):
+                self._recover()
+
+    @staticmethod
+    def _read(file: Path) -> bytes:
+        try:
+            return file.read_bytes()
+        except OSError as error:
+            raise MansionError(
+                ErrorCode.NOT_FOUND,
+                f"{file}: {error.strerror}; name a folder that `mansion build` wrote",
+                path="$.path",
+            ) from None
+
+    def scene(self, floor: int) -> FloorScene:
+        """Return a floor as it is on disk."""
+        return decode_from(FloorScene, self._read(self._file(floor)), self._file(floor))
+
+    def scenes(self) -> dict[int, FloorScene]:
+        """Return all floors as they are on disk."""
+        return {entry.floor: self.scene(entry.floor) for entry in self.index.floors}
+
+    def _file(self, floor: int) -> Path:
+        entry = next(entry for entry in self.index.floors if entry.floor == floor)
+        return self.folder / entry.files["scene"]
+
+    def log(self) -> list[Transaction]:
+        """Return all transactions, oldest first."""
+        file = self._edits / "log.jsonl"
+        if not file.exists():
+            return []
+        lines = file.read_bytes().split(b"\n")[:-1]
+        return [decode(Transaction, line) for line in lines if line.strip()]
+
+    def land(
+        self,
+        changes: Sequence[ObjectChange],
+        who: str,
+        what: str,
+        *,
+        undoes: int | None = None,
+        redoes: int | None = None,
+    ) -> Transaction:
+        """Write changes as one transaction; on any refusal the building stays as it was.
+
+        Raises
+        ------
+        MansionError
+            ``CONFLICT`` when another editor changed the same objects or a running session holds one; ``INFEASIBLE``
+            with the faults that the building would have.
+
+        Notes
+        -----
+        Changes made against an older revision are carried over to the newest; an id that another editor took
+        meanwhile is replaced by the next free one.
+        """
+        with locked(self.lock_file):
+            self._recover()
+            before = self.scenes()
+            carried = rebase(changes, before)
+            if not carried:
+                raise MansionError(ErrorCode.CONFLICT, "nothing to save")
+            refuse_touched(self.folder, carried, before)
+            after = dict(before)
+            for change in carried:
+                after[change.floor] = changed(after[change.floor], change)
+            self._refuse_faults(before, after)
+            touched = sorted({change.floor for change in carried})
+            transaction = Transaction(
+                number=len(self.log()) + 1,
+                who=who,
+                what=what,
+                changes=carried,
+                revisions={str(floor): before[floor].revision + 1 for floor in touched},
+                undoes=undoes,
+                redoes=redoes,
+                time=self._clock(),
+            )
+            write_atomic(self._edits / "pending.json", encode_bytes(transaction), durable=True)
+            self._finish(transaction, before)
+        return transaction
+
+    def new_faults(self, before: Scenes, after: Scenes) -> list[str]:
+        """Return the faults that the validator finds after and not before."""
+        return list(self._validator(before, after)) if self._validator else []
+
+    def _refuse_faults(self, before: Scenes, after: Scenes) -> None:
+        faults = self.new_faults(before, after)
+        if faults:
+            raise MansionError(
+                ErrorCode.INFEASIBLE,
+                f"the building would have {len(faults)} new fault{'s' if len(faults) > 1 else ''}: "
+                + "; ".join(faults[:5]),
+                details={"faults": faults},
+            )
+
+    def _recover(self) -> None:
+        """Finish the transaction of a process that was killed; the lock is held."""
+        pending = self._edits / "pending.json"
+        if not pending.exists():
+            return
+        transaction = decode(Transaction, pending.read_bytes())
+        self._finish(transaction, self.scenes())
+
+    def _finish(self, transaction: Transaction, scenes: Scenes) -> None:
+        for name, revision in transaction.revisions.items():
+            floor = int(name)
+            scene = scenes[floor]
+            if scene.revision >= revision:
+                continue
+            for change in transaction.changes:
+                if change.floor == floor:
+                    scene = changed(scene, change)
+            scene = msgspec.structs.replace(scene, revision=revision)
+            write_atomic(self._file(floor), encode_bytes(scene, indent=1), durable=True)
+        self._recount(int(name) for name in transaction.revisions)
+        if len(self.log()) < transaction.number:
+            append_line(self._edits / "log.jsonl", encode_bytes(transaction))
+        (self._edits / "pending.json").unlink()
+
+    def _recount(self, floors: Iterable[int]) -> None:
+        """Let ``building.json`` say how many objects the floors have."""
+        file = self.folder / "building.json"
+        building = msgspec.json.decode(self._read(file))
+        counts = {floor: len(self.scene(floor).objects) for floor in floors}
+        stale = [
+            e for e in building["floors"] if e["objects"] != counts.get(e["floor"], e["objects"])
+        ]
+        for entry in stale:
+            entry["objects"] = counts[entry["floor"]]
+        if stale:
+            write_atomic(file, encode_bytes(building, indent=1), durable=True)
+
+    def undo(self, who: str) -> Transaction:
+        """Take back the last transaction of `who` that is not undone.
+
+        Raises
+        ------
+        MansionError
+            ``NOT_FOUND`` when there is none, ``CONFLICT`` when later edits rest on it.
+        """
+        undoable, _ = _stacks(self.log(), who)
+        if not undoable:
+            raise MansionError(ErrorCode.NOT_FOUND, f"there is no edit of {who!r} to undo")
+        last = undoable[-1]
+        changes = [inverse(change) for change in reversed(last.changes)]
+        return self.land(changes, who, f"undo {last.number}: {last.what}", undoes=_root(last))
+
+    def redo(self, who: str) -> Transaction:
+        """Do again what `who` undid last.
+
+        Raises
+        ------
+        MansionError
+            ``NOT_FOUND`` when there is nothing, ``CONFLICT`` when the building changed there since.
+        """
+        _, redoable = _stacks(self.log(), who)
+        if not redoable:
+            raise MansionError(ErrorCode.NOT_FOUND, f"there is no undone edit of {who!r} to redo")
+        last = redoable[-1]
+        return self.land(last.changes, who, f"redo {last.number}: {last.what}", redoes=_root(last))
+
+    def refresh(
+        self,
+        files_of: Callable[[FloorScene], Mapping[str, bytes]],
+        whole: Callable[[Sequence[FloorScene]], Mapping[str, bytes]],
+    ) -> list[int]:
+        """Write anew what is made from scenes, for floors whose revision is not the one it was made from.
+
+        Parameters
+        ----------
+        files_of : callable
+            Files of one floor by path relative to the folder.
+        whole : callable
+            Files of the whole building, from all floors; asked when any floor changed.
+
+        Returns
+        -------
+        list of int
+            The floors that were behind.
+        """
+        record = self._edits / "derived.json"
+        with locked(self._edits / "derived.lock", patience=600.0):
+            made = decode(dict[str, int], record.read_bytes()) if record.exists() else {}
+            scenes = self.scenes()
+            behind = [f for f, s in scenes.items() if s.revision != made.get(str(f), 1)]
+            if not behind:
+                return []
+            files: dict[str, bytes] = {}
+            for floor in behind:
+                files.update(files_of(scenes[floor]))
+            files.update(whole([scenes[floor] for floor in sorted(scenes)]))
+            for name, data in sorted(files.items()):
+                write_atomic(self.folder / name, data, durable=True)
+            made.update({str(floor): scenes[floor].revision for floor in behind})
+            write_atomic(record, encode_bytes(made), durable=True)
+        return behind
+
+
+def _root(transaction: Transaction) -> int:
+    return transaction.redoes or transaction.number
+
+
+def _stacks(log: Iterable[Transaction], who: str) -> tuple[list[Transaction], list[Transaction]]:
+    """Return what `who` can undo and redo, the next one last."""
+    undoable: list[Transaction] = []
+    redoable: list[Transaction] = []
+    for transaction in log:
+        if transaction.who != who:
+            continue
+        if transaction.undoes is not None:
+            redoable.append(undoable.pop())
+        else:
+            undoable.append(transaction)
+            if transaction.redoes is not None:
+                redoable.pop()
+            else:
+                redoable.clear()
+    return undoable, redoable

@@ -1,0 +1,266 @@
+"""PlaceOnSurface and PlaceInContainer: pack, settle by physics, check, write the pose back."""
+
+import math
+from collections.abc import Iterable
+
+import msgspec
+
+from mansion_assets.catalogue import Asset
+from mansion_editing.colouring import recoloured
+from mansion_editing.packing import Ledge, Place, free_places, ledges_of
+from mansion_editing.physics.problem import (
+    PhysicsEngine,
+    PosedBox,
+    SettleProblem,
+    SettleResult,
+)
+from mansion_editing.physics.shell import half_diagonal, receptacle_shell, support_boxes
+from mansion_editing.references import object_named
+from mansion_editing.state import SceneState
+from mansion_editing.tools.standing import Accept, place_on_floor
+from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.shapes import Point3
+from mansion_msgs_py.wording import with_article
+from mansion_scene.decor.frames import scene_object, to_floor, to_local
+
+__all__ = ["COOLING", "place_in_container", "place_on_surface", "rest_on"]
+
+MOST_PENETRATION = 0.002
+MOST_TILT = 3.0
+"""Degrees; a scene object stands upright, so that one that leans is refused."""
+
+MOST_PUSH = 0.005
+"""Metres that a neighbour may move."""
+
+MOST_SLIDE = 0.03
+DROP = 0.003
+NEAR = 0.20
+"""Neighbours within this distance take part in the physics, metres."""
+
+COOLING = ("fridge", "freezer", "minibar", "display_fridge", "freezer_chest")
+"""Containers that make cold what lies in them."""
+
+
+def place_on_surface(
+    state: SceneState,
+    args: PlaceOnSurfaceArgs,
+    engine: PhysicsEngine,
+    accept: Accept | None = None,
+) -> SceneObject:
+    """Put a new object on a receptacle, or furniture on the floor of a room.
+
+    Parameters
+    ----------
+    accept : callable, optional
+        Judges a place on the floor before it is taken.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for an unknown asset or receptacle, ``INFEASIBLE`` with the reason where it finds no place.
+    """
+    asset = state.catalogue.asset(args.asset_id)
+    room = state.room(args.receptacle_id)
+    beside = object_named(state, args.near, "$.near")[1] if args.near else None
+    if room is not None:
+        placed = place_on_floor(state, asset, *room, color=args.color, near=beside, accept=accept)
+        state.add(room[0], placed)
+        return placed
+    floor, receptacle = object_named(state, args.receptacle_id, "$.receptacle_id")
+    return _place(state, asset, floor, receptacle, False, engine, args.color, beside)
+
+
+def place_in_container(
+    state: SceneState, args: PlaceInContainerArgs, engine: PhysicsEngine
+) -> SceneObject:
+    """Put a new object into a container, its door open while it is placed.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for an unknown asset or container, ``INFEASIBLE`` with the reason where it finds no place.
+    """
+    asset = state.catalogue.asset(args.asset_id)
+    floor, container = object_named(state, args.container_id, "$.container_id")
+    return _place(state, asset, floor, container, True, engine, args.color)
+
+
+def _place(
+    state: SceneState,
+    asset: Asset,
+    floor: int,
+    receptacle: SceneObject,
+    inside: bool,
+    engine: PhysicsEngine,
+    color: str = "",
+    near: SceneObject | None = None,
+) -> SceneObject:
+    if asset.mount in ("wall", "ceiling"):
+        raise _refusal(
+            f"{with_article(asset.name)} hangs on {with_article(asset.mount)}, it cannot be put anywhere else"
+        )
+    new = scene_object(
+        asset,
+        state.new_id(floor, receptacle.room, asset.category),
+        receptacle.room,
+        receptacle.position,
+        receptacle.rotation,
+    )
+    new = recoloured(new, color)
+    placed = rest_on(state, new, floor, receptacle, inside, engine, near=near)
+    state.add(floor, placed)
+    return placed
+
+
+def rest_on(
+    state: SceneState,
+    thing: SceneObject,
+    floor: int,
+    receptacle: SceneObject,
+    inside: bool,
+    engine: PhysicsEngine,
+    skip: Iterable[str] = (),
+    near: SceneObject | None = None,
+) -> SceneObject:
+    """Return `thing` where it came to rest on or in a receptacle; the state is left as it is.
+
+    Parameters
+    ----------
+    skip : iterable of str
+        Objects that go with it.
+    near : SceneObject, optional
+        What it shall lie beside.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` with what stood in the way at each place that was tried.
+    """
+    asset = state.asset(receptacle)
+    ledges = [] if asset is None else ledges_of(asset, inside=inside)
+    if asset is None or not ledges:
+        what = "holds nothing inside" if inside else "has no surface that carries things"
+        raise _refusal(f"{receptacle.id} ({receptacle.name}) {what}")
+    moving = {thing.id, *skip}
+    places = free_places(
+        state.index(floor),
+        receptacle,
+        ledges,
+        thing.size,
+        moving,
+        near=None if near is None else near.position[:2],
+    )
+    if not places:
+        raise _refusal(_no_room(thing, receptacle, ledges, inside))
+    reasons: list[str] = []
+    for place in places:
+        problem = _problem(state, floor, thing, receptacle, asset, place, moving)
+        result = engine.settle(problem)
+        reason = _fault(result, problem, receptacle, place)
+        if not reason:
+            return _settled(thing, receptacle, place, result)
+        reasons.append(reason)
+    raise _refusal(
+        f"the {thing.name} does not come to rest {'in' if inside else 'on'} {receptacle.id}: "
+        + "; ".join(dict.fromkeys(reasons))
+    )
+
+
+def _refusal(message: str) -> MansionError:
+    return MansionError(ErrorCode.INFEASIBLE, message)
+
+
+def _no_room(thing: SceneObject, receptacle: SceneObject, ledges: list[Ledge], inside: bool) -> str:
+    w, d, h = thing.size
+    fitting = [
+        ledge
+        for ledge in ledges
+        if h < ledge.headroom
+        and max(w, d) <= max(ledge.w, ledge.d)
+        and min(w, d) <= min(ledge.w, ledge.d)
+    ]
+    where = f"{'in' if inside else 'on'} {receptacle.id}"
+    if fitting:
+        return f"no free place for {with_article(thing.name)} ({w:.2f} x {d:.2f} m) {where}; remove something first"
+    biggest = max(ledges, key=lambda ledge: ledge.w * ledge.d)
+    return (
+        f"{with_article(thing.name)} of {w:.2f} x {d:.2f} x {h:.2f} m does not fit {where}: its largest place is "
+        f"{biggest.w:.2f} x {biggest.d:.2f} m, {biggest.clearance:.2f} m high"
+    )
+
+
+def _problem(
+    state: SceneState,
+    floor: int,
+    thing: SceneObject,
+    receptacle: SceneObject,
+    asset: Asset,
+    place: Place,
+    moving: set[str],
+) -> SettleProblem:
+    ledge = place.ledge
+    support = support_boxes(receptacle, asset, ledge, (place.x, place.y), half_diagonal(thing.size))
+    top = max(box.center[2] + box.size[2] / 2 for box in support)
+    x, y = to_floor(receptacle, (place.x, place.y))
+    start = PosedBox(
+        (x, y, top + DROP + thing.size[2] / 2), thing.size, receptacle.rotation + place.turn
+    )
+    near = {}
+    level = receptacle.position[2] + ledge.z
+    for item in state.index(floor).objects:
+        if item.id in moving or item.id == receptacle.id or item.parent != receptacle.id:
+            continue
+        foot = item.position[2] - item.size[2] / 2
+        reach = half_diagonal(item.size) + half_diagonal(thing.size) + NEAR
+        if abs(foot - level) < 0.02 and math.dist((x, y), item.position[:2]) < reach:
+            near[item.id] = PosedBox(item.position, item.size, item.rotation)
+    return SettleProblem(
+        body=start,
+        support=support,
+        shell=receptacle_shell(receptacle, asset, ledge, thing.size),
+        neighbours=dict(list(near.items())[:12]),
+    )
+
+
+def _fault(
+    result: SettleResult, problem: SettleProblem, receptacle: SceneObject, place: Place
+) -> str:
+    """Return why a pose is refused, empty for a good one."""
+    if not result.at_rest:
+        return "it does not come to rest"
+    if result.tilt > MOST_TILT:
+        return f"it leans by {result.tilt:.0f} degrees"
+    if result.penetration > MOST_PENETRATION:
+        return f"it sinks {1000 * result.penetration:.1f} mm into something"
+    pushed = {name: way for name, way in result.pushed.items() if way > MOST_PUSH}
+    if pushed:
+        return f"it pushes {', '.join(pushed)}"
+    x, y = to_local(receptacle, result.position)
+    ledge = place.ledge
+    on = abs(x - ledge.x) <= ledge.w / 2 and abs(y - ledge.y) <= ledge.d / 2
+    start = problem.body
+    fell = abs(result.position[2] - start.center[2] + DROP) > 0.02
+    slid = math.dist(result.position[:2], start.center[:2]) > MOST_SLIDE
+    return "it slides or falls off" if fell or slid or not on else ""
+
+
+def _settled(
+    thing: SceneObject, receptacle: SceneObject, place: Place, result: SettleResult
+) -> SceneObject:
+    states = dict(thing.states)
+    states.pop("temperature", None)
+    if place.ledge.inside and receptacle.category in COOLING:
+        states["temperature"] = "cold"
+    x, y, z = (round(value, 4) for value in result.position)
+    position: Point3 = (x, y, z)
+    return msgspec.structs.replace(
+        thing,
+        room=receptacle.room,
+        position=position,
+        rotation=round(result.rotation % 360.0, 4),
+        mount="inside" if place.ledge.inside else "surface",
+        parent=receptacle.id,
+        states=states,
+    )

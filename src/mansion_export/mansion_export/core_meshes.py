@@ -1,0 +1,161 @@
+"""Stairs and lifts as nodes of a model, from the boxes in their details."""
+
+import numpy as np
+
+from mansion_export.appearance import named
+from mansion_export.core_signs import core_sign
+from mansion_export.model import Material, Model, Node, Surface
+from mansion_export.solids import Box, box_between
+from mansion_export.solids3d import boxes_surface
+from mansion_msgs_py.scene import Box3, FloorScene, LiftDetails, SceneCore, StairDetails
+from mansion_msgs_py.shapes import Point3
+
+__all__ = ["add_cores", "cabin_boxes"]
+
+RAIL = 0.05
+WALL = 0.05
+"""Thickness of a lift cabin's walls, metres."""
+
+
+def add_cores(model: Model, scene: FloorScene, cabins: frozenset[str] | None = None) -> None:
+    """Add flights, landings and handrails, the lifts with their panels, and the signs over the doors.
+
+    Parameters
+    ----------
+    cabins : frozenset of str, optional
+        Ids of the cores whose cabin stands on this floor; all when it is left out.
+    """
+    for core in scene.cores:
+        if sign := core_sign(scene, core):
+            name = f"{core.id}/sign"
+            model.add(Node(name, _mesh_name(scene, name), "cores"), sign)
+        if isinstance(core.details, StairDetails):
+            node = Node(core.id, _mesh_name(scene, core.id), "cores", room=core.id)
+            model.add(node, _stair(core.details))
+        elif isinstance(core.details, LiftDetails):
+            _add_lift(model, scene, core, core.details, cabins is None or core.id in cabins)
+
+
+def _mesh_name(scene: FloorScene, part: str) -> str:
+    """Return the name of a core's mesh: a core has one id on all floors, but not one shape."""
+    return f"F{scene.floor}/{part}"
+
+
+def _stair(details: StairDetails) -> list[Surface]:
+    steps = [box_between(low, high) for low, high in (*details.treads, *details.landings)]
+    nosing = [_nosing(box) for box in details.treads]
+    surfaces = [
+        boxes_surface(steps, named("polished_concrete")),
+        boxes_surface([bar for bar in nosing if bar is not None], named("rubber")),
+    ]
+    for start, end in details.rails:
+        surfaces += _rail(start, end)
+    return surfaces
+
+
+def _nosing(tread: Box3) -> Box | None:
+    """A dark strip on a step, so that steps can be told apart."""
+    (x0, y0, _), (x1, y1, z1) = tread
+    if min(x1 - x0, y1 - y0) < 0.1:
+        return None
+    if x1 - x0 > y1 - y0:
+        middle = (y0 + y1) / 2
+        return box_between((x0 + 0.02, middle - 0.015, z1), (x1 - 0.02, middle + 0.015, z1 + 0.003))
+    middle = (x0 + x1) / 2
+    return box_between((middle - 0.015, y0 + 0.02, z1), (middle + 0.015, y1 - 0.02, z1 + 0.003))
+
+
+def _rail(start: Point3, end: Point3) -> list[Surface]:
+    """A handrail as a slanted bar, and balusters down to the steps every metre."""
+    a, b = np.array(start), np.array(end)
+    along = b - a
+    flat = float(np.hypot(along[0], along[1]))
+    across = np.array([-along[1], along[0], 0.0]) / max(flat, 1e-6) * RAIL / 2
+    if flat < 1e-6:
+        across = np.array([RAIL / 2, 0.0, 0.0])
+    up = np.array([0.0, 0.0, RAIL / 2])
+    corners = [p + s * across + t * up for t in (-1, 1) for s in (-1, 1) for p in (a, b)]
+    bar = boxes_surface([Box((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))], named("painted_steel"))
+    bar = Surface(bar.material, np.array(corners), _outward(np.array(corners), bar.faces))
+    posts = []
+    count = max(2, round(flat / 1.0) + 1)
+    for t in np.linspace(0.0, 1.0, count):
+        x, y, z = (a + t * along).tolist()
+        posts.append(Box((x, y, z - 0.45), (0.03, 0.03, 0.9)))
+    return [bar, boxes_surface(posts, named("painted_steel"))]
+
+
+def _outward(
+    corners: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
+    faces: np.ndarray[tuple[int, ...], np.dtype[np.int64]],
+) -> np.ndarray[tuple[int, ...], np.dtype[np.int64]]:
+    """Turn all faces of a hexahedron to look outward, which its corners decide together."""
+    a, b, c = (corners[faces[:, i]] for i in range(3))
+    volume = float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum())
+    return faces if volume > 0 else np.ascontiguousarray(faces[:, ::-1])
+
+
+def _add_lift(
+    model: Model, scene: FloorScene, core: SceneCore, details: LiftDetails, here: bool
+) -> None:
+    name = f"{core.id}/call_panel"
+    model.add(Node(name, _mesh_name(scene, name), "cores"), _call_panel(details))
+    if not here:
+        return
+    surfaces = [
+        boxes_surface(cabin_boxes(details), named("brushed_steel")),
+        boxes_surface([_floor(details)], named("dark_tiles")),
+        boxes_surface([_lamp(details)], _lamp_material()),
+        *_plate(details.button_panel, details.facing, 0.24, 0.9, named("painted_steel")),
+    ]
+    for button in details.buttons:
+        surfaces += _plate(button.position, details.facing, 0.05, 0.05, named("button_light"))
+    model.add(Node(core.id, _mesh_name(scene, core.id), "cores", room=core.id), surfaces)
+
+
+def _call_panel(details: LiftDetails) -> list[Surface]:
+    """A dark plate with a lit button for each way; it stands out on light walls."""
+    (x, y, z), turn = details.call_panel, np.radians(details.facing)
+    face = (x + 0.012 * float(np.cos(turn)), y + 0.012 * float(np.sin(turn)))
+    plate = _plate(details.call_panel, details.facing, 0.14, 0.34, named("painted_steel"))
+    for up in (0.07, -0.07):
+        plate += _plate((*face, z + up), details.facing, 0.06, 0.06, named("button_light"))
+    return plate
+
+
+def _lamp_material() -> Material:
+    return Material("lift_lamp", (1.0, 0.97, 0.9), roughness=0.5, emission=1.0)
+
+
+def cabin_boxes(details: LiftDetails) -> list[Box]:
+    """Return the cabin's walls and roof; the side of its door is open."""
+    (x0, y0, z0), (x1, y1, z1) = details.cabin
+    turn = round(details.facing / 90.0) % 4
+    sides = {
+        0: ((x1 - WALL, y0, z0), (x1, y1, z1)),
+        1: ((x0, y1 - WALL, z0), (x1, y1, z1)),
+        2: ((x0, y0, z0), (x0 + WALL, y1, z1)),
+        3: ((x0, y0, z0), (x1, y0 + WALL, z1)),
+    }
+    boxes = [box_between(low, high) for key, (low, high) in sides.items() if key != turn]
+    boxes.append(box_between((x0, y0, z1 - WALL), (x1, y1, z1)))
+    return boxes
+
+
+def _floor(details: LiftDetails) -> Box:
+    (x0, y0, z0), (x1, y1, _) = details.cabin
+    return box_between((x0, y0, z0), (x1, y1, max(z0 + 0.02, 0.0)))
+
+
+def _lamp(details: LiftDetails) -> Box:
+    (x0, y0, _), (x1, y1, z1) = details.cabin
+    cx, cy = (x0 + x1) / 2, (y0 + y1) / 2
+    return Box((cx, cy, z1 - WALL - 0.01), (0.5 * (x1 - x0), 0.5 * (y1 - y0), 0.02))
+
+
+def _plate(
+    at: Point3, facing: float, width: float, height: float, material: Material
+) -> list[Surface]:
+    """A thin plate that looks along `facing`, or against it: it is the same on both sides."""
+    box = Box(at, (width, 0.03 if height > 0.06 else 0.05, height), facing - 90.0)
+    return [boxes_surface([box], material)]

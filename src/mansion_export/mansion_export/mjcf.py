@@ -1,0 +1,285 @@
+"""A floor as a MuJoCo model (MJCF): bodies named after our ids, boxes to collide with, meshes to look at."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+
+from mansion_assets.catalogue import Catalogue
+from mansion_export.appearance import surface_material
+from mansion_export.cavities import is_loose, loose_colliders
+from mansion_export.colliders import collision_box, ground_boxes
+from mansion_export.meshes import floor_model
+from mansion_export.model import Material, Mesh, Model, Node, Surface
+from mansion_export.solids import Box, WallBodies
+from mansion_export.stl import file_name, write_stl
+from mansion_msgs_py.scene import FloorScene, Wall
+
+__all__ = ["CEILING_GROUP", "COLLISION_GROUP", "MjcfExport", "floor_mjcf"]
+
+STRUCTURE_GROUP, OBJECT_GROUP, CEILING_GROUP, COLLISION_GROUP = 0, 1, 2, 3
+"""Geom groups; MuJoCo draws 0 to 2, so that boxes to collide with stay unseen. Switch 2 off to look from above."""
+
+EYE = 1.3
+
+DENSITY = 300.0
+"""Of things that can be picked up, kilograms a cubic metre: much of each is air."""
+
+LEAST_MASS = 0.02
+
+
+@dataclass(frozen=True, slots=True)
+class MjcfExport:
+    """A model and the files that it names.
+
+    Attributes
+    ----------
+    xml : str
+        The MJCF document.
+    meshes : dict of str to bytes
+        Binary STL files by name, for the folder `mesh_dir` of `floor_mjcf`.
+    """
+
+    xml: str
+    meshes: dict[str, bytes]
+
+
+def floor_mjcf(
+    scene: FloorScene,
+    mesh_dir: str = "../../meshes",
+    *,
+    free_pickupables: bool = False,
+    catalogue: Catalogue | None = None,
+) -> MjcfExport:
+    """Make the MuJoCo model of a floor, its finished floor at z = 0.
+
+    Parameters
+    ----------
+    scene : FloorScene
+    mesh_dir : str
+        Where the meshes will lie, seen from the XML file.
+    free_pickupables : bool
+        Give what can be picked up a free joint, and furniture that holds or covers such things boxes with room for
+        them; else everything is fixed to the world, and a body is moved by writing its ``body_pos``.
+    catalogue : Catalogue, optional
+        Where the assets are, when they are not all in the shipped one.
+
+    Returns
+    -------
+    MjcfExport
+        Bodies carry our ids. Geom groups: 0 structure, 1 objects, 2 ceilings, 3 collision boxes (not drawn).
+    """
+    model = floor_model(scene, catalogue=catalogue)
+    writer = _Writer()
+    items = {item.id: item for item in scene.objects}
+    colliders = loose_colliders(scene, catalogue) if free_pickupables else {}
+    for wall, pieces in _wall_boxes(scene):
+        writer.wall(wall, pieces)
+    for node in model.nodes:
+        if node.id in writer.walls:
+            continue
+        item = items.get(node.id)
+        mesh = model.meshes[node.mesh]
+        if item is not None and free_pickupables and is_loose(item):
+            whole = (Box((0.0, 0.0, 0.0), item.size),)
+            writer.body(node, mesh, colliders.get(node.id, whole), item.size)
+        else:
+            box = collision_box(node, mesh, item)
+            writer.body(node, mesh, colliders.get(node.id, (box,) if box is not None else ()))
+    for name, solid in ground_boxes(scene):
+        writer.solid(name, solid)
+    return MjcfExport(_document(scene, model, writer, mesh_dir), writer.files)
+
+
+@dataclass(slots=True)
+class _Writer:
+    bodies: list[str] = field(default_factory=list)
+    materials: dict[Material, str] = field(default_factory=dict)
+    assets: dict[str, str] = field(default_factory=dict)
+    files: dict[str, bytes] = field(default_factory=dict)
+    walls: set[str] = field(default_factory=set)
+
+    def material(self, material: Material) -> str:
+        """Return the name of a material, writing it when it is new."""
+        if material not in self.materials:
+            taken = sum(known.name == material.name for known in self.materials)
+            self.materials[material] = f"{material.name}_{taken}" if taken else material.name
+        return self.materials[material]
+
+    def wall(self, wall: Wall, boxes: Sequence[Box]) -> None:
+        """Write a wall as boxes of half its thickness, each in the material of its room."""
+        self.walls.add(wall.id)
+        faces = (
+            (1.0, surface_material(wall.left_material, "wall")),
+            (-1.0, surface_material(wall.right_material, "wall")),
+        )
+        geoms = []
+        for i, solid in enumerate(boxes):
+            angle = np.radians(solid.rotation)
+            for side, material in faces:
+                shift = side * wall.thickness / 4
+                x = solid.center[0] - float(np.sin(angle)) * shift
+                y = solid.center[1] + float(np.cos(angle)) * shift
+                half = Box(
+                    (x, y, solid.center[2]),
+                    (solid.size[0], solid.size[1] / 2, solid.size[2]),
+                    solid.rotation,
+                )
+                name = f"{wall.id}/{i}{'l' if side > 0 else 'r'}"
+                geoms.append(
+                    f"<geom name={quoteattr(name)} {_box_attributes(half)} "
+                    f'group="{STRUCTURE_GROUP}" material={quoteattr(self.material(material))}/>'
+                )
+        self.bodies.append(f"<body name={quoteattr(wall.id)}>{''.join(geoms)}</body>")
+
+    def body(
+        self,
+        node: Node,
+        mesh: Mesh,
+        colliders: Sequence[Box],
+        loose: tuple[float, float, float] | None = None,
+    ) -> None:
+        """Write a node as a body of visual meshes and boxes to collide with; `loose` is the size of a free one."""
+        group = {"objects": OBJECT_GROUP, "ceiling": CEILING_GROUP}.get(node.group, STRUCTURE_GROUP)
+        visual = 'contype="0" conaffinity="0" mass="0"'
+        parts = []
+        if loose is not None:
+            parts.append(f"<freejoint name={quoteattr(node.id + '/joint')}/>{_inertial(loose)}")
+        for i, surface in enumerate(mesh.surfaces):
+            name = node.id if i == 0 else f"{node.id}/{i}"
+            parts.append(
+                f'<geom name={quoteattr(name)} type="mesh" '
+                f"mesh={quoteattr(self.mesh(mesh.name, i, surface, node.scale))} "
+                f'group="{group}" {visual} '
+                f"material={quoteattr(self.material(surface.material))}/>"
+            )
+        for i, collision in enumerate(colliders):
+            name = f"{node.id}/collision{f'_{i}' if i else ''}"
+            parts.append(
+                f"<geom name={quoteattr(name)} {_box_attributes(collision)} "
+                f'group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>'
+            )
+        place = f'pos="{_numbers(node.position)}"' if any(node.position) else ""
+        if node.rotation % 360.0:
+            place += f' quat="{_quaternion(node.rotation)}"'
+        self.bodies.append(f"<body name={quoteattr(node.id)} {place}>{''.join(parts)}</body>")
+
+    def mesh(
+        self, name: str, part: int, surface: Surface, scale: tuple[float, float, float]
+    ) -> str:
+        """Return the name of a mesh asset at a scale, writing the asset and its file when they are new."""
+        file = file_name(name, part)
+        if file not in self.files:
+            self.files[file] = write_stl(surface)
+        asset = file.removesuffix(".stl")
+        size = ""
+        if scale != (1.0, 1.0, 1.0):
+            size = f' scale="{_numbers(scale)}"'
+            asset += "@" + "x".join(f"{value:.4g}" for value in scale)
+        if asset not in self.assets:
+            self.assets[asset] = (
+                f'<mesh name={quoteattr(asset)} file={quoteattr(file)} inertia="shell"{size}/>'
+            )
+        return asset
+
+    def solid(self, name: str, solid: Box) -> None:
+        """Write a box of the world that is only collided with."""
+        self.bodies.append(
+            f"<geom name={quoteattr(name)} {_box_attributes(solid)} "
+            f'group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>'
+        )
+
+
+def _wall_boxes(scene: FloorScene) -> list[tuple[Wall, list[Box]]]:
+    bodies = WallBodies(scene)
+    return [(wall, bodies.boxes(wall)) for wall in scene.walls]
+
+
+def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -> str:
+    points = np.array(scene.outline, dtype=float)
+    (x0, y0), (x1, y1) = points.min(0).tolist(), points.max(0).tolist()
+    cx, cy = (x0 + x1) / 2, (y0 + y1) / 2
+    reach = max(x1 - x0, y1 - y0)
+    materials = "\n".join(
+        f"    <material name={quoteattr(name)} "
+        f'rgba="{_numbers((*material.color, material.alpha))}" '
+        f'specular="{0.5 * (1.0 - material.roughness):.3g}" '
+        f'shininess="{1.0 - material.roughness:.3g}" emission="{material.emission:.3g}"/>'
+        for material, name in writer.materials.items()
+    )
+    meshes = "\n".join(f"    {asset}" for asset in writer.assets.values())
+    bodies = "\n".join(f"    {body}" for body in writer.bodies)
+    return f"""<mujoco model={quoteattr(f"{scene.building_id} {model.name}")}>
+  <compiler angle="degree" meshdir={quoteattr(mesh_dir)} autolimits="true"/>
+  <option timestep="0.004"/>
+  <size memory="{_memory(len(writer.bodies))}M"/>
+  <statistic center="{_numbers((cx, cy, 1.0))}" extent="{reach:.4g}"/>
+  <visual>
+    <global offwidth="1280" offheight="960" fovy="70"/>
+    <headlight ambient="0.5 0.5 0.5" diffuse="0.3 0.3 0.3" specular="0.05 0.05 0.05"/>
+    <map znear="0.002" zfar="4"/>
+    <quality shadowsize="1024" offsamples="0"/>
+  </visual>
+  <asset>
+    <texture type="skybox" builtin="gradient" {_sky(scene)} width="128" height="128"/>
+{materials}
+{meshes}
+  </asset>
+  <worldbody>
+    <light name="sun" type="directional" dir="0.35 0.5 -0.79" diffuse="0.35 0.34 0.32" castshadow="false"/>
+    <light name="fill" type="directional" dir="-0.6 -0.35 -0.7" diffuse="0.16 0.17 0.19" castshadow="false"/>
+    <light name="bounce" type="directional" dir="0.1 0.15 0.98" diffuse="0.22 0.22 0.21" castshadow="false"/>
+    <camera name="overview" pos="{_numbers((cx, cy - 0.75 * reach, 1.15 * reach))}" \
+xyaxes="1 0 0 0 0.84 0.55" fovy="45"/>
+{_robot_camera(scene)}
+{bodies}
+  </worldbody>
+</mujoco>
+"""
+
+
+def _sky(scene: FloorScene) -> str:
+    digits = scene.sky.color if len(scene.sky.color) == 7 else "#bfd9ff"
+    r, g, b = (int(digits[i : i + 2], 16) / 255.0 for i in (1, 3, 5))
+    return f'rgb1="{r:.3g} {g:.3g} {b:.3g}" rgb2="0.92 0.93 0.94"'
+
+
+def _robot_camera(scene: FloorScene) -> str:
+    """A camera at the spawn pose, at eye height, level."""
+    if scene.spawn is None:
+        return ""
+    yaw = np.radians(scene.spawn.yaw)
+    c, s = float(np.cos(yaw)), float(np.sin(yaw))
+    place = _numbers((scene.spawn.x, scene.spawn.y, EYE))
+    return f'    <camera name="spawn" pos="{place}" xyaxes="{s:.6g} {-c:.6g} 0 0 0 1" fovy="70"/>'
+
+
+def _memory(bodies: int) -> int:
+    """Megabytes that the engine needs to look for pairs of bodies; its own guess is too small for large floors."""
+    return 16 + math.ceil(8 * bodies * bodies / 2**20)
+
+
+def _inertial(size: tuple[float, float, float]) -> str:
+    """Mass and inertia of an object of a given size: a box of `DENSITY`."""
+    w, d, h = size
+    mass = max(DENSITY * w * d * h, LEAST_MASS)
+    inertia = ((d * d + h * h), (w * w + h * h), (w * w + d * d))
+    values = " ".join(f"{max(mass * value / 12, 1e-6):.4g}" for value in inertia)
+    return f'<inertial pos="0 0 0" mass="{mass:.4g}" diaginertia="{values}"/>'
+
+
+def _box_attributes(solid: Box) -> str:
+    half = tuple(max(value / 2, 5e-4) for value in solid.size)
+    turn = f' quat="{_quaternion(solid.rotation)}"' if solid.rotation % 360.0 else ""
+    return f'type="box" pos="{_numbers(solid.center)}" size="{_numbers(half)}"{turn}'
+
+
+def _quaternion(rotation: float) -> str:
+    half = np.radians(rotation) / 2.0
+    return _numbers((float(np.cos(half)), 0.0, 0.0, float(np.sin(half))))
+
+
+def _numbers(values: Sequence[float]) -> str:
+    return " ".join(f"{round(float(value), 5) + 0.0:g}" for value in values)

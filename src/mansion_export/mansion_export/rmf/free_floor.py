@@ -1,0 +1,140 @@
+"""Where the centre of a fleet's robot may be on a floor whose doors it can have opened."""
+
+from dataclasses import dataclass
+
+import shapely
+import shapely.affinity
+from shapely.geometry import LineString, Polygon, box
+from shapely.geometry.base import BaseGeometry
+
+from mansion_export.shafts import shaft_of
+from mansion_export.solids import WallBodies
+from mansion_geometry.rings import polygon_parts
+from mansion_geometry.robot_body import footprint
+from mansion_msgs_py.scene import Door, FloorScene, LiftDetails, SceneCore, SceneObject
+from mansion_msgs_py.shapes import Point
+
+__all__ = ["CabinFrame", "cabin_frame", "free_floor", "walkable"]
+
+CLEARANCE = 1.5
+"""Height below which something stands in a robot's way, metres."""
+
+FLAT = 0.05
+"""What is lower, a rug say, is driven over; metres."""
+
+CABIN_GAP, CABIN_WALL = 0.08, 0.05
+"""Between shaft and cabin, and of the cabin's walls; metres. The gap is for lifts without details."""
+
+FACINGS: dict[float, Point] = {
+    0.0: (0.0, 1.0),
+    90.0: (-1.0, 0.0),
+    180.0: (0.0, -1.0),
+    -90.0: (1.0, 0.0),
+}
+"""The y axis of a frame that is turned by so many degrees."""
+
+
+@dataclass(frozen=True, slots=True)
+class CabinFrame:
+    """A lift's cabin in a frame whose y axis points out through its door.
+
+    Attributes
+    ----------
+    x, y : float
+        Centre, metres.
+    facing : (float, float)
+        Unit vector from the cabin out through its door.
+    rotation : float
+        Degrees counter-clockwise from the plan's axes to the frame's.
+    width, depth : float
+        Along the door and away from it, outside.
+    outer : Polygon
+    """
+
+    x: float
+    y: float
+    facing: Point
+    rotation: float
+    width: float
+    depth: float
+    outer: Polygon
+
+
+def cabin_frame(core: SceneCore, scene: FloorScene) -> CabinFrame:
+    """Return the cabin of a lift, seen from its door on this floor."""
+    shaft = shaft_of(core, scene)
+    x0, y0, x1, y1 = Polygon(core.polygon).buffer(-CABIN_GAP, join_style="mitre").bounds
+    if isinstance(core.details, LiftDetails):
+        (x0, y0, _), (x1, y1, _) = core.details.cabin
+    facing = FACINGS[shaft.rotation]
+    width, depth = (y1 - y0, x1 - x0) if facing[0] else (x1 - x0, y1 - y0)
+    x, y = (x0 + x1) / 2, (y0 + y1) / 2
+    return CabinFrame(x, y, facing, shaft.rotation, width, depth, box(x0, y0, x1, y1))
+
+
+def free_floor(scene: FloorScene) -> BaseGeometry:
+    """Return the floor that nothing lower than `CLEARANCE` stands or hangs on; metres.
+
+    Doors between rooms count as open, for a fleet asks for them to be opened; outer doors and stairs are no floor.
+    """
+    rooms = [Polygon(room.polygon, room.holes) for room in scene.rooms if room.kind != "stair"]
+    inner = [_opening(door, scene) for door in scene.doors if _inside(door, scene)]
+    bodies = WallBodies(scene)
+    solid = [
+        _rectangle(part.center[0], part.center[1], part.size[0], part.size[1], part.rotation)
+        for wall in scene.walls
+        for part in bodies.boxes(wall)
+        if part.center[2] - part.size[2] / 2 < CLEARANCE
+    ]
+    shafts = [Polygon(core.polygon) for core in scene.cores]
+    solid += [footprint(item) for item in scene.objects if _blocks(item)]
+    floor = shapely.union_all(rooms).difference(shapely.union_all(shafts))
+    floor = shapely.union_all([floor, *inner]).difference(shapely.union_all(solid))
+    return shapely.union_all([floor, *_cabins(scene)])
+
+
+def walkable(scene: FloorScene, radius: float) -> list[Polygon]:
+    """Return where the centre of a disc of this radius may be, as connected parts, largest first."""
+    parts = polygon_parts(free_floor(scene).buffer(-radius, quad_segs=8))
+    return sorted(parts, key=lambda part: (-round(part.area, 6), part.bounds))
+
+
+def _inside(door: Door, scene: FloorScene) -> bool:
+    stairs = {core.id for core in scene.cores if core.type == "stair"}
+    return door.rooms[1] is not None and not stairs & set(door.rooms)
+
+
+def _opening(door: Door, scene: FloorScene) -> Polygon:
+    thickness = next((wall.thickness for wall in scene.walls if wall.id == door.wall), 0.12)
+    return LineString(door.segment).buffer(thickness / 2 + 1e-3, cap_style="flat")
+
+
+def _cabins(scene: FloorScene) -> list[Polygon]:
+    """Return the insides of the cabins, each with the way over its sill."""
+    doors = {door.id: door for door in scene.doors}
+    found = []
+    for core in scene.cores:
+        door = doors.get(core.door)
+        if core.type != "elevator" or door is None:
+            continue
+        frame = cabin_frame(core, scene)
+        (ax, ay), (bx, by) = door.segment
+        fx, fy = frame.facing
+        deep = abs((ax - frame.x) * fx + (ay - frame.y) * fy)
+        sill = Polygon(
+            [(ax, ay), (bx, by), (bx - fx * deep, by - fy * deep), (ax - fx * deep, ay - fy * deep)]
+        )
+        inside = frame.outer.buffer(-CABIN_WALL, join_style="mitre")
+        found += [inside, sill]
+    return found
+
+
+def _rectangle(x: float, y: float, width: float, depth: float, rotation: float) -> Polygon:
+    centred = box(-width / 2, -depth / 2, width / 2, depth / 2)
+    turned = shapely.affinity.rotate(centred, rotation, origin=(0.0, 0.0))
+    return shapely.affinity.translate(turned, x, y)
+
+
+def _blocks(item: SceneObject) -> bool:
+    bottom, top = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
+    return item.mount not in ("surface", "inside") and bottom < CLEARANCE and top > FLAT

@@ -1,0 +1,162 @@
+"""A building as a Gazebo world (SDFormat 1.9): a static model for each floor, links named after our ids."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+
+from mansion_assets.catalogue import Catalogue
+from mansion_export.colliders import collision_box, ground_boxes
+from mansion_export.meshes import building_models
+from mansion_export.model import Material, Mesh, Model, Node
+from mansion_export.solids import Box, WallBodies
+from mansion_export.stl import file_name, write_stl
+from mansion_msgs_py.scene import FloorScene
+
+__all__ = ["SdfExport", "world_sdf"]
+
+
+@dataclass(frozen=True, slots=True)
+class SdfExport:
+    """A world and the files that it names.
+
+    Attributes
+    ----------
+    xml : str
+        The SDFormat document.
+    meshes : dict of str to bytes
+        Binary STL files by name, the same as those of the MuJoCo models.
+    """
+
+    xml: str
+    meshes: dict[str, bytes]
+
+
+def world_sdf(
+    scenes: Sequence[FloorScene], mesh_dir: str = "meshes", catalogue: Catalogue | None = None
+) -> SdfExport:
+    """Make a Gazebo world of all floors.
+
+    Parameters
+    ----------
+    scenes : sequence of FloorScene
+    mesh_dir : str
+        Folder of the meshes, seen from the world file.
+    catalogue : Catalogue, optional
+        Where the assets are, when they are not all in the shipped one.
+
+    Returns
+    -------
+    SdfExport
+        Each floor is a static model at its elevation, z up. Every wall, door leaf, window, stair and object is a link
+        with its id; walls, floors, steps, leaves and objects have boxes to collide with.
+    """
+    files: dict[str, bytes] = {}
+    ordered = sorted(scenes, key=lambda scene: scene.floor)
+    models = [
+        _model(model, scene, mesh_dir, files)
+        for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered)
+    ]
+    name = ordered[0].building_id if ordered else "building"
+    return SdfExport(_world(name, models), dict(sorted(files.items())))
+
+
+def _world(name: str, models: Sequence[str]) -> str:
+    content = "\n".join(models)
+    return f"""<?xml version="1.0"?>
+<sdf version="1.9">
+  <world name={quoteattr(name)}>
+    <gravity>0 0 -9.81</gravity>
+    <scene>
+      <ambient>0.55 0.55 0.55 1</ambient>
+      <background>0.75 0.85 1 1</background>
+      <shadows>false</shadows>
+    </scene>
+    <light name="sun" type="directional">
+      <pose>0 0 60 0 0 0</pose>
+      <diffuse>0.8 0.8 0.78 1</diffuse>
+      <specular>0.1 0.1 0.1 1</specular>
+      <direction>-0.4 0.5 -0.9</direction>
+      <cast_shadows>false</cast_shadows>
+    </light>
+{content}
+  </world>
+</sdf>
+"""
+
+
+def _model(model: Model, scene: FloorScene, mesh_dir: str, files: dict[str, bytes]) -> str:
+    walls = {wall.id: wall for wall in scene.walls}
+    items = {item.id: item for item in scene.objects}
+    bodies = WallBodies(scene)
+    links = []
+    for node in model.nodes:
+        mesh = model.meshes[node.mesh]
+        parts = _visuals(node, mesh, mesh_dir, files)
+        if node.id in walls:
+            parts += [_collision(i, box) for i, box in enumerate(bodies.boxes(walls[node.id]))]
+        else:
+            box = collision_box(node, mesh, items.get(node.id))
+            parts += [_collision(0, box)] if box is not None else []
+        links.append(_link(node.id, node.position, node.rotation, parts))
+    ground = [_collision(i, box) for i, (_, box) in enumerate(ground_boxes(scene))]
+    links.append(_link(f"F{scene.floor}/ground", (0.0, 0.0, 0.0), 0.0, ground))
+    content = "\n".join(links)
+    return f"""    <model name={quoteattr(model.name)}>
+      <static>true</static>
+      <pose>0 0 {model.elevation:g} 0 0 0</pose>
+{content}
+    </model>"""
+
+
+def _link(
+    name: str, position: tuple[float, float, float], rotation: float, parts: Sequence[str]
+) -> str:
+    pose = _pose(position, rotation)
+    return f"      <link name={quoteattr(name)}>{pose}{''.join(parts)}</link>"
+
+
+def _visuals(node: Node, mesh: Mesh, mesh_dir: str, files: dict[str, bytes]) -> list[str]:
+    scale = ""
+    if node.scale != (1.0, 1.0, 1.0):
+        scale = f"<scale>{_numbers(node.scale)}</scale>"
+    visuals = []
+    for i, surface in enumerate(mesh.surfaces):
+        file = file_name(mesh.name, i)
+        if file not in files:
+            files[file] = write_stl(surface)
+        uri = f"{mesh_dir}/{file}" if mesh_dir else file
+        visuals.append(
+            f'<visual name="visual_{i}"><geometry><mesh><uri>{uri}</uri>{scale}</mesh></geometry>'
+            f"{_material(surface.material)}</visual>"
+        )
+    return visuals
+
+
+def _material(material: Material) -> str:
+    color = f"{_numbers(material.color)} {material.alpha:g}"
+    clear = f"<transparency>{1.0 - material.alpha:g}</transparency>" if material.alpha < 1 else ""
+    return (
+        f"{clear}<material><ambient>{color}</ambient><diffuse>{color}</diffuse>"
+        f"<pbr><metal><metalness>{material.metallic:g}</metalness>"
+        f"<roughness>{material.roughness:g}</roughness></metal></pbr></material>"
+    )
+
+
+def _collision(number: int, box: Box) -> str:
+    return (
+        f'<collision name="collision_{number}">{_pose(box.center, box.rotation)}'
+        f"<geometry><box><size>{_numbers(box.size)}</size></box></geometry></collision>"
+    )
+
+
+def _pose(position: tuple[float, float, float], rotation: float) -> str:
+    yaw = round(float(np.radians(rotation)), 7) + 0.0
+    if not any(position) and not yaw:
+        return ""
+    return f"<pose>{_numbers(position)} 0 0 {yaw:g}</pose>"
+
+
+def _numbers(values: Sequence[float]) -> str:
+    return " ".join(f"{round(float(value), 5) + 0.0:g}" for value in values)

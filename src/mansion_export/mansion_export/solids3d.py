@@ -1,0 +1,161 @@
+"""Boxes and prisms as triangles."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+from shapely.geometry import Polygon
+from shapely.geometry.polygon import orient
+
+from mansion_export.model import Material, Surface
+from mansion_export.solids import Box
+from mansion_msgs_py.shapes import Point
+
+__all__ = ["boxes_surface", "polygon_surface", "triangulate"]
+
+CORNERS = np.array(
+    [(x, y, z) for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)], dtype=float
+)
+SIDES = np.array(
+    [
+        (0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
+        (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5),
+    ]
+)  # fmt: skip
+
+
+def boxes_surface(boxes: Sequence[Box], material: Material) -> Surface:
+    """Return boxes as one surface of outward triangles, 12 a box."""
+    if not boxes:
+        return Surface(material, np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64))
+    centers = np.array([box.center for box in boxes])
+    sizes = np.array([box.size for box in boxes])
+    angles = np.radians([box.rotation for box in boxes])
+    local = CORNERS[None] * sizes[:, None, :]
+    c, s = np.cos(angles)[:, None], np.sin(angles)[:, None]
+    x = local[..., 0] * c - local[..., 1] * s
+    y = local[..., 0] * s + local[..., 1] * c
+    vertices = np.stack([x, y, local[..., 2]], axis=-1) + centers[:, None, :]
+    faces = SIDES[None] + 8 * np.arange(len(boxes))[:, None, None]
+    return Surface(material, vertices.reshape(-1, 3), faces.reshape(-1, 3).astype(np.int64))
+
+
+def polygon_surface(
+    polygon: Polygon, bottom: float, top: float, material: Material, sides: bool = True
+) -> Surface:
+    """Return an upright prism over a polygon with holes; without `sides` only its upper face."""
+    flat, faces = triangulate(polygon)
+    count = len(flat)
+    upper = np.column_stack([flat, np.full(count, top)])
+    if not sides:
+        return Surface(material, upper, faces)
+    lower = np.column_stack([flat, np.full(count, bottom)])
+    vertices, triangles = [upper, lower], [faces, faces[:, ::-1] + count]
+    offset = 2 * count
+    oriented = orient(polygon)
+    for ring in (oriented.exterior, *oriented.interiors):
+        points = np.asarray(ring.coords, dtype=float)[:-1]
+        n = len(points)
+        following = np.roll(np.arange(n), -1)
+        i = np.arange(n)
+        vertices += [
+            np.column_stack([points, np.full(n, bottom)]),
+            np.column_stack([points, np.full(n, top)]),
+        ]
+        triangles.append(np.column_stack([i, following, following + n]) + offset)
+        triangles.append(np.column_stack([i, following + n, i + n]) + offset)
+        offset += 2 * n
+    return Surface(material, np.concatenate(vertices), np.concatenate(triangles).astype(np.int64))
+
+
+def triangulate(
+    polygon: Polygon,
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
+    """Triangulate a polygon with holes by ear clipping, holes joined to the outer ring first.
+
+    Returns
+    -------
+    (vertices, faces)
+        Points (n, 2) and counter-clockwise triangles (m, 3).
+    """
+    ring = _bridge(orient(polygon))
+    points = np.array(ring, dtype=float)
+    remaining = list(range(len(ring)))
+    faces: list[tuple[int, int, int]] = []
+    guard = len(remaining) ** 2
+    k = 0
+    while len(remaining) > 3 and guard > 0:
+        guard -= 1
+        n = len(remaining)
+        a, b, c = remaining[k % n], remaining[(k + 1) % n], remaining[(k + 2) % n]
+        if _is_ear(points, remaining, a, b, c):
+            if _cross(points[a], points[b], points[c]) > 1e-12:
+                faces.append((a, b, c))
+            remaining.pop((k + 1) % n)
+        else:
+            k = (k + 1) % n
+    if len(remaining) == 3:
+        faces.append((remaining[0], remaining[1], remaining[2]))
+    return points, np.array(faces, dtype=np.int64).reshape(-1, 3)
+
+
+def _cross(
+    a: npt.NDArray[np.float64], b: npt.NDArray[np.float64], c: npt.NDArray[np.float64]
+) -> float:
+    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+
+
+def _is_ear(points: npt.NDArray[np.float64], remaining: list[int], a: int, b: int, c: int) -> bool:
+    """Tell whether no other vertex lies in the corner at `b`; a flat corner may always go."""
+    area = _cross(points[a], points[b], points[c])
+    if abs(area) <= 1e-12:
+        return True
+    if area < 0.0:
+        return False
+    others = points[remaining]
+    pa, pb, pc = points[a], points[b], points[c]
+    inside = np.ones(len(others), dtype=bool)
+    for p, q in ((pa, pb), (pb, pc), (pc, pa)):
+        inside &= (q[0] - p[0]) * (others[:, 1] - p[1]) - (q[1] - p[1]) * (
+            others[:, 0] - p[0]
+        ) > 1e-12
+    corner = (others[:, None, :] == np.stack([pa, pb, pc])[None]).all(-1).any(-1)
+    return not bool((inside & ~corner).any())
+
+
+def _bridge(polygon: Polygon) -> list[Point]:
+    """Join each hole to the outer ring by a doubled edge to a vertex that it sees."""
+    ring = [(float(x), float(y)) for x, y in list(polygon.exterior.coords)[:-1]]
+    holes = [
+        [(float(x), float(y)) for x, y in list(hole.coords)[:-1]] for hole in polygon.interiors
+    ]
+    holes.sort(key=lambda hole: -max(hole)[0])
+    for hole in holes:
+        start = hole.index(max(hole))
+        x, y = hole[start]
+        best = min(
+            range(len(ring)),
+            key=lambda i: (not _sees(ring, holes, (x, y), ring[i]), _far(ring[i], (x, y)), i),
+        )
+        around = [*hole[start:], *hole[: start + 1]]
+        ring = [*ring[: best + 1], *around, *ring[best:]]
+    return ring
+
+
+def _far(a: Point, b: Point) -> float:
+    return (a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2
+
+
+def _sees(ring: list[Point], holes: list[list[Point]], a: Point, b: Point) -> bool:
+    """Tell whether no edge properly crosses the line from a to b."""
+    for loop in (ring, *holes):
+        for p, q in zip(loop, loop[1:] + loop[:1]):
+            if a in (p, q) or b in (p, q):
+                continue
+            d1 = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+            d2 = (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0])
+            d3 = (q[0] - p[0]) * (a[1] - p[1]) - (q[1] - p[1]) * (a[0] - p[0])
+            d4 = (q[0] - p[0]) * (b[1] - p[1]) - (q[1] - p[1]) * (b[0] - p[0])
+            if d1 * d2 <= 0 and d3 * d4 <= 0:
+                return False
+    return True

@@ -1,0 +1,246 @@
+"""A floor as an AI2-THOR house, schema 1.0.0 (``ProceduralTools.CreateHouse``)."""
+
+import itertools
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+import shapely
+from shapely.geometry import Polygon, box
+
+from mansion_export.frames import thor_heading, thor_point, thor_ring
+from mansion_export.thor.layers import COLOURS, four_colours, layer_name
+from mansion_export.thor.materials import (
+    SKYBOXES,
+    ceiling_material,
+    floor_material,
+    room_type,
+)
+from mansion_export.thor.objects import build_objects
+from mansion_export.thor.reachability import GRID, reachable
+from mansion_export.thor.walls import build_structure
+from mansion_msgs_py.scene import FloorScene, Light, SceneRoom
+from mansion_msgs_py.shapes import Point
+
+__all__ = ["SCHEMA", "house"]
+
+Json: TypeAlias = dict[str, Any]
+
+SCHEMA = "1.0.0"
+
+AGENT_HEIGHT = 0.95
+"""Height at which ProcTHOR sets the agent down, metres."""
+
+PHASES = 3
+"""Shifts of the agent's grid that are tried in each direction."""
+
+ENOUGH = 5
+"""Grid points that ``House.validate`` asks of each room."""
+
+SLIT = 0.002
+"""Width of the cut that joins a hole to the outer ring: AI2-THOR's floor polygons have no holes."""
+
+SUNS = {
+    "Midday": ((66.0, 75.0), 1.0, (1.0, 1.0, 1.0)),
+    "GoldenHour": ((6.0, -166.0), 1.0, (1.0, 0.694, 0.78)),
+    "BlueHour": ((82.0, -30.0), 0.5, (0.638, 0.843, 1.0)),
+}
+"""Pitch and yaw, intensity and colour of the sun by the time of the sky box (ProcTHOR, supplement)."""
+
+
+def house(scene: FloorScene) -> Json:
+    """Make the house JSON of a floor.
+
+    Parameters
+    ----------
+    scene : FloorScene
+
+    Returns
+    -------
+    dict
+        Top level ``rooms``, ``walls``, ``doors``, ``windows``, ``objects``, ``proceduralParameters``, ``metadata``.
+        ``metadata.mansion`` names the building and floor, the cores with the poses at their doors, and under
+        ``omitted`` every object that is left out because AI2-THOR has no asset for it.
+    """
+    rooms = [room for room in scene.rooms if room.kind not in ("stair", "elevator")]
+    height = round(max((wall.height for wall in scene.walls), default=scene.height - 0.2), 4)
+    structure = build_structure(scene, height)
+    layers = four_colours([room.id for room in rooms], structure.neighbours, structure.merged)
+    for wall in structure.walls:
+        wall["layer"] = layer_name(layers[wall["roomId"]])
+    objects, omitted = build_objects(scene, layers)
+    made: Json = {
+        "rooms": [_room(room, layers[room.id]) for room in rooms],
+        "walls": structure.walls,
+        "doors": structure.doors,
+        "windows": structure.windows,
+        "objects": objects,
+        "proceduralParameters": _parameters(scene, rooms, layers, height),
+    }
+    agent = _agent(scene, made)
+    warnings = dict.fromkeys(structure.misplaced, "no wall was found for this opening")
+    locobot = {key: value for key, value in agent.items() if key != "standing"}
+    made["metadata"] = {
+        "schema": SCHEMA,
+        "roomSpecId": scene.building_id,
+        "agent": agent,
+        "agentPoses": {"default": agent, "arm": agent, "stretch": agent, "locobot": locobot},
+        "warnings": warnings,
+        "mansion": _provenance(scene, omitted),
+    }
+    return made
+
+
+def _room(room: SceneRoom, layer: int) -> Json:
+    ring = _without_holes(room.polygon, room.holes)
+    return {
+        "id": room.id,
+        "roomType": room_type(room.room_type),
+        "name": room.name or room.room_type,
+        "floorPolygon": thor_ring(ring),
+        "floorMaterial": floor_material(room.floor_material),
+        "ceilings": [{"material": ceiling_material(room.ceiling_material)}],
+        "children": [],
+        "layer": layer_name(layer),
+    }
+
+
+def _without_holes(ring: Sequence[Point], holes: Sequence[Sequence[Point]]) -> Sequence[Point]:
+    """Cut a slit from each hole to the right until it meets the outside."""
+    if not holes:
+        return ring
+    polygon = Polygon(ring, holes)
+    for hole in holes:
+        x, y = max(hole)
+        ray = shapely.intersection(
+            shapely.LineString([(x, y), (polygon.bounds[2] + 1.0, y)]), Polygon(ring)
+        )
+        first = min(
+            (part for part in shapely.get_parts(ray)), key=lambda part: float(part.bounds[0])
+        )
+        slit = box(x - SLIT, y - SLIT, float(first.bounds[2]) + SLIT, y)
+        polygon = polygon.difference(slit)
+    outer = polygon.exterior if polygon.geom_type == "Polygon" else polygon.geoms[0].exterior
+    return list(shapely.geometry.polygon.orient(Polygon(outer)).exterior.coords)[:-1]
+
+
+def _parameters(
+    scene: FloorScene, rooms: list[SceneRoom], layers: dict[str, int], height: float
+) -> Json:
+    _, time, skybox = next(entry for entry in SKYBOXES if entry[0] in scene.sky.name)
+    (pitch, yaw), intensity, (r, g, b) = SUNS[time]
+    sun: Json = {
+        "id": "DirectionalLight",
+        "type": "directional",
+        "position": {"x": 0.84, "y": 0.1855, "z": -1.09},
+        "rotation": {"x": pitch, "y": yaw, "z": 0},
+        "intensity": intensity,
+        "indirectMultiplier": 1.0,
+        "rgb": {"r": r, "g": g, "b": b, "a": 1},
+        "shadow": _shadow(0.0),
+    }
+    names = {room.id for room in rooms}
+    lamps = [light for light in scene.lights if light.room in names and light.kind != "directional"]
+    return {
+        "ceilingMaterial": ceiling_material(""),
+        "floorColliderThickness": 1.0,
+        "receptacleHeight": 0.7,
+        "lights": [sun, *(_lamp(lamp, layers, height) for lamp in lamps)],
+        "reflections": [],
+        "skyboxId": skybox,
+    }
+
+
+def _lamp(light: Light, layers: dict[str, int], height: float) -> Json:
+    """A room's lamp as a point light that shines on its own layer only."""
+    layer = layers[light.room or ""]
+    red, green, blue = (int(light.color[i : i + 2], 16) / 255.0 for i in (1, 3, 5))
+    x, y, z = light.position
+    return {
+        "id": light.id,
+        "type": "point",
+        "position": thor_point(x, y, min(z, height - 0.2)),
+        "intensity": round(min(0.75 * light.intensity, 1.5), 3),
+        "range": round(max(light.range, 5.0), 3),
+        "indirectMultiplier": 1.0,
+        "rgb": {"r": round(red, 4), "g": round(green, 4), "b": round(blue, 4), "a": 1},
+        "shadow": _shadow(0.05),
+        "layer": layer_name(layer),
+        "cullingMaskOff": [layer_name(other) for other in range(COLOURS) if other != layer],
+    }
+
+
+def _shadow(bias: float) -> Json:
+    return {
+        "type": "Soft",
+        "strength": 1.0,
+        "normalBias": 0.0,
+        "bias": bias,
+        "nearPlane": 0.2,
+        "resolution": "FromQualitySettings",
+    }
+
+
+def _agent(scene: FloorScene, made: Json) -> Json:
+    """The spawn pose, moved to the nearest grid point from which the agent reaches most rooms.
+
+    AI2-THOR's grid starts where the agent stands. Where a grid through multiples of `GRID` misses a narrow passage, one
+    that is shifted by multiples of a third of `GRID` may find it.
+    """
+    if scene.spawn is not None:
+        x, y, heading = scene.spawn.x, scene.spawn.y, thor_heading(scene.spawn.yaw)
+    else:
+        x, y = scene.rooms[0].polygon[0]
+        heading = 0.0
+    corner = (round(x / GRID) * GRID, round(y / GRID) * GRID)
+    rings = [[(p["x"], p["z"]) for p in room["floorPolygon"]] for room in made["rooms"]]
+    best: tuple[int, int] = (-1, -1)
+    points: list[Point] = []
+    for i, j in sorted(itertools.product(range(PHASES), repeat=2), key=max):
+        start = (corner[0] + i * GRID / PHASES, corner[1] + j * GRID / PHASES)
+        for component in reachable(made, start, everywhere=True):
+            score = (_served(component, rings), len(component))
+            if score > best:
+                best, points = score, component
+        if best[0] == len(rings):
+            break
+    if points:
+        x, y = min(points, key=lambda p: ((p[0] - x) ** 2 + (p[1] - y) ** 2, p))
+    return {
+        "position": thor_point(x, y, AGENT_HEIGHT),
+        "rotation": {"x": 0, "y": heading, "z": 0},
+        "horizon": 30,
+        "standing": True,
+    }
+
+
+def _served(points: Sequence[Point], rings: Sequence[Sequence[Point]]) -> int:
+    """Count the rooms that hold enough of the points."""
+    if len(points) < ENOUGH:
+        return 0
+    x, y = np.array(points).T
+    return sum(int(shapely.contains_xy(Polygon(ring), x, y).sum()) >= ENOUGH for ring in rings)
+
+
+def _provenance(scene: FloorScene, omitted: list[Json]) -> Json:
+    return {
+        "building": scene.building_id,
+        "floor": scene.floor,
+        "floors": scene.floors,
+        "elevation": scene.elevation,
+        "revision": scene.revision,
+        "cores": [
+            {
+                "id": core.id,
+                "type": core.type,
+                "door": core.door,
+                "floors": core.floors,
+                "entrance": {
+                    "position": thor_point(core.entrance[0], core.entrance[1], AGENT_HEIGHT),
+                    "rotation": {"x": 0, "y": thor_heading(core.entrance[2]), "z": 0},
+                },
+            }
+            for core in scene.cores
+        ],
+        "omitted": omitted,
+    }

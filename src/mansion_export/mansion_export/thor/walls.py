@@ -1,0 +1,271 @@
+"""Wall twins with at most one hole each, and the doors and windows in them.
+
+``CreateHouse`` keeps one hole for each wall id, so a wall with several openings is exported in pieces; both faces of a
+wall have the same end points in opposite order, and ``holePolygon`` is counted along the first of them (`wall0`).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from mansion_export.boundary import Stretch, stretches
+from mansion_export.frames import thor_point
+from mansion_export.thor.hole_assets import DOORFRAMES, DOORWAYS, WINDOWS, nearest
+from mansion_export.thor.materials import wall_material
+from mansion_msgs_py.scene import Door, FloorScene, SceneRoom, Window
+from mansion_msgs_py.shapes import Point, Segment
+from mansion_scene.structure.facade_materials import DEFAULT_FACADE, facade_of
+
+__all__ = ["Structure", "build_structure"]
+
+Json: TypeAlias = dict[str, Any]
+
+REACH = 0.3
+"""Metres between an opening's wall and the polygon edge that stands for it, at most."""
+
+
+@dataclass(slots=True)
+class Structure:
+    """What `build_structure` makes.
+
+    Attributes
+    ----------
+    neighbours : set of (str, str)
+        Rooms that share a wall, ids in order.
+    merged : list of (str, str)
+        Rooms between which a wall is missing; they share light.
+    misplaced : list of str
+        Ids of openings for which no wall was found.
+    facade : str
+        Material of the outer walls' outer faces.
+    """
+
+    walls: list[Json] = field(default_factory=list)
+    doors: list[Json] = field(default_factory=list)
+    windows: list[Json] = field(default_factory=list)
+    neighbours: list[tuple[str, str]] = field(default_factory=list)
+    facade: str = DEFAULT_FACADE
+    merged: list[tuple[str, str]] = field(default_factory=list)
+    misplaced: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class _Hole:
+    low: float
+    high: float
+    opening: Door | Window
+
+
+def build_structure(scene: FloorScene, height: float) -> Structure:
+    """Make walls, doors and windows of the rooms of a floor; cores count as outside.
+
+    Parameters
+    ----------
+    height : float
+        Of all walls, metres: AI2-THOR hangs one ceiling over the house.
+    """
+    rooms = {room.id: room for room in scene.rooms if room.kind not in ("stair", "elevator")}
+    made = Structure(facade=facade_of(scene))
+    waiting: list[Door | Window] = [*scene.doors, *scene.windows]
+    for stretch in stretches({key: [room.polygon, *room.holes] for key, room in rooms.items()}):
+        other = stretch.neighbour
+        if other is not None:
+            if other < stretch.owner:
+                continue
+            made.neighbours.append((stretch.owner, other))
+        holes = _holes_on(stretch, waiting, rooms)
+        for hole in holes:
+            waiting.remove(hole.opening)
+        for low, high, inside in _pieces(stretch, holes):
+            _add_piece(made, stretch, low, high, inside, rooms, height)
+    made.misplaced = [item.id for item in waiting if _concerns(item, rooms)]
+    return made
+
+
+def _concerns(opening: Door | Window, rooms: dict[str, SceneRoom]) -> bool:
+    if isinstance(opening, Window):
+        return opening.room in rooms
+    return any(name in rooms for name in opening.rooms)
+
+
+def _holes_on(
+    stretch: Stretch, waiting: Sequence[Door | Window], rooms: dict[str, SceneRoom]
+) -> list[_Hole]:
+    """Openings that lie on a stretch and join what it divides, along its direction."""
+    holes = []
+    for opening in waiting:
+        if not _joins(opening, stretch, rooms):
+            continue
+        interval = _interval(stretch, opening.segment)
+        if interval is not None:
+            holes.append(_Hole(*interval, opening))
+    return sorted(holes, key=lambda hole: hole.low)
+
+
+def _joins(opening: Door | Window, stretch: Stretch, rooms: dict[str, SceneRoom]) -> bool:
+    if isinstance(opening, Window):
+        return stretch.neighbour is None and opening.room == stretch.owner
+    ends = {name if name in rooms else None for name in opening.rooms}
+    return ends == {stretch.owner, stretch.neighbour}
+
+
+def _interval(stretch: Stretch, segment: Segment) -> tuple[float, float] | None:
+    """Where a segment lies along a stretch, if it lies on it."""
+    a = np.array(stretch.start)
+    unit = (np.array(stretch.end) - a) / stretch.length
+    rel = np.array(segment) - a
+    along = rel @ unit
+    off = np.abs(rel[:, 0] * unit[1] - rel[:, 1] * unit[0])
+    low, high = max(float(along.min()), 0.0), min(float(along.max()), stretch.length)
+    width = float(along.max() - along.min())
+    if off.max() > REACH or high - low < 0.8 * width or high - low < 0.05:
+        return None
+    return low, high
+
+
+def _pieces(stretch: Stretch, holes: list[_Hole]) -> list[tuple[float, float, _Hole | None]]:
+    """Cut a stretch so that no piece has two holes; a missing wall is a piece of its own."""
+    pieces: list[tuple[float, float, _Hole | None]] = []
+    reached = 0.0
+    for i, hole in enumerate(holes):
+        if isinstance(hole.opening, Door) and hole.opening.kind == "open":
+            if hole.low > reached + 1e-3:
+                pieces.append((reached, hole.low, None))
+            pieces.append((hole.low, hole.high, hole))
+            reached = hole.high
+            continue
+        following = holes[i + 1] if i + 1 < len(holes) else None
+        end = stretch.length
+        if following is not None:
+            gone = isinstance(following.opening, Door) and following.opening.kind == "open"
+            end = following.low if gone else (hole.high + following.low) / 2
+        pieces.append((reached, end, hole))
+        reached = end
+    if stretch.length > reached + 1e-3:
+        pieces.append((reached, stretch.length, None))
+    return pieces
+
+
+def _add_piece(
+    made: Structure,
+    stretch: Stretch,
+    low: float,
+    high: float,
+    hole: _Hole | None,
+    rooms: dict[str, SceneRoom],
+    height: float,
+) -> None:
+    """Write both faces of a piece of wall, and what is in its hole."""
+    a, b = _point(stretch, low), _point(stretch, high)
+    number = len(made.walls) // 2
+    owner, other = rooms[stretch.owner], rooms.get(stretch.neighbour or "")
+    near, far = f"wall|{owner.id}|{number}", f"wall|{other.id if other else 'exterior'}|{number}"
+    gone = hole is not None and isinstance(hole.opening, Door) and hole.opening.kind == "open"
+    # The owner's interior lies to the left of start -> end; AI2-THOR shows the right side of p0 -> p1.
+    faces = [
+        _face(near, owner.id, b, a, height, owner.wall_material, gone),
+        _face(
+            far,
+            other.id if other else owner.id,
+            a,
+            b,
+            height,
+            other.wall_material if other else made.facade,
+            gone,
+        ),
+    ]
+    made.walls += faces
+    if hole is None:
+        return
+    if gone:
+        if other is not None:
+            made.merged.append((owner.id, other.id))
+        return
+    forward = (hole.low - low, hole.high - low)
+    backward = (high - hole.high, high - hole.low)
+    if isinstance(hole.opening, Window):
+        made.windows.append(_window(hole.opening, near, far, owner.id, backward))
+        return
+    door = hole.opening
+    if other is not None and door.swing == owner.id:
+        made.doors.append(_door(door, (far, near), (other.id, owner.id), forward, True))
+    else:
+        names = (owner.id, other.id if other else owner.id)
+        made.doors.append(_door(door, (near, far), names, backward, other is not None))
+
+
+def _point(stretch: Stretch, along: float) -> Point:
+    (ax, ay), (bx, by) = stretch.start, stretch.end
+    t = along / stretch.length
+    return (round(ax + (bx - ax) * t, 4), round(ay + (by - ay) * t, 4))
+
+
+def _face(
+    name: str, room: str, p0: Point, p1: Point, height: float, material: str, empty: bool
+) -> Json:
+    wall: Json = {
+        "id": name,
+        "roomId": room,
+        "polygon": [thor_point(*p, z) for z in (0.0, height) for p in (p0, p1)],
+        "material": wall_material(material),
+    }
+    if empty:
+        wall["empty"] = True
+    return wall
+
+
+def _rectangle(interval: tuple[float, float], bottom: float, top: float) -> Json:
+    """``holePolygon`` (lowest and highest corner along `wall0`) and the centre of what fills it."""
+    low, high = interval
+    return {
+        "holePolygon": [
+            {"x": round(low, 4), "y": round(bottom, 4), "z": 0},
+            {"x": round(high, 4), "y": round(top, 4), "z": 0},
+        ],
+        "assetPosition": {
+            "x": round((low + high) / 2, 4),
+            "y": round((bottom + top) / 2, 4),
+            "z": 0,
+        },
+    }
+
+
+def _door(
+    door: Door,
+    walls: tuple[str, str],
+    rooms: tuple[str, str],
+    interval: tuple[float, float],
+    inside: bool,
+) -> Json:
+    """A door opens away from `room0`. Those to cores and the outside stay closed: AI2-THOR has no ground there."""
+    frame = door.kind in ("doorway", "frame") and inside
+    width = interval[1] - interval[0]
+    asset, wide, tall = nearest(DOORFRAMES if frame else DOORWAYS, width, door.height)
+    return {
+        "id": door.id,
+        "assetId": asset,
+        "scale": {"x": round(wide, 4), "y": round(tall, 4), "z": 1},
+        "openable": not frame,
+        "openness": 1 if inside and not frame and door.is_open else 0,
+        "room0": rooms[0],
+        "room1": rooms[1],
+        "wall0": walls[0],
+        "wall1": walls[1],
+        **_rectangle(interval, 0.0, door.height),
+    }
+
+
+def _window(window: Window, near: str, far: str, room: str, interval: tuple[float, float]) -> Json:
+    asset, wide, tall = nearest(WINDOWS, interval[1] - interval[0], window.height)
+    return {
+        "id": window.id,
+        "assetId": asset,
+        "scale": {"x": round(wide, 4), "y": round(tall, 4), "z": 1},
+        "room0": room,
+        "room1": room,
+        "wall0": near,
+        "wall1": far,
+        **_rectangle(interval, window.sill, window.sill + window.height),
+    }

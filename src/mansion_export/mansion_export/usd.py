@@ -1,0 +1,171 @@
+"""A building as an OpenUSD stage, for Isaac Sim and other USD programs; needs the ``usd`` extra."""
+
+import re
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from mansion_assets.catalogue import Catalogue
+from mansion_export.appearance import linear
+from mansion_export.meshes import building_models
+from mansion_export.model import Material, Mesh, Model, Node
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import FloorScene
+
+__all__ = ["building_usd"]
+
+
+def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = None) -> bytes:
+    """Make a USD stage of all floors, in the binary crate format (``.usdc``), z up, metres.
+
+    Parameters
+    ----------
+    scenes : sequence of FloorScene
+    catalogue : Catalogue, optional
+        Where the assets are, when they are not all in the shipped one.
+
+    Returns
+    -------
+    bytes
+        Root prim ``/building`` > ``floor_2`` > one Xform for each element, whose ``mansion:id`` attribute is our id and
+        which is an instance of a prototype where elements share a mesh. Materials are UsdPreviewSurface. Structure
+        collides as triangle meshes, objects as bounding boxes (UsdPhysics).
+
+    Raises
+    ------
+    MansionError
+        ``UNAVAILABLE`` where usd-core is not installed.
+    """
+    try:
+        from pxr import Usd, UsdGeom
+    except ImportError as error:
+        raise MansionError(
+            ErrorCode.UNAVAILABLE,
+            "the USD export needs the package usd-core: pip install 'mansion_scene[usd]'",
+        ) from error
+    stage = Usd.Stage.CreateInMemory()
+    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    root = UsdGeom.Xform.Define(stage, "/building")
+    stage.SetDefaultPrim(root.GetPrim())
+    ordered = sorted(scenes, key=lambda scene: scene.floor)
+    if ordered:
+        root.GetPrim().SetDisplayName(ordered[0].building_id)
+    writer = _Writer(stage)
+    for model in building_models(ordered, catalogue=catalogue):
+        writer.floor(model)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "building.usdc"
+        stage.GetRootLayer().Export(str(path))
+        return path.read_bytes()
+
+
+class _Writer:
+    """Writes prototypes, materials and instances on a stage."""
+
+    def __init__(self, stage: Any) -> None:
+        self.stage = stage
+        self.prototypes: dict[str, str] = {}
+        self.materials: dict[Material, Any] = {}
+        from pxr import Sdf
+
+        holder = stage.CreateClassPrim("/prototypes")
+        self.prototype_root = str(holder.GetPath())
+        self.token = Sdf.ValueTypeNames.String
+
+    def floor(self, model: Model) -> None:
+        from pxr import Gf, UsdGeom
+
+        path = f"/building/{_identifier(model.name)}"
+        xform = UsdGeom.Xform.Define(self.stage, path)
+        xform.AddTranslateOp().Set(Gf.Vec3d(0.0, 0.0, model.elevation))
+        taken: dict[str, int] = {}
+        for node in model.nodes:
+            mesh = model.meshes[node.mesh]
+            if mesh.surfaces:
+                name = _identifier(node.id)
+                taken[name] = taken.get(name, 0) + 1
+                suffix = f"_{taken[name]}" if taken[name] > 1 else ""
+                self.node(f"{path}/{name}{suffix}", node, mesh)
+
+    def node(self, path: str, node: Node, mesh: Mesh) -> None:
+        """Write an instance of a mesh."""
+        from pxr import Gf, UsdGeom
+
+        xform = UsdGeom.Xform.Define(self.stage, path)
+        prim = xform.GetPrim()
+        prim.GetReferences().AddInternalReference(self.prototype(mesh, node.group))
+        prim.SetInstanceable(True)
+        prim.SetDisplayName(node.id)
+        prim.CreateAttribute("mansion:id", self.token, custom=True).Set(node.id)
+        if any(node.position):
+            xform.AddTranslateOp().Set(Gf.Vec3d(*(float(value) for value in node.position)))
+        if node.rotation % 360.0:
+            xform.AddRotateZOp().Set(float(node.rotation))
+        if node.scale != (1.0, 1.0, 1.0):
+            xform.AddScaleOp().Set(Gf.Vec3f(*(float(value) for value in node.scale)))
+
+    def prototype(self, mesh: Mesh, group: str) -> str:
+        """Return the path of a mesh's prototype, writing it when it is new."""
+        from pxr import Sdf, UsdGeom, UsdPhysics, UsdShade, Vt
+
+        key = mesh.name
+        if key in self.prototypes:
+            return self.prototypes[key]
+        path = f"{self.prototype_root}/{_identifier(key)}_{len(self.prototypes)}"
+        self.prototypes[key] = path
+        UsdGeom.Xform.Define(self.stage, path)
+        for i, surface in enumerate(mesh.surfaces):
+            shape = UsdGeom.Mesh.Define(self.stage, f"{path}/part_{i}")
+            points = np.ascontiguousarray(surface.vertices, dtype=np.float32)
+            faces = np.ascontiguousarray(surface.faces.reshape(-1), dtype=np.int32)
+            shape.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(points))
+            shape.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(faces))
+            counts = np.full(len(surface.faces), 3, dtype=np.int32)
+            shape.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(counts))
+            shape.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+            shape.CreateExtentAttr(
+                Vt.Vec3fArray.FromNumpy(np.stack([points.min(0), points.max(0)]))
+            )
+            prim = shape.GetPrim()
+            UsdShade.MaterialBindingAPI.Apply(prim).Bind(self.material(surface.material))
+            UsdPhysics.CollisionAPI.Apply(prim)
+            exact = group in ("structure", "cores", "windows")
+            approximation = "none" if exact else "boundingCube"
+            UsdPhysics.MeshCollisionAPI.Apply(prim).CreateApproximationAttr(approximation)
+        return str(Sdf.Path(path))
+
+    def material(self, material: Material) -> Any:
+        """Return a material, writing it when it is new."""
+        from pxr import Gf, Sdf, UsdShade
+
+        if material not in self.materials:
+            path = f"/building/materials/{_identifier(material.name)}_{len(self.materials)}"
+            made = UsdShade.Material.Define(self.stage, path)
+            shader = UsdShade.Shader.Define(self.stage, f"{path}/surface")
+            shader.CreateIdAttr("UsdPreviewSurface")
+            color = Gf.Vec3f(*linear(material.color))
+            shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f).Set(color)
+            numbers = {
+                "roughness": material.roughness,
+                "metallic": material.metallic,
+                "opacity": material.alpha,
+            }
+            for name, value in numbers.items():
+                shader.CreateInput(name, Sdf.ValueTypeNames.Float).Set(float(value))
+            if material.emission > 0.0:
+                shader.CreateInput("emissiveColor", Sdf.ValueTypeNames.Color3f).Set(
+                    color * material.emission
+                )
+            made.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
+            self.materials[material] = made
+        return self.materials[material]
+
+
+def _identifier(text: str) -> str:
+    """Return a valid prim name for an id."""
+    name = re.sub(r"[^A-Za-z0-9_]", "_", text)
+    return name if name[:1].isalpha() or name[:1] == "_" else f"_{name}"

@@ -1,0 +1,13 @@
+"""Words that are English whatever a building is made of."""
+
+from functools import cache
+from pathlib import Path
+
+__all__ = ["common_words"]
+
+
+@cache
+def common_words() -> frozenset[str]:
+    """Return English words that are no misspelling of a word of the vocabulary."""
+    file = Path(__file__).parent / "data" / "common_words.txt"
+    return frozenset(file.read_text(encoding="utf-8").split())

@@ -1,0 +1,27 @@
+"""Build mansion_knowledge with colcon (ament_python) or pip."""
+
+from setuptools import find_packages, setup
+
+NAME = "mansion_knowledge"
+
+setup(
+    name=NAME,
+    version="0.1.0",
+    description="What is known of buildings as data: room types, building types, styles.",
+    author="Mansion maintainers",
+    maintainer="Mansion maintainers",
+    maintainer_email="maintainers@mansion.example",
+    license="Apache-2.0",
+    python_requires=">=3.11,<3.14",
+    packages=find_packages(include=[NAME, f"{NAME}.*"]),
+    package_data={"": ["py.typed", "**/NOTICE", "**/data/**"]},
+    data_files=[
+        ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
+        (f"share/{NAME}", ["package.xml"]),
+    ],
+    zip_safe=False,
+    install_requires=[
+        "mansion_msgs_py",
+    ],
+    extras_require={"test": ["pytest"]},
+)

@@ -1,0 +1,87 @@
+"""Calls skills at random: the floor of every comparison."""
+
+from typing import Any
+
+import numpy as np
+
+from mansion_msgs_py.task import SkillCall
+from mansion_tasks.agents.interface import Access, Agent, Briefing, Observation, Stop
+
+__all__ = ["RandomAgent"]
+
+SKILLS = (
+    "GoToLandmark",
+    "GoNearObject",
+    "MoveAhead",
+    "Rotate",
+    "OpenDoor",
+    "OpenObject",
+    "CloseObject",
+    "PickUp",
+    "Place",
+    "CallElevator",
+    "UseElevator",
+    "TakeStairs",
+    "ToggleOn",
+    "ToggleOff",
+)
+
+
+class RandomAgent(Agent):
+    """Chooses a skill, and arguments that exist, each uniformly; it knows what any client of the services does.
+
+    Examples
+    --------
+    >>> from mansion_msgs_py.world import Pose2D
+    >>> agent = RandomAgent()
+    >>> agent.reset(Briefing("carry a mug", (1, 2), ("1", "2"), 50, seed=3))
+    >>> isinstance(agent.act(Observation("carry a mug", 0, 50, 1, (1, 2), Pose2D(x=0, y=0))), SkillCall)
+    True
+    """
+
+    name = "random"
+    access = Access()
+
+    def __init__(self) -> None:
+        self._rng = np.random.default_rng(0)
+
+    def reset(self, briefing: Briefing) -> None:
+        """See `Agent.reset`."""
+        self._rng = np.random.default_rng(briefing.seed)
+
+    def act(self, observation: Observation) -> SkillCall | Stop:
+        """See `Agent.act`."""
+        skill = self._choice(SKILLS)
+        return SkillCall(skill=skill, arguments=self._arguments(skill, observation))
+
+    def _arguments(self, skill: str, observation: Observation) -> dict[str, Any]:
+        objects = [thing.ref for thing in observation.visible]
+        if skill == "GoToLandmark":
+            return {"landmark": self._choice([entry.name for entry in observation.landmarks])}
+        if skill == "MoveAhead":
+            return {"distance": round(float(self._rng.uniform(-0.5, 2.0)), 2)}
+        if skill == "Rotate":
+            return {"degrees": self._choice((-90.0, -45.0, 45.0, 90.0, 180.0))}
+        if skill == "UseElevator":
+            return {"target_floor": self._choice(observation.floors)}
+        if skill == "TakeStairs":
+            return {"direction": self._choice(("Up", "Down"))}
+        if skill == "Place":
+            return {
+                "target": self._choice([*objects, "floor"]),
+                "relation": self._choice(("on", "in")),
+            }
+        if skill in ("CallElevator", "OpenDoor"):
+            return {}
+        return {"object": self._choice(objects)}
+
+    def _choice(self, options: Any) -> Any:
+        return options[int(self._rng.integers(len(options)))] if options else ""
+
+    def lessons(self) -> list[str]:
+        """See `Agent.lessons`: chance learns nothing."""
+        return []
+
+    def notes(self) -> dict[str, Any]:
+        """See `Agent.notes`."""
+        return {}

@@ -1,0 +1,85 @@
+"""What rooms are furnished with."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from mansion_assets.catalogue import furnish_request, load_catalogue
+from mansion_msgs_py.codec import encode
+from mansion_msgs_py.placement import MatrixStructure, PairedStructure
+
+CATALOGUE = load_catalogue()
+TYPES = st.sampled_from(CATALOGUE.room_types)
+
+
+@settings(deadline=None, max_examples=80)
+@given(room_type=TYPES, area=st.floats(2.0, 500.0), seed=st.integers(0, 10**6))
+def test_a_request_is_well_formed_and_fits_its_share_of_the_room(
+    room_type: str, area: float, seed: int
+) -> None:
+    wishes = furnish_request(CATALOGUE, room_type, area, seed=seed, room_id="F1/r")
+    names = [o.name for o in wishes.floor]
+    assert len(set(names)) == len(names)
+    quantity = {o.name: o.quantity for o in wishes.floor}
+    for entry in wishes.floor:
+        assert entry.size == wishes.floor_assets[entry.name].size
+        assert all(r.target in quantity for r in entry.relative)
+        if isinstance(entry.structure, PairedStructure):
+            assert quantity[entry.structure.with_] == entry.quantity
+        if isinstance(entry.structure, MatrixStructure):
+            assert entry.structure.rows * entry.structure.cols == entry.quantity
+        for size, asset in zip(entry.smaller, wishes.alternatives.get(entry.name, []), strict=True):
+            assert asset.size == size
+            assert wishes.asset_for(entry.name, size).size == size
+    covered = sum(o.size[0] * o.size[1] * o.quantity for o in wishes.floor)
+    assert covered <= 0.62 * area
+
+
+def test_the_same_seed_gives_the_same_request_and_other_seeds_differ() -> None:
+    def asked(seed: int) -> str:
+        return encode(
+            furnish_request(CATALOGUE, "living_room", 24.0, seed=seed, room_id="F1/a").floor
+        )
+
+    assert asked(3) == asked(3)
+    assert len({asked(seed) for seed in range(20)}) >= 15
+
+
+@pytest.mark.parametrize(
+    "room_type", ["open_office", "classroom", "cafeteria", "sales_area", "ward"]
+)
+def test_larger_rooms_get_more(room_type: str) -> None:
+    counts = [
+        sum(o.quantity for o in furnish_request(CATALOGUE, room_type, a, seed=1, room_id="r").floor)
+        for a in (30.0, 60.0, 110.0)
+    ]
+    assert counts[0] < counts[1] < counts[2]
+
+
+def test_desk_rows_are_a_matrix_with_paired_chairs() -> None:
+    floor = furnish_request(CATALOGUE, "open_office", 150.0, seed=2, room_id="r").floor
+    structures = {o.name: o.structure for o in floor}
+    assert isinstance(structures["office_desk"], MatrixStructure)
+    assert isinstance(structures["office_chair"], PairedStructure)
+
+
+def test_essential_objects_are_there_in_small_rooms() -> None:
+    for seed in range(10):
+        names = {o.name for o in furnish_request(CATALOGUE, "bathroom", 4.2, seed=seed).floor}
+        assert {"toilet", "washbasin"} <= names
+        names = {o.name for o in furnish_request(CATALOGUE, "bedroom", 9.0, seed=seed).floor}
+        assert {"bed", "wardrobe"} <= names
+
+
+def test_shafts_and_voids_stay_empty() -> None:
+    assert furnish_request(CATALOGUE, "elevator_shaft", 4.0, seed=0).floor == []
+
+
+def test_a_building_keeps_to_its_own_variants_more_often_than_not() -> None:
+    chairs = [
+        furnish_request(CATALOGUE, "private_office", 14.0, seed=5, style="x", room_id=f"r{i}")
+        .floor_assets["bookshelf"]
+        .key
+        for i in range(30)
+    ]
+    assert max(chairs.count(key) for key in set(chairs)) >= 15

@@ -1,6 +1,0 @@
-"""The sample building of the robot's tests, for those of the whole."""
-
-import sys
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "skills"))

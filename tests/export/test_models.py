@@ -1,0 +1,235 @@
+"""Meshes: walls close, polygons triangulate, and the 3D formats load with our ids."""
+
+import json
+import math
+
+import msgspec
+import numpy as np
+import pytest
+import trimesh
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from shapely.geometry import Point, Polygon, box
+from shapely.ops import unary_union
+
+from mansion_export.glb import building_glb, floor_glb
+from mansion_export.html import view_page
+from mansion_export.meshes import floor_model
+from mansion_export.mjcf import floor_mjcf
+from mansion_export.overview import overview_png
+from mansion_export.solids import WallBodies
+from mansion_export.solids3d import triangulate
+from mansion_msgs_py.scene import SceneObject, StairDetails
+
+
+@settings(deadline=None, max_examples=60)
+@given(
+    radii=st.lists(st.floats(1.0, 6.0), min_size=4, max_size=14),
+    hole=st.floats(0.1, 0.6),
+)
+def test_triangles_cover_a_star_shaped_polygon_with_a_hole(radii, hole):
+    angles = np.linspace(0, 2 * math.pi, len(radii), endpoint=False)
+    ring = [(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles)]
+    polygon = Polygon(ring, [list(Point(0, 0).buffer(hole, 2).exterior.coords)[:-1]])
+    if not polygon.is_valid:
+        return
+    points, faces = triangulate(polygon)
+    corners = points[faces]
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    areas = 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+    assert (areas > 0).all()
+    assert areas.sum() == pytest.approx(polygon.area, rel=1e-6)
+
+
+def test_walls_close_at_corners_and_leave_their_openings(ground):
+    bodies = WallBodies(ground)
+    shapes = []
+    for wall in ground.walls:
+        (ax, ay), (bx, by) = wall.segment
+        length = math.hypot(bx - ax, by - ay)
+        ux, uy = (bx - ax) / length, (by - ay) / length
+        half = wall.thickness / 2
+        for low, high in bodies.pieces(wall):
+            xs = [ax + ux * t + s * uy * half for t in (low, high) for s in (-1, 1)]
+            ys = [ay + uy * t - s * ux * half for t in (low, high) for s in (-1, 1)]
+            shapes.append(box(min(xs), min(ys), max(xs), max(ys)))
+    body = unary_union(shapes)
+    for corner in ((-0.1, -0.1), (14.1, -0.1), (14.1, 10.1), (-0.1, 10.1)):
+        assert body.contains(Point(corner))
+    for door in ground.doors:
+        if door.kind != "open":
+            (ax, ay), (bx, by) = door.segment
+            assert not body.intersects(Point((ax + bx) / 2, (ay + by) / 2))
+
+
+def test_glb_loads_with_our_ids_and_named_materials(building):
+    content = building_glb(building)
+    assert content == building_glb(list(reversed(building)))
+    length = int.from_bytes(content[12:16], "little")
+    document = json.loads(content[20 : 20 + length])
+    names = {node["name"] for node in document["nodes"]}
+    for scene in building:
+        items = [*scene.rooms, *scene.walls, *scene.windows, *scene.objects]
+        assert {item.id for item in items} <= names
+    assert all(material["name"] for material in document["materials"])
+    tables = [node for node in document["nodes"] if "dining_table" in node["name"]]
+    assert len(tables) == 2
+    assert len({node["mesh"] for node in tables}) == 1, "the same asset is one mesh"
+
+
+def test_glb_is_y_up_with_floors_at_their_elevations(building, tmp_path):
+    path = tmp_path / "building.glb"
+    path.write_bytes(building_glb(building))
+    loaded = trimesh.load(path)
+    low, high = loaded.bounds
+    assert high[1] == pytest.approx(3.4 + 3.2 + 0.6, abs=0.01)
+    assert low[1] == pytest.approx(-0.2, abs=0.01)
+    assert (low[2], high[2]) == pytest.approx((-10.2, 0.2), abs=0.03), "plan y is -z"
+    place = loaded.graph.get("F2/bedroom_1/bed_1")[0][:3, 3]
+    assert place == pytest.approx((1.0, 3.7, -9.0))
+
+
+def test_surfaces_face_outwards(ground):
+    model = floor_model(ground)
+    for name in ("F1/wall_1", "F1/slab"):
+        surfaces = model.meshes[name].surfaces
+        volume = 0.0
+        for surface in surfaces:
+            a, b, c = (surface.vertices[surface.faces[:, i]] for i in range(3))
+            volume += float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum()) / 6
+        assert volume > 0
+
+
+def test_a_floor_alone_and_a_view_from_above_leave_things_out(ground):
+    assert b"/ceiling" in floor_glb(ground)
+    assert b"/ceiling" not in floor_glb(ground, ceilings=False)
+
+
+def test_mujoco_loads_the_floor_and_names_bodies_after_objects(ground, tmp_path):
+    mujoco = pytest.importorskip("mujoco")
+    export = floor_mjcf(ground)
+    folder = tmp_path / "floors" / "floor_1"
+    folder.mkdir(parents=True)
+    (tmp_path / "meshes").mkdir()
+    for name, content in export.meshes.items():
+        (tmp_path / "meshes" / name).write_bytes(content)
+    (folder / "model.xml").write_text(export.xml, encoding="utf-8")
+    model = mujoco.MjModel.from_xml_path(str(folder / "model.xml"))
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    assert data.ncon == 0
+    for item in (*ground.objects, *ground.walls, *ground.windows):
+        assert mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, item.id) > 0
+    bed = ground.objects[0]
+    assert data.body(bed.id).xpos == pytest.approx(bed.position)
+    assert model.njnt == 0
+
+
+def test_mujoco_drops_free_objects_on_what_carries_them(ground):
+    mujoco = pytest.importorskip("mujoco")
+    cup = next(item for item in ground.objects if item.pickupable)
+    cup.position = (6.8, 7.9, 1.2)
+    export = floor_mjcf(ground, "", free_pickupables=True)
+    model = mujoco.MjModel.from_xml_string(export.xml, export.meshes)
+    data = mujoco.MjData(model)
+    for _ in range(300):
+        mujoco.mj_step(model, data)
+    assert data.body(cup.id).xpos[2] == pytest.approx(0.75 + cup.size[2] / 2, abs=0.01)
+
+
+def test_mujoco_leaves_free_objects_where_they_lie_in_and_on_others(ground):
+    mujoco = pytest.importorskip("mujoco")
+    shelf = SceneObject(
+        id="F1/kitchen/shelf",
+        room="F1/kitchen",
+        category="unknown_shelf",
+        asset="unknown_shelf",
+        position=(7.0, 8.5, 0.5),
+        rotation=90.0,
+        size=(0.8, 0.4, 1.0),
+        receptacle=True,
+    )
+    crate = copied(shelf, "crate", (6.0, 7.5, 0.2), (0.6, 0.5, 0.4), "floor", None)
+    inner = copied(shelf, "box", (7.02, 8.6, 0.36), (0.2, 0.2, 0.2), "inside", shelf.id)
+    top = copied(shelf, "cup", (7.0, 8.7, 1.05), (0.1, 0.1, 0.1), "surface", shelf.id)
+    can = copied(shelf, "can", (6.1, 7.5, 0.15), (0.1, 0.1, 0.2), "inside", crate.id)
+    under = copied(shelf, "bag", (7.0, 8.2, 0.15), (0.2, 0.2, 0.3), "floor", None)
+    things = [crate, inner, top, can, under]
+    ground.objects = [shelf, *things]
+    export = floor_mjcf(ground, "", free_pickupables=True)
+    model = mujoco.MjModel.from_xml_string(export.xml, export.meshes)
+    data = mujoco.MjData(model)
+    for _ in range(500):
+        mujoco.mj_step(model, data)
+    assert not any(warning.number for warning in data.warning)
+    for thing in things:
+        assert data.body(thing.id).xpos == pytest.approx(thing.position, abs=0.01), thing.id
+
+
+def copied(like, name, position, size, mount, parent):
+    """An object that can be picked up."""
+    return msgspec.structs.replace(
+        like,
+        id=f"F1/kitchen/{name}",
+        position=position,
+        size=size,
+        rotation=10.0,
+        mount=mount,
+        parent=parent,
+        pickupable=True,
+    )
+
+
+def test_mujoco_has_memory_for_the_pairs_of_a_floor_of_many_objects(ground):
+    mujoco = pytest.importorskip("mujoco")
+    first = ground.objects[0]
+    ground.objects = [
+        msgspec.structs.replace(
+            first,
+            id=f"F1/kitchen/thing_{i}",
+            asset="no_asset",
+            size=(0.1, 0.1, 0.1),
+            position=(0.2 * (i % 40), 0.2 * (i // 40), 0.5),
+        )
+        for i in range(1500)
+    ]
+    export = floor_mjcf(ground, "")
+    model = mujoco.MjModel.from_xml_string(export.xml, export.meshes)
+    assert model.narena >= 8 * model.nbody**2
+
+
+def test_the_page_carries_everything_and_fetches_nothing(building):
+    page = view_page(building)
+    assert page == view_page(building_glb(building))
+    assert "{{" not in page
+    for word in ("http://", "https://", "src=", "@import", "fetch("):
+        assert word not in page
+
+
+def test_the_overview_has_a_picture_for_each_floor(building):
+    content = overview_png(building, width=600)
+    assert content == overview_png(list(reversed(building)), width=600)
+    assert content.startswith(b"\x89PNG")
+
+
+def test_floors_that_share_a_folder_never_give_one_name_to_two_meshes(building):
+    for scene, risers in zip(building, (2, 0)):
+        treads = [
+            ((i * 0.3, 0.0, 0.0), (i * 0.3 + 0.3, 1.2, 0.18 * (i + 1))) for i in range(risers)
+        ]
+        stair = next(core for core in scene.cores if core.type == "stair")
+        stair.id = "stair_1"
+        stair.details = StairDetails(
+            form="dog_leg",
+            risers=risers,
+            riser=0.18,
+            going=0.3,
+            width=1.2,
+            floor_landing=[],
+            treads=treads,
+            rails=[((0.0, 0.0, 1.0), (1.0 + risers, 0.0, 1.0))],
+        )
+    files = {}
+    for scene in building:
+        for name, data in floor_mjcf(scene).meshes.items():
+            assert files.setdefault(name, data) == data, name

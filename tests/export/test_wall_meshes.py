@@ -1,0 +1,53 @@
+"""Walls are closed meshes: renderers show no seam, and simulators no leak."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from mansion_export.solids import WallBodies
+from mansion_export.wall_meshes import wall_surfaces
+
+
+def corners(surfaces):
+    """All triangles of a wall, corner by corner, (n, 3, 3)."""
+    return np.concatenate([each.vertices[each.faces] for each in surfaces])
+
+
+def volume(triangles):
+    return (
+        float(
+            np.einsum("ij,ij->i", triangles[:, 0], np.cross(triangles[:, 1], triangles[:, 2])).sum()
+        )
+        / 6
+    )
+
+
+def test_every_edge_of_a_wall_belongs_to_two_triangles_that_run_opposite_ways(ground):
+    bodies = WallBodies(ground)
+    for wall in ground.walls:
+        triangles = np.round(corners(wall_surfaces(wall, bodies)), 6)
+        edges = Counter(
+            (tuple(t[i]), tuple(t[(i + 1) % 3])) for t in triangles.tolist() for i in range(3)
+        )
+        assert set(edges.values()) == {1}
+        assert all((end, start) in edges for start, end in edges)
+
+
+def test_a_wall_has_the_volume_of_its_boxes_so_that_its_faces_look_outwards(ground):
+    bodies = WallBodies(ground)
+    for wall in ground.walls:
+        boxes = sum(float(np.prod(box.size)) for box in bodies.boxes(wall))
+        assert volume(corners(wall_surfaces(wall, bodies))) == pytest.approx(boxes, rel=1e-6)
+
+
+def test_left_and_right_faces_carry_the_materials_of_their_rooms(ground):
+    bodies = WallBodies(ground)
+    wall = next(wall for wall in ground.walls if not wall.exterior and wall.left and wall.right)
+    wall.left_material, wall.right_material = "blue_wall", "white_wall"
+    left, right, _ = wall_surfaces(wall, bodies)
+    (ax, ay), (bx, by) = wall.segment
+    to_left = np.array([-(by - ay), bx - ax]) / np.hypot(bx - ax, by - ay)
+    beside = left.vertices[:, :2] @ to_left - np.array([ax, ay]) @ to_left
+    assert beside == pytest.approx(np.full(len(beside), wall.thickness / 2))
+    assert left.material != right.material
