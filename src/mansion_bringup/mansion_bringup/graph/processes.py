@@ -119,7 +119,7 @@ class GraphProcesses:
 
     def ended(self) -> dict[str, int]:
         """Return the exit status of each node that is no longer running."""
-        self._note_segments(interval=1.0)
+        self.note_segments(interval=1.0)
         return {
             name: process.returncode
             for name, process in self.running.items()
@@ -153,15 +153,16 @@ class GraphProcesses:
                         ErrorCode.UNAVAILABLE, f"not up after {timeout:g} s: {names}"
                     )
                 time.sleep(0.02)
-        self._note_segments()
+        self.note_segments()
 
-    def _note_segments(self, interval: float = 0.0) -> None:
+    def note_segments(self, interval: float = 0.0) -> None:
+        """Note the shared memory of the nodes and of this process, unless that was done in the last `interval` s."""
         pids = [process.pid for process in self.running.values() if process.returncode is None]
-        self._segments.note(pids, interval)
+        self._segments.note([os.getpid(), *pids], interval)
 
     def stop(self) -> None:
         """End every node: SIGTERM, and SIGKILL for what is still there after a grace."""
-        self._note_segments()
+        self.note_segments()
         for process in self.running.values():
             _signal(process, signal.SIGTERM)
         deadline = time.monotonic() + GRACE
@@ -173,6 +174,7 @@ class GraphProcesses:
                 process.wait()
         self.running.clear()
         self._segments.remove_dead()
+        remove_left_behind()
 
 
 def _signal(process: subprocess.Popen[bytes], number: signal.Signals) -> None:

@@ -41,4 +41,5 @@ def graph_client(
     with kept_to_this_machine(), GraphProcesses(options) as graph:
         graph.wait_ready()
         with MansionClient(domain_id=options.domain_id, namespace=namespace) as client:
+            graph.note_segments()
             yield client
