@@ -1,158 +1,269 @@
-"""Round trips of a service between two processes, against a bare cyclonedds server with a wait set.
+"""Round trips of a service between two processes: bare rclpy, the same under Mansion's profile, and MansionClient.
 
-    python benchmarks/ros/service_round_trip.py [--calls 2000]
+    python benchmarks/ros/service_round_trip.py [--rounds 10] [--calls 200] [--commands 10]
 
-Prints medians in microseconds, their ratio (the aim is at most 4), and the ratio of the last quarter
-of the calls to the first (the aim is 1: no growth).
+The service is a diagnostic_msgs/AddDiagnostics that sends its text back. Pairs of a server and a client run side by
+side and are measured in turns; the others stand idle meanwhile:
+
+    (a) bare rclpy, middleware as it comes with ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST
+    (b) bare rclpy, Mansion's loopback profile
+    (c) MansionClient and a node of run_node and add_json_service, loopback profile (the aim is 1.3 times (a))
+
+Bare clients call synchronously beside a thread that spins. The tables give
+milliseconds of small calls and of large texts, and then the seconds of whole commands: ``mansion call`` of the echo
+(the aim is 0.7 s), and a script from its start to the moment at which its MansionClient sees the service.
+
+The command runs as ``python -m mansion_bringup``; with ``--launcher`` as ``./mansion``, which first makes its
+environment anew when the requirements have changed.
 """
 
-from __future__ import annotations
-
 import argparse
+import json
 import statistics
+import subprocess
 import sys
+import threading
 import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, Final
 
-from _processes import environment, running
+from _processes import (
+    LOOPBACK,
+    RANGE,
+    Worker,
+    all_ended,
+    begin_worker,
+    environment,
+    load,
+    say,
+    spin,
+)
 
-DOMAIN = 61
+from mansion_bringup.graph.domain import free_domain
 
+MODULE: Final = (sys.executable, "-P", "-m", "mansion_bringup")
+LAUNCHER: Final = (str(Path(__file__).resolve().parents[2] / "mansion"),)
 
-def bare_pair(server: bool):  # type: ignore[no-untyped-def]
-    """Writer, reader and wait set of one side, with plain IDL types."""
-    from cyclonedds.core import (
-        InstanceState,
-        Policy,
-        Qos,
-        ReadCondition,
-        SampleState,
-        ViewState,
-        WaitSet,
-    )
-    from cyclonedds.domain import Domain, DomainParticipant
-    from cyclonedds.idl import make_idl_struct
-    from cyclonedds.idl.types import int64, uint64
-    from cyclonedds.pub import DataWriter
-    from cyclonedds.sub import DataReader
-    from cyclonedds.topic import Topic
-    from cyclonedds.util import duration
-    from rclpy._dds.domain import configuration
+PAIRS: Final = {
+    "a": ("bare", RANGE, "(a) bare rclpy, LOCALHOST"),
+    "b": ("bare", LOOPBACK, "(b) bare rclpy, loopback profile"),
+    "c": ("mansion", LOOPBACK, "(c) MansionClient, loopback profile"),
+}
+"""Kind of nodes, middleware setting and label of each pair."""
 
-    header = {"guid": uint64, "seq": int64}
-    request_type = make_idl_struct("BareRequest", "BareRequest", {**header, "text": str})
-    reply_type = make_idl_struct("BareReply", "BareReply", {**header, "success": bool, "text": str})
-
-    domain = Domain(DOMAIN + 1, configuration())
-    participant = DomainParticipant(DOMAIN + 1)
-    qos = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.History.KeepLast(10))
-    request = Topic(participant, "request", request_type)
-    reply = Topic(participant, "reply", reply_type)
-    mine, theirs = (reply, request) if server else (request, reply)
-    writer = DataWriter(participant, mine, qos=qos)
-    reader = DataReader(participant, theirs, qos=qos)
-    waitset = WaitSet(participant)
-    any_state = ViewState.Any | InstanceState.Any | SampleState.Any
-    waitset.attach(ReadCondition(reader, any_state))
-    return (domain, participant), writer, reader, waitset, request_type, reply_type, duration
+PATIENCE: Final = 60.0
+"""Seconds for a worker's answer."""
 
 
 def serve_bare() -> None:
-    """Answer requests until killed."""
-    keep, writer, reader, waitset, _, reply, duration = bare_pair(server=True)
-    print("ready", len(keep))
-    while True:
-        waitset.wait(duration(seconds=1))
-        for sample in reader.take(N=10):
-            if hasattr(sample, "text"):
-                writer.write(reply(sample.guid, sample.seq, True, sample.text))
-
-
-def call_bare(calls: int) -> list[float]:
-    """Seconds of each round trip."""
-    keep, writer, reader, waitset, request, _, duration = bare_pair(server=False)
-    while not (writer.get_matched_subscriptions() and reader.get_matched_publications()):
-        time.sleep(0.01)
-    time.sleep(0.2)
-    times: list[float] = []
-    while len(times) < calls and keep:
-        i = len(times)
-        start = time.perf_counter()
-        writer.write(request(1, i, "x"))
-        done = False
-        while not done:
-            waitset.wait(duration(seconds=1))
-            done = any(getattr(s, "seq", None) == i for s in reader.take(N=10))
-        times.append(time.perf_counter() - start)
-    return times
-
-
-def serve_rclpy() -> None:
-    """Answer requests until killed."""
+    """Answer with rclpy alone, until told to end."""
     import rclpy
     from diagnostic_msgs.srv import AddDiagnostics
 
-    rclpy.init(args=[])
-    node = rclpy.create_node("server")
-
-    def answer(request, response):  # type: ignore[no-untyped-def]
+    def answer(request: Any, response: Any) -> Any:
         response.success, response.message = True, request.load_namespace
         return response
 
-    node.create_service(AddDiagnostics, "echo", answer)
-    print("ready")
-    rclpy.spin(node)
+    rclpy.init(args=[])
+    node = rclpy.create_node("bare_server")
+    node.create_service(AddDiagnostics, "bare_echo", answer)
+    spin(node)
 
 
-def call_rclpy(calls: int, synchronous: bool) -> list[float]:
-    """Seconds of each round trip."""
+def serve_mansion() -> None:
+    """Answer as Mansion's nodes do, until told to end."""
+    from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE, ServiceInterface
+    from mansion_msgs_py.nodes.node import MansionNode
+    from mansion_msgs_py.nodes.run import run_node
+    from mansion_msgs_py.nodes.shell import add_json_service
+
+    echo = ServiceInterface("echo", "echo", "Sends its text back.", str, str)
+
+    def make() -> MansionNode:
+        node = MansionNode("echo")
+        add_json_service(node, echo, lambda text: text)
+        return node
+
+    run_node(make, ["--ros-args", "-r", f"__ns:={DEFAULT_NAMESPACE}"])
+
+
+def bare_client() -> Callable[[str], str]:
+    """Return a call of the bare server."""
     import rclpy
     from diagnostic_msgs.srv import AddDiagnostics
 
     rclpy.init(args=[])
-    node = rclpy.create_node("client")
-    client = node.create_client(AddDiagnostics, "echo")
-    assert client.wait_for_service(10.0)
-    times = []
-    for _ in range(calls):
-        request = AddDiagnostics.Request(load_namespace="x")
-        start = time.perf_counter()
-        if synchronous:
-            client.call(request, 5.0)
-        else:
-            rclpy.spin_until_future_complete(node, client.call_async(request), timeout_sec=5.0)
-        times.append(time.perf_counter() - start)
-    node.destroy_node()
-    rclpy.shutdown()
-    return times
+    node = rclpy.create_node("bare_client")
+    client = node.create_client(AddDiagnostics, "bare_echo")
+    # Not spin_until_future_complete: in rclpy 7.1.6 each call of it takes longer than the one before.
+    threading.Thread(target=spin, args=(node,)).start()
+    if not client.wait_for_service(PATIENCE / 2):
+        raise TimeoutError("no bare server")
+
+    def call(text: str) -> str:
+        response = client.call(AddDiagnostics.Request(load_namespace=text), PATIENCE / 2)
+        if response is None:
+            raise TimeoutError(f"no answer to {len(text)} characters")
+        return str(response.message)
+
+    return call
 
 
-def _median_us(times: list[float]) -> float:
-    return statistics.median(times) * 1e6
+def mansion_client() -> Callable[[str], str]:
+    """Return a call of the echo node."""
+    from mansion_bringup.client import MansionClient
+
+    client = MansionClient(timeout=PATIENCE / 2)
+
+    def call(text: str) -> str:
+        return str(client.call("echo", text, wait=PATIENCE / 2))
+
+    return call
+
+
+def measure(call: Callable[[str], str]) -> None:
+    """Answer each pair of a text's length and a number of calls with the seconds of each call."""
+    say("ready")
+    for line in sys.stdin:
+        length, calls = json.loads(line)
+        text = "x" * length
+        seconds = []
+        for _ in range(calls):
+            begin = time.perf_counter()
+            reply = call(text)
+            seconds.append(time.perf_counter() - begin)
+            if len(reply) != length:
+                raise ValueError(f"{len(reply)} characters came back for {length}")
+        say(seconds)
+
+
+def match() -> None:
+    """Say when this process had imported the client, made one, and seen the echo node."""
+    from mansion_bringup.client import MansionClient
+
+    moments = [time.monotonic()]
+    with MansionClient() as client:
+        moments.append(time.monotonic())
+        client.wait_served("echo", PATIENCE)
+        say([*moments, time.monotonic()])
+
+
+def worker(role: str, pair: str, domains: dict[str, int]) -> Worker:
+    """Start one side of a pair."""
+    setting = PAIRS[pair][1]
+    return Worker([__file__, "--role", role], environment(setting, domains[setting]))
+
+
+def round_trips(
+    clients: dict[str, Worker], length: int, calls: int, rounds: int
+) -> dict[str, list[float]]:
+    """Return the seconds of all calls of each pair; a first round only warms up."""
+    seconds: dict[str, list[float]] = {pair: [] for pair in clients}
+    for turn in range(rounds + 1):
+        for pair, client in clients.items():
+            measured = client.ask([length, calls], PATIENCE)
+            if turn:
+                seconds[pair] += measured
+    return seconds
+
+
+def print_round_trips(title: str, seconds: dict[str, list[float]]) -> None:
+    """Print median and 95th percentile of each pair in ms, and their ratios to those of (a)."""
+    figures = {
+        pair: (statistics.median(values), statistics.quantiles(values, n=20)[-1])
+        for pair, values in seconds.items()
+    }
+    first = figures["a"]
+    print(f"{title:38}{'median':>9}{'p95':>9}   ratio of medians, of p95")
+    for pair, (median, p95) in figures.items():
+        print(
+            f"{PAIRS[pair][2]:38}{median * 1e3:9.2f}{p95 * 1e3:9.2f}   "
+            f"{median / first[0]:.2f}, {p95 / first[1]:.2f}"
+        )
+
+
+def print_commands(command: Sequence[str], repeat: int, domain: int) -> None:
+    """Print the median seconds of ``mansion call`` and of a script's way to its first match."""
+    variables = environment(LOOPBACK, domain)
+    calls: list[float] = []
+    steps: list[list[float]] = []
+    for _ in range(repeat):
+        begin = time.monotonic()
+        subprocess.run(
+            [*command, "call", "echo", '"x"'],
+            env=variables,
+            stdout=subprocess.DEVNULL,
+            timeout=PATIENCE,
+            check=True,
+        )
+        calls.append(time.monotonic() - begin)
+        begin = time.monotonic()
+        script = Worker([__file__, "--role", "match"], variables)
+        with all_ended([script]):
+            steps.append([moment - begin for moment in script.hear(PATIENCE)])
+            script.process.wait(PATIENCE)
+    imported, made, matched = (statistics.median(column) for column in zip(*steps, strict=True))
+    print(
+        f"mansion call echo: median {statistics.median(calls):.2f} s, "
+        f"{min(calls):.2f} to {max(calls):.2f} s of {repeat}"
+    )
+    print(
+        f"from a script's start: client imported {imported:.2f} s, made {made:.2f} s, "
+        f"service seen {matched:.2f} s (at most {max(step[-1] for step in steps):.2f} s)"
+    )
+
+
+def run(options: argparse.Namespace) -> None:
+    """Start the pairs, measure and print."""
+    first = free_domain(options.domain)
+    domains = {LOOPBACK: first, RANGE: free_domain(first)}
+    print(load())
+    workers: list[Worker] = []
+    with all_ended(workers):
+        workers += [worker(f"{PAIRS[pair][0]}_server", pair, domains) for pair in PAIRS]
+        clients = {pair: worker(f"{PAIRS[pair][0]}_client", pair, domains) for pair in PAIRS}
+        workers += clients.values()
+        for client in clients.values():
+            client.hear(PATIENCE)
+        print_round_trips("ms", round_trips(clients, 10, options.calls, options.rounds))
+        for megabytes in options.megabytes:
+            seconds = round_trips(clients, megabytes * 1_000_000, 2, options.rounds)
+            print_round_trips(f"ms, {megabytes} MB there and back", seconds)
+        if options.commands:
+            command = LAUNCHER if options.launcher else MODULE
+            print_commands(command, options.commands, domains[LOOPBACK])
+    print(load())
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--calls", type=int, default=2000)
-    parser.add_argument("--serve", choices=["bare", "rclpy"], help=argparse.SUPPRESS)
+    """Run the benchmark, or one of its workers."""
+    roles: dict[str, Callable[[], None]] = {
+        "bare_server": serve_bare,
+        "mansion_server": serve_mansion,
+        "bare_client": lambda: measure(bare_client()),
+        "mansion_client": lambda: measure(mansion_client()),
+        "match": match,
+    }
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--rounds", type=int, default=10, help="turns of each pair (10)")
+    parser.add_argument("--calls", type=int, default=200, help="small calls in each turn (200)")
+    parser.add_argument(
+        "--megabytes", type=int, nargs="*", default=[5], help="sizes of large texts (5)"
+    )
+    parser.add_argument("--commands", type=int, default=10, help="times to run a command (10)")
+    parser.add_argument("--launcher", action="store_true", help="time ./mansion itself")
+    parser.add_argument("--domain", type=int, help="where to look for free ROS domains")
+    parser.add_argument("--role", choices=roles, help=argparse.SUPPRESS)
     options = parser.parse_args()
-    environment(DOMAIN)
-    if options.serve:
-        return serve_bare() if options.serve == "bare" else serve_rclpy()
-    with running(__file__, "--serve", "bare"):
-        bare = _median_us(call_bare(options.calls))
-    with running(__file__, "--serve", "rclpy"):
-        spinning = call_rclpy(options.calls, synchronous=False)
-        waiting = call_rclpy(options.calls, synchronous=True)
-    print(f"bare cyclonedds with a wait set  {bare:8.0f} us")
-    for label, times in (("spin_until_future_complete", spinning), ("Client.call", waiting)):
-        quarter = max(len(times) // 4, 1)
-        growth = statistics.median(times[-quarter:]) / statistics.median(times[:quarter])
-        own = _median_us(times)
-        print(
-            f"{label:32} {own:8.0f} us  {own / bare:5.2f} x bare  last/first quarter {growth:.2f}"
-        )
-    return None
+    if options.role:
+        begin_worker()
+        roles[options.role]()
+    else:
+        run(options)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -1,82 +1,163 @@
-"""A publisher's process while a subscriber stands still (SIGSTOP) or is slow.
+"""What a subscriber that is slow or stands still does to a publisher, and how soon it hears again.
 
-    python benchmarks/ros/slow_subscriber.py
+    python benchmarks/ros/slow_subscriber.py [--seconds 8] [--megabytes 1] [--setting all]
 
-A keep-last publisher writes 1 MB messages at 50 Hz for some seconds. Prints the longest ``publish`` and
-the longest pause of another thread of the same process (the aim is that neither comes near a second).
+A reliable publisher that keeps its last 10 messages writes at 20 Hz. The subscriber takes a second for each message, or
+is stopped by SIGSTOP, which lasts longer than the 5 s after which Mansion's profile counts a process as gone. rclpy
+holds Python's lock while it publishes, so that a slow ``publish`` stops every thread of the process. Prints the longest
+``publish`` (the aim is 100 ms), the longest pause of another thread, and the seconds from SIGCONT
+until a new message came.
 """
-
-from __future__ import annotations
 
 import argparse
 import signal
 import threading
 import time
+from typing import Any, Final
 
-from _processes import environment, running
+from _processes import (
+    LOOPBACK,
+    RANGE,
+    Worker,
+    all_ended,
+    begin_worker,
+    environment,
+    load,
+    say,
+    spin,
+)
 
-SUBSCRIBER = """
-import sys, time
-import rclpy
-from std_msgs.msg import String
-rclpy.init(args=[])
-node = rclpy.create_node("slow")
-node.create_subscription(String, "big", lambda message: time.sleep(float(sys.argv[1])), 10)
-print("ready")
-rclpy.spin(node)
-"""
+from mansion_bringup.graph.domain import free_domain
+
+PERIOD: Final = 0.05
+"""Seconds between two messages."""
+
+PATIENCE: Final = 30.0
+"""Seconds for a worker's answer beyond the time that it was given to work."""
+
+KINDS: Final = {"quick": 0.0, "slow callback": 1.0, "stopped": 0.0}
+"""Subscribers, and the seconds that each takes for a message."""
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seconds", type=float, default=5.0)
-    options = parser.parse_args()
-    environment(64)
+def subscribe(delay: float) -> None:
+    """Say when each message was sent, and when it was here, after `delay` seconds of work."""
+    import rclpy
+    from std_msgs.msg import String
+
+    def receive(message: Any) -> None:
+        received = time.monotonic()
+        time.sleep(delay)
+        say([float(message.data.partition(" ")[0]), received])
+
+    rclpy.init(args=[])
+    node = rclpy.create_node("subscriber")
+    node.create_subscription(String, "big", receive, 10)
+    spin(node)
+
+
+def publish(seconds: float, length: int) -> None:
+    """Publish for some seconds once somebody listens; say "matched", then how long what took."""
     import rclpy
     from std_msgs.msg import String
 
     rclpy.init(args=[])
     node = rclpy.create_node("publisher")
     publisher = node.create_publisher(String, "big", 10)
-    message = String(data="x" * 1_000_000)
-    longest_pause = 0.0
-    stop = threading.Event()
+    filler = "x" * length
+    while publisher.get_subscription_count() == 0:
+        time.sleep(PERIOD)
+    pauses = [0.0]
+    ended = threading.Event()
 
     def watch() -> None:
-        nonlocal longest_pause
         last = time.monotonic()
-        while not stop.wait(0.005):
+        while not ended.wait(0.005):
             now = time.monotonic()
-            longest_pause = max(longest_pause, now - last)
+            pauses.append(now - last)
             last = now
 
     threading.Thread(target=watch, daemon=True).start()
-    for label, stopped in (("slow callback (1 s)", False), ("stopped process", True)):
-        with running("-c", SUBSCRIBER, "1.0") as subscriber:
-            while publisher.get_subscription_count() == 0:
-                time.sleep(0.02)
-            if stopped:
-                subscriber.send_signal(signal.SIGSTOP)
-            longest_pause = longest = 0.0
-            count = 0
-            end = time.monotonic() + options.seconds
-            while time.monotonic() < end:
-                start = time.monotonic()
-                publisher.publish(message)
-                longest = max(longest, time.monotonic() - start)
-                count += 1
-                time.sleep(0.02)
-            print(
-                f"{label}: {count} messages, longest publish {longest * 1e3:.0f} ms, "
-                f"longest pause of another thread {longest_pause * 1e3:.0f} ms"
-            )
-            if stopped:
-                subscriber.send_signal(signal.SIGCONT)
-        while publisher.get_subscription_count() > 0 and not stopped:
-            time.sleep(0.1)
-    stop.set()
+    say("matched")
+    end = time.monotonic() + seconds
+    took = []
+    while time.monotonic() < end:
+        message = String(data=f"{time.monotonic()} {filler}")
+        begin = time.monotonic()
+        publisher.publish(message)
+        took.append(time.monotonic() - begin)
+        time.sleep(PERIOD)
+    ended.set()
+    say({"count": len(took), "publish": max(took), "pause": max(pauses)})
     node.destroy_node()
-    rclpy.shutdown()
+    rclpy.try_shutdown()
+
+
+def row(setting: str, kind: str, options: argparse.Namespace) -> str:
+    """Run one pair and return its row of the table."""
+    variables = environment(setting, free_domain(options.domain))
+    standing = kind == "stopped"
+    # After the subscriber goes on, the publisher does so for half of the time.
+    seconds = options.seconds * 1.5 if standing else options.seconds
+    arguments = ["--seconds", str(seconds), "--megabytes", str(options.megabytes)]
+    publisher = Worker([__file__, "--publish", *arguments], variables)
+    workers = [publisher]
+    again = ""
+    with all_ended(workers):
+        subscriber = Worker([__file__, "--subscribe", str(KINDS[kind])], variables)
+        workers.append(subscriber)
+        publisher.hear(PATIENCE)
+        subscriber.hear(PATIENCE)
+        if standing:
+            subscriber.process.send_signal(signal.SIGSTOP)
+            time.sleep(options.seconds)
+            resumed = time.monotonic()
+            subscriber.process.send_signal(signal.SIGCONT)
+            again = f"{after(subscriber, resumed, options.seconds / 2):10.2f}"
+        figures = publisher.hear(seconds + PATIENCE)
+    return (
+        f"{setting:18}{kind:15}{figures['count']:9d}{figures['publish'] * 1e3:12.0f}"
+        f"{figures['pause'] * 1e3:10.0f}{again}"
+    )
+
+
+def after(subscriber: Worker, resumed: float, patience: float) -> float:
+    """Return the seconds from `resumed` to the first message that was sent later; infinity when none comes."""
+    end = resumed + patience
+    try:
+        sent, received = subscriber.hear(patience)
+        while sent < resumed:
+            sent, received = subscriber.hear(end - time.monotonic())
+    except TimeoutError:
+        return float("inf")
+    return float(received - resumed)
+
+
+def main() -> None:
+    """Print the table, or be one of its processes."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--seconds", type=float, default=8.0, help="to publish, to stand still (8)")
+    parser.add_argument("--megabytes", type=float, default=1.0, help="size of a message (1)")
+    parser.add_argument("--setting", choices=["loopback", "localhost", "all"], default="loopback")
+    parser.add_argument("--domain", type=int, help="where to look for free ROS domains")
+    parser.add_argument("--subscribe", type=float, help=argparse.SUPPRESS)
+    parser.add_argument("--publish", action="store_true", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.subscribe is not None:
+        begin_worker()
+        subscribe(options.subscribe)
+        return
+    if options.publish:
+        begin_worker()
+        publish(options.seconds, int(options.megabytes * 1e6))
+        return
+    chosen = {"loopback": [LOOPBACK], "localhost": [RANGE], "all": [LOOPBACK, RANGE]}
+    print("setting           subscriber      messages  publish ms  pause ms   again s")
+    for setting in chosen[options.setting]:
+        for kind in KINDS:
+            print(row(setting, kind, options), flush=True)
+    print(load())
 
 
 if __name__ == "__main__":
