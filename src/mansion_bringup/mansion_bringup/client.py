@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 
 import rclpy
 from rclpy.client import Client
+from rclpy.clock import Clock, ClockType
 from rclpy.context import Context
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
@@ -36,11 +37,12 @@ __all__ = ["MansionClient"]
 T = TypeVar("T")
 
 _numbers = itertools.count(1)
+_KNOWN: dict[str, ServiceInterface] = {entry.name: entry for entry in interfaces.SERVICES}
 
-SPIN = 0.5
-"""Seconds after which the executor's thread looks whether the client is closed."""
+LOOK = 0.5
+"""Seconds after which the executor's thread looks whether its context has ended."""
 
-LOOK = 0.01
+LOOK_FOR_SERVICE = 0.01
 """Seconds between two looks for a service; rclpy's own wait looks four times a second."""
 
 
@@ -92,14 +94,15 @@ class MansionClient(Closing):
         self._executor = SingleThreadedExecutor(context=self._context)
         self._executor.add_node(self.node)
         self._closed = threading.Event()
+        # rclpy can miss the wake-up of a context that is shut down; the next one of a timer ends the wait then.
+        self.node.create_timer(LOOK, lambda: None, clock=Clock(clock_type=ClockType.STEADY_TIME))
         self._thread = threading.Thread(target=self._spin, name="mansion_client", daemon=True)
         self._thread.start()
 
     def _spin(self) -> None:
         try:
             while not self._closed.is_set():
-                # With an end, because rclpy can miss the wake-up of a context that is shut down.
-                self._executor.spin_once(timeout_sec=SPIN)
+                self._executor.spin_once()
         except ExternalShutdownException:
             return
         except Exception:
@@ -222,9 +225,8 @@ class MansionClient(Closing):
             return self._clients[key]
 
     def _service_type(self, name: str, arguments: Any) -> Any:
-        known: dict[str, ServiceInterface] = {entry.name: entry for entry in interfaces.SERVICES}
-        if name in known:
-            return JsonCall if known[name].type == interfaces.JSON_CALL else Trigger
+        if name in _KNOWN:
+            return JsonCall if _KNOWN[name].type == interfaces.JSON_CALL else Trigger
         full = name if name.startswith("/") else f"{self.node.get_namespace().rstrip('/')}/{name}"
         for found, types in self.node.get_service_names_and_types():
             if found == full:
@@ -305,5 +307,5 @@ def _becomes_ready(client: Client, timeout: float) -> bool:
     while not client.service_is_ready():
         if time.monotonic() >= deadline:
             return False
-        time.sleep(LOOK)
+        time.sleep(LOOK_FOR_SERVICE)
     return True

@@ -4,6 +4,7 @@ import sys
 from collections.abc import Callable, Sequence
 
 import rclpy
+from rclpy.clock import Clock, ClockType
 from rclpy.exceptions import ParameterException
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 from rclpy.logging import get_logger
@@ -14,7 +15,10 @@ from mansion_msgs_py.nodes.interrupts import Interrupts
 
 __all__ = ["run_node"]
 
-SPIN = 0.5
+PATIENCE = 0.5
+"""Seconds for which callbacks that still run are waited for at the end."""
+
+LOOK = 0.5
 """Seconds after which a node with nothing to do looks whether it shall end."""
 
 
@@ -66,9 +70,9 @@ def run_node(
 def _spin(node: Node, threads: int) -> None:
     executor = MultiThreadedExecutor(num_threads=threads)
     executor.add_node(node)
+    # rclpy can miss the wake-up of a context that a signal shuts down; the next one of a timer ends the wait then.
+    node.create_timer(LOOK, lambda: None, clock=Clock(clock_type=ClockType.STEADY_TIME))
     try:
-        while rclpy.ok():
-            # With an end, because rclpy can miss the wake-up of a context that a signal shuts down.
-            executor.spin_once(timeout_sec=SPIN)
+        executor.spin()
     finally:
-        executor.shutdown(timeout_sec=SPIN)
+        executor.shutdown(timeout_sec=PATIENCE)
