@@ -14,7 +14,6 @@ from random import Random
 sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "support"))
 
 from invariants import check_world
-
 from mansion_skills import Robot
 from mansion_skills.engine import Engine
 

@@ -12,8 +12,6 @@ from typing import Any
 import pytest
 
 pytest.importorskip("mujoco")
-from thor_simulator import ThorSimulator
-
 from mansion_editing import geometry
 from mansion_editing.physics.engines import engine_named
 from mansion_editing.physics.problem import PosedBox, SettleProblem
@@ -25,6 +23,7 @@ from mansion_export.thor_check import validate_house
 from mansion_geometry.thor.controller import start_controller
 from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import MansionError
+from thor_simulator import ThorSimulator
 
 TABLE = PosedBox((31.0, 17.0, 0.7), (1.0, 0.6, 0.06), 20.0)
 TOP = 0.73

@@ -3,6 +3,7 @@
 from types import ModuleType
 
 import pytest
+
 import sample_floors as module
 
 

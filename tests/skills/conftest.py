@@ -3,9 +3,9 @@
 from pathlib import Path
 
 import pytest
-from sample_building import write_building
 
 from mansion_skills import Robot
+from sample_building import write_building
 
 
 @pytest.fixture

@@ -23,7 +23,7 @@ __all__ = ["EXTRAS", "ensure_extra", "main"]
 EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "cluster": ("distributed",),
     "embeddings": ("sentence_transformers",),
-    "lint": ("importlinter", "mypy", "ruff"),
+    "lint": ("codespell_lib", "importlinter", "mypy", "ruff"),
     "llm": ("openai",),
     "sim": ("gymnasium", "mujoco"),
     "test": ("coverage", "hypothesis", "pytest", "xdist"),

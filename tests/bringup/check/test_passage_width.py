@@ -5,7 +5,6 @@ from collections import deque
 
 import msgspec
 import pytest
-from sample_building import scene, thing
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_bringup.check.reach import check_reach
@@ -15,6 +14,7 @@ from mansion_geometry.robot_body import ROBOT_RADIUS
 from mansion_msgs_py.editing import CheckPathArgs
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_skills.navigation.floor_map import Body, FloorMap
+from sample_building import scene, thing
 
 WEST, EAST = (1.0, 1.5), (9.0, 1.5)
 

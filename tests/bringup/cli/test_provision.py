@@ -4,7 +4,6 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from sample_building import write_building
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_bringup.cli.edit import open_editor, read_tasks
@@ -18,6 +17,7 @@ from mansion_tasks.tasks.grounding import ground
 from mansion_tasks.tasks.paper import PAPER_TASKS
 from mansion_tasks.tasks.sandbox import Sandbox
 from mansion_tasks.tasks.solving import replay
+from sample_building import write_building
 
 LAPTOP = Task(
     id="laptop",

@@ -11,11 +11,11 @@ from typing import Any
 
 import pytest
 import typer.main
-from sample_building import write_building
 from typer.testing import CliRunner
 
 from mansion_bringup.cli.app import app
 from mansion_msgs_py.errors import MansionError
+from sample_building import write_building
 
 ON_BUILDINGS = (
     ("check", "{}"),

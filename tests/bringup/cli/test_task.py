@@ -4,13 +4,13 @@ import json
 from pathlib import Path
 
 import pytest
-from sample_building import write_building
 from typer.testing import CliRunner
 
 from mansion_bringup.cli.app import app
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.task import Task, TaskSet
+from sample_building import write_building
 
 
 @pytest.fixture(scope="module")

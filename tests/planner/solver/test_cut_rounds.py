@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from problem_floors import box, flat, office
 
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.topology import Edge
@@ -14,6 +13,7 @@ from mansion_planner.solver.polygons import trace
 from mansion_planner.solver.rounds import build_cut_rounds, subtree_areas
 from mansion_planner.solver.sampling import base_radii, sample_batch
 from mansion_planner.solver.scoring import candidate_energy
+from problem_floors import box, flat, office
 
 
 def geometry(rows: int, columns: int) -> np.ndarray:

@@ -8,7 +8,6 @@ import sys
 from pathlib import Path
 
 import pytest
-from problem_floors import box, flat, office
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -18,6 +17,7 @@ from mansion_planner.solver import solve_floor
 from mansion_planner.solver.files import solve_file
 from mansion_planner.solver.protocol import TrueProblem, figures, score_plan, table
 from mansion_planner.solver.workers import largest_first
+from problem_floors import box, flat, office
 
 
 def write(path: Path, problems: list[FloorProblem]) -> Path:

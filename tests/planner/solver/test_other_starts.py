@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from problem_floors import box, flat
 
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.topology import Edge
@@ -20,6 +19,7 @@ from mansion_planner.solver.refine import Partition, make_goal
 from mansion_planner.solver.rounds import build_cut_rounds
 from mansion_planner.solver.starts import flood
 from mansion_planner.solver.state import Goal, State, make_state
+from problem_floors import box, flat
 
 OPTIONS = SolverOptions()
 

@@ -2,13 +2,13 @@
 
 import shapely
 from hypothesis import HealthCheck, given, settings
-from problem_floors import problems
 
 from mansion_geometry.rings import as_polygon, signed_area
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorProblem
 from mansion_planner.solver import SolverOptions, solve_floor
+from problem_floors import problems
 
 QUICK = SolverOptions(candidates=3000, attempts=2, round_candidates=200)
 

@@ -4,7 +4,6 @@ import msgspec
 import numpy as np
 import pytest
 import shapely
-from problem_floors import box, flat, office
 
 from mansion_geometry.rings import as_polygon
 from mansion_geometry.shared_walls import edge_array, shared_walls
@@ -14,6 +13,7 @@ from mansion_msgs_py.layout import FixedRoom, FloorLayout, FloorProblem, Problem
 from mansion_msgs_py.topology import Edge, SeedBox, SeedPlan
 from mansion_planner.solver import SolverOptions, solve_floor
 from mansion_planner.solver.seeding import SeedRequest
+from problem_floors import box, flat, office
 
 
 def shapes(layout: FloorLayout) -> dict[str, shapely.Polygon]:

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from problem_floors import flat, office
 
 from mansion_planner.solver import SolverOptions
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
@@ -12,6 +11,7 @@ from mansion_planner.solver.painting import paint, recount
 from mansion_planner.solver.refine import make_goal
 from mansion_planner.solver.search import anneal
 from mansion_planner.solver.state import Goal, State, make_state
+from problem_floors import flat, office
 
 
 def striped(spacing: float = 1.0) -> tuple[Goal, Grid, State]:

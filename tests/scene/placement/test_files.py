@@ -5,7 +5,6 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from placement_rooms import classroom, item, rectangle, restaurant, room, ward
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
@@ -15,6 +14,7 @@ from mansion_scene.placement.bench import bench, table
 from mansion_scene.placement.files import place_file
 from mansion_scene.placement.measure import measure
 from mansion_scene.placement.picture import draw_placements
+from placement_rooms import classroom, item, rectangle, restaurant, room, ward
 
 
 def write(path: Path) -> Path:

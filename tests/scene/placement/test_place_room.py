@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from placement_rooms import classroom, item, rectangle, restaurant, room, ward
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.placement import PlacementObject, PlacementResult, PlacementRoom
 from mansion_scene.placement import PlacementOptions, place_room
 from mansion_scene.placement.measure import Footprint, measure
+from placement_rooms import classroom, item, rectangle, restaurant, room, ward
 
 ROOMS = {"classroom": classroom, "ward": ward, "restaurant": restaurant}
 

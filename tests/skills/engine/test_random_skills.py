@@ -7,13 +7,13 @@ from pathlib import Path
 from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
-from invariants import check_world
-from sample_building import write_building
 
+from invariants import check_world
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.world import SkillResult, SkillStatus
 from mansion_skills import Robot
 from mansion_skills.engine import Engine
+from sample_building import write_building
 
 FLOORS = [1, 2]
 SESSIONS = ("default", "second")

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sample_building import scene
 
 from mansion_skills import Robot
 from mansion_skills.navigation.floor_map import Body, FloorMap
+from sample_building import scene
 
 DOORS = [door.id for door in scene(1, [1, 2]).doors]
 BODIES = [

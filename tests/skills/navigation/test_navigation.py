@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sample_building import scene
 
 from mansion_msgs_py.world import LiftCall, LiftDoor, LiftMotion
 from mansion_skills import Robot
@@ -17,6 +16,7 @@ from mansion_skills.navigation.paths import find_path, free_run, is_clear, path_
 from mansion_skills.navigation.raster import GridFrame
 from mansion_skills.navigation.search import cast_rays, inflate
 from mansion_skills.world.lift import DOOR_TIME, Lift
+from sample_building import scene
 
 FRAME = GridFrame(0.0, 0.0, 0.05, 80, 120)
 

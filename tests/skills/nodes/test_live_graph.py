@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sample_building import with_outer_walls, write_building
 
 from mansion_bringup.client import MansionClient
 from mansion_bringup.graph.domain import free_domain
@@ -19,6 +18,7 @@ from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 from mansion_export.nav2 import map_pgm, map_yaml
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.scene import FloorScene
+from sample_building import with_outer_walls, write_building
 
 pytestmark = pytest.mark.graph
 

@@ -14,9 +14,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from invariants import check_world
-from sample_building import write_building
 
+from invariants import check_world
 from mansion_bringup.client import MansionClient
 from mansion_bringup.graph.domain import free_domain
 from mansion_bringup.graph.nodes import NodeProcess
@@ -25,6 +24,7 @@ from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.interfaces import topic
 from mansion_msgs_py.nodes.shell import qos_profile
 from mansion_skills import Robot
+from sample_building import write_building
 
 pytestmark = pytest.mark.graph
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
 from sample_building import write_building
 
 rclpy = pytest.importorskip("rclpy")

@@ -4,6 +4,7 @@ import time
 from collections.abc import Iterator
 
 import pytest
+
 from sample_building import write_building
 
 pytest.importorskip("rclpy")

@@ -9,10 +9,8 @@ import msgspec
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from invariants import check_world
-from sample_building import write_building
-from thor_double import OUT_OF_SIGHT, ThorDouble
 
+from invariants import check_world
 from mansion_export.thor import house
 from mansion_geometry.thor.axes import from_point, heading, thor_heading, thor_point
 from mansion_msgs_py.building import Building
@@ -22,6 +20,8 @@ from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import SkillStatus
 from mansion_skills import Robot
 from mansion_skills.thor import ThorGym, open_controller
+from sample_building import write_building
+from thor_double import OUT_OF_SIGHT, ThorDouble
 
 LACKING = ("shelf_1", "lamp_1")
 """What AI2-THOR has no asset for, in these tests."""

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from sample_building import write_building
 
 from mansion_export.mjcf import floor_mjcf
 from mansion_msgs_py.codec import encode_bytes
@@ -15,6 +14,7 @@ from mansion_msgs_py.scene import FloorScene
 from mansion_skills import Robot
 from mansion_skills.vision import Camera
 from mansion_skills.vision.gl import GlThread
+from sample_building import write_building
 
 FLOORS = [1, 2, 3, 4, 5]
 FRIDGE = "Fridge_28"

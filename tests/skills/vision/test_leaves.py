@@ -3,11 +3,11 @@
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sample_building import scene
 
 from mansion_export.opening_meshes import leaf_nodes
 from mansion_msgs_py.scene import Door
 from mansion_skills.vision.leaves import leaves_of
+from sample_building import scene
 
 SCENE = scene(1, [1])
 HALL, OFFICE = "F1/hall", "F1/office"

@@ -5,11 +5,11 @@ from math import atan2, cos, degrees, radians, sin
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from sample_building import scene
 
 from mansion_msgs_py.scene import Door
 from mansion_msgs_py.shapes import Point
 from mansion_skills.vision.portals import Portals, Wedge
+from sample_building import scene
 
 SCENE = scene(1, [1])
 PORTALS = Portals(SCENE)

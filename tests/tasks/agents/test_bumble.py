@@ -7,9 +7,8 @@ from types import ModuleType
 from typing import Any
 
 import pytest
-from episode_tasks import MUG, mug_task
-from talk import pictures, question, says, text
 
+from episode_tasks import MUG, mug_task
 from mansion_llm import LlmClient
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.world import SkillStatus
@@ -19,6 +18,7 @@ from mansion_tasks.agents.skill_cards import CARDS
 from mansion_tasks.episodes.observing import Moment
 from mansion_tasks.episodes.port import LocalPort
 from mansion_tasks.episodes.running import EpisodeOptions, run_episode
+from talk import pictures, question, says, text
 
 Client = Callable[..., LlmClient]
 PLAN: list[dict[str, Any]] = [

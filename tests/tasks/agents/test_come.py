@@ -5,9 +5,8 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
-from episode_tasks import MUG, mug_task
-from talk import says, text
 
+from episode_tasks import MUG, mug_task
 from mansion_llm import LlmClient
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.world import SkillStatus
@@ -15,6 +14,7 @@ from mansion_tasks.agents.come import MOST_PLANS, Come, map_text
 from mansion_tasks.agents.interface import MapEntry
 from mansion_tasks.episodes.port import LocalPort
 from mansion_tasks.episodes.running import run_episode
+from talk import says, text
 
 Client = Callable[..., LlmClient]
 FETCH = f'GoNearObject("{MUG}")\nPickUp("{MUG}")\n'

@@ -8,8 +8,8 @@ from types import ModuleType
 from typing import Any
 
 import pytest
-from episode_tasks import mug_task, search_task
 
+from episode_tasks import mug_task, search_task
 from mansion_llm import LlmClient
 from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import Pose2D, SkillResult, SkillStatus

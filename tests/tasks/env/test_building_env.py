@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
 from gymnasium.vector import AsyncVectorEnv, SyncVectorEnv
-from sample_building import write_building
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
@@ -21,6 +20,7 @@ from mansion_tasks.env.building_env import BuildingEnv
 from mansion_tasks.env.skill_level import SKILL_ACTIONS
 from mansion_tasks.tasks.generate import generate
 from mansion_tasks.tasks.sandbox import Sandbox
+from sample_building import write_building
 
 
 @pytest.fixture(scope="module")

@@ -3,13 +3,13 @@
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from sample_building import write_building
 
 from mansion_msgs_py.world import SkillStatus
 from mansion_skills.skills.asking import list_visible
 from mansion_tasks.env.array_sight import ArraySight
 from mansion_tasks.env.low_level import MOVE, TILT, TURN, act, low_level_actions
 from mansion_tasks.tasks.sandbox import Sandbox
+from sample_building import write_building
 
 MOTIONS = {
     "move_ahead": ("MoveAhead", {"distance": MOVE}),

@@ -4,11 +4,11 @@ import json
 from pathlib import Path
 
 import pytest
-from episode_tasks import mug_task, write_tasks
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from typer.testing import CliRunner
 
+from episode_tasks import mug_task, write_tasks
 from mansion_bringup.cli.app import app
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.world import Progress

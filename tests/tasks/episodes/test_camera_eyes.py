@@ -4,9 +4,9 @@ from io import BytesIO
 from pathlib import Path
 
 import numpy as np
-from episode_tasks import mug_task
 from PIL import Image
 
+from episode_tasks import mug_task
 from mansion_tasks.agents.interface import Access
 from mansion_tasks.episodes.camera_eyes import CameraEyes
 from mansion_tasks.episodes.marking import marked_view

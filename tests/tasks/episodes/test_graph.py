@@ -6,8 +6,8 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from episode_tasks import apple_task, call, mug_task, search_task
 
+from episode_tasks import apple_task, call, mug_task, search_task
 from mansion_bringup.client import MansionClient
 from mansion_bringup.graph.domain import free_domain
 from mansion_bringup.graph.processes import GraphOptions, GraphProcesses

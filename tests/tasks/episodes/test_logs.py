@@ -4,10 +4,10 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from episode_tasks import call, mug_task, search_task
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from episode_tasks import call, mug_task, search_task
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.world import Pose2D, SkillStatus
 from mansion_tasks.agents.explorer import Explorer

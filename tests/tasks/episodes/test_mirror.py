@@ -3,8 +3,8 @@
 from pathlib import Path
 
 import pytest
-from episode_tasks import apple_task, call, mug_task
 
+from episode_tasks import apple_task, call, mug_task
 from mansion_msgs_py.task import Task
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World

@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from episode_tasks import MUG, apple_task, call, mug_task, search_task
 
+from episode_tasks import MUG, apple_task, call, mug_task, search_task
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import SkillCall, TaskStart
 from mansion_msgs_py.world import Pose2D, SkillStatus

@@ -5,7 +5,6 @@ from math import dist
 from pathlib import Path
 
 from episode_tasks import mug_task
-
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.world.robot_body import RobotBody
 from mansion_tasks.episodes.port import LocalPort

@@ -3,7 +3,6 @@
 from pathlib import Path
 
 import pytest
-from sample_building import write_building
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
@@ -13,6 +12,7 @@ from mansion_tasks.tasks.goals import done
 from mansion_tasks.tasks.needs import describe
 from mansion_tasks.tasks.sandbox import SESSION, Sandbox
 from mansion_tasks.tasks.solving import replay
+from sample_building import write_building
 
 
 @pytest.fixture(scope="module")

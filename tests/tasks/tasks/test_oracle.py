@@ -3,13 +3,13 @@
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from sample_building import scene
 
 from mansion_msgs_py.task import Goal, GoalKind, SkillCall, Task, TaskKind
 from mansion_tasks.tasks.oracle import Oracle
 from mansion_tasks.tasks.progress import ProgressTracker
 from mansion_tasks.tasks.sandbox import SESSION, Sandbox
 from mansion_tasks.tasks.solving import replay, solve
+from sample_building import scene
 
 THINGS = [entry for floor in (1, 2, 3) for entry in scene(floor, [1, 2, 3]).objects]
 CARRIED = [thing.id for thing in THINGS if thing.pickupable]

@@ -1,11 +1,11 @@
 """Generated tasks ask for what makes sense to a person."""
 
 import pytest
-from sample_building import room, thing
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_msgs_py.scene import SceneObject
 from mansion_tasks.tasks.sense import goes_into, goes_on, goes_to, is_brought, kinds_of
+from sample_building import room, thing
 
 
 def _thing(category: str) -> SceneObject:

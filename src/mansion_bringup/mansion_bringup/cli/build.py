@@ -2,18 +2,20 @@
 
 import os
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from mansion_bringup.cli.console import EXIT_INTERRUPTED, err, out, progress_bar
-from mansion_bringup.pipeline.build import BuildResult, build_building
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.reading import read_bytes
 from mansion_msgs_py.request import BuildRequest, Footprint
 from mansion_msgs_py.wording import counted
+
+if TYPE_CHECKING:
+    from mansion_bringup.pipeline.build import BuildResult
 
 __all__ = ["planner_name", "prepare_planner", "read_footprint", "register", "request_from_options"]
 
@@ -110,7 +112,9 @@ def build(
     _print_summary(result)
 
 
-def _in_processes(request: BuildRequest, output: Path, jobs: int, force: bool) -> BuildResult:
+def _in_processes(request: BuildRequest, output: Path, jobs: int, force: bool) -> "BuildResult":
+    from mansion_bringup.pipeline.build import build_building
+
     prepare_planner(request)
     workers = jobs or min(os.cpu_count() or 1, 8)
     with progress_bar() as report:
@@ -147,8 +151,11 @@ def prepare_planner(request: BuildRequest) -> None:
         ensure_extra("llm")
 
 
-def _through_graph(request: BuildRequest, output: Path, timeout: float, force: bool) -> BuildResult:
+def _through_graph(
+    request: BuildRequest, output: Path, timeout: float, force: bool
+) -> "BuildResult":
     from mansion_bringup.graph.session import graph_client
+    from mansion_bringup.pipeline.build import BuildResult
     from mansion_msgs_py.stages import BuildJob, BuildReply
 
     with graph_client(notice=err.print) as client, progress_bar() as report:
@@ -174,7 +181,7 @@ def _through_graph(request: BuildRequest, output: Path, timeout: float, force: b
     return BuildResult(path, reply.building, summary)
 
 
-def _print_summary(result: BuildResult) -> None:
+def _print_summary(result: "BuildResult") -> None:
     building: Building = result.building
     program = building.program
     area = sum(floor.gross_floor_area for floor in program.floors)

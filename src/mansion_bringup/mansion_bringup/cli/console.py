@@ -6,7 +6,6 @@ from contextlib import contextmanager
 from typing import Any
 
 from rich.console import Console
-from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.world import Progress as ProgressPayload
@@ -39,6 +38,8 @@ def progress_bar() -> Iterator[Callable[[ProgressPayload], None]]:
             f"[{p.done}/{p.total}] {p.message}", markup=False, highlight=False
         )
         return
+    from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
     columns = (
         SpinnerColumn(),
         TextColumn("{task.description}"),
