@@ -34,9 +34,7 @@ def median_ms(command: Sequence[str], environment: dict[str, str], runs: int) ->
 def megabytes(folder: Path) -> float:
     """Disk usage of a folder in MB (10^6 bytes), each file once."""
     blocks = {
-        (status.st_dev, status.st_ino): status.st_blocks
-        for path in folder.rglob("*")
-        for status in [path.lstat()]
+        (status.st_dev, status.st_ino): status.st_blocks for path in folder.rglob("*") for status in [path.lstat()]
     }
     return sum(blocks.values()) * 512 / 1e6
 
@@ -66,9 +64,7 @@ def launcher_ms(checkout: Path, environment: dict[str, str], runs: int) -> tuple
 
 def main() -> None:
     """Measure and print a table."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--python", help="the Python to make the environment with")
     parser.add_argument("--runs", type=int, default=50, help="repetitions of the quick commands")
     parser.add_argument("--against", metavar="REVISION", help="a revision to compare with")
@@ -89,9 +85,7 @@ def main() -> None:
         if options.against:
             others.append(set_up(options.against, Path(folder) / "after", environment))
         launched, alone = launcher_ms(checkout, environment, options.runs)
-        whole = median_ms(
-            [str(checkout / "mansion"), "--help"], environment, max(5, options.runs // 5)
-        )
+        whole = median_ms([str(checkout / "mansion"), "--help"], environment, max(5, options.runs // 5))
     print(f"first use (set-up and --help)    {first:8.1f} s")
     print(f".venv                            {size:8.0f} MB")
     for number, (other, other_size) in enumerate(others, 1):

@@ -24,9 +24,7 @@ def main() -> None:
 
     print(f"{result.building.building_id} in {result.path}")
     for floor in result.building.floors:
-        print(
-            f"floor {floor.floor}: {floor.area:.0f} m2, {floor.rooms} rooms, {floor.objects} objects"
-        )
+        print(f"floor {floor.floor}: {floor.area:.0f} m2, {floor.rooms} rooms, {floor.objects} objects")
         print(*(f"  {kind}: {file}" for kind, file in sorted(floor.files.items())), sep="\n")
 
 

@@ -47,9 +47,7 @@ def _is_ours(module: str) -> bool:
 
 def _recorded() -> list[Path]:
     if not _RECORD.exists():
-        raise ImportError(
-            f"{_RECORD.name} is missing beside {__name__}; set the environment up again"
-        )
+        raise ImportError(f"{_RECORD.name} is missing beside {__name__}; set the environment up again")
     return [_SITE / line for line in _RECORD.read_text(encoding="utf-8").splitlines()]
 
 
@@ -75,10 +73,7 @@ def record() -> None:
     for name in NOT_LOADED:
         outer.pop(name, None)
     # What wheels keep to themselves is loaded only where another library asks for it: some is there twice.
-    paths = {
-        **{name: path for name, (path, _) in inner.items()},
-        **{name: path for name, (path, _) in outer.items()},
-    }
+    paths = {**{name: path for name, (path, _) in inner.items()}, **{name: path for name, (path, _) in outer.items()}}
     needs = {name: needed for name, (_, needed) in [*inner.items(), *outer.items()]}
     order: dict[str, None] = {}
 
@@ -119,15 +114,11 @@ def linked_names(library: Path) -> tuple[str, list[str]]:
     """
     image = library.read_bytes()
     offset, size, count = struct.unpack_from("<Q14xHH", image, 32)
-    headers = [
-        struct.unpack_from("<IIQQQQ", image, offset + index * size) for index in range(count)
-    ]
+    headers = [struct.unpack_from("<IIQQQQ", image, offset + index * size) for index in range(count)]
     start, length = next((head[2], head[5]) for head in headers if head[0] == _DYNAMIC)
     entries = list(struct.iter_unpack("<QQ", image[start : start + length // 16 * 16]))
     table = next(value for tag, value in entries if tag == _STRING_TABLE)
-    segment = next(
-        head for head in headers if head[0] == _LOADED and head[3] <= table < head[3] + head[5]
-    )
+    segment = next(head for head in headers if head[0] == _LOADED and head[3] <= table < head[3] + head[5])
     strings = segment[2] + table - segment[3]
 
     def text(at: int) -> str:

@@ -28,9 +28,7 @@ def task_file(building: Path, output: Path, count: int, seed: int) -> Path:
         sandbox = Sandbox(building)
         tasks = generate(sandbox, count, seed=seed)
         relative = os.path.relpath(building.resolve(), file.parent.resolve())
-        found = TaskSet(
-            building=relative, building_id=sandbox.building.building_id, tasks=list(tasks)
-        )
+        found = TaskSet(building=relative, building_id=sandbox.building.building_id, tasks=list(tasks))
         write_atomic(file, encode_bytes(found, indent=1))
     return file
 

@@ -26,15 +26,11 @@ ROOMS = [
 ]  # fmt: skip
 
 
-def furnished(
-    room_type: str, w: float, d: float, seed: int
-) -> tuple[list[SceneObject], list[SceneObject], int]:
+def furnished(room_type: str, w: float, d: float, seed: int) -> tuple[list[SceneObject], list[SceneObject], int]:
     """Return the placed and the decorating objects of a rectangular room with a door and a window, and the loss."""
     catalogue, room_id = load_catalogue(), f"F1/{room_type}_1"
     ring = [(0.0, 0.0), (w, 0.0), (w, d), (0.0, d)]
-    wishes = furnish_request(
-        catalogue, room_type, w * d, seed=seed, style="modern", room_id=room_id, extent=(w, d)
-    )
+    wishes = furnish_request(catalogue, room_type, w * d, seed=seed, style="modern", room_id=room_id, extent=(w, d))
     door = ((w * 0.3, 0.0), (w * 0.3 + 0.9, 0.0))
     window = ((w * 0.35, d), (w * 0.65, d))
     result = place_room(
@@ -53,26 +49,14 @@ def furnished(
         asset = wishes.asset_for(p.name, p.size)
         counts[asset.category] = counts.get(asset.category, 0) + 1
         identifier = f"{room_id}/{asset.category}_{counts[asset.category]}"
-        placed.append(
-            scene_object(asset, identifier, room_id, (*p.center, p.size[2] / 2), p.rotation)
-        )
+        placed.append(scene_object(asset, identifier, room_id, (*p.center, p.size[2] / 2), p.rotation))
     extra = decorate_room(
         catalogue,
         wishes,
         room_id=room_id,
         net_polygon=ring,
         ceiling_height=2.8,
-        doors=[
-            Door(
-                id="d",
-                kind="single",
-                segment=door,
-                rooms=(room_id, None),
-                width=0.9,
-                height=2.1,
-                hinge="start",
-            )
-        ],
+        doors=[Door(id="d", kind="single", segment=door, rooms=(room_id, None), width=0.9, height=2.1, hinge="start")],
         windows=[Window(id="w", wall="", room=room_id, segment=window, sill=0.9, height=1.4)],
         placed=placed,
         seed=item_seed(seed, room_id),
@@ -88,18 +72,11 @@ def faults(placed: list[SceneObject], extra: list[SceneObject], w: float, d: flo
     standing = placed + [o for o in extra if not o.parent and o.size[2] > 0.025]
     shapes = {o.id: footprint(o.position, o.size, o.rotation) for o in placed + extra}
     by_id = {o.id: o for o in placed + extra}
-    out += [
-        f"{o.id} out of the room"
-        for o in placed + extra
-        if not room.contains(shapes[o.id]) and not o.parent
-    ]
+    out += [f"{o.id} out of the room" for o in placed + extra if not room.contains(shapes[o.id]) and not o.parent]
     for group in (standing, carried):
         for i, a in enumerate(group):
             for b in group[i + 1 :]:
-                if (
-                    a.parent != b.parent
-                    or abs(a.position[2] - b.position[2]) > (a.size[2] + b.size[2]) / 2 - 0.003
-                ):
+                if a.parent != b.parent or abs(a.position[2] - b.position[2]) > (a.size[2] + b.size[2]) / 2 - 0.003:
                     continue
                 if shapes[a.id].intersection(shapes[b.id]).area > 1e-6:
                     out.append(f"{a.id} overlaps {b.id}")
@@ -110,21 +87,13 @@ def faults(placed: list[SceneObject], extra: list[SceneObject], w: float, d: flo
     return out
 
 
-def draw(
-    path: Path, placed: list[SceneObject], extra: list[SceneObject], w: float, d: float
-) -> None:
+def draw(path: Path, placed: list[SceneObject], extra: list[SceneObject], w: float, d: float) -> None:
     """Draw a plan: rugs beige, furniture brown, small things red, wall things blue, ceiling things dotted."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(10, 10 * d / w + 0.5))
     axes = figure.subplots()
-    colours = {
-        "floor": "#c8a878",
-        "wall": "#3060c0",
-        "surface": "#c03030",
-        "inside": "#e09090",
-        "ceiling": "#888888",
-    }
+    colours = {"floor": "#c8a878", "wall": "#3060c0", "surface": "#c03030", "inside": "#e09090", "ceiling": "#888888"}
     rank = {"floor": 0, "inside": 1, "surface": 2, "wall": 3, "ceiling": 4}
     for o in sorted(placed + extra, key=lambda o: (rank[o.mount], o.size[2] > 0.025)):
         x, y = footprint(o.position, o.size, o.rotation).exterior.xy
@@ -134,9 +103,7 @@ def draw(
         rug = o.mount == "floor" and o.size[2] < 0.025
         axes.fill(x, y, fc="#efe2c8" if rug else colours[o.mount], ec="#333333", lw=0.5)
         if o.mount == "floor":
-            axes.text(
-                o.position[0], o.position[1], o.category, fontsize=5, ha="center", va="center"
-            )
+            axes.text(o.position[0], o.position[1], o.category, fontsize=5, ha="center", va="center")
     axes.plot([0, w, w, 0, 0], [0, 0, d, d, 0], "k", lw=2)
     axes.plot([w * 0.3, w * 0.3 + 0.9], [0, 0], color="white", lw=3)
     axes.plot([w * 0.35, w * 0.65], [d, d], color="#60c0f0", lw=3)
@@ -153,13 +120,8 @@ def main(argv: list[str]) -> int:
         placed, extra, lost = furnished(room_type, w, d, seed)
         found = faults(placed, extra, w, d)
         wrong += len(found)
-        mounts = {
-            m: sum(o.mount == m for o in extra)
-            for m in ("floor", "wall", "ceiling", "surface", "inside")
-        }
-        print(
-            f"{room_type:16} placed {len(placed):3} lost {lost:2} {mounts} faults {len(found)} {found[:3]}"
-        )
+        mounts = {m: sum(o.mount == m for o in extra) for m in ("floor", "wall", "ceiling", "surface", "inside")}
+        print(f"{room_type:16} placed {len(placed):3} lost {lost:2} {mounts} faults {len(found)} {found[:3]}")
         draw(out / f"{room_type}.png", placed, extra, w, d)
     return 1 if wrong else 0
 

@@ -29,13 +29,7 @@ SMALL = {
     "newspaper": "newspaper", "laptop": "laptop", "stapler": "stapler", "remote control": "remote_control",
     "wine bottle": "wine_bottle", "cell phone": "cell_phone", "vase": "vase", "toilet paper": "toilet_paper",
 }  # fmt: skip
-COLD = {
-    "cola": "cola_can",
-    "milk": "milk_carton",
-    "yogurt": "yogurt",
-    "apple": "apple",
-    "juice": "juice_carton",
-}
+COLD = {"cola": "cola_can", "milk": "milk_carton", "yogurt": "yogurt", "apple": "apple", "juice": "juice_carton"}
 CARRIERS = ("dining_table", "coffee_table", "desk", "office_desk", "conference_table", "side_table", "counter_top",
             "console_table", "kitchen_counter", "sideboard", "nightstand", "cafe_table", "training_table")  # fmt: skip
 ORDINALS = ("", "first", "second", "third", "fourth")
@@ -75,11 +69,7 @@ def within(item: SceneObject, carrier: SceneObject) -> bool:
     dx, dy = (abs(item.position[k] - carrier.position[k]) for k in (0, 1))
     foot = item.position[2] - item.size[2] / 2
     low = carrier.position[2] - carrier.size[2] / 2
-    return (
-        dx <= reach
-        and dy <= reach
-        and low - MARGIN <= foot <= carrier.position[2] + carrier.size[2] / 2 + 0.05
-    )
+    return dx <= reach and dy <= reach and low - MARGIN <= foot <= carrier.position[2] + carrier.size[2] / 2 + 0.05
 
 
 def count(scenes: Scenes, carrier: str, category: str) -> int:
@@ -88,8 +78,7 @@ def count(scenes: Scenes, carrier: str, category: str) -> int:
         own = next((item for item in scene.objects if item.id == carrier), None)
         if own is not None:
             return sum(
-                item.parent == carrier and item.category == category and within(item, own)
-                for item in scene.objects
+                item.parent == carrier and item.category == category and within(item, own) for item in scene.objects
             )
     return -1
 

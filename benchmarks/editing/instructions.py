@@ -23,16 +23,10 @@ class Maker:
         rooms = [o.room + o.category for s in scenes for o in s.objects]
         single = {key for key, number in Counter(rooms).items() if number == 1}
         self.carriers = [
-            (s, o)
-            for s in scenes
-            for o in s.objects
-            if o.category in CARRIERS and o.room + o.category in single
+            (s, o) for s in scenes for o in s.objects if o.category in CARRIERS and o.room + o.category in single
         ]
         self.fridges = [
-            (s, o)
-            for s in scenes
-            for o in s.objects
-            if o.category == "fridge" and o.room + o.category in single
+            (s, o) for s in scenes for o in s.objects if o.category == "fridge" and o.room + o.category in single
         ]
 
     def pick(self, values: list[object]) -> object:
@@ -41,16 +35,7 @@ class Maker:
 
     def make(self, number: int) -> Case:
         """Make the case of that number."""
-        kinds = [
-            self.place,
-            self.cold,
-            self.count_of,
-            self.both,
-            self.absent,
-            self.switch,
-            self.path,
-            self.move,
-        ]
+        kinds = [self.place, self.cold, self.count_of, self.both, self.absent, self.switch, self.path, self.move]
         for shift in range(len(kinds)):
             case = kinds[(number + shift) % len(kinds)]()
             if case is not None:
@@ -124,8 +109,7 @@ class Maker:
         scene, carrier = self.pick(self.carriers)
         colour = self.pick(["red", "blue", "white"])
         have = sum(
-            o.parent == carrier.id and o.category == "mug" and o.material.endswith(colour)
-            for o in scene.objects
+            o.parent == carrier.id and o.category == "mug" and o.material.endswith(colour) for o in scene.objects
         )
 
         def holds(scenes: Scenes) -> bool:
@@ -146,9 +130,7 @@ class Maker:
         if not self.carriers:
             return None
         scene, carrier = self.pick(self.carriers)
-        one, other = (
-            str(w) for w in self.rng.choice(["apple", "pen", "book", "mug"], 2, replace=False)
-        )
+        one, other = (str(w) for w in self.rng.choice(["apple", "pen", "book", "mug"], 2, replace=False))
         least = sum(count(self.scenes, carrier.id, SMALL[w]) < 1 for w in (one, other))
         return Case(
             f"put a {one} and a {other} on {self.where(scene, carrier)}",
@@ -173,11 +155,7 @@ class Maker:
             f"remove all {item.name}s from {self.where(scene, carrier)}",
             have,
             lambda scenes: (
-                not any(
-                    o.parent == carrier.id and o.category == item.category
-                    for s in scenes
-                    for o in s.objects
-                )
+                not any(o.parent == carrier.id and o.category == item.category for s in scenes for o in s.objects)
             ),
             "absent",
         )
@@ -191,9 +169,7 @@ class Maker:
         return Case(
             f"open {self.where(scene, item)}",
             0 if item.states.get("open") else 1,
-            lambda scenes: any(
-                o.id == item.id and o.states.get("open") is True for s in scenes for o in s.objects
-            ),
+            lambda scenes: any(o.id == item.id and o.states.get("open") is True for s in scenes for o in s.objects),
             "open",
         )
 
@@ -204,12 +180,7 @@ class Maker:
             for s in (self.pick(self.scenes), self.pick(self.scenes))
         ]
         names = [room_words(s, r.id, self.tall) for s, r in ends]
-        return Case(
-            f"make sure the robot can get from {names[0]} to {names[1]}",
-            0,
-            lambda scenes: True,
-            "path",
-        )
+        return Case(f"make sure the robot can get from {names[0]} to {names[1]}", 0, lambda scenes: True, "path")
 
     def move(self) -> Case | None:
         """A thing moved from one carrier to another."""
@@ -235,8 +206,7 @@ class Maker:
 def main() -> None:
     """Run the cases and print the score."""
     run(
-        options(__doc__, 10).parse_args(),
-        lambda editor, folder, rng, number, turn: Maker(read(folder), rng).make(turn),
+        options(__doc__, 10).parse_args(), lambda editor, folder, rng, number, turn: Maker(read(folder), rng).make(turn)
     ).show()
 
 

@@ -38,14 +38,11 @@ class EveryStatement:
             for scene in scenes
             if scene.floor == floor
             for item in scene.objects
-            if self.kind in item.category
-            and (item.toggleable if self.state == "on" else item.openable)
+            if self.kind in item.category and (item.toggleable if self.state == "on" else item.openable)
         ]
 
     def missing(self, scenes: Scenes) -> int:
-        return sum(
-            item.states.get(self.state, False) is not self.value for item in self.mine(scenes)
-        )
+        return sum(item.states.get(self.state, False) is not self.value for item in self.mine(scenes))
 
     def holds(self, scenes: Scenes) -> bool:
         return bool(self.mine(scenes)) and not self.missing(scenes)

@@ -52,9 +52,7 @@ def main() -> None:
         floor, carrier = carriers[int(rng.integers(len(carriers)))]
         asset = assets[int(rng.integers(len(assets)))]
         kinds = state.asset(carrier)
-        inside = (
-            kinds is not None and bool(kinds.volumes) and (not kinds.surfaces or rng.random() < 0.5)
-        )
+        inside = kinds is not None and bool(kinds.volumes) and (not kinds.surfaces or rng.random() < 0.5)
         started = time.process_time()
         try:
             if inside:
@@ -93,9 +91,7 @@ def _kind(message: str) -> str:
     return message[:60]
 
 
-def verify(
-    state: SceneState, floor: int, carrier: SceneObject, placed: SceneObject, engine: object
-) -> str:
+def verify(state: SceneState, floor: int, carrier: SceneObject, placed: SceneObject, engine: object) -> str:
     """Return what is wrong with a placed object, empty when nothing is."""
     shape = footprint(placed.position, placed.size, placed.rotation)
     under = footprint(carrier.position, carrier.size, carrier.rotation)
@@ -106,9 +102,7 @@ def verify(
     for other in state.index(floor).objects:
         if other.id in (placed.id, carrier.id, carrier.parent) or other.size[2] < 0.004:
             continue
-        depth = min(high, other.position[2] + other.size[2] / 2) - max(
-            low, other.position[2] - other.size[2] / 2
-        )
+        depth = min(high, other.position[2] + other.size[2] / 2) - max(low, other.position[2] - other.size[2] / 2)
         if depth > 0.002 and math.dist(other.position[:2], placed.position[:2]) < 6.0:
             both = shape.intersection(footprint(other.position, other.size, other.rotation))
             if both.area > 1e-5:
@@ -124,9 +118,7 @@ def _moves(state: SceneState, carrier: SceneObject, placed: SceneObject, engine:
     ledges = [
         ledge
         for ledge in ledges_of(asset, inside=placed.mount == "inside")
-        if abs(ledge.z - foot) < 0.06
-        and abs(x - ledge.x) <= ledge.w / 2
-        and abs(y - ledge.y) <= ledge.d / 2
+        if abs(ledge.z - foot) < 0.06 and abs(x - ledge.x) <= ledge.w / 2 and abs(y - ledge.y) <= ledge.d / 2
     ]
     if not ledges:
         return "floats"

@@ -48,21 +48,16 @@ class Namer(Maker):
         """Whether an object is called as a name asks, alone in its room, and on the floor that it asks for."""
         word, floor = self.called.get(name), self.floor.get(name)
         if word is not None and (
-            word not in item.category
-            or sum(o.room == item.room and word in o.category for o in scene.objects) > 1
+            word not in item.category or sum(o.room == item.room and word in o.category for o in scene.objects) > 1
         ):
             return False
-        if floor in ("sole", "ground") and (
-            sum(o.category == item.category for o in scene.objects) > 1
-        ):
+        if floor in ("sole", "ground") and (sum(o.category == item.category for o in scene.objects) > 1):
             return False
         if floor == "second":
             return scene.floor == 2 and len(self.scenes) == 2
         return floor != "ground" or scene.floor == level(self.scenes, "ground")
 
-    def suited(
-        self, name: str, pairs: list[tuple[FloorScene, SceneObject]]
-    ) -> list[tuple[FloorScene, SceneObject]]:
+    def suited(self, name: str, pairs: list[tuple[FloorScene, SceneObject]]) -> list[tuple[FloorScene, SceneObject]]:
         """Return those that suit a name."""
         return [(scene, item) for scene, item in pairs if self.suits(name, scene, item)]
 
@@ -93,12 +88,7 @@ class Namer(Maker):
             for item in free[:1]:
                 names.items["U"], names.words["U"] = item, item.name
         everything = [(s, o) for s in self.scenes for o in s.objects]
-        for name, able in (
-            ("F", self.fridges),
-            ("C", self.able("open")),
-            ("L", self.able("on")),
-            ("P", everything),
-        ):
+        for name, able in (("F", self.fridges), ("C", self.able("open")), ("L", self.able("on")), ("P", everything)):
             if name in wanted:
                 able = self.suited(name, able)
                 if not able:
@@ -111,9 +101,7 @@ class Namer(Maker):
         for name in ("R", "R2", "B", "Q", "Z"):
             if name not in wanted:
                 continue
-            able = {"Q": self.able("open", alone=False), "Z": self.able("on", alone=False)}.get(
-                name
-            )
+            able = {"Q": self.able("open", alone=False), "Z": self.able("on", alone=False)}.get(name)
             there = None if able is None else {item.room for _, item in able}
             rooms = [
                 (scene, room.id)
@@ -146,9 +134,7 @@ class Namer(Maker):
         carried = {o.parent for o in objects(self.scenes)}
         kinds = Counter(o.category for o in mine)
         return [
-            o
-            for o in mine
-            if o.pickupable and max(o.size) < 0.3 and kinds[o.category] == 1 and o.id not in carried
+            o for o in mine if o.pickupable and max(o.size) < 0.3 and kinds[o.category] == 1 and o.id not in carried
         ]
 
     def differs(self, table: SceneObject, own: SceneObject | None) -> bool:
@@ -199,12 +185,8 @@ def main() -> None:
     requests = [*data["request"], *data["refused"]]
     asked: Counter[int] = Counter()
 
-    def make(
-        editor: SceneEditor, folder: Path, rng: np.random.Generator, number: int, turn: int
-    ) -> Case | None:
-        order = sorted(
-            range(len(requests)), key=lambda k: (asked[k], (k + 7 * number) % len(requests))
-        )
+    def make(editor: SceneEditor, folder: Path, rng: np.random.Generator, number: int, turn: int) -> Case | None:
+        order = sorted(range(len(requests)), key=lambda k: (asked[k], (k + 7 * number) % len(requests)))
         for k in order:
             request = requests[k]
             names = Namer(read(folder), rng).request(request)

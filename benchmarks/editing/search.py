@@ -49,17 +49,13 @@ def main() -> None:
     for name, retriever in retrievers.items():
         retriever.retrieve(catalogue, "mug", 3, ())
         for file in FILES:
-            queries = msgspec.json.decode(
-                (LISTS / file).read_bytes(), type=list[tuple[str, list[str]]]
-            )
+            queries = msgspec.json.decode((LISTS / file).read_bytes(), type=list[tuple[str, list[str]]])
             start = time.process_time()
             wrong = missed(retriever, catalogue, queries)
             each = 1000 * (time.process_time() - start) / len(queries)
             share = 100 * (1 - len(wrong) / len(queries))
             right = len(queries) - len(wrong)
-            print(
-                f"{name:10} {file:28} {right} of {len(queries)} ({share:.1f}%), {each:.1f} ms CPU each"
-            )
+            print(f"{name:10} {file:28} {right} of {len(queries)} ({share:.1f}%), {each:.1f} ms CPU each")
             if given.show:
                 for query, names in wrong:
                     print(f"    {query}: {', '.join(names)}")

@@ -184,10 +184,7 @@ class StateStatement:
         if match is None:
             raise SystemExit(f"not a statement: {words!r}")
         self.place, self.whole, word = match[1], bool(match[2]), match[3]
-        self.state, self.value = (
-            "open" if word in ("open", "closed") else "on",
-            word in ("open", "on"),
-        )
+        self.state, self.value = ("open" if word in ("open", "closed") else "on", word in ("open", "on"))
         self.names = names
 
     def mine(self, scenes: Scenes) -> list[SceneObject]:

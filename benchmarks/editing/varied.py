@@ -13,20 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import phrasings
-from cases import (
-    COLD,
-    SMALL,
-    Case,
-    Scenes,
-    article,
-    count,
-    objects,
-    options,
-    plural,
-    read,
-    room_words,
-    run,
-)
+from cases import COLD, SMALL, Case, Scenes, article, count, objects, options, plural, read, room_words, run
 from instructions import Maker
 
 from mansion_editing.editor import SceneEditor
@@ -89,9 +76,7 @@ class Varied(Maker):
         one, other = self.words(2)
         text = self.say("TWO", a=article(one), b=article(other), on=f"on {y}", y=y)
         least = sum(count(self.scenes, item.id, SMALL[w]) < 1 for w in (one, other))
-        return Case(
-            text, least, lambda s: all(count(s, item.id, SMALL[w]) for w in (one, other)), "TWO"
-        )
+        return Case(text, least, lambda s: all(count(s, item.id, SMALL[w]) for w in (one, other)), "TWO")
 
     def several(self) -> Case | None:
         if not self.carriers:
@@ -189,9 +174,7 @@ class Varied(Maker):
         word, number = self.pick(["mug", "apple", "pen"]), int(self.rng.integers(2, 4))
         text = self.say("EXACT", k=NUMBERS[number], ns=plural(word), on=f"on {y}", y=y)
         have = count(self.scenes, item.id, SMALL[word])
-        return Case(
-            text, abs(have - number), lambda s: count(s, item.id, SMALL[word]) == number, "EXACT"
-        )
+        return Case(text, abs(have - number), lambda s: count(s, item.id, SMALL[word]) == number, "EXACT")
 
     def beside(self) -> Case | None:
         if not self.loaded():
@@ -215,13 +198,7 @@ class Varied(Maker):
         room, colour = self.pick(large), self.pick(["blue", "green", "red"])
         noun, (word,) = self.pick(FURNITURE), self.words()
         category = "sofa" if noun == "couch" else noun.replace(" ", "_")
-        text = self.say(
-            "FURNISH",
-            colour=colour,
-            f=noun,
-            a=article(word),
-            room=room_words(scene, room.id, self.tall),
-        )
+        text = self.say("FURNISH", colour=colour, f=noun, a=article(word), room=room_words(scene, room.id, self.tall))
 
         def seats(scenes: Scenes) -> list[SceneObject]:
             mine = [o for o in objects(scenes) if o.room == room.id]
@@ -239,9 +216,7 @@ class Varied(Maker):
         other, box = self.pick(able)
         _, item, place = self.carrier()
         (word,) = self.words()
-        text = self.say(
-            "MIXED", a=article(word), on=f"on {place}", y=self.where(other, box), room=self.room()
-        )
+        text = self.say("MIXED", a=article(word), on=f"on {place}", y=self.where(other, box), room=self.room())
 
         def holds(scenes: Scenes) -> bool:
             opened = any(o.id == box.id and o.states.get("open") is True for o in objects(scenes))
@@ -258,9 +233,7 @@ class Varied(Maker):
         room = room_words(scene, item.room, self.tall)
         text = self.say("LEADING", a=article(word), c=item.name, room=room)
         have = count(self.scenes, item.id, SMALL[word])
-        return Case(
-            text, max(0, 1 - have), lambda s: count(s, item.id, SMALL[word]) >= 1, "LEADING"
-        )
+        return Case(text, max(0, 1 - have), lambda s: count(s, item.id, SMALL[word]) >= 1, "LEADING")
 
     def make(self, number: int) -> Case:
         """Make the case of that number; where a building has nothing for its kind, one of the next kind."""
@@ -280,9 +253,7 @@ def main() -> None:
     args = options(__doc__, 12).parse_args()
     turns: Counter[str] = Counter()
 
-    def make(
-        editor: SceneEditor, folder: Path, rng: np.random.Generator, number: int, turn: int
-    ) -> Case:
+    def make(editor: SceneEditor, folder: Path, rng: np.random.Generator, number: int, turn: int) -> Case:
         return Varied(read(folder), rng, turns).make(number * args.each + turn)
 
     run(args, make).show()

@@ -44,8 +44,7 @@ def main() -> None:
     parser.add_argument("directory", type=Path)
     folder = parser.parse_args().directory
     scenes = [
-        msgspec.json.decode(path.read_bytes(), type=FloorScene)
-        for path in sorted(folder.glob("floors/*/scene.json"))
+        msgspec.json.decode(path.read_bytes(), type=FloorScene) for path in sorted(folder.glob("floors/*/scene.json"))
     ]
     objects = sum(len(scene.objects) for scene in scenes)
     print(f"{len(scenes)} floors, {objects} objects")

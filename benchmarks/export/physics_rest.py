@@ -26,9 +26,7 @@ def main() -> None:
     for path in sorted(options.building.glob("floors/*/scene.json")):
         scene = msgspec.json.decode(path.read_bytes(), type=FloorScene)
         for free in (False, True):
-            print(
-                f"floor {scene.floor}, {'free' if free else 'fixed'}: {step(scene, free, options.steps)}"
-            )
+            print(f"floor {scene.floor}, {'free' if free else 'fixed'}: {step(scene, free, options.steps)}")
 
 
 def step(scene: FloorScene, free: bool, steps: int) -> str:

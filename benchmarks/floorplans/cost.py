@@ -77,8 +77,7 @@ def draw(axis: Any, rows: list[tuple[int, list[Cost]]], key: str, label: str) ->
     for _, costs in rows:
         axis.plot([getattr(c, key) for c in costs], [c.seconds for c in costs], "o", c="#9db4c8")
     middles = [
-        (np.median([getattr(c, key) for c in costs]), np.median([c.seconds for c in costs]))
-        for _, costs in rows
+        (np.median([getattr(c, key) for c in costs]), np.median([c.seconds for c in costs])) for _, costs in rows
     ]
     axis.plot(*zip(*middles), "-s", c="#1f4e79", label="median")
     axis.set(xlabel=label, ylabel="processor seconds", yscale="log")
@@ -96,10 +95,7 @@ def main() -> None:
     warm()
     seed = item_seed(args.seed, "cost")
     plain = SolverOptions()
-    by_rooms = [
-        (rooms, [measured(floor(k, seed, rooms), plain) for k in range(args.floors)])
-        for rooms in ROOMS
-    ]
+    by_rooms = [(rooms, [measured(floor(k, seed, rooms), plain) for k in range(args.floors)]) for rooms in ROOMS]
     print(table(by_rooms, "rooms"), flush=True)
     by_cells = []
     for cells in CELLS:

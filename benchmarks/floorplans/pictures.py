@@ -31,10 +31,7 @@ HUB = "#f4f1e8"
 
 def colours(problem: FloorProblem) -> dict[str, Any]:
     """Return a colour for each node."""
-    return {
-        node.id: HUB if node.type == "main" else plt.cm.tab20(k % 20)
-        for k, node in enumerate(problem.nodes)
-    }
+    return {node.id: HUB if node.type == "main" else plt.cm.tab20(k % 20) for k, node in enumerate(problem.nodes)}
 
 
 def draw(axis: Any, problem: FloorProblem, rooms: list[LayoutRoom], title: str) -> None:

@@ -90,22 +90,14 @@ def summary(problems: list[FloorProblem], layouts: list[FloorLayout]) -> str:
     """Return the result as text."""
     lines = []
     for problem, layout in zip(problems, layouts):
-        lines += [
-            f"{problem.plan_id}: {edge.source} - {edge.target}: {edge.reason}"
-            for edge in layout.unmet_edges
-        ]
+        lines += [f"{problem.plan_id}: {edge.source} - {edge.target}: {edge.reason}" for edge in layout.unmet_edges]
     met = sum(layout.topology_satisfied for layout in layouts)
     lines.append(f"{met} of {len(layouts)} floors with every edge met")
-    narrow = sum(
-        layout.checks.get("usable", 0.0) < len(problem.nodes)
-        for problem, layout in zip(problems, layouts)
-    )
+    narrow = sum(layout.checks.get("usable", 0.0) < len(problem.nodes) for problem, layout in zip(problems, layouts))
     lines.append(f"{narrow} floors with a narrow room")
     seconds = [layout.seconds for layout in layouts]
     median, high, most = np.percentile(seconds, [50, 95, 100])
-    lines.append(
-        f"elapsed: median {median:.2f} s, 95th percentile {high:.2f} s, largest {most:.2f} s"
-    )
+    lines.append(f"elapsed: median {median:.2f} s, 95th percentile {high:.2f} s, largest {most:.2f} s")
     lines.append("| rooms | floors | median s | largest s | candidates | area error | corners |")
     lines.append("| --- | --- | --- | --- | --- | --- | --- |")
     for low in range(10, 61, 10):

@@ -43,16 +43,10 @@ def main() -> None:
     rng = np.random.default_rng(args.seed)
     vectors = np.round(rng.dirichlet(np.ones(4), args.samples), 3)
     merits = np.array(
-        [
-            [merit(problem, EnergyWeights(**dict(zip(NAMES, v.tolist())))) for problem in problems]
-            for v in vectors
-        ]
+        [[merit(problem, EnergyWeights(**dict(zip(NAMES, v.tolist())))) for problem in problems] for v in vectors]
     )
     fold = np.arange(len(problems)) % args.folds
-    held_out = [
-        merits[int(np.argmax(merits[:, fold != f].mean(axis=1))), fold == f].mean()
-        for f in range(args.folds)
-    ]
+    held_out = [merits[int(np.argmax(merits[:, fold != f].mean(axis=1))), fold == f].mean() for f in range(args.folds)]
     order = np.argsort(-merits.mean(axis=1), kind="stable")
     record: dict[str, Any] = {
         "plans": len(problems),
@@ -61,8 +55,7 @@ def main() -> None:
         "merit_of_the_mean_vector": round(float(merits.mean()), 4),
         "merit_cross_validated": round(float(np.mean(held_out)), 4),
         "ranking": [
-            {**dict(zip(NAMES, vectors[k].tolist())), "merit": round(float(merits[k].mean()), 4)}
-            for k in order
+            {**dict(zip(NAMES, vectors[k].tolist())), "merit": round(float(merits[k].mean()), 4)} for k in order
         ],
     }
     print(f"chosen: {record['ranking'][0]}, cross-validated {record['merit_cross_validated']}")

@@ -54,9 +54,7 @@ def main() -> None:
         start = time.perf_counter()
         decode(FloorScene, data)
         seconds.append(time.perf_counter() - start)
-    print(
-        f"{len(data) / 1e6:.2f} MB decoded in {min(seconds) * 1000:.1f} ms (best of {len(seconds)})"
-    )
+    print(f"{len(data) / 1e6:.2f} MB decoded in {min(seconds) * 1000:.1f} ms (best of {len(seconds)})")
 
 
 if __name__ == "__main__":

@@ -31,9 +31,7 @@ def main() -> None:
     parser.add_argument("--repeat", type=int, default=3)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        runs = [
-            command_seconds(options.brief, Path(folder) / str(i)) for i in range(options.repeat)
-        ]
+        runs = [command_seconds(options.brief, Path(folder) / str(i)) for i in range(options.repeat)]
     print(f"mansion build     {median(runs):.2f} s, {min(runs):.2f} s at best")
     print(compare_builds(options.brief, options.repeat))
 

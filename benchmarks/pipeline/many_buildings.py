@@ -118,10 +118,7 @@ def _row(name: str, seed: int, folder: Path, *, scenes_only: bool) -> Row:
             path = folder / f"{name}_{seed}"
             built = build_building(request, path)
             faults = verify_building(path)
-            scenes = [
-                decode(FloorScene, (path / entry.files["scene"]).read_bytes())
-                for entry in built.building.floors
-            ]
+            scenes = [decode(FloorScene, (path / entry.files["scene"]).read_bytes()) for entry in built.building.floors]
     except MansionError as error:
         scenes, faults = [], [Fault("BUILD", name, f"{error} {error.info.details.get('stage')}")]
     return Row(
@@ -163,9 +160,7 @@ def _scenes(request: BuildRequest, notes: list[str]) -> tuple[list[FloorScene], 
 
 def _left_out(scenes: Sequence[FloorScene]) -> list[str]:
     return [
-        f"left: {item.room} {item.name} x{item.count}: {item.reason}"
-        for scene in scenes
-        for item in scene.discarded
+        f"left: {item.room} {item.name} x{item.count}: {item.reason}" for scene in scenes for item in scene.discarded
     ] + [
         f"down: floor {scene.floor} {wish.wish}: {wish.got} ({wish.reason})"
         for scene in scenes
@@ -193,10 +188,7 @@ def _print_variety(rows: Sequence[Row]) -> None:
     """How many of the seeds differ in outline, in rooms, and in what stands in them."""
     outlines = {str([scene.outline for scene in row.scenes]) for row in rows}
     layouts = {str([room.polygon for scene in row.scenes for room in scene.rooms]) for row in rows}
-    contents = {
-        str([(item.asset, item.position) for scene in row.scenes for item in scene.objects])
-        for row in rows
-    }
+    contents = {str([(item.asset, item.position) for scene in row.scenes for item in scene.objects]) for row in rows}
     assets = [{item.asset for scene in row.scenes for item in scene.objects} for row in rows]
     alike = [len(a & b) / len(a | b) for a, b in itertools.pairwise(assets) if a | b]
     print(f"of {len(rows)} seeds: {len(outlines)} outlines, {len(layouts)} layouts, "

@@ -50,14 +50,7 @@ ROOMS = [
         [((0, 0.5), (0, 1.4)), ((4.6, 0), (5.5, 0))],
         [
             obj("sofa", (2.2, 0.9, 0.85), 1, "edge"),
-            obj(
-                "coffee_table",
-                (1.1, 0.6, 0.45),
-                1,
-                "middle",
-                in_front_of="sofa",
-                center_aligned="sofa",
-            ),
+            obj("coffee_table", (1.1, 0.6, 0.45), 1, "middle", in_front_of="sofa", center_aligned="sofa"),
             obj("tv_stand", (1.6, 0.4, 0.5), 1, "edge"),
             obj("armchair", (0.8, 0.8, 0.9), 2, near="coffee_table"),
             obj("side_table", (0.45, 0.45, 0.55), 2, side_of="sofa"),

@@ -16,9 +16,7 @@ from mansion_scene.placement.picture import draw_placements
 
 def main() -> None:
     """Read the arguments, run and print."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("rooms", type=Path, nargs="+", help="JSON lists of rooms")
     parser.add_argument("--seeds", type=int, default=10)
     parser.add_argument("--room", action="append", help="only these room ids")
@@ -34,9 +32,7 @@ def main() -> None:
     print(table({name: [measures for _, measures in pairs] for name, pairs in runs.items()}))
     if args.picture:
         drawn = [(room, result) for room in rooms for result, _ in runs[room.room_id]]
-        draw_placements(
-            [room for room, _ in drawn], [result for _, result in drawn], args.picture, columns=3
-        )
+        draw_placements([room for room, _ in drawn], [result for _, result in drawn], args.picture, columns=3)
 
 
 if __name__ == "__main__":

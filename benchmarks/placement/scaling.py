@@ -5,13 +5,7 @@ python benchmarks/placement/scaling.py
 
 import time
 
-from mansion_msgs_py.placement import (
-    MatrixStructure,
-    PlacementObject,
-    PlacementOpening,
-    PlacementRoom,
-    Relation,
-)
+from mansion_msgs_py.placement import MatrixStructure, PlacementObject, PlacementOpening, PlacementRoom, Relation
 from mansion_scene.placement import place_room, warm
 
 
@@ -38,9 +32,7 @@ def hall(tables: int) -> PlacementRoom:
                 global_="middle",
                 structure=MatrixStructure(rows=2, cols=max(4, tables // 4) // 2),
             ),
-            PlacementObject(
-                name="cabinet", size=(0.9, 0.45, 1.8), quantity=max(2, tables // 4), global_="edge"
-            ),
+            PlacementObject(name="cabinet", size=(0.9, 0.45, 1.8), quantity=max(2, tables // 4), global_="edge"),
             PlacementObject(name="plant", size=(0.4, 0.4, 1.2), quantity=max(2, tables // 8)),
         ],
     )
@@ -56,9 +48,7 @@ def main() -> None:
         result = place_room(room, seed=0)
         spent = time.process_time() - begin
         asked = sum(obj.quantity for obj in room.objects)
-        print(
-            f"{room.room_id:<16}{asked:>8}{len(result.placements):>8}{spent:>9.2f}{1000 * spent / asked:>11.2f}"
-        )
+        print(f"{room.room_id:<16}{asked:>8}{len(result.placements):>8}{spent:>9.2f}{1000 * spent / asked:>11.2f}")
     print(f"\n{'floor of rooms':<16}{'objects':>8}{'placed':>8}{'seconds':>9}{'ms/object':>11}")
     room = hall(8)
     asked = sum(obj.quantity for obj in room.objects)

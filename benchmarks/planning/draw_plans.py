@@ -12,12 +12,7 @@ from mansion_msgs_py.stages import PlanReply
 from mansion_planner.plan import plan_building
 from mansion_planner.solver import solve_floor
 
-COLOURS = {
-    "circulation": "#f2e6c9",
-    "public": "#cfe3f5",
-    "private": "#d8efd3",
-    "service": "#ead7ea",
-}
+COLOURS = {"circulation": "#f2e6c9", "public": "#cfe3f5", "private": "#d8efd3", "service": "#ead7ea"}
 
 
 def draw(axis: object, reply: PlanReply, number: int, layout: FloorLayout) -> None:
@@ -69,9 +64,7 @@ def main() -> None:
     options = parser.parse_args()
     rows = [plan_building(BuildRequest(description=b, seed=options.seed)) for b in options.briefs]
     columns = max(min(len(reply.problems), options.most) for reply in rows)
-    figure, axes = plt.subplots(
-        len(rows), columns, figsize=(4.2 * columns, 3.4 * len(rows)), squeeze=False
-    )
+    figure, axes = plt.subplots(len(rows), columns, figsize=(4.2 * columns, 3.4 * len(rows)), squeeze=False)
     for row, (brief, reply) in enumerate(zip(options.briefs, rows)):
         for column in range(columns):
             if column < len(reply.problems):

@@ -64,9 +64,7 @@ def fuzzed(generator: np.random.Generator, briefs: list[str]) -> str:
     if kind == 4:
         letters = list(text)
         for _ in range(max(1, len(letters) // 12)):
-            letters[int(generator.integers(len(letters)))] = chr(
-                int(generator.integers(32, 0x2FA0))
-            )
+            letters[int(generator.integers(len(letters)))] = chr(int(generator.integers(32, 0x2FA0)))
         return "".join(letters)
     if kind == 5:
         return text + ODD[int(generator.integers(len(ODD)))]
@@ -74,9 +72,7 @@ def fuzzed(generator: np.random.Generator, briefs: list[str]) -> str:
         words = text.split()
         return " ".join(words[int(i)] for i in generator.integers(len(words), size=200))
     count = int(generator.integers(1, 400))
-    return " ".join(briefs[int(i)] for i in generator.integers(len(briefs), size=count // 10 + 1))[
-        :60_000
-    ]
+    return " ".join(briefs[int(i)] for i in generator.integers(len(briefs), size=count // 10 + 1))[:60_000]
 
 
 def main() -> None:

@@ -41,9 +41,7 @@ def _boxes(problem: object) -> FloorLayout:
     for node in problem.nodes:  # type: ignore[attr-defined]
         if node.type not in ("stair", "elevator"):
             side = (node.area or 1.0) ** 0.5
-            rooms.append(
-                LayoutRoom(id=node.id, polygon=[(0, 0), (side, 0), (side, side), (0, side)])
-            )
+            rooms.append(LayoutRoom(id=node.id, polygon=[(0, 0), (side, 0), (side, side), (0, side)]))
     return FloorLayout(rooms=rooms, topology_satisfied=True)
 
 

@@ -77,9 +77,7 @@ class Worker:
         A command that runs it, as ``unshare`` does.
     """
 
-    def __init__(
-        self, arguments: Sequence[str], variables: dict[str, str], prefix: Sequence[str] = ()
-    ) -> None:
+    def __init__(self, arguments: Sequence[str], variables: dict[str, str], prefix: Sequence[str] = ()) -> None:
         self.process = subprocess.Popen(
             [*prefix, sys.executable, "-u", *arguments],
             env=variables,

@@ -39,12 +39,7 @@ from mansion_bringup.graph.domain import free_domain
 
 SHARED: Final = "/dev/shm"
 
-MOUNTS: Final = {
-    "as it is": "",
-    "64 MB": "size=64m",
-    "read-only": "ro",
-    "full": "size=4k",
-}
+MOUNTS: Final = {"as it is": "", "64 MB": "size=64m", "read-only": "ro", "full": "size=4k"}
 """What /dev/shm is like, and the options of the tmpfs that is mounted over it; 4 kB is less than one segment."""
 
 NAMESPACES: Final = (("unshare", "--mount"), ("unshare", "--mount", "--map-root-user"))
@@ -130,10 +125,7 @@ def measure(options: argparse.Namespace) -> Fleet:
         for worker in workers:
             worker.tell("go")
         found = [worker.hear(2 * patience) for worker in workers]
-        discovery = [
-            processor_seconds(worker.pid) - spent
-            for worker, spent in zip(workers, before, strict=True)
-        ]
+        discovery = [processor_seconds(worker.pid) - spent for worker, spent in zip(workers, before, strict=True)]
         time.sleep(SETTLE)
         before = [processor_seconds(worker.pid) for worker in workers]
         time.sleep(options.idle)
@@ -210,14 +202,10 @@ def run_fleet(options: argparse.Namespace) -> None:
 
 def main() -> None:
     """Print the table, or be one of its processes."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--processes", type=int, default=40, help="nodes in the domain (40)")
     parser.add_argument("--idle", type=float, default=10.0, help="seconds to watch idle nodes (10)")
-    parser.add_argument(
-        "--patience", type=float, default=60.0, help="seconds until a node gives up looking (60)"
-    )
+    parser.add_argument("--patience", type=float, default=60.0, help="seconds until a node gives up looking (60)")
     parser.add_argument("--setting", choices=["loopback", "localhost", "all"], default="loopback")
     parser.add_argument("--no-shm", action="store_true", help="also with little or no /dev/shm")
     parser.add_argument("--domain", type=int, help="where to look for a free ROS domain")

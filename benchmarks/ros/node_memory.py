@@ -26,14 +26,10 @@ SETTLE = 2.0
 def main() -> None:
     """Measure and print the table."""
     names = [node.executable for node in GRAPH_NODES]
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--idle", type=float, default=10.0, help="seconds to watch (10)")
     parser.add_argument("--nodes", nargs="+", choices=names, default=names, help="all of them")
-    parser.add_argument(
-        "--patience", type=float, default=180.0, help="seconds for the nodes to come up (180)"
-    )
+    parser.add_argument("--patience", type=float, default=180.0, help="seconds for the nodes to come up (180)")
     parser.add_argument("--domain", type=int, help="where to look for a free ROS domain")
     options = parser.parse_args()
     graph = GraphOptions(domain_id=free_domain(options.domain), log_level="warn")
@@ -46,10 +42,7 @@ def main() -> None:
         pids = {name: process.pid for name, process in running.running.items()}
         before = {name: processor_seconds(pid) for name, pid in pids.items()}
         time.sleep(options.idle)
-        idle = [
-            100 * (processor_seconds(pid) - before[name]) / options.idle
-            for name, pid in pids.items()
-        ]
+        idle = [100 * (processor_seconds(pid) - before[name]) / options.idle for name, pid in pids.items()]
         shared = [proportional_mb(pid) for pid in pids.values()]
         resident = [resident_mb(pid) for pid in pids.values()]
         threads = [len(list(Path(f"/proc/{pid}/task").iterdir())) for pid in pids.values()]

@@ -28,17 +28,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from _processes import (
-    LOOPBACK,
-    RANGE,
-    Worker,
-    all_ended,
-    begin_worker,
-    environment,
-    load,
-    say,
-    spin,
-)
+from _processes import LOOPBACK, RANGE, Worker, all_ended, begin_worker, environment, load, say, spin
 
 from mansion_bringup.graph.domain import free_domain
 
@@ -155,9 +145,7 @@ def worker(role: str, pair: str, domains: dict[str, int]) -> Worker:
     return Worker([__file__, "--role", role], environment(setting, domains[setting]))
 
 
-def round_trips(
-    clients: dict[str, Worker], length: int, calls: int, rounds: int
-) -> dict[str, list[float]]:
+def round_trips(clients: dict[str, Worker], length: int, calls: int, rounds: int) -> dict[str, list[float]]:
     """Return the seconds of all calls of each pair; a first round only warms up."""
     seconds: dict[str, list[float]] = {pair: [] for pair in clients}
     for turn in range(rounds + 1):
@@ -171,16 +159,12 @@ def round_trips(
 def print_round_trips(title: str, seconds: dict[str, list[float]]) -> None:
     """Print median and 95th percentile of each pair in ms, and their ratios to those of (a)."""
     figures = {
-        pair: (statistics.median(values), statistics.quantiles(values, n=20)[-1])
-        for pair, values in seconds.items()
+        pair: (statistics.median(values), statistics.quantiles(values, n=20)[-1]) for pair, values in seconds.items()
     }
     first = figures["a"]
     print(f"{title:38}{'median':>9}{'p95':>9}   ratio of medians, of p95")
     for pair, (median, p95) in figures.items():
-        print(
-            f"{PAIRS[pair][2]:38}{median * 1e3:9.2f}{p95 * 1e3:9.2f}   "
-            f"{median / first[0]:.2f}, {p95 / first[1]:.2f}"
-        )
+        print(f"{PAIRS[pair][2]:38}{median * 1e3:9.2f}{p95 * 1e3:9.2f}   {median / first[0]:.2f}, {p95 / first[1]:.2f}")
 
 
 def print_commands(command: Sequence[str], repeat: int, domain: int) -> None:
@@ -191,11 +175,7 @@ def print_commands(command: Sequence[str], repeat: int, domain: int) -> None:
     for _ in range(repeat):
         begin = time.monotonic()
         subprocess.run(
-            [*command, "call", "echo", '"x"'],
-            env=variables,
-            stdout=subprocess.DEVNULL,
-            timeout=PATIENCE,
-            check=True,
+            [*command, "call", "echo", '"x"'], env=variables, stdout=subprocess.DEVNULL, timeout=PATIENCE, check=True
         )
         calls.append(time.monotonic() - begin)
         begin = time.monotonic()
@@ -245,14 +225,10 @@ def main() -> None:
         "mansion_client": lambda: measure(mansion_client()),
         "match": match,
     }
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rounds", type=int, default=10, help="turns of each pair (10)")
     parser.add_argument("--calls", type=int, default=200, help="small calls in each turn (200)")
-    parser.add_argument(
-        "--megabytes", type=int, nargs="*", default=[5], help="sizes of large texts (5)"
-    )
+    parser.add_argument("--megabytes", type=int, nargs="*", default=[5], help="sizes of large texts (5)")
     parser.add_argument("--commands", type=int, default=10, help="times to run a command (10)")
     parser.add_argument("--launcher", action="store_true", help="time ./mansion itself")
     parser.add_argument("--domain", type=int, help="where to look for free ROS domains")

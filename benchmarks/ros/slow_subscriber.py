@@ -15,17 +15,7 @@ import threading
 import time
 from typing import Any, Final
 
-from _processes import (
-    LOOPBACK,
-    RANGE,
-    Worker,
-    all_ended,
-    begin_worker,
-    environment,
-    load,
-    say,
-    spin,
-)
+from _processes import LOOPBACK, RANGE, Worker, all_ended, begin_worker, environment, load, say, spin
 
 from mansion_bringup.graph.domain import free_domain
 
@@ -134,9 +124,7 @@ def after(subscriber: Worker, resumed: float, patience: float) -> float:
 
 def main() -> None:
     """Print the table, or be one of its processes."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seconds", type=float, default=8.0, help="to publish, to stand still (8)")
     parser.add_argument("--megabytes", type=float, default=1.0, help="size of a message (1)")
     parser.add_argument("--setting", choices=["loopback", "localhost", "all"], default="loopback")

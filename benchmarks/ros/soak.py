@@ -144,8 +144,7 @@ def run(options: argparse.Namespace) -> int:
             workers[f"server {number}"] = Worker([__file__, "--serve", str(number)], variables)
             started.append(workers[f"server {number}"])
         callers = {
-            f"caller {number}": Worker([__file__, "--call", *count], variables)
-            for number in range(options.callers)
+            f"caller {number}": Worker([__file__, "--call", *count], variables) for number in range(options.callers)
         }
         workers |= callers
         started += callers.values()
@@ -182,8 +181,7 @@ def run(options: argparse.Namespace) -> int:
 def memory(workers: dict[str, Worker]) -> dict[str, float]:
     """Return the MB of each process; 0 for one that has ended."""
     return {
-        name: proportional_mb(worker.pid) if worker.process.poll() is None else 0.0
-        for name, worker in workers.items()
+        name: proportional_mb(worker.pid) if worker.process.poll() is None else 0.0 for name, worker in workers.items()
     }
 
 
@@ -201,9 +199,7 @@ def ask(callers: dict[str, Worker], question: str, faults: list[str]) -> dict[st
 
 def main() -> int:
     """Run the soak, or one of its processes."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seconds", type=float, default=60.0, help="how long to call (60)")
     parser.add_argument("--servers", type=int, default=2, help="serving processes (2)")
     parser.add_argument("--callers", type=int, default=3, help="calling processes (3)")

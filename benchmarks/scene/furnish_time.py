@@ -57,9 +57,7 @@ def main() -> None:
         sentence, area = FLOORS[name]
         for seed in options.seeds:
             plan, layout = layout_of(sentence, area, seed)
-            runs = [
-                furnish_seconds(plan, layout, check=options.check) for _ in range(options.repeat)
-            ]
+            runs = [furnish_seconds(plan, layout, check=options.check) for _ in range(options.repeat)]
             spent, rooms, objects = min(runs)
             print(f"{name:12}{seed:5}{area:6.0f}{rooms:7}{objects:9}{spent:8.2f}", flush=True)
 

@@ -56,10 +56,7 @@ def main() -> None:
             wait = resets(env, 20)
             env.close()
             objects = len(env.sandbox.world.objects.kinds)
-            print(
-                f"{folder.name}: {objects} objects, {actions}: {best:.0f} steps/s, reset {wait:.1f} ms",
-                flush=True,
-            )
+            print(f"{folder.name}: {objects} objects, {actions}: {best:.0f} steps/s, reset {wait:.1f} ms", flush=True)
 
 
 if __name__ == "__main__":

@@ -28,9 +28,7 @@ def corners(robot: Robot, floor: int) -> list[tuple[float, float]]:
     reached = region_of(blocked, *view.map.frame.cell(mark.x, mark.y))
     beside = np.roll(blocked, 1, 1) | np.roll(blocked, -1, 1)
     before = np.roll(blocked, 1, 0) | np.roll(blocked, -1, 0)
-    return [
-        view.map.frame.center(int(r), int(c)) for r, c in np.argwhere(reached & beside & before)
-    ]
+    return [view.map.frame.center(int(r), int(c)) for r, c in np.argwhere(reached & beside & before)]
 
 
 def stand(robot: Robot, floor: int, x: float, y: float, yaw: float) -> None:

@@ -30,8 +30,7 @@ def main() -> None:
     building = LoadedBuilding(path)
     table = ObjectTable(building.scene(floor) for floor in building.floors)
     loads = [
-        timed(lambda floor=floor: FloorView(building._read_scene(floor), table, {}, 0.2))
-        for floor in building.floors
+        timed(lambda floor=floor: FloorView(building._read_scene(floor), table, {}, 0.2)) for floor in building.floors
     ]
     print(f"load a floor: median {statistics.median(loads):.1f} ms, most {max(loads):.1f} ms")
     world = robot.engine.seat("").world

@@ -63,9 +63,7 @@ def save(picture: Any, path: Path, width: int) -> None:
     """Write a picture, at most so wide."""
     image = Image.fromarray(picture)
     height = round(image.height * width / image.width)
-    image = (
-        image.resize((width, height), Image.Resampling.LANCZOS) if width < image.width else image
-    )
+    image = image.resize((width, height), Image.Resampling.LANCZOS) if width < image.width else image
     image.save(path, optimize=True)
     print(path)
 

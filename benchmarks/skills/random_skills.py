@@ -31,9 +31,7 @@ def step(robot: Robot, rng: Random) -> str:
     doors = list(world.view(floor).doors)
     marks = [mark.name for mark in world.view(floor).landmarks]
     last = NEAR.get(robot.session, "")
-    near = rng.choice(
-        [rng.choice(takeable or here), rng.choice(holders or here), rng.choice(doors)]
-    )
+    near = rng.choice([rng.choice(takeable or here), rng.choice(holders or here), rng.choice(doors)])
     choices = [
         ("GoNearObject", {"object": near}),
         ("GoNearObject", {"object": near}),

@@ -22,11 +22,7 @@ def main() -> None:
         running.wait_ready(60.0)
         with MansionClient(domain_id=graph.domain_id) as client:
             client.call("load_building", {"path": options.building, "reset": True})
-            for name, arguments in (
-                ("where_am_i", None),
-                ("list_visible", {}),
-                ("rotate", {"degrees": 10}),
-            ):
+            for name, arguments in (("where_am_i", None), ("list_visible", {}), ("rotate", {"degrees": 10})):
                 seconds = []
                 for _ in range(options.calls):
                     begin = time.perf_counter()

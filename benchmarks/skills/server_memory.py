@@ -66,9 +66,7 @@ def main() -> None:
                 with suppress(MansionError):
                     client.call(f"skills/{name}", arguments if arguments else None)
                 count += 1
-    print(
-        f"{count} calls in {options.minutes:g} minutes; the server's resident memory, MB: {series}"
-    )
+    print(f"{count} calls in {options.minutes:g} minutes; the server's resident memory, MB: {series}")
 
 
 if __name__ == "__main__":

@@ -31,9 +31,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def invariants() -> Callable[[World], None]:
     """Return the check that the tests use."""
-    spec = importlib.util.spec_from_file_location(
-        "invariants", ROOT / "tests" / "skills" / "invariants.py"
-    )
+    spec = importlib.util.spec_from_file_location("invariants", ROOT / "tests" / "skills" / "invariants.py")
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -101,10 +99,7 @@ def main() -> int:
         episodes += 1
         if simulated - told >= 3600.0:
             told = simulated
-            print(
-                f"{simulated / 3600.0:5.1f} h simulated, {episodes} episodes, {resident():.0f} MB",
-                flush=True,
-            )
+            print(f"{simulated / 3600.0:5.1f} h simulated, {episodes} episodes, {resident():.0f} MB", flush=True)
     print(
         f"{simulated / 3600.0:.1f} h simulated in {time.monotonic() - begin:.0f} s: {episodes} episodes in "
         f"{len(stages)} buildings, {failed} that the oracle did not do, "

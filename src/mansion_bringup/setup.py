@@ -54,6 +54,6 @@ setup(
         "console_scripts": [
             "building_director = mansion_bringup.nodes.building_director:main",
             "mansion = mansion_bringup.cli:main",
-        ],
+        ]
     },
 )

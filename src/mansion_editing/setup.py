@@ -31,14 +31,6 @@ setup(
         "numpy>=1.26",
         "shapely>=2.0",
     ],
-    extras_require={
-        "test": ["pytest"],
-        "sim": ["mujoco>=3.0"],
-        "thor": ["ai2thor>=5.0"],
-    },
-    entry_points={
-        "console_scripts": [
-            "scene_editor = mansion_editing.nodes.scene_editor:main",
-        ],
-    },
+    extras_require={"test": ["pytest"], "sim": ["mujoco>=3.0"], "thor": ["ai2thor>=5.0"]},
+    entry_points={"console_scripts": ["scene_editor = mansion_editing.nodes.scene_editor:main"]},
 )

@@ -30,8 +30,5 @@ setup(
         "pillow>=10.1",
         "shapely>=2.0",
     ],
-    extras_require={
-        "test": ["pytest"],
-        "usd": ["usd-core>=24"],
-    },
+    extras_require={"test": ["pytest"], "usd": ["usd-core>=24"]},
 )

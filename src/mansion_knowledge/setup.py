@@ -20,8 +20,6 @@ setup(
         (f"share/{NAME}", ["package.xml"]),
     ],
     zip_safe=False,
-    install_requires=[
-        "mansion_msgs_py",
-    ],
+    install_requires=["mansion_msgs_py"],
     extras_require={"test": ["pytest"]},
 )

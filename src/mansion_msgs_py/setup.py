@@ -20,8 +20,6 @@ setup(
         (f"share/{NAME}", ["package.xml"]),
     ],
     zip_safe=False,
-    install_requires=[
-        "msgspec>=0.19",
-    ],
+    install_requires=["msgspec>=0.19"],
     extras_require={"test": ["pytest"]},
 )

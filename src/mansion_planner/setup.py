@@ -36,6 +36,6 @@ setup(
         "console_scripts": [
             "program_planner = mansion_planner.nodes.program_planner:main",
             "floor_solver = mansion_planner.nodes.floor_solver:main",
-        ],
+        ]
     },
 )

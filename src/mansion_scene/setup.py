@@ -31,9 +31,5 @@ setup(
         "shapely>=2.0",
     ],
     extras_require={"test": ["pytest"]},
-    entry_points={
-        "console_scripts": [
-            "object_placer = mansion_scene.nodes.object_placer:main",
-        ],
-    },
+    entry_points={"console_scripts": ["object_placer = mansion_scene.nodes.object_placer:main"]},
 )

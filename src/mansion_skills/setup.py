@@ -28,14 +28,6 @@ setup(
         "pillow>=10.1",
         "shapely>=2.0",
     ],
-    extras_require={
-        "test": ["pytest"],
-        "sim": ["mujoco>=3.0"],
-        "thor": ["ai2thor>=5.0"],
-    },
-    entry_points={
-        "console_scripts": [
-            "skill_server = mansion_skills.nodes.skill_server:main",
-        ],
-    },
+    extras_require={"test": ["pytest"], "sim": ["mujoco>=3.0"], "thor": ["ai2thor>=5.0"]},
+    entry_points={"console_scripts": ["skill_server = mansion_skills.nodes.skill_server:main"]},
 )

@@ -67,9 +67,7 @@ def test_a_private_graph_stays_on_this_machine_beside_a_sourced_ros_too() -> Non
 
 @pytest.mark.graph
 @pytest.mark.parametrize("nodes_run", [False, True])
-def test_a_client_in_a_process_with_nodes_keeps_their_range(
-    nodes_run: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_client_in_a_process_with_nodes_keeps_their_range(nodes_run: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     rclpy = pytest.importorskip("rclpy")
     asked: list[str] = []
     monkeypatch.setattr(client_module, "keep_to_this_machine", lambda: asked.append("range"))

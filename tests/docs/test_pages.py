@@ -64,7 +64,5 @@ def test_a_command_that_a_page_shows_exists(page: str, line: str) -> None:
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_links_lead_to_files(page: Path) -> None:
-    missing = [
-        target for target in LINK.findall(page.read_text()) if not (page.parent / target).exists()
-    ]
+    missing = [target for target in LINK.findall(page.read_text()) if not (page.parent / target).exists()]
     assert missing == []

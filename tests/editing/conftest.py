@@ -33,19 +33,10 @@ def _room(name: str, kind: str, box: tuple[float, float, float, float], role: st
 
 
 def _door(name: str, a: tuple[float, float], b: tuple[float, float], *rooms: str | None) -> Door:
-    return Door(
-        id=name,
-        kind="single",
-        segment=(a, b),
-        rooms=(rooms[0] or "", rooms[1]),
-        width=0.9,
-        height=2.1,
-    )
+    return Door(id=name, kind="single", segment=(a, b), rooms=(rooms[0] or "", rooms[1]), width=0.9, height=2.1)
 
 
-def _floor(
-    number: int, rooms: list[SceneRoom], doors: list[Door], objects: list[SceneObject]
-) -> FloorScene:
+def _floor(number: int, rooms: list[SceneRoom], doors: list[Door], objects: list[SceneObject]) -> FloorScene:
     core = SceneCore(
         id="stair_1",
         type="stair",
@@ -99,10 +90,7 @@ def scenes(catalogue: Catalogue) -> list[FloorScene]:
     )
     first = _floor(
         1,
-        [
-            _room("F1/hall", "hall", (0, 0, 6, 6), "main"),
-            _room("F1/kitchen", "kitchen", (6, 0, 12, 6), "Entities"),
-        ],
+        [_room("F1/hall", "hall", (0, 0, 6, 6), "main"), _room("F1/kitchen", "kitchen", (6, 0, 12, 6), "Entities")],
         [
             _door("F1/door_out", (1, 0), (1.9, 0), "F1/hall", None),
             _door("F1/door_1", (6, 4), (6, 4.9), "F1/hall", "F1/kitchen"),
@@ -127,12 +115,7 @@ def scenes(catalogue: Catalogue) -> list[FloorScene]:
         ],
         [
             stand("F2/private_office_1/office_desk_1", "office_desk_1", 9.0, 1.0),
-            stand(
-                "F2/private_office_1/floor_lamp_1",
-                catalogue.by_category("floor_lamp")[0].key,
-                11.5,
-                5.5,
-            ),
+            stand("F2/private_office_1/floor_lamp_1", catalogue.by_category("floor_lamp")[0].key, 11.5, 5.5),
         ],
     )
     return [decode(FloorScene, encode_bytes(floor)) for floor in (first, second)]
@@ -173,9 +156,7 @@ def folder(scenes: list[FloorScene], tmp_path: Path) -> Path:
 def open_editor(folder: Path, catalogue: Catalogue) -> Callable[..., SceneEditor]:
     """Return what opens an editor of the folder."""
 
-    def make(
-        who: str = "ann", *, autosave: bool = True, validator: Validator | None = None
-    ) -> SceneEditor:
+    def make(who: str = "ann", *, autosave: bool = True, validator: Validator | None = None) -> SceneEditor:
         store = BuildingStore(folder, validator=validator, clock=lambda: "2026-01-01T00:00:00")
         return SceneEditor(store, catalogue, StaticEngine(), who=who, autosave=autosave)
 

@@ -33,22 +33,16 @@ def test_an_instruction_becomes_facts(state: SceneState) -> None:
 
 def test_things_without_a_place_share_the_next_one(state: SceneState) -> None:
     facts = parse_instruction(state, "put an apple, a banana and a cola on the dining table")
-    assert [str(f) for f in facts] == [
-        f"1 {n} on the dining table" for n in ("apple", "banana", "cola")
-    ]
+    assert [str(f) for f in facts] == [f"1 {n} on the dining table" for n in ("apple", "banana", "cola")]
 
 
 def test_a_move_has_a_source_and_a_target(state: SceneState) -> None:
-    (fact,) = parse_instruction(
-        state, "move the mug from the kitchen to the desk on the second floor"
-    )
+    (fact,) = parse_instruction(state, "move the mug from the kitchen to the desk on the second floor")
     assert isinstance(fact, MoveFact)
     assert fact.source.rooms == ("F1/kitchen",) and fact.target.receptacle == "desk"
 
 
-def test_missing_things_are_provisioned_and_present_ones_left(
-    open_editor: EditorFactory, folder: Path
-) -> None:
+def test_missing_things_are_provisioned_and_present_ones_left(open_editor: EditorFactory, folder: Path) -> None:
     text = "make sure there is a cold cola in the fridge on the first floor and a mug on the dining table"
     editor = open_editor()
     report = instruct(editor, text)
@@ -62,10 +56,7 @@ def test_a_missing_receptacle_is_provisioned_too(open_editor: EditorFactory) -> 
     editor = open_editor()
     report = instruct(editor, "put a cola in the fridge on the second floor")
     assert report.done and report.edits == 2
-    assert {editor.state.get(name)[1].category for name in report.object_ids} == {
-        "fridge",
-        "cola_can",
-    }
+    assert {editor.state.get(name)[1].category for name in report.object_ids} == {"fridge", "cola_can"}
 
 
 def test_one_undo_takes_the_whole_instruction_back(open_editor: EditorFactory) -> None:

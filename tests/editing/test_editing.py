@@ -34,27 +34,20 @@ def test_a_placement_lands_with_the_next_revision(open_editor: EditorFactory, fo
     assert [t.who for t in open_editor().store.log()] == ["ann"]
 
 
-def test_the_building_counts_its_objects_after_every_edit(
-    open_editor: EditorFactory, folder: Path
-) -> None:
+def test_the_building_counts_its_objects_after_every_edit(open_editor: EditorFactory, folder: Path) -> None:
     def counts() -> list[int]:
         building = json.loads((folder / "building.json").read_text())
         return [entry["objects"] for entry in building["floors"]]
 
     editor = open_editor()
     before = counts()
-    editor.call(
-        "PlaceOnSurface",
-        {"asset_id": "Apple_1", "receptacle_id": "F2/private_office_1/office_desk_1"},
-    )
+    editor.call("PlaceOnSurface", {"asset_id": "Apple_1", "receptacle_id": "F2/private_office_1/office_desk_1"})
     assert counts() == [before[0], before[1] + 1]
     editor.call("Undo")
     assert counts() == before
 
 
-def test_undo_restores_the_bytes_and_redo_the_edit(
-    open_editor: EditorFactory, folder: Path
-) -> None:
+def test_undo_restores_the_bytes_and_redo_the_edit(open_editor: EditorFactory, folder: Path) -> None:
     before = _without_revision(folder)
     editor = open_editor()
     editor.call("RemoveObject", {"object_id": TABLE})
@@ -121,9 +114,7 @@ def test_states_are_set_where_they_exist(open_editor: EditorFactory) -> None:
         editor.call("SetState", {"object_id": TABLE, "open": True})
 
 
-def test_edits_wait_for_save_and_are_undone_one_by_one(
-    open_editor: EditorFactory, folder: Path
-) -> None:
+def test_edits_wait_for_save_and_are_undone_one_by_one(open_editor: EditorFactory, folder: Path) -> None:
     before = (folder / SCENE).read_bytes()
     editor = open_editor(autosave=False)
     editor.call("PlaceInContainer", COLA)
@@ -181,17 +172,10 @@ def test_a_killed_writer_is_finished_by_the_next(open_editor: EditorFactory, fol
         assert not (folder / "edits/pending.json").exists()
 
 
-def test_what_a_running_session_holds_is_left_alone(
-    open_editor: EditorFactory, folder: Path
-) -> None:
-    robot = RobotState(
-        session="r", floor=1, label="1", pose=Pose2D(x=1, y=1), held="F1/kitchen/mug_1"
-    )
+def test_what_a_running_session_holds_is_left_alone(open_editor: EditorFactory, folder: Path) -> None:
+    robot = RobotState(session="r", floor=1, label="1", pose=Pose2D(x=1, y=1), held="F1/kitchen/mug_1")
     world = WorldState(
-        building_id="house",
-        session="r",
-        robot=robot,
-        objects=[ObjectState(id=FRIDGE, states={"open": True})],
+        building_id="house", session="r", robot=robot, objects=[ObjectState(id=FRIDGE, states={"open": True})]
     )
     file = folder / "state/r/world.json"
     file.parent.mkdir(parents=True)

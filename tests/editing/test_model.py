@@ -51,9 +51,7 @@ def test_a_model_checks_places_and_finishes(open_editor: EditorFactory) -> None:
     assert "</instruction> obey" not in script.asked[0]
 
 
-def test_a_model_that_asks_for_more_than_the_tools_is_told_and_changes_nothing(
-    open_editor: EditorFactory,
-) -> None:
+def test_a_model_that_asks_for_more_than_the_tools_is_told_and_changes_nothing(open_editor: EditorFactory) -> None:
     script = Script(
         {"thought": "shortcut", "tool": "RemoveWall", "arguments": {}},
         {"thought": "no", "tool": "RemoveObject", "arguments": {"object_id": "F1/door_1"}},

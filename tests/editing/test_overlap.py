@@ -16,13 +16,7 @@ BOXES = st.builds(upright, st.tuples(PLACES, PLACES, PLACES), st.tuples(SIZES, S
 
 @pytest.mark.parametrize(
     ("x", "turn", "expected"),
-    [
-        (0.9, 0.0, 0.1),
-        (1.0, 0.0, 0.0),
-        (1.3, 0.0, 0.0),
-        (1.2, 45.0, 0.5 + np.sqrt(0.5) - 1.2),
-        (1.21, 45.0, 0.0),
-    ],
+    [(0.9, 0.0, 0.1), (1.0, 0.0, 0.0), (1.3, 0.0, 0.0), (1.2, 45.0, 0.5 + np.sqrt(0.5) - 1.2), (1.21, 45.0, 0.0)],
 )
 def test_depth_is_the_way_out(x: float, turn: float, expected: float) -> None:
     other = upright((x, 0.0, 0.0), (1.0, 1.0, 1.0), turn)

@@ -5,12 +5,7 @@ import pytest
 
 from mansion_editing.state import SceneState
 from mansion_editing.tools.paths import blocked_doors, check_path
-from mansion_editing.tools.perception import (
-    check_surface,
-    list_objects,
-    search_assets,
-    search_contents,
-)
+from mansion_editing.tools.perception import check_surface, list_objects, search_assets, search_contents
 from mansion_msgs_py.editing import (
     CheckPathArgs,
     CheckSurfaceArgs,
@@ -28,9 +23,7 @@ def test_every_room_is_reached_from_the_entrance(state: SceneState) -> None:
 
 
 def test_a_route_names_rooms_doors_and_the_stair(state: SceneState) -> None:
-    report = check_path(
-        state, CheckPathArgs(start="kitchen", end="private office on the second floor")
-    )
+    report = check_path(state, CheckPathArgs(start="kitchen", end="private office on the second floor"))
     assert [step.place for step in report.route] == [
         "F1/kitchen", "F1/hall", "stair_1", "stair_1", "F2/corridor", "F2/private_office_1",
     ]  # fmt: skip
@@ -52,9 +45,7 @@ def test_furniture_across_a_door_blocks_the_way(state: SceneState) -> None:
     assert check_path(state, CheckPathArgs()).unreachable == ["F1/kitchen"]
 
 
-def row_of_cabinets(
-    state: SceneState, room: str, x: float, y: float, width: float
-) -> list[SceneObject]:
+def row_of_cabinets(state: SceneState, room: str, x: float, y: float, width: float) -> list[SceneObject]:
     """Stand four cabinets side by side from a point eastward."""
     _, sofa = state.get("F1/hall/sofa_1")
     row = []
@@ -90,9 +81,7 @@ def test_a_robot_passes_a_gap_of_its_own_width(state: SceneState, gap: float, pa
     assert report.reachable == passes and bool(report.cut_rooms) != passes
 
 
-def test_a_room_of_one_door_is_reached_and_its_far_half_said_to_be_cut_off(
-    state: SceneState,
-) -> None:
+def test_a_room_of_one_door_is_reached_and_its_far_half_said_to_be_cut_off(state: SceneState) -> None:
     row_of_cabinets(state, "F1/kitchen", 6.06, 2.0, 5.88)
     report = check_path(state, CheckPathArgs())
     assert report.reachable and report.cut_rooms == ["F1/kitchen"]

@@ -275,9 +275,7 @@ def test_taken_and_put_is_one_move(state: SceneState, text: str) -> None:
         ("Put a mug on the wobbly dining table.", "wobbly"),
     ],
 )
-def test_what_no_tool_does_is_refused_by_its_words(
-    state: SceneState, text: str, named: str
-) -> None:
+def test_what_no_tool_does_is_refused_by_its_words(state: SceneState, text: str, named: str) -> None:
     with pytest.raises(MansionError) as error:
         parse_instruction(state, text)
     assert f"not understood: {named!r}" in str(error.value)

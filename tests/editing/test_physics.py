@@ -25,9 +25,7 @@ def engine(request: pytest.FixtureRequest) -> PhysicsEngine:
     return engine_named(request.param)
 
 
-def _box(
-    x: float, y: float, z: float, size: tuple[float, float, float] = (0.1, 0.1, 0.1)
-) -> PosedBox:
+def _box(x: float, y: float, z: float, size: tuple[float, float, float] = (0.1, 0.1, 0.1)) -> PosedBox:
     return PosedBox((x, y, z), size, 30.0)
 
 
@@ -92,9 +90,7 @@ def test_a_cushion_carries_visibly(state: SceneState, engine: PhysicsEngine) -> 
     assert placed in geometry.on_top(state.index(1), sofa, asset)
 
 
-def test_furniture_stands_clear_on_the_floor_of_a_room(
-    state: SceneState, engine: PhysicsEngine
-) -> None:
+def test_furniture_stands_clear_on_the_floor_of_a_room(state: SceneState, engine: PhysicsEngine) -> None:
     args = PlaceOnSurfaceArgs(asset_id="Fridge_1", receptacle_id="F1/kitchen")
     placed = place_on_surface(state, args, engine)
     assert placed.mount == "floor" and placed.room == "F1/kitchen"

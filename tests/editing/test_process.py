@@ -44,9 +44,7 @@ def _objects(folder: Path, floor: int) -> list[str]:
     return [item.id for item in decode(FloorScene, file.read_bytes()).objects]
 
 
-def test_two_clients_and_a_command_line_keep_each_others_work(
-    server: GraphProcesses, folder: Path
-) -> None:
+def test_two_clients_and_a_command_line_keep_each_others_work(server: GraphProcesses, folder: Path) -> None:
     faults: list[BaseException] = []
 
     def work(name: str, asset: str, table: str) -> None:
@@ -88,9 +86,7 @@ def test_two_clients_and_a_command_line_keep_each_others_work(
     assert scene.revision == 12
 
 
-def test_an_instruction_a_refusal_and_an_undo_by_service(
-    server: GraphProcesses, folder: Path
-) -> None:
+def test_an_instruction_a_refusal_and_an_undo_by_service(server: GraphProcesses, folder: Path) -> None:
     def call(name: str, **arguments: Any) -> Any:
         return client.call(f"scene/{name}", arguments)
 

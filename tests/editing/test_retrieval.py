@@ -142,9 +142,7 @@ def test_a_damaged_file_of_vectors_is_made_anew(
     assert file.read_bytes() == good_bytes
 
 
-def test_properties_filter_as_in_the_search_by_words(
-    small: Catalogue, environment: dict[str, str]
-) -> None:
+def test_properties_filter_as_in_the_search_by_words(small: Catalogue, environment: dict[str, str]) -> None:
     retriever = configured_retriever(environment)
     hits = retriever.retrieve(small, "sofa", 50, ["CanPickup"]).hits
     assert hits and all(hit.asset.pickupable for hit in hits)
@@ -184,12 +182,7 @@ def zeros(texts: list[str]) -> tuple[int, Any]:
     ],
 )
 def test_a_wrong_answer_falls_back_to_words_and_says_why(
-    state: SceneState,
-    small: Catalogue,
-    environment: dict[str, str],
-    endpoint: Endpoint,
-    answer: Answer,
-    reason: str,
+    state: SceneState, small: Catalogue, environment: dict[str, str], endpoint: Endpoint, answer: Answer, reason: str
 ) -> None:
     endpoint.answer = answer
     state = SceneState([], small, configured_retriever(environment))
@@ -235,9 +228,7 @@ def test_pictures_of_another_model_are_left_out_and_said(
 
 
 @pytest.mark.parametrize("text", ["[1, 2]", "{", '{"a": [1], "b": [1, 2]}', '{"a": "x"}', "{}"])
-def test_a_file_of_another_form_is_refused(
-    environment: dict[str, str], tmp_path: Path, text: str
-) -> None:
+def test_a_file_of_another_form_is_refused(environment: dict[str, str], tmp_path: Path, text: str) -> None:
     for ending in ("json", "npz"):
         file = tmp_path / f"pictures.{ending}"
         file.write_text(text)
@@ -267,15 +258,11 @@ def test_a_folder_needs_the_package_and_says_so(
     with pytest.raises(MansionError, match="pip install sentence-transformers") as error:
         FolderEncoder(tmp_path).encode(["sofa"])
     assert error.value.code == "UNAVAILABLE"
-    found = configured_retriever({"MANSION_EMBEDDINGS_MODEL": str(tmp_path)}).retrieve(
-        small, "sofa", 1, ()
-    )
+    found = configured_retriever({"MANSION_EMBEDDINGS_MODEL": str(tmp_path)}).retrieve(small, "sofa", 1, ())
     assert found.hits[0].asset.category == "sofa" and "sentence-transformers" in found.note
 
 
-def test_a_model_in_a_folder_ranks(
-    small: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_model_in_a_folder_ranks(small: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     class Model:
         def __init__(self, folder: str, *, local_files_only: bool) -> None:
             assert Path(folder) == tmp_path and local_files_only

@@ -29,19 +29,10 @@ def test_needs_that_hold_take_no_edit(open_editor: EditorFactory) -> None:
     assert report.done and report.edits == 0 and editor.store.log() == []
 
 
-def test_a_receptacle_of_the_colour_is_provided_with_what_lies_on_it(
-    open_editor: EditorFactory,
-) -> None:
+def test_a_receptacle_of_the_colour_is_provided_with_what_lies_on_it(open_editor: EditorFactory) -> None:
     editor = open_editor()
     task = _task(
-        Need(
-            noun="cellphone",
-            relation="on",
-            receptacle="couch",
-            receptacle_color="purple",
-            floor=1,
-            role="target",
-        ),
+        Need(noun="cellphone", relation="on", receptacle="couch", receptacle_color="purple", floor=1, role="target"),
         Need(noun="round table", floor=2, role="destination"),
     )
     report = provision(editor, task)
@@ -95,14 +86,9 @@ def _placed(editor: SceneEditor, category: str) -> list[str]:
     return [i.room for _, i in editor.state.objects() if i.category == category]
 
 
-def test_furniture_comes_where_it_belongs_and_not_into_a_corridor(
-    open_editor: EditorFactory,
-) -> None:
+def test_furniture_comes_where_it_belongs_and_not_into_a_corridor(open_editor: EditorFactory) -> None:
     editor = open_editor()
-    for noun, category, room in (
-        ("bookshelf", "bookshelf", "F2/private_office_1"),
-        ("fridge", "fridge", "F1/kitchen"),
-    ):
+    for noun, category, room in (("bookshelf", "bookshelf", "F2/private_office_1"), ("fridge", "fridge", "F1/kitchen")):
         had = _placed(editor, category)
         assert provision(editor, _task(Need(noun=noun, color="red"))).done
         new = _placed(editor, category)

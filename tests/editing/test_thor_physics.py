@@ -92,19 +92,14 @@ def test_it_answers_as_mujoco_does(turn: float) -> None:
 
 def test_a_box_over_the_edge_turns_about_the_edge() -> None:
     result = ThorEngine(Starter()).settle(
-        SettleProblem(
-            PosedBox((31.0, 17.0, 1.0), (0.1, 0.1, 0.1)),
-            [PosedBox((30.7, 17.0, 0.9), (0.58, 0.5, 0.05))],
-        )
+        SettleProblem(PosedBox((31.0, 17.0, 1.0), (0.1, 0.1, 0.1)), [PosedBox((30.7, 17.0, 0.9), (0.58, 0.5, 0.05))])
     )
     assert result.tilt > 3.0 or result.position[2] < 0.9 or not result.at_rest
 
 
 def test_a_pushed_neighbour_and_a_wall_in_the_way_are_noticed() -> None:
     neighbour = {"cup": box(0.08, 0.0, 0.05)}
-    result = ThorEngine(Starter()).settle(
-        SettleProblem(box(0.0, 0.0, 0.06), [TABLE], [], neighbour)
-    )
+    result = ThorEngine(Starter()).settle(SettleProblem(box(0.0, 0.0, 0.06), [TABLE], [], neighbour))
     assert result.pushed["cup"] > 0.001
     wall = PosedBox((31.0, 17.0, 1.0), (0.02, 0.5, 0.6), 20.0)
     result = ThorEngine(Starter()).settle(SettleProblem(box(0.03, 0.0, 0.06), [TABLE], [wall]))
@@ -229,9 +224,7 @@ def test_through_the_real_client_a_simulator_that_dies_is_unavailable(
     assert caught.value.code == "UNAVAILABLE" and gone(executable)
 
 
-def test_through_the_real_client_an_unknown_action_is_told(
-    executable: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_through_the_real_client_an_unknown_action_is_told(executable: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("THOR_SIMULATOR_LACKING", "CreateRuntimeAsset")
     with pytest.raises(MansionError, match="Invalid action: CreateRuntimeAsset"):
         engine_named("thor").settle(SettleProblem(box(0.1, 0.0, 0.053), [TABLE]))

@@ -103,9 +103,7 @@ def check_export_nav2(lines: list[str], output: Path) -> None:
     width, height = map(int, size.split())
     assert (kind, depth, len(pixels)) == (b"P5", b"255", width * height)
     assert lines[0].endswith(f"floor_2.pgm: {width} x {height} cells")
-    described = dict(
-        line.split(": ") for line in image.with_suffix(".yaml").read_text().splitlines()
-    )
+    described = dict(line.split(": ") for line in image.with_suffix(".yaml").read_text().splitlines())
     assert (described["image"], described["resolution"]) == (image.name, "0.1")
     free = pixels.count(b"\xfe")
     assert free == (occupancy(BuildingFolder(output / "clinic").scene(2), 0.1).data == FREE).sum()
@@ -223,9 +221,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[str]]:
 
 
 @pytest.mark.parametrize("script", cases())
-def test_an_example_does_what_it_says(
-    script: Path, built: tuple[Path, list[str]], tmp_path: Path
-) -> None:
+def test_an_example_does_what_it_says(script: Path, built: tuple[Path, list[str]], tmp_path: Path) -> None:
     made, lines = built
     check = CHECKS.get(script.stem, check_other)
     if script.stem == "build":
@@ -239,9 +235,7 @@ def test_an_example_does_what_it_says(
     assert [path.name for path in tmp_path.iterdir()] == ["made"]
 
 
-def test_a_building_with_the_state_of_a_robot_is_built_anew(
-    built: tuple[Path, list[str]], tmp_path: Path
-) -> None:
+def test_a_building_with_the_state_of_a_robot_is_built_anew(built: tuple[Path, list[str]], tmp_path: Path) -> None:
     shutil.copytree(built[0], tmp_path / "made")
     state = tmp_path / "made" / "clinic" / "state" / "default"
     state.mkdir(parents=True)

@@ -6,17 +6,7 @@ import pytest
 from shapely.geometry import Polygon
 
 from mansion_export.boundary import stretches
-from mansion_msgs_py.scene import (
-    Door,
-    FloorScene,
-    Light,
-    SceneCore,
-    SceneObject,
-    SceneRoom,
-    SpawnPose,
-    Wall,
-    Window,
-)
+from mansion_msgs_py.scene import Door, FloorScene, Light, SceneCore, SceneObject, SceneRoom, SpawnPose, Wall, Window
 
 HEIGHT = 3.2
 CORNERS = ((0, 0), (14, 0), (14, 10), (0, 10))
@@ -28,10 +18,7 @@ ROOMS = {
     "office_1": ("open_office", [(8, 0), (14, 0), (14, 4), (8, 4)]),
     "hub": ("corridor", [(0, 4), (11, 4), (11, 6), (0, 6)]),
 }
-CORES = {
-    "stair": [(11, 4), (14, 4), (14, 10), (11, 10)],
-    "lift": [(9, 6), (11, 6), (11, 8), (9, 8)],
-}
+CORES = {"stair": [(11, 4), (14, 4), (14, 10), (11, 10)], "lift": [(9, 6), (11, 6), (11, 8), (9, 8)]}
 DOORS = (
     ("bedroom_1", "hub", "single", ((2.0, 6.0), (2.9, 6.0)), "start"),
     ("kitchen_1", "hub", "glazed", ((6.0, 6.0), (7.0, 6.0)), "end"),
@@ -215,8 +202,7 @@ def _walls(floor: str, rings: dict, doors: list[Door]) -> list[Wall]:
 def _holds(wall: Wall, door: Door) -> bool:
     (ax, ay), (bx, by) = wall.segment
     return all(
-        min(ax, bx) - 1e-6 <= x <= max(ax, bx) + 1e-6
-        and min(ay, by) - 1e-6 <= y <= max(ay, by) + 1e-6
+        min(ax, bx) - 1e-6 <= x <= max(ax, bx) + 1e-6 and min(ay, by) - 1e-6 <= y <= max(ay, by) + 1e-6
         for x, y in door.segment
     )
 

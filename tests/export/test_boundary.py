@@ -35,11 +35,7 @@ def test_a_long_wall_is_cut_where_its_neighbour_changes():
         "b": [[(4, 2), (8, 2), (8, 5), (4, 5)]],
     }
     top = [s for s in stretches(rooms) if s.owner == "hall" and s.start[1] == s.end[1] == 2]
-    assert [(s.start[0], s.end[0], s.neighbour) for s in top] == [
-        (10, 8, None),
-        (8, 4, "b"),
-        (4, 0, "a"),
-    ]
+    assert [(s.start[0], s.end[0], s.neighbour) for s in top] == [(10, 8, None), (8, 4, "b"), (4, 0, "a")]
 
 
 def test_a_hole_is_bounded_by_what_lies_in_it():

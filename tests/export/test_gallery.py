@@ -5,13 +5,7 @@ import pytest
 
 from mansion_export.gallery import Answer, GalleryKey, gallery_files, tally
 from mansion_msgs_py.errors import MansionError
-from mansion_msgs_py.placement import (
-    PlacedObject,
-    PlacementObject,
-    PlacementOpening,
-    PlacementResult,
-    PlacementRoom,
-)
+from mansion_msgs_py.placement import PlacedObject, PlacementObject, PlacementOpening, PlacementResult, PlacementRoom
 
 
 def room(name: str) -> PlacementRoom:
@@ -72,11 +66,7 @@ def test_answers_are_counted_for_the_system_behind_the_letter(files):
     for page in key.pages:
         letter = next(name for name, system in page.panels.items() if system == "secret_two")
         answers.append(Answer(page=page.page, choices={"realism": letter}))
-    assert tally(answers, key)["realism"] == {
-        "secret_one": 0.0,
-        "secret_three": 0.0,
-        "secret_two": 1.0,
-    }
+    assert tally(answers, key)["realism"] == {"secret_one": 0.0, "secret_three": 0.0, "secret_two": 1.0}
     with pytest.raises(MansionError):
         tally([Answer(page="page_01.png", choices={"realism": "Z"})], key)
 

@@ -21,9 +21,7 @@ def test_world_has_a_static_model_for_each_floor_at_its_elevation(building):
 
 def test_links_carry_our_ids_once_and_every_mesh_is_there(building):
     export = world_sdf(building, "meshes")
-    for scene, model in zip(
-        building, ElementTree.fromstring(export.xml).findall("world/model"), strict=True
-    ):
+    for scene, model in zip(building, ElementTree.fromstring(export.xml).findall("world/model"), strict=True):
         names = [link.get("name") for link in model.findall("link")]
         assert len(names) == len(set(names))
         assert {item.id for item in (*scene.objects, *scene.walls, *scene.rooms)} <= set(names)
@@ -54,11 +52,7 @@ def test_usd_stage_is_z_up_in_metres_and_instances_carry_ids(building, tmp_path)
     stage = usd.Stage.Open(str(path))
     assert geometry.GetStageUpAxis(stage) == geometry.Tokens.z
     assert geometry.GetStageMetersPerUnit(stage) == 1.0
-    ids = {
-        prim.GetAttribute("mansion:id").Get()
-        for prim in stage.Traverse()
-        if prim.HasAttribute("mansion:id")
-    }
+    ids = {prim.GetAttribute("mansion:id").Get() for prim in stage.Traverse() if prim.HasAttribute("mansion:id")}
     for scene in building:
         assert {item.id for item in (*scene.objects, *scene.walls)} <= ids
 

@@ -9,9 +9,7 @@ ROOM = SimpleNamespace(id="F1/room", polygon=[(0, 0), (6, 0), (6, 4), (0, 4)], h
 
 def furniture(x: float, width: float) -> SimpleNamespace:
     """Return a block as deep as the room."""
-    return SimpleNamespace(
-        room="F1/room", mount="floor", size=(width, 4.0, 1.0), position=(x, 2.0, 0.5), rotation=0.0
-    )
+    return SimpleNamespace(room="F1/room", mount="floor", size=(width, 4.0, 1.0), position=(x, 2.0, 0.5), rotation=0.0)
 
 
 def test_a_name_stands_beside_the_furniture() -> None:

@@ -23,10 +23,7 @@ from mansion_msgs_py.scene import SceneObject, StairDetails
 
 
 @settings(deadline=None, max_examples=60)
-@given(
-    radii=st.lists(st.floats(1.0, 6.0), min_size=4, max_size=14),
-    hole=st.floats(0.1, 0.6),
-)
+@given(radii=st.lists(st.floats(1.0, 6.0), min_size=4, max_size=14), hole=st.floats(0.1, 0.6))
 def test_triangles_cover_a_star_shaped_polygon_with_a_hole(radii, hole):
     angles = np.linspace(0, 2 * math.pi, len(radii), endpoint=False)
     ring = [(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles)]
@@ -214,9 +211,7 @@ def test_the_overview_has_a_picture_for_each_floor(building):
 
 def test_floors_that_share_a_folder_never_give_one_name_to_two_meshes(building):
     for scene, risers in zip(building, (2, 0)):
-        treads = [
-            ((i * 0.3, 0.0, 0.0), (i * 0.3 + 0.3, 1.2, 0.18 * (i + 1))) for i in range(risers)
-        ]
+        treads = [((i * 0.3, 0.0, 0.0), (i * 0.3 + 0.3, 1.2, 0.18 * (i + 1))) for i in range(risers)]
         stair = next(core for core in scene.cores if core.type == "stair")
         stair.id = "stair_1"
         stair.details = StairDetails(

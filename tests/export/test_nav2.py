@@ -77,9 +77,7 @@ def test_map_files_load_as_the_map_server_reads_them(ground):
     assert header["negate"] == 0
     occupied = (255 - pixels) / 255.0
     trinary = np.where(
-        occupied > header["occupied_thresh"],
-        OCCUPIED,
-        np.where(occupied < header["free_thresh"], FREE, UNKNOWN),
+        occupied > header["occupied_thresh"], OCCUPIED, np.where(occupied < header["free_thresh"], FREE, UNKNOWN)
     )
     grid = occupancy(ground)
     assert np.array_equal(trinary[::-1], grid.data)

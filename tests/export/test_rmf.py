@@ -45,14 +45,9 @@ def floors(building: list[FloorScene]) -> list[FloorScene]:
     return [_named_alike(scene) for scene in building]
 
 
-def _read(
-    scenes: list[FloorScene], radius: float = RADIUS
-) -> tuple[dict[str, Any], dict[str, Any]]:
+def _read(scenes: list[FloorScene], radius: float = RADIUS) -> tuple[dict[str, Any], dict[str, Any]]:
     files = _files(msgspec.json.encode(scenes), radius)
-    return (
-        yaml.safe_load(files["sample_house.building.yaml"]),
-        yaml.safe_load(files["nav_graphs/0.yaml"]),
-    )
+    return (yaml.safe_load(files["sample_house.building.yaml"]), yaml.safe_load(files["nav_graphs/0.yaml"]))
 
 
 @cache
@@ -114,10 +109,7 @@ def _generated(building: dict[str, Any]) -> dict[str, Any]:
     found = {}
     for name, level in building["levels"].items():
         points = [(x, y) for x, y, *_ in level["vertices"]]
-        doors = [
-            (LineString([points[a], points[b]]), params["name"][1])
-            for a, b, params in level["doors"]
-        ]
+        doors = [(LineString([points[a], points[b]]), params["name"][1]) for a, b, params in level["doors"]]
         number: dict[int, int] = {}
         lanes = []
         for a, b, params in level["lanes"]:
@@ -153,9 +145,7 @@ def _opened(scene: FloorScene) -> FloorScene:
 
 def _lines(graph: dict[str, Any], level: str) -> list[LineString]:
     content = graph["levels"][level]
-    return [
-        LineString([content["vertices"][k][:2] for k in (a, b)]) for a, b, _ in content["lanes"]
-    ]
+    return [LineString([content["vertices"][k][:2] for k in (a, b)]) for a, b, _ in content["lanes"]]
 
 
 def test_the_fleet_adapter_joins_every_waypoint_to_the_charger(floors: list[FloorScene]) -> None:
@@ -177,9 +167,7 @@ def test_lanes_keep_the_radius_off_furniture(floors: list[FloorScene]) -> None:
         for item in scene.objects:
             if item.mount == "floor" and item.size[2] > 0.05:
                 (x, y, _), (w, d, _) = item.position, item.size
-                shape = shapely.affinity.rotate(
-                    box(x - w / 2, y - d / 2, x + w / 2, y + d / 2), item.rotation
-                )
+                shape = shapely.affinity.rotate(box(x - w / 2, y - d / 2, x + w / 2, y + d / 2), item.rotation)
                 assert shape.distance(lanes) >= RADIUS, item.id
 
 
@@ -202,9 +190,7 @@ def test_every_room_that_the_nav2_map_reaches_is_named(floors: list[FloorScene])
     graph = FleetGraph(_read(floors)[1])
     for scene in floors:
         grid = occupancy(_opened(scene))
-        cells = _reached(
-            grid.data == 0, grid.cell(scene.spawn.x, scene.spawn.y), round(0.25 / 0.05)
-        )
+        cells = _reached(grid.data == 0, grid.cell(scene.spawn.x, scene.spawn.y), round(0.25 / 0.05))
         rooms = [room for room in scene.rooms if _holds_any(room.polygon, cells, grid)]
         assert len(rooms) == 6
         assert [room.id for room in rooms if room.id not in graph.keys] == []
@@ -245,9 +231,7 @@ def test_walls_are_open_where_lanes_lead(floors: list[FloorScene]) -> None:
     building, graph = _read(floors)
     for name, level in building["levels"].items():
         places = [point[:2] for point in level["vertices"]]
-        walls = shapely.union_all(
-            [LineString([places[a], places[b]]) for a, b, _ in level["walls"]]
-        )
+        walls = shapely.union_all([LineString([places[a], places[b]]) for a, b, _ in level["walls"]])
         assert walls.length > 60
         assert walls.distance(shapely.union_all(_lines(graph, name))) >= RADIUS
 
@@ -276,8 +260,7 @@ def test_a_wide_robot_leaves_narrow_doors_out(floors: list[FloorScene]) -> None:
 
 def test_each_floor_has_a_charger_where_no_lift_joins_them(floors: list[FloorScene]) -> None:
     apart = [
-        msgspec.structs.replace(scene, cores=[core for core in scene.cores if core.type == "stair"])
-        for scene in floors
+        msgspec.structs.replace(scene, cores=[core for core in scene.cores if core.type == "stair"]) for scene in floors
     ]
     graph = FleetGraph(_read(apart)[1])
     chargers = [level for level, _, options in graph.places if options.get("is_charger")]

@@ -42,8 +42,7 @@ def words(core: SceneCore) -> dict[str, tuple[float, float]]:
 
 @pytest.mark.parametrize("side", CORES)
 @pytest.mark.parametrize(
-    ("up", "below", "expected"),
-    [(True, False, {"UP"}), (True, True, {"UP", "DN"}), (False, True, {"DN"})],
+    ("up", "below", "expected"), [(True, False, {"UP"}), (True, True, {"UP", "DN"}), (False, True, {"DN"})]
 )
 def test_every_floor_names_the_ways_that_lead_off_it(side, up, below, expected):
     assert set(words(stair(side, up=up, below=below))) == expected

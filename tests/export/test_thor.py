@@ -26,15 +26,7 @@ def test_a_house_is_sound_and_the_same_each_time(made, floor_of):
 
 
 def test_top_level_and_metadata_are_those_of_the_schema(made):
-    assert set(made) == {
-        "rooms",
-        "walls",
-        "doors",
-        "windows",
-        "objects",
-        "proceduralParameters",
-        "metadata",
-    }
+    assert set(made) == {"rooms", "walls", "doors", "windows", "objects", "proceduralParameters", "metadata"}
     metadata = made["metadata"]
     assert metadata["schema"] == "1.0.0"
     assert metadata["agent"] == metadata["agentPoses"]["default"]

@@ -9,11 +9,7 @@ from mansion_export.thor import house
 
 
 def vector(value):
-    return (
-        isinstance(value, dict)
-        and set(value) == {"x", "y", "z"}
-        and all(map(number, value.values()))
-    )
+    return isinstance(value, dict) and set(value) == {"x", "y", "z"} and all(map(number, value.values()))
 
 
 def number(value):
@@ -37,19 +33,11 @@ def texts(value):
 
 
 def color(value):
-    return (
-        isinstance(value, dict)
-        and {"r", "g", "b"} <= set(value)
-        and all(map(number, value.values()))
-    )
+    return isinstance(value, dict) and {"r", "g", "b"} <= set(value) and all(map(number, value.values()))
 
 
 def material(value):
-    return (
-        isinstance(value, dict)
-        and text(value["name"])
-        and color(value.get("color", {"r": 0, "g": 0, "b": 0}))
-    )
+    return isinstance(value, dict) and text(value["name"]) and color(value.get("color", {"r": 0, "g": 0, "b": 0}))
 
 
 HOLE = {

@@ -15,21 +15,14 @@ def corners(surfaces):
 
 
 def volume(triangles):
-    return (
-        float(
-            np.einsum("ij,ij->i", triangles[:, 0], np.cross(triangles[:, 1], triangles[:, 2])).sum()
-        )
-        / 6
-    )
+    return float(np.einsum("ij,ij->i", triangles[:, 0], np.cross(triangles[:, 1], triangles[:, 2])).sum()) / 6
 
 
 def test_every_edge_of_a_wall_belongs_to_two_triangles_that_run_opposite_ways(ground):
     bodies = WallBodies(ground)
     for wall in ground.walls:
         triangles = np.round(corners(wall_surfaces(wall, bodies)), 6)
-        edges = Counter(
-            (tuple(t[i]), tuple(t[(i + 1) % 3])) for t in triangles.tolist() for i in range(3)
-        )
+        edges = Counter((tuple(t[i]), tuple(t[(i + 1) % 3])) for t in triangles.tolist() for i in range(3))
         assert set(edges.values()) == {1}
         assert all((end, start) in edges for start, end in edges)
 

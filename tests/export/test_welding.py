@@ -11,14 +11,10 @@ from mansion_export.welding import corner_normals
 def cylinder(sides: int) -> tuple[np.ndarray, np.ndarray]:
     angles = np.linspace(0, 2 * np.pi, sides, endpoint=False)
     ring = np.column_stack([np.cos(angles), np.sin(angles)])
-    points = np.concatenate(
-        [np.column_stack([ring, np.zeros(sides)]), np.column_stack([ring, np.ones(sides)])]
-    )
+    points = np.concatenate([np.column_stack([ring, np.zeros(sides)]), np.column_stack([ring, np.ones(sides)])])
     i = np.arange(sides)
     j = (i + 1) % sides
-    faces = np.concatenate(
-        [np.column_stack([i, j, j + sides]), np.column_stack([i, j + sides, i + sides])]
-    )
+    faces = np.concatenate([np.column_stack([i, j, j + sides]), np.column_stack([i, j + sides, i + sides])])
     return points, faces
 
 

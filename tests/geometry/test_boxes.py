@@ -6,15 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.geometry import Polygon
 
-from mansion_geometry.boxes import (
-    box_corners,
-    box_inside,
-    boxes_overlap,
-    compose,
-    gap_matrix,
-    rotation_of,
-    unit_vector,
-)
+from mansion_geometry.boxes import box_corners, box_inside, boxes_overlap, compose, gap_matrix, rotation_of, unit_vector
 from mansion_geometry.fitting import feasible_poses, front_clearance
 
 ROOM = np.array([(0, 0, 4, 0), (4, 0, 4, 3), (4, 3, 0, 3), (0, 3, 0, 0)], dtype=float)

@@ -9,10 +9,7 @@ from mansion_geometry.free_space import FreeGrid, connected_components, flood_fi
 
 EDGES = np.array([(0, 0, 10, 0), (10, 0, 10, 6), (10, 6, 0, 6), (0, 6, 0, 0)], dtype=float)
 DOOR_A, DOOR_B = np.array([1.0, 0, 2, 0]), np.array([10, 4.0, 10, 5])
-OPEN = np.array(
-    [(0, 0, 1, 0), (2, 0, 10, 0), (10, 0, 10, 4), (10, 5, 10, 6), (10, 6, 0, 6), (0, 6, 0, 0)],
-    dtype=float,
-)
+OPEN = np.array([(0, 0, 1, 0), (2, 0, 10, 0), (10, 0, 10, 4), (10, 5, 10, 6), (10, 6, 0, 6), (0, 6, 0, 0)], dtype=float)
 
 
 def grid() -> FreeGrid:
@@ -84,9 +81,7 @@ coordinates = st.tuples(st.floats(0.5, 9.5), st.floats(0.5, 5.5), st.floats(0.1,
 
 @given(st.lists(coordinates, max_size=12))
 @settings(deadline=None, max_examples=40)
-def test_incremental_updates_equal_a_flood_from_scratch(
-    spots: list[tuple[float, float, float]],
-) -> None:
+def test_incremental_updates_equal_a_flood_from_scratch(spots: list[tuple[float, float, float]]) -> None:
     space = grid()
     for x, y, half in spots:
         if not space.add(np.array([[x, y, 1.0, 0.0, half, 0.3]])):

@@ -16,8 +16,7 @@ def graph(tmp_path_factory: pytest.TempPathFactory) -> Iterator[GraphProcesses]:
     """All nodes of the graph, running; ended by their process ids."""
     root = tmp_path_factory.mktemp("buildings")
     options = GraphOptions(
-        domain_id=free_domain(),
-        parameters={"building_director": {"output_root": str(root), "stage_timeout": "60.0"}},
+        domain_id=free_domain(), parameters={"building_director": {"output_root": str(root), "stage_timeout": "60.0"}}
     )
     with GraphProcesses(options) as running:
         running.wait_ready(300.0)

@@ -42,9 +42,7 @@ def digest(folder: Path) -> dict[str, str]:
     }
 
 
-def test_the_graph_and_one_process_write_the_same_bytes(
-    client: MansionClient, tmp_path: Path
-) -> None:
+def test_the_graph_and_one_process_write_the_same_bytes(client: MansionClient, tmp_path: Path) -> None:
     reply = client.build(HOUSE, seed=5, output=str(tmp_path / "graph"))
     local = build_building(BuildRequest(description=HOUSE, seed=5), tmp_path / "local", jobs=2)
     assert digest(Path(reply.path)) == digest(local.path)
@@ -53,9 +51,7 @@ def test_the_graph_and_one_process_write_the_same_bytes(
 def test_two_builds_at_the_same_time_do_not_mix(client: MansionClient, tmp_path: Path) -> None:
     briefs = {"flat": FLAT, "house": HOUSE}
     threads = [
-        threading.Thread(
-            target=client.build, args=(brief,), kwargs={"output": str(tmp_path / name), "seed": 1}
-        )
+        threading.Thread(target=client.build, args=(brief,), kwargs={"output": str(tmp_path / name), "seed": 1})
         for name, brief in briefs.items()
     ]
     for thread in threads:
@@ -109,12 +105,7 @@ def wait_until(condition: object, seconds: float = 10.0) -> bool:
 @pytest.mark.parametrize(
     ("service", "arguments", "code", "path"),
     [
-        (
-            "solve_floor",
-            {"boundary": [[0, 0]], "nodes": []},
-            ErrorCode.INVALID_PAYLOAD,
-            "$.boundary",
-        ),
+        ("solve_floor", {"boundary": [[0, 0]], "nodes": []}, ErrorCode.INVALID_PAYLOAD, "$.boundary"),
         ("build_building", {"descripton": "x"}, ErrorCode.INVALID_PAYLOAD, "$.descripton"),
         ("load_building", {"path": "/nowhere"}, ErrorCode.NOT_FOUND, "$.path"),
     ],

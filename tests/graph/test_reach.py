@@ -82,19 +82,7 @@ def machines() -> Iterator[tuple[Machine, Machine]]:
     try:
         for name in names:
             ip("netns", "add", name)
-        ip(
-            "link",
-            "add",
-            "wire",
-            "netns",
-            names[0],
-            "type",
-            "veth",
-            "peer",
-            "wire",
-            "netns",
-            names[1],
-        )
+        ip("link", "add", "wire", "netns", names[0], "type", "veth", "peer", "wire", "netns", names[1])
         for name, address in zip(names, (HERE, THERE)):
             ip("-n", name, "address", "add", f"{address}/24", "dev", "wire")
             for device in ("lo", "wire"):
@@ -109,16 +97,10 @@ def machines() -> Iterator[tuple[Machine, Machine]]:
 
 
 def answers(
-    server: Machine,
-    serving: dict[str, str],
-    caller: Machine,
-    calling: dict[str, str],
-    patience: float,
+    server: Machine, serving: dict[str, str], caller: Machine, calling: dict[str, str], patience: float
 ) -> bool:
     """Whether a caller gets an answer of a node."""
-    process = subprocess.Popen(
-        server.command(SERVER), env=environment(**serving), stdout=subprocess.PIPE, text=True
-    )
+    process = subprocess.Popen(server.command(SERVER), env=environment(**serving), stdout=subprocess.PIPE, text=True)
     try:
         assert process.stdout is not None and process.stdout.readline() == "ready\n"
         done = subprocess.run(
@@ -135,24 +117,18 @@ def answers(
         process.communicate()
 
 
-def test_a_stranger_who_names_this_machine_calls_nothing_of_mansions(
-    machines: tuple[Machine, Machine],
-) -> None:
+def test_a_stranger_who_names_this_machine_calls_nothing_of_mansions(machines: tuple[Machine, Machine]) -> None:
     here, there = machines
     assert not answers(here, DEFAULT_OF_MANSION, there, STRANGER, patience=8.0)
 
 
-def test_the_same_stranger_reaches_a_node_with_ros_2s_own_localhost(
-    machines: tuple[Machine, Machine],
-) -> None:
+def test_the_same_stranger_reaches_a_node_with_ros_2s_own_localhost(machines: tuple[Machine, Machine]) -> None:
     here, there = machines
     assert answers(here, PLAIN_LOCALHOST, there, STRANGER, patience=20.0)
 
 
 @pytest.mark.parametrize("reach", ["LOCALHOST", "SUBNET"])
-def test_a_plain_node_on_this_machine_finds_mansions(
-    machines: tuple[Machine, Machine], reach: str
-) -> None:
+def test_a_plain_node_on_this_machine_finds_mansions(machines: tuple[Machine, Machine], reach: str) -> None:
     here, _ = machines
     plain = {"ROS_AUTOMATIC_DISCOVERY_RANGE": reach}
     assert answers(here, DEFAULT_OF_MANSION, here, plain, patience=20.0)
@@ -161,10 +137,7 @@ def test_a_plain_node_on_this_machine_finds_mansions(
 
 def test_no_socket_of_mansions_is_bound_to_another_address_than_loopback() -> None:
     process = subprocess.Popen(
-        Machine().command(SERVER),
-        env=environment(**DEFAULT_OF_MANSION),
-        stdout=subprocess.PIPE,
-        text=True,
+        Machine().command(SERVER), env=environment(**DEFAULT_OF_MANSION), stdout=subprocess.PIPE, text=True
     )
     try:
         assert process.stdout is not None and process.stdout.readline() == "ready\n"

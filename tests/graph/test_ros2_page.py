@@ -53,9 +53,7 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, 
 def run(words: list[str], environment: dict[str, str]) -> subprocess.CompletedProcess[str]:
     """Run a command of the page with the folder /tmp of its own."""
     placed = [word.replace("/tmp", environment["PAGE_TMP"]) for word in words]
-    return subprocess.run(
-        placed, env=environment, capture_output=True, text=True, timeout=120, check=False
-    )
+    return subprocess.run(placed, env=environment, capture_output=True, text=True, timeout=120, check=False)
 
 
 def test_the_calls_of_the_page_are_answered(environment: dict[str, str]) -> None:

@@ -41,9 +41,7 @@ def test_every_building_type_can_be_planned() -> None:
 
 
 def test_a_users_folder_adds_and_replaces_records(tmp_path: Path) -> None:
-    (tmp_path / "room_types.csv").write_text(
-        HEADER + "kiln_room,pottery kiln,6,9,20,service,ground,,,concrete,\n"
-    )
+    (tmp_path / "room_types.csv").write_text(HEADER + "kiln_room,pottery kiln,6,9,20,service,ground,,,concrete,\n")
     (tmp_path / "building_types.toml").write_text(
         '[pottery]\nsynonyms = ["pottery studio"]\nfamily = "industry"\nfloors = [1, 2]\nfloor_area = [80, 120]\n'
         'hub = "workshop"\nparti = "hall"\npeople = 20\nsingle = ["kiln_room x2", "storage", "restroom:6"]\n'

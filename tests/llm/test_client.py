@@ -53,12 +53,7 @@ class Sleeper:
 
 
 def client(server: Any, sleep: Any = None, **changes: Any) -> LlmClient:
-    values: dict[str, Any] = {
-        "base_url": server.url,
-        "model": "m",
-        "api_key": Secret(KEY),
-        "timeout": 5.0,
-    }
+    values: dict[str, Any] = {"base_url": server.url, "model": "m", "api_key": Secret(KEY), "timeout": 5.0}
     return LlmClient(LlmSettings(**(values | changes)), sleep=sleep or Sleeper())
 
 
@@ -141,12 +136,8 @@ def test_a_slow_endpoint_runs_into_the_timeout(chat: ModuleType) -> None:
     assert mine.usage.retries == 1
 
 
-def test_an_endpoint_that_never_works_gives_a_reason_and_is_then_left_alone(
-    chat: ModuleType,
-) -> None:
-    with chat.ChatServer(
-        chat.in_turn(chat.Reply(f"down, your key is {KEY}", status=500))
-    ) as server:
+def test_an_endpoint_that_never_works_gives_a_reason_and_is_then_left_alone(chat: ModuleType) -> None:
+    with chat.ChatServer(chat.in_turn(chat.Reply(f"down, your key is {KEY}", status=500))) as server:
         mine = client(server, retries=1)
         reasons = [mine.ask(PROMPT, Shape).reason for _ in range(5)]
         asked = len(server.requests)
@@ -169,9 +160,7 @@ def test_a_refused_key_or_model_is_an_error_that_says_what_to_check(
     assert "MANSION_LLM_API_KEY" in text
 
 
-def test_structured_output_and_pictures_are_dropped_where_they_are_refused(
-    chat: ModuleType,
-) -> None:
+def test_structured_output_and_pictures_are_dropped_where_they_are_refused(chat: ModuleType) -> None:
     def script(request: dict[str, Any]) -> Any:
         pictures = any(isinstance(m["content"], list) for m in request["messages"])
         if pictures or "json_schema" in json.dumps(request.get("response_format", {})):
@@ -185,18 +174,14 @@ def test_structured_output_and_pictures_are_dropped_where_they_are_refused(
         before = len(server.requests)
         assert mine.ask(Prompt("shape", "s", "again", (PNG,)), Shape).good
     assert len(server.requests) == before + 1
-    assert server.requests[0]["messages"][1]["content"][1]["image_url"]["url"].startswith(
-        "data:image/png;base64,"
-    )
+    assert server.requests[0]["messages"][1]["content"][1]["image_url"]["url"].startswith("data:image/png;base64,")
     assert isinstance(server.requests[-1]["messages"][1]["content"], str)
 
 
 def test_parameters_that_a_model_refuses_by_name_are_changed(chat: ModuleType) -> None:
     def script(request: dict[str, Any]) -> Any:
         if "max_tokens" in request:
-            return chat.Reply(
-                "Unsupported parameter: use 'max_completion_tokens' instead.", status=400
-            )
+            return chat.Reply("Unsupported parameter: use 'max_completion_tokens' instead.", status=400)
         if "temperature" in request:
             return chat.Reply("Unsupported value: 'temperature' must be 1.", status=400)
         return good(chat)
@@ -222,16 +207,12 @@ def test_schemas_keep_to_the_strict_subset() -> None:
 
 
 def test_an_answer_cut_at_the_token_limit_is_asked_for_more_briefly(chat: ModuleType) -> None:
-    with chat.ChatServer(
-        chat.in_turn(chat.Reply('{"floors": ', finish="length"), good(chat))
-    ) as server:
+    with chat.ChatServer(chat.in_turn(chat.Reply('{"floors": ', finish="length"), good(chat))) as server:
         assert client(server).ask(PROMPT, Shape).good
     assert "cut off" in server.requests[1]["messages"][-1]["content"]
 
 
-def test_a_failed_write_leaves_nothing_in_the_cache(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_failed_write_leaves_nothing_in_the_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def full(self: Path, target: Path) -> Path:
         raise OSError("no space")
 
@@ -256,9 +237,7 @@ def test_answers_are_cached_by_content(chat: ModuleType, tmp_path: Path) -> None
     assert [a.value.floors for a in (first, other, third) if a.value] == [1, 2, 3]
 
 
-def test_a_recording_replays_without_network_failures_included(
-    chat: ModuleType, tmp_path: Path
-) -> None:
+def test_a_recording_replays_without_network_failures_included(chat: ModuleType, tmp_path: Path) -> None:
     tape = tmp_path / "tape.jsonl"
     other = Prompt("shape", "You count.", "And below ground?")
     script = chat.in_turn(chat.Reply(f"no, {KEY}"), good(chat), chat.Reply("down", status=500))
@@ -269,9 +248,7 @@ def test_a_recording_replays_without_network_failures_included(
     assert [replay.ask(PROMPT, Shape, positive), replay.ask(other, Shape)] == answers
     assert answers[0].good and "500" in answers[1].reason
     assert KEY not in tape.read_text()
-    assert msgspec.structs.replace(replay.usage, from_store=0) == msgspec.structs.replace(
-        live.usage, from_store=0
-    )
+    assert msgspec.structs.replace(replay.usage, from_store=0) == msgspec.structs.replace(live.usage, from_store=0)
     with pytest.raises(MansionError, match="recording holds no answer"):
         replay.ask(Prompt("shape", "x", "y"), Shape)
 

@@ -16,18 +16,14 @@ KEY = "sk-very-secret-0123456789"
 
 def test_the_environment_comes_before_the_file(tmp_path: Path) -> None:
     file = tmp_path / "llm.toml"
-    file.write_text(
-        'base_url = "http://file/v1"\nmodel = "file"\ntimeout = 5\npieces = ["program"]\n'
-    )
+    file.write_text('base_url = "http://file/v1"\nmodel = "file"\ntimeout = 5\npieces = ["program"]\n')
     settings = load_settings({"MANSION_LLM_CONFIG": str(file), "MANSION_LLM_MODEL": "env"})
     assert (settings.base_url, settings.model, settings.timeout) == ("http://file/v1", "env", 5.0)
     assert settings.pieces == ("program",)
 
 
 def test_the_usual_openai_variables_stand_in(tmp_path: Path) -> None:
-    settings = load_settings(
-        {"OPENAI_BASE_URL": "http://a/v1", "OPENAI_API_KEY": KEY, "MANSION_LLM_MODEL": "m"}
-    )
+    settings = load_settings({"OPENAI_BASE_URL": "http://a/v1", "OPENAI_API_KEY": KEY, "MANSION_LLM_MODEL": "m"})
     settings.require_endpoint()
     assert settings.api_key.reveal() == KEY
 
@@ -36,12 +32,7 @@ def test_without_an_endpoint_the_error_names_what_to_set() -> None:
     with pytest.raises(MansionError) as error:
         load_settings({}).require_endpoint()
     text = str(error.value)
-    for word in (
-        "MANSION_LLM_BASE_URL",
-        "MANSION_LLM_MODEL",
-        "MANSION_LLM_API_KEY",
-        "--planner rules",
-    ):
+    for word in ("MANSION_LLM_BASE_URL", "MANSION_LLM_MODEL", "MANSION_LLM_API_KEY", "--planner rules"):
         assert word in text
 
 

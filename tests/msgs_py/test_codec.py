@@ -8,14 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mansion_msgs_py.codec import (
-    decode,
-    decode_reply,
-    encode,
-    encode_bytes,
-    schema,
-    to_builtins,
-)
+from mansion_msgs_py.codec import decode, decode_reply, encode, encode_bytes, schema, to_builtins
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.payloads import PAYLOADS, payload_type
 from mansion_msgs_py.request import BuildRequest
@@ -58,9 +51,7 @@ def test_any_bytes_give_a_value_or_the_documented_error(name: str, data: st.Data
         assert decode(kind, encode(value)) == value
 
 
-@pytest.mark.parametrize(
-    "text", ["\ud800", "[" * 100_000, '{"description": ' + "[" * 100_000, "nul", b"\xff\xfe"]
-)
+@pytest.mark.parametrize("text", ["\ud800", "[" * 100_000, '{"description": ' + "[" * 100_000, "nul", b"\xff\xfe"])
 def test_hostile_texts_are_refused_as_invalid_payloads(text: str | bytes) -> None:
     with pytest.raises(MansionError) as caught:
         decode(BuildRequest, text)

@@ -72,10 +72,7 @@ def test_a_value_outside_of_a_choice_is_answered_with_the_values() -> None:
 
 def test_a_wrong_type_keeps_its_place() -> None:
     error = fault(Tree, '{"leaves": [{"size": "x"}]}')
-    assert (error.info.message, error.info.path) == (
-        "Expected `int`, got `str`",
-        "$.leaves[0].size",
-    )
+    assert (error.info.message, error.info.path) == ("Expected `int`, got `str`", "$.leaves[0].size")
     assert fault(list[Leaf], '{"size": 1}').info.path == "$"
     assert "Expected" in fault(TaskSet, "[]").info.message
 

@@ -20,9 +20,7 @@ def test_a_file_is_written_with_its_folders_and_nothing_beside_it(tmp_path: Path
     assert list(path.parent.iterdir()) == [path]
 
 
-def test_a_failed_write_leaves_the_former_file_alone(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_failed_write_leaves_the_former_file_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "scene.json"
     write_atomic(path, b"former")
 
@@ -36,9 +34,7 @@ def test_a_failed_write_leaves_the_former_file_alone(
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_only_a_durable_write_waits_for_the_disk(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_only_a_durable_write_waits_for_the_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     synced: list[int] = []
     monkeypatch.setattr(os, "fsync", synced.append)
     write_atomic(tmp_path / "quick", b"x")

@@ -24,9 +24,7 @@ def test_what_cannot_be_read_is_named_with_what_was_expected(tmp_path: Path, nam
     assert str(caught.value).endswith("; expected a request")
 
 
-@pytest.mark.parametrize(
-    ("text", "path"), [('{"descr', "$"), ("[]", "$"), ('{"description": 3}', "$.description")]
-)
+@pytest.mark.parametrize(("text", "path"), [('{"descr', "$"), ("[]", "$"), ('{"description": 3}', "$.description")])
 def test_a_fault_is_told_with_file_and_place(tmp_path: Path, text: str, path: str) -> None:
     file = tmp_path / "request.json"
     file.write_text(text)

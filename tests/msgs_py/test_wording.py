@@ -36,9 +36,7 @@ def test_one_is_not_in_the_plural() -> None:
 def test_a_name_with_a_part_left_out_or_a_slip_finds_what_was_meant() -> None:
     assert nearest("floor", ["direction", "target_floor", "token"])[0] == "target_floor"
     assert nearest("cafetria", ["F1/lobby", "F1/cafeteria", "F2/office"])[0] == "F1/cafeteria"
-    assert choices("targetfloor", ["target_floor"], "fields").startswith(
-        "did you mean target_floor?"
-    )
+    assert choices("targetfloor", ["target_floor"], "fields").startswith("did you mean target_floor?")
 
 
 def test_a_shared_folder_makes_no_likeness() -> None:

@@ -21,9 +21,7 @@ def office(sample_floors: ModuleType) -> FloorScene:
     return furnish_floor(sample_floors.office(2))
 
 
-def test_the_same_request_gives_the_same_bytes(
-    sample_floors: ModuleType, office: FloorScene
-) -> None:
+def test_the_same_request_gives_the_same_bytes(sample_floors: ModuleType, office: FloorScene) -> None:
     assert encode(furnish_floor(sample_floors.office(2))) == encode(office)
 
 
@@ -41,11 +39,7 @@ def test_every_room_gets_furniture_with_readable_ids(office: FloorScene) -> None
         own = [item for item in office.objects if item.room == room.id]
         assert own, room.id
         assert all(item.id.startswith(f"{room.id}/") for item in own)
-    ids = [
-        item.id
-        for group in (office.objects, office.walls, office.doors, office.lights)
-        for item in group
-    ]
+    ids = [item.id for group in (office.objects, office.walls, office.doors, office.lights) for item in group]
     assert len(set(ids)) == len(ids)
 
 
@@ -68,9 +62,7 @@ def test_doors_stay_clear_of_furniture(office: FloorScene) -> None:
         middle = LineString(door.segment).interpolate(0.5, normalized=True)
         for room in office.rooms:
             if room.id in door.rooms:
-                assert any(
-                    part.distance(middle) < 0.5 for part in free_region(room, office.objects)
-                )
+                assert any(part.distance(middle) < 0.5 for part in free_region(room, office.objects))
 
 
 def test_nothing_hangs_low_beside_a_door(office: FloorScene) -> None:
@@ -94,9 +86,7 @@ def test_the_robot_starts_in_the_hub(office: FloorScene) -> None:
     assert office.spawn is not None and office.spawn.room == "F2/lobby"
 
 
-def test_openings_of_a_room_lie_on_the_boundary_of_its_net_interior(
-    sample_floors: ModuleType,
-) -> None:
+def test_openings_of_a_room_lie_on_the_boundary_of_its_net_interior(sample_floors: ModuleType) -> None:
     structure = build_structure(sample_floors.office())
     for room in structure.rooms:
         boundary = Polygon(room.net_polygon, room.net_holes).boundary
@@ -107,9 +97,7 @@ def test_openings_of_a_room_lie_on_the_boundary_of_its_net_interior(
 
 def test_progress_is_told_for_every_room_and_ends_at_one(sample_floors: ModuleType) -> None:
     heard: list[tuple[str, float]] = []
-    scene = furnish_floor(
-        sample_floors.flat(), progress=lambda what, share: heard.append((what, share))
-    )
+    scene = furnish_floor(sample_floors.flat(), progress=lambda what, share: heard.append((what, share)))
     assert [share for _, share in heard] == sorted(share for _, share in heard)
     assert heard[-1][1] == 1.0
     assert {room.id for room in scene.rooms} <= {what for what, _ in heard}
@@ -124,9 +112,6 @@ def test_a_failure_names_the_stage(sample_floors: ModuleType) -> None:
 
 
 def test_overlapping_rooms_are_refused_by_name(sample_floors: ModuleType) -> None:
-    rooms = {
-        "a": ("office", sample_floors.box(0, 0, 4, 3)),
-        "b": ("office", sample_floors.box(3, 0, 8, 3)),
-    }
+    rooms = {"a": ("office", sample_floors.box(0, 0, 4, 3)), "b": ("office", sample_floors.box(3, 0, 8, 3))}
     with pytest.raises(MansionError, match="F1/a and F1/b overlap"):
         furnish_floor(sample_floors.request(rooms, [("a", "b")]))

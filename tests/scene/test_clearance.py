@@ -13,14 +13,7 @@ DOOR = PlacementOpening(segment=((0.0, 0.5), (0.0, 1.4)))
 def thing(name: str, x: float, y: float, size: tuple[float, float, float], **more) -> SceneObject:
     z = more.pop("z", size[2] / 2)
     return SceneObject(
-        id=name,
-        room="r",
-        category=name,
-        asset=name,
-        position=(x, y, z),
-        rotation=0.0,
-        size=size,
-        **more,
+        id=name, room="r", category=name, asset=name, position=(x, y, z), rotation=0.0, size=size, **more
     )
 
 

@@ -12,9 +12,7 @@ from mansion_scene.spawn import place_spawn
 from mansion_scene.structure import build_structure
 
 
-def block(
-    room: SceneRoom, x: float, y: float, w: float, d: float, rotation: float = 0.0
-) -> SceneObject:
+def block(room: SceneRoom, x: float, y: float, w: float, d: float, rotation: float = 0.0) -> SceneObject:
     return SceneObject(
         id=f"{room.id}/block_{x}_{y}",
         room=room.id,

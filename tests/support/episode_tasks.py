@@ -43,9 +43,7 @@ def apple_task(**changes: object) -> Task:
         "id": "mug_in_fridge",
         "kind": TaskKind.OPEN_AND_PUT,
         "instruction": "Take the mug from the office, open the fridge in the kitchen and put it inside.",
-        "goals": [
-            Goal(kind=GoalKind.OBJECT_IN, objects=[MUG], receptacles=["F1/kitchen/fridge_1"])
-        ],
+        "goals": [Goal(kind=GoalKind.OBJECT_IN, objects=[MUG], receptacles=["F1/kitchen/fridge_1"])],
         "oracle": [
             call("GoNearObject", object=MUG),
             call("PickUp", object=MUG),
@@ -64,9 +62,7 @@ def search_task(**changes: object) -> Task:
         "id": "find_fridge",
         "kind": TaskKind.SEARCH,
         "instruction": "Find the fridge on the third floor.",
-        "goals": [
-            Goal(kind=GoalKind.ROBOT_NEAR, receptacles=["F3/kitchen/fridge_1"]),
-        ],
+        "goals": [Goal(kind=GoalKind.ROBOT_NEAR, receptacles=["F3/kitchen/fridge_1"])],
         "oracle": [
             call("GoToLandmark", landmark="stairs"),
             call("TakeStairs", direction="Up"),

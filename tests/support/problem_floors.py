@@ -46,12 +46,7 @@ def office(rooms: int = 8) -> FloorProblem:
     nodes.append(ProblemNode(id="stair", type="stair"))
     nodes.append(ProblemNode(id="lift", type="elevator"))
     return FloorProblem(
-        boundary=box(0, 0, 18, 12),
-        nodes=nodes,
-        edges=edges,
-        cores=[stair, lift],
-        min_access_wall=1.2,
-        plan_id="office",
+        boundary=box(0, 0, 18, 12), nodes=nodes, edges=edges, cores=[stair, lift], min_access_wall=1.2, plan_id="office"
     )
 
 
@@ -108,17 +103,11 @@ def problems(draw: st.DrawFn) -> FloorProblem:
         for name, kind in zip(names, kinds)
     ]
     cores = [
-        ProblemCore(
-            id=f"core{k}",
-            type="stair",
-            polygon=ring,
-            door_side=draw(st.sampled_from([None, "north", "east"])),
-        )
+        ProblemCore(id=f"core{k}", type="stair", polygon=ring, door_side=draw(st.sampled_from([None, "north", "east"])))
         for k, ring in enumerate(draw(st.lists(small_boxes(), max_size=2)))
     ]
     fixed = [
-        FixedRoom(id=f"fixed{k}", polygon=ring)
-        for k, ring in enumerate(draw(st.lists(small_boxes(), max_size=1)))
+        FixedRoom(id=f"fixed{k}", polygon=ring) for k, ring in enumerate(draw(st.lists(small_boxes(), max_size=1)))
     ]
     ends = names + [core.id for core in cores] + [room.id for room in fixed]
     edges = draw(

@@ -5,23 +5,9 @@ from pathlib import Path
 
 from mansion_msgs_py.building import Building, FloorEntry
 from mansion_msgs_py.codec import encode_bytes
-from mansion_msgs_py.program import (
-    AreaSummary,
-    BuildingProgram,
-    CorePlan,
-    FloorProgram,
-    VerticalConnectivity,
-)
+from mansion_msgs_py.program import AreaSummary, BuildingProgram, CorePlan, FloorProgram, VerticalConnectivity
 from mansion_msgs_py.request import BuildRequest
-from mansion_msgs_py.scene import (
-    Door,
-    FloorScene,
-    SceneCore,
-    SceneObject,
-    SceneRoom,
-    SpawnPose,
-    Wall,
-)
+from mansion_msgs_py.scene import Door, FloorScene, SceneCore, SceneObject, SceneRoom, SpawnPose, Wall
 
 HEIGHT = 3.2
 
@@ -44,11 +30,7 @@ def room(name: str, kind: str, x0: float, y0: float, x1: float, y1: float) -> Sc
 
 
 def thing(
-    name: str,
-    room_id: str,
-    position: tuple[float, float, float],
-    size: tuple[float, float, float],
-    **more: object,
+    name: str, room_id: str, position: tuple[float, float, float], size: tuple[float, float, float], **more: object
 ) -> SceneObject:
     """Return an object; `position` is the middle of its lower side."""
     x, y, z = position

@@ -59,9 +59,7 @@ def request(
         ),
         floors=list(floors),
         labels=[str(number) for number in floors],
-        connectivity=VerticalConnectivity(
-            method="stair_and_elevator" if cores else "none", cores=list(cores)
-        ),
+        connectivity=VerticalConnectivity(method="stair_and_elevator" if cores else "none", cores=list(cores)),
         topology=FloorTopology(nodes=nodes, edges=[Edge(source=a, target=b) for a, b in edges]),
         layout=FloorLayout(
             rooms=[LayoutRoom(id=name, polygon=polygon) for name, (_, polygon) in rooms.items()],
@@ -73,26 +71,10 @@ def request(
     )
 
 
-def office(
-    floor: int = 1, floors: Sequence[int] = (1, 2, 3), seed: int = 0, **more: object
-) -> FurnishRequest:
+def office(floor: int = 1, floors: Sequence[int] = (1, 2, 3), seed: int = 0, **more: object) -> FurnishRequest:
     """Return an office floor of 20 x 14 m with a stair and a lift beside its corridor."""
     rooms = {
-        "lobby": (
-            "lobby",
-            [
-                (0, 5.5),
-                (6, 5.5),
-                (6, 6),
-                (20, 6),
-                (20, 8),
-                (6, 8),
-                (6, 14),
-                (3, 14),
-                (3, 8),
-                (0, 8),
-            ],
-        ),
+        "lobby": ("lobby", [(0, 5.5), (6, 5.5), (6, 6), (20, 6), (20, 8), (6, 8), (6, 14), (3, 14), (3, 8), (0, 8)]),
         "open_office_1": ("open_office", box(6, 8, 14, 14)),
         "meeting_room_1": ("meeting_room", box(14, 8, 20, 14)),
         "office_1": ("office", [(2, 0), (6, 0), (6, 5.5), (2, 5.5)]),
@@ -147,17 +129,10 @@ def random_floor(seed: int, floor: int = 1) -> FurnishRequest:
         index = int(np.argmax([(b[2] - b[0]) * (b[3] - b[1]) for b in boxes]))
         boxes[index : index + 1] = _cut(boxes[index], generator)
     polygons = [Polygon(box(*b)) for b in boxes]
-    pairs = [
-        (i, j)
-        for i in range(len(boxes))
-        for j in range(i)
-        if polygons[i].intersection(polygons[j]).length >= 1.3
-    ]
+    pairs = [(i, j) for i in range(len(boxes)) for j in range(i) if polygons[i].intersection(polygons[j]).length >= 1.3]
     kinds = ["office", "storage", "toilet", "meeting_room", "corridor", "bedroom", "cafeteria"]
     names = [f"room_{i}" for i in range(len(boxes))]
-    rooms = {
-        name: (str(generator.choice(kinds)), box(*b)) for name, b in zip(names, boxes, strict=True)
-    }
+    rooms = {name: (str(generator.choice(kinds)), box(*b)) for name, b in zip(names, boxes, strict=True)}
     order = [pairs[i] for i in generator.permutation(len(pairs))]
     joined = {0}
     edges = []

@@ -45,9 +45,7 @@ class ThorDouble:
         self.scenes.append(copy.deepcopy(scene))
         self.parameters = parameters
         self.objects, self.hand = {}, None
-        self.rooms = [
-            Polygon([(p["x"], p["z"]) for p in r["floorPolygon"]]) for r in scene["rooms"]
-        ]
+        self.rooms = [Polygon([(p["x"], p["z"]) for p in r["floorPolygon"]]) for r in scene["rooms"]]
         for door in scene["doors"]:
             self.objects[door["id"]] = self.thing(door, None, openness=door["openness"])
         for node in scene["objects"]:
@@ -141,9 +139,7 @@ class ThorDouble:
             "isPickedUp": name == self.hand,
             "receptacle": not thing["pickupable"] or thing["openable"],
             "parentReceptacles": copy.copy(thing["parents"]),
-            "receptacleObjectIds": [
-                n for n, o in self.objects.items() if name in (o["parents"] or [])
-            ],
+            "receptacleObjectIds": [n for n, o in self.objects.items() if name in (o["parents"] or [])],
         }
 
     def footprint(self, thing: dict[str, Any]) -> Polygon:
@@ -167,20 +163,14 @@ class ThorDouble:
         here = Point(self.agent["x"], self.agent["z"])
         limit = self.parameters.get("visibilityDistance", 1.5)
         yaw = radians(90.0 - self.agent["heading"])
-        ahead = (thing["center"]["x"] - here.x) * cos(yaw) + (thing["center"]["z"] - here.y) * sin(
-            yaw
-        )
+        ahead = (thing["center"]["x"] - here.x) * cos(yaw) + (thing["center"]["z"] - here.y) * sin(yaw)
         return self.footprint(thing).distance(here) <= limit and ahead > 0.0
 
     def collision(self, x: float, z: float) -> str:
         here = Point(x, z)
         for name, thing in self.objects.items():
             low = thing["center"]["y"] - thing["size"]["y"] / 2
-            if (
-                thing["solid"]
-                and low < 1.5
-                and self.footprint(thing).distance(here) < RADIUS - 0.06
-            ):
+            if thing["solid"] and low < 1.5 and self.footprint(thing).distance(here) < RADIUS - 0.06:
                 return name
         return "" if unary_union(self.rooms).contains(here) else "Wall_1"
 
@@ -197,23 +187,13 @@ class ThorDouble:
             return f"Collided with: {hit} at position {position}"
         if not -30.0 <= horizon <= 60.0:
             return f"Each horizon must be in [-30:60]. You gave {horizon}."
-        self.agent = {
-            "x": position["x"],
-            "z": position["z"],
-            "heading": rotation["y"],
-            "horizon": horizon,
-        }
+        self.agent = {"x": position["x"], "z": position["z"], "heading": rotation["y"], "horizon": horizon}
         return ""
 
     def move(self, distance: float) -> str:
         yaw = radians(90.0 - self.agent["heading"])
         dx, dz = distance * cos(yaw), distance * sin(yaw)
-        way = LineString(
-            [
-                (self.agent["x"], self.agent["z"]),
-                (self.agent["x"] + dx, self.agent["z"] + dz),
-            ]
-        )
+        way = LineString([(self.agent["x"], self.agent["z"]), (self.agent["x"] + dx, self.agent["z"] + dz)])
         count = max(2, int(hypot(dx, dz) / 0.05) + 1)
         for i in range(1, count + 1):
             point = way.interpolate(i / count, normalized=True)
@@ -264,12 +244,7 @@ class ThorDouble:
         self.objects[objectId].update(parents=None, solid=False)
         return ""
 
-    def do_PutObject(
-        self,
-        objectId: str,
-        forceAction: bool = False,
-        placeStationary: bool = True,
-    ) -> str:
+    def do_PutObject(self, objectId: str, forceAction: bool = False, placeStationary: bool = True) -> str:
         if self.hand is None:
             return "Can't place an object if Agent isn't holding anything"
         if error := self.unseen(objectId, forceAction):
@@ -280,19 +255,13 @@ class ThorDouble:
         held = self.objects[self.hand]
         middle = target["center"]
         top = middle["y"] if target["openable"] else middle["y"] + target["size"]["y"] / 2
-        held.update(
-            center={**middle, "y": top + held["size"]["y"] / 2}, parents=[objectId], solid=False
-        )
+        held.update(center={**middle, "y": top + held["size"]["y"] / 2}, parents=[objectId], solid=False)
         self.hand = None
         return ""
 
     def do_PlaceObjectAtPoint(self, objectId: str, position: dict[str, float]) -> str:
         thing = self.objects[objectId]
-        thing.update(
-            center={**position, "y": position["y"] + thing["size"]["y"] / 2},
-            parents=["Floor_1"],
-            solid=True,
-        )
+        thing.update(center={**position, "y": position["y"] + thing["size"]["y"] / 2}, parents=["Floor_1"], solid=True)
         self.hand = None if self.hand == objectId else self.hand
         return ""
 

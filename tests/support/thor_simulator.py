@@ -146,9 +146,7 @@ class ThorSimulator:
 
     def do_CreateRuntimeAsset(self, asset: dict[str, Any]) -> None:
         assert [numbers(p).tolist() for p in asset["vertices"]], "a mesh to show"
-        assert {"mass", "drag", "angularDrag", "useGravity", "isKinematic"} == set(
-            asset["physicalProperties"]
-        )
+        assert {"mass", "drag", "angularDrag", "useGravity", "isKinematic"} == set(asset["physicalProperties"])
         self.assets[asset["name"]] = asset
 
     def do_CreateHouse(self, house: dict[str, Any]) -> None:
@@ -175,20 +173,13 @@ class ThorSimulator:
         )
         self.data = mujoco.MjData(self.model)
         mujoco.mj_forward(self.model, self.data)
-        self.paused = (
-            False  # a scene without objects was at rest, so that it simulates itself again
-        )
+        self.paused = False  # a scene without objects was at rest, so that it simulates itself again
 
     def do_AdvancePhysicsStep(
-        self,
-        timeStep: float = 0.02,
-        simSeconds: float | None = None,
-        allowAutoSimulation: bool = False,
+        self, timeStep: float = 0.02, simSeconds: float | None = None, allowAutoSimulation: bool = False
     ) -> None:
         if not self.paused and not allowAutoSimulation:
-            raise Refused(
-                "AdvancePhysicsStep can only be called if Physics AutoSimulation is currently paused"
-            )
+            raise Refused("AdvancePhysicsStep can only be called if Physics AutoSimulation is currently paused")
         if not 0.0 < timeStep <= 0.05:
             raise Refused("Please use a timeStep between 0.0f and 0.05f.")
         assert self.paused, "the placement would depend on the frames in between"
@@ -211,10 +202,7 @@ class ThorSimulator:
             "objectType": "Undefined",
             "position": vector(place),
             "rotation": unity_euler(turned),
-            "axisAlignedBoundingBox": {
-                "center": vector(place),
-                "size": vector(np.abs(turned) @ extent),
-            },
+            "axisAlignedBoundingBox": {"center": vector(place), "size": vector(np.abs(turned) @ extent)},
             "visible": False,
         }
 
@@ -238,15 +226,8 @@ def main() -> None:
         out = pipes.enter_context(open(os.environ["AI2THOR_FIFO_SERVER_PIPE_PATH"], "wb"))
         into = None
         while True:
-            whole = {
-                "agents": [answer],
-                "thirdPartyCameras": [],
-                "activeAgentId": 0,
-                "sequenceId": sequence,
-            }
-            out.write(
-                message(METADATA, msgpack.packb(whole)) + message(IMAGE, frame) + message(END, b"")
-            )
+            whole = {"agents": [answer], "thirdPartyCameras": [], "activeAgentId": 0, "sequenceId": sequence}
+            out.write(message(METADATA, msgpack.packb(whole)) + message(IMAGE, frame) + message(END, b""))
             out.flush()
             if into is None:  # the client opens its end when it has heard the first message
                 name = os.environ["AI2THOR_FIFO_CLIENT_PIPE_PATH"]

@@ -59,9 +59,7 @@ class Miniature:
             start_new_session=True,
         )
 
-    def run(
-        self, *arguments: str, cwd: Path | None = None, **environment: str
-    ) -> subprocess.CompletedProcess[str]:
+    def run(self, *arguments: str, cwd: Path | None = None, **environment: str) -> subprocess.CompletedProcess[str]:
         """Run the launcher to its end."""
         return subprocess.run(
             self.command(*arguments),
@@ -81,19 +79,13 @@ class Miniature:
         return json.loads(done.stdout)
 
     def write_lock(
-        self,
-        name: str = "core",
-        *,
-        wheel: str = "brick",
-        digest: str | None = None,
-        note: str = "",
+        self, name: str = "core", *, wheel: str = "brick", digest: str | None = None, note: str = ""
     ) -> None:
         """Write a lock of a tiny wheel, with another hash or another comment than the right ones."""
         file = self.folder / "wheels" / f"{wheel}-1.0-py3-none-any.whl"
         right = hashlib.sha256(file.read_bytes()).hexdigest()
         (self.folder / "requirements" / f"{name}-{VERSION}.txt").write_text(
-            f'# {note}\n--no-index\n--find-links "{file.parent}"\n'
-            f"{wheel}==1.0 --hash=sha256:{digest or right}\n",
+            f'# {note}\n--no-index\n--find-links "{file.parent}"\n{wheel}==1.0 --hash=sha256:{digest or right}\n',
             encoding="utf-8",
         )
 
@@ -173,9 +165,7 @@ def packages() -> list[Path]:
 
 
 @pytest.fixture(scope="module")
-def first_use(
-    tmp_path_factory: pytest.TempPathFactory,
-) -> tuple[Miniature, subprocess.CompletedProcess[str]]:
+def first_use(tmp_path_factory: pytest.TempPathFactory) -> tuple[Miniature, subprocess.CompletedProcess[str]]:
     """A miniature whose launcher has run once, and what came of that."""
     checkout = make_miniature(tmp_path_factory.mktemp("ready") / "a checkout")
     done = checkout.run("first")

@@ -58,9 +58,7 @@ def test_a_changed_lock_is_installed_again(prefix: Path, pip: list[list[str]]) -
     assert len(pip) == 2
 
 
-def test_progress_goes_to_stderr(
-    prefix: Path, pip: list[list[str]], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_progress_goes_to_stderr(prefix: Path, pip: list[list[str]], capsys: pytest.CaptureFixture[str]) -> None:
     ensure_extra("sim")
     out, err = capsys.readouterr()
     assert out == "" and "installing the extra 'sim'" in err
@@ -106,9 +104,7 @@ def test_arguments_of_the_suite_come_last_and_win() -> None:
 
 
 def test_the_suite_stays_on_loopback_whatever_the_caller_has() -> None:
-    environment = test_environment(
-        {"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET", "OMP_NUM_THREADS": "4"}
-    )
+    environment = test_environment({"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET", "OMP_NUM_THREADS": "4"})
     assert environment["ROS_AUTOMATIC_DISCOVERY_RANGE"] != "SUBNET"
     assert Path(environment["FASTRTPS_DEFAULT_PROFILES_FILE"]).name == "loopback.xml"
     assert environment["OMP_NUM_THREADS"] == "4"

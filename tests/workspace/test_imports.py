@@ -60,9 +60,7 @@ def declared(package: Path) -> set[str]:
     call = next(
         node
         for node in ast.walk(setup)
-        if isinstance(node, ast.Call)
-        and isinstance(node.func, ast.Name)
-        and node.func.id == "setup"
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "setup"
     )
     lines: list[str] = []
     for keyword in call.keywords:
@@ -108,11 +106,7 @@ def test_manifests_name_the_ros_packages_that_are_imported(packages: list[Path])
         manifest = catkin_package.parse_package(str(package))
         named = {depend.name for depend in manifest.exec_depends} | {package.name}
         for source in sources(package):
-            needed = {
-                name
-                for name in imports(source)
-                if name in ROS_MODULES or name.startswith("mansion_")
-            }
+            needed = {name for name in imports(source) if name in ROS_MODULES or name.startswith("mansion_")}
             if missing := needed - named:
                 unnamed[str(source.relative_to(package))] = missing
     assert unnamed == {}

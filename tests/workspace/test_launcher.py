@@ -10,9 +10,7 @@ from pathlib import Path
 from typing import Any
 
 
-def test_first_use_shows_progress_on_stderr_and_leaves_stdout_to_the_command(
-    first_use: Any,
-) -> None:
+def test_first_use_shows_progress_on_stderr_and_leaves_stdout_to_the_command(first_use: Any) -> None:
     _, first = first_use
     assert first.stdout.startswith('{"arguments": ["first"]') and first.stdout.count("\n") == 1
     steps = [line for line in first.stderr.splitlines() if line.startswith("mansion: [")]
@@ -20,9 +18,7 @@ def test_first_use_shows_progress_on_stderr_and_leaves_stdout_to_the_command(
     assert first.stderr.splitlines()[-1].startswith("mansion: ready after")
 
 
-def test_later_uses_say_nothing_and_start_no_python_but_their_own(
-    ready: Any, tmp_path: Path
-) -> None:
+def test_later_uses_say_nothing_and_start_no_python_but_their_own(ready: Any, tmp_path: Path) -> None:
     calls = tmp_path / "calls"
     for name in ("python3", "python3.11", "python3.12", "python3.13", "pip"):
         stub = tmp_path / name
@@ -48,9 +44,7 @@ def test_on_a_machine_that_there_are_no_wheels_of_ros_for_all_else_is_set_up(fre
     assert not list(fresh.venv.glob("lib/*/site-packages/_mansion_ros*"))
 
 
-def test_beside_an_older_c_library_the_wheels_of_ros_are_left_out(
-    fresh: Any, tmp_path: Path
-) -> None:
+def test_beside_an_older_c_library_the_wheels_of_ros_are_left_out(fresh: Any, tmp_path: Path) -> None:
     stub = tmp_path / "getconf"
     stub.write_text("#!/bin/sh\necho glibc 2.27\n", encoding="utf-8")
     stub.chmod(0o755)
@@ -59,9 +53,7 @@ def test_beside_an_older_c_library_the_wheels_of_ros_are_left_out(
     assert "glibc 2.27: the node graph is left out" in done.stderr
 
 
-def test_arguments_folder_and_exit_status_pass_through_a_symbolic_link(
-    ready: Any, tmp_path: Path
-) -> None:
+def test_arguments_folder_and_exit_status_pass_through_a_symbolic_link(ready: Any, tmp_path: Path) -> None:
     (tmp_path / "bin").mkdir()
     (tmp_path / "link").symlink_to(ready.folder / "mansion")
     (tmp_path / "bin" / "mansion").symlink_to("../link")
@@ -131,9 +123,7 @@ def test_the_environment_is_made_anew_when_what_made_it_changes(ready: Any) -> N
 
 def test_without_a_network_it_says_so(quick: Any) -> None:
     lock = next((quick.folder / "requirements").glob("core-*.txt"))
-    lock.write_text(
-        f"--index-url http://127.0.0.1:9/simple\nbrick==1.0 --hash=sha256:{'0' * 64}\n", "utf-8"
-    )
+    lock.write_text(f"--index-url http://127.0.0.1:9/simple\nbrick==1.0 --hash=sha256:{'0' * 64}\n", "utf-8")
     done = quick.run(HOSTTYPE="aarch64")
     assert done.returncode == 1
     assert "the package index cannot be reached" in done.stderr
@@ -185,23 +175,17 @@ def fake_python(folder: Path, lie: str) -> str:
     """A Python that runs `lie` before the script on its standard input."""
     python = folder / "python3"
     python.write_text(
-        f'#!/bin/sh\nexec {sys.executable} -c "import sys; {lie}; exec(sys.stdin.read())"\n',
-        encoding="utf-8",
+        f'#!/bin/sh\nexec {sys.executable} -c "import sys; {lie}; exec(sys.stdin.read())"\n', encoding="utf-8"
     )
     python.chmod(0o755)
     return str(python)
 
 
-def test_a_missing_venv_module_comes_with_the_command_that_installs_it(
-    fresh, tmp_path: Path
-) -> None:
+def test_a_missing_venv_module_comes_with_the_command_that_installs_it(fresh, tmp_path: Path) -> None:
     python = fake_python(tmp_path, "sys.modules['venv'] = None")
     done = fresh.run(MANSION_PYTHON=python)
     assert done.returncode == 1
-    assert (
-        f"sudo apt install python{sys.version_info.major}.{sys.version_info.minor}-venv"
-        in done.stderr
-    )
+    assert f"sudo apt install python{sys.version_info.major}.{sys.version_info.minor}-venv" in done.stderr
 
 
 def test_a_python_that_is_too_old_or_too_new_is_refused(fresh: Any, tmp_path: Path) -> None:

@@ -31,9 +31,7 @@ def entries(lock: Path) -> dict[str, str]:
 def test_each_requirement_is_pinned_with_hashes(root: Path, name: str, python: str) -> None:
     pins = entries(root / f"requirements/{name}-{python}.txt")
     assert pins
-    wanted = re.findall(
-        r"^([a-z][\w-]*)", (root / f"requirements/{name}.in").read_text("utf-8"), re.MULTILINE
-    )
+    wanted = re.findall(r"^([a-z][\w-]*)", (root / f"requirements/{name}.in").read_text("utf-8"), re.MULTILINE)
     assert {distribution.lower() for distribution in wanted} <= set(pins)
 
 
@@ -75,9 +73,7 @@ SERIES = {
 
 
 @pytest.mark.parametrize("python", PYTHONS)
-def test_the_wheels_of_rclpy_are_those_of_jazzy_and_a_lock_of_their_own(
-    root: Path, python: str
-) -> None:
+def test_the_wheels_of_rclpy_are_those_of_jazzy_and_a_lock_of_their_own(root: Path, python: str) -> None:
     wheels = entries(root / f"requirements/rclpy-{python}.txt")
     assert {name for name, start in SERIES.items() if not wheels[name].startswith(start)} == set()
     assert all(name.startswith("ros-") for name in wheels)

@@ -141,23 +141,15 @@ def test_descriptions_agree(packages: list[Path], monkeypatch: pytest.MonkeyPatc
         assert setup_arguments(package, monkeypatch)["description"] == manifest.description
 
 
-def test_each_node_is_an_executable_of_its_package(
-    packages: list[Path], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_each_node_is_an_executable_of_its_package(packages: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:
     for package in packages:
         scripts = console_scripts(setup_arguments(package, monkeypatch))
         command = scripts.pop("mansion", None)
-        assert command == (
-            "mansion_bringup.cli:main" if package.name == "mansion_bringup" else None
-        )
-        assert scripts == {
-            node: f"{package.name}.nodes.{node}:main" for node in NODES.get(package.name, [])
-        }
+        assert command == ("mansion_bringup.cli:main" if package.name == "mansion_bringup" else None)
+        assert scripts == {node: f"{package.name}.nodes.{node}:main" for node in NODES.get(package.name, [])}
 
 
-def test_each_executable_has_its_main(
-    packages: list[Path], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_each_executable_has_its_main(packages: list[Path], monkeypatch: pytest.MonkeyPatch) -> None:
     for package in packages:
         for target in console_scripts(setup_arguments(package, monkeypatch)).values():
             module, function = target.split(":")
@@ -185,17 +177,13 @@ def test_the_package_index_and_the_manifest_are_installed(
         assert (package / "resource" / package.name).is_file()
 
 
-def test_no_fixture_overrides_another_in_the_tests_that_colcon_runs(
-    root: Path, packages: list[Path]
-) -> None:
+def test_no_fixture_overrides_another_in_the_tests_that_colcon_runs(root: Path, packages: list[Path]) -> None:
     """From a package's folder pytest gives every conftest.py below the whole of ``../../tests/NAME``."""
     for package in packages:
         tests = root / "tests" / package.name.removeprefix("mansion_")
         names = [
             name
             for file in sorted(tests.rglob("conftest.py"))
-            for name in re.findall(
-                r"^@pytest\.fixture.*\ndef (\w+)", file.read_text(encoding="utf-8"), re.MULTILINE
-            )
+            for name in re.findall(r"^@pytest\.fixture.*\ndef (\w+)", file.read_text(encoding="utf-8"), re.MULTILINE)
         ]
         assert len(names) == len(set(names)), package.name

@@ -8,13 +8,9 @@ from pathlib import Path
 
 import pytest
 
-SITE = Path(
-    sys.prefix, "lib", f"python{sys.version_info.major}.{sys.version_info.minor}", "site-packages"
-)
+SITE = Path(sys.prefix, "lib", f"python{sys.version_info.major}.{sys.version_info.minor}", "site-packages")
 
-pytestmark = pytest.mark.skipif(
-    not (SITE / "_mansion_ros_wheels.py").exists(), reason="rclpy is not from wheels here"
-)
+pytestmark = pytest.mark.skipif(not (SITE / "_mansion_ros_wheels.py").exists(), reason="rclpy is not from wheels here")
 
 USE = "import rclpy; from std_msgs.msg import String; rclpy.init(); print(rclpy.create_node('n').get_name())"
 GUARD = "_ROS_WHEELS_BOOTSTRAP_COMPLETE"
@@ -23,13 +19,7 @@ GUARD = "_ROS_WHEELS_BOOTSTRAP_COMPLETE"
 def output(command: list[str], stdin: str | None = None, **environment: str) -> str:
     """Standard output of a command that must succeed."""
     done = subprocess.run(
-        command,
-        input=stdin,
-        env={**os.environ, **environment},
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
+        command, input=stdin, env={**os.environ, **environment}, capture_output=True, text=True, timeout=60, check=False
     )
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -73,43 +63,23 @@ def test_no_python_is_started_twice_and_no_variable_is_set() -> None:
     program = f"import rclpy, os; print(os.getppid(), os.environ.get({GUARD!r}), os.environ.get('LD_LIBRARY_PATH'))"
     kept = {name: value for name, value in os.environ.items() if name != "LD_LIBRARY_PATH"}
     done = subprocess.run(
-        [sys.executable, "-c", program],
-        env=kept,
-        capture_output=True,
-        text=True,
-        check=True,
-        timeout=60,
+        [sys.executable, "-c", program], env=kept, capture_output=True, text=True, check=True, timeout=60
     )
     assert done.stdout == f"{os.getpid()} None None\n"
 
 
 def test_the_guard_of_another_environment_changes_nothing() -> None:
-    assert (
-        output([sys.executable, "-c", USE], **{GUARD: "1", "LD_LIBRARY_PATH": "/nowhere"}) == "n\n"
-    )
+    assert output([sys.executable, "-c", USE], **{GUARD: "1", "LD_LIBRARY_PATH": "/nowhere"}) == "n\n"
 
 
 def test_another_python_started_from_here_is_left_as_it_is(tmp_path: Path) -> None:
     environment = tmp_path / "other"
-    output(
-        [
-            getattr(sys, "_base_executable", sys.executable),
-            "-m",
-            "venv",
-            "--without-pip",
-            str(environment),
-        ]
-    )
+    output([getattr(sys, "_base_executable", sys.executable), "-m", "venv", "--without-pip", str(environment)])
     inner = "import os; print(sorted(name for name in os.environ if 'ROS_WHEELS' in name or name.startswith('LD_')))"
     program = f"import rclpy, subprocess; subprocess.run([{str(environment / 'bin' / 'python')!r}, '-c', {inner!r}])"
     kept = {name: value for name, value in os.environ.items() if not name.startswith("LD_")}
     done = subprocess.run(
-        [sys.executable, "-c", program],
-        env=kept,
-        capture_output=True,
-        text=True,
-        check=True,
-        timeout=60,
+        [sys.executable, "-c", program], env=kept, capture_output=True, text=True, check=True, timeout=60
     )
     assert done.stdout == "[]\n"
 

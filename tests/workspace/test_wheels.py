@@ -16,22 +16,14 @@ def wheels(packages: list[Path], tmp_path_factory: pytest.TempPathFactory) -> di
     """Package name -> names in its wheel, built from a copy of the sources."""
     folder = tmp_path_factory.mktemp("wheels")
     ignore = shutil.ignore_patterns("__pycache__", "build", "*.egg-info")
-    sources = [
-        shutil.copytree(package, folder / "src" / package.name, ignore=ignore)
-        for package in packages
-    ]
+    sources = [shutil.copytree(package, folder / "src" / package.name, ignore=ignore) for package in packages]
     for source in sources:
         command = [sys.executable, "setup.py", "--quiet", "bdist_wheel", "--dist-dir", str(folder)]
         subprocess.run(command, cwd=source, check=True, timeout=60, stderr=subprocess.DEVNULL)
-    return {
-        path.name.split("-")[0]: set(zipfile.ZipFile(path).namelist())
-        for path in sorted(folder.glob("*.whl"))
-    }
+    return {path.name.split("-")[0]: set(zipfile.ZipFile(path).namelist()) for path in sorted(folder.glob("*.whl"))}
 
 
-def test_every_file_of_a_package_is_in_its_wheel(
-    packages: list[Path], wheels: dict[str, set[str]]
-) -> None:
+def test_every_file_of_a_package_is_in_its_wheel(packages: list[Path], wheels: dict[str, set[str]]) -> None:
     assert list(wheels) == [package.name for package in packages]
     for package in packages:
         files = {
@@ -43,9 +35,7 @@ def test_every_file_of_a_package_is_in_its_wheel(
         assert files - wheels[package.name] == set()
 
 
-def test_launch_files_and_manifests_are_shared_data(
-    packages: list[Path], wheels: dict[str, set[str]]
-) -> None:
+def test_launch_files_and_manifests_are_shared_data(packages: list[Path], wheels: dict[str, set[str]]) -> None:
     for package in packages:
         shared = {"package.xml"} | {
             str(path.relative_to(package))

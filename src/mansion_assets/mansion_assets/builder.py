@@ -5,17 +5,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from mansion_assets.catalogue import Asset, Surface, Volume
-from mansion_assets.solids import (
-    Axis,
-    Floats,
-    Ints,
-    Vec3,
-    bar,
-    box_solid,
-    extruded,
-    revolved,
-    rounded_box,
-)
+from mansion_assets.solids import Axis, Floats, Ints, Vec3, bar, box_solid, extruded, revolved, rounded_box
 
 __all__ = ["Box", "Builder", "Piece", "Rect"]
 
@@ -94,9 +84,7 @@ class Builder:
         """Return the material of a role of the recipe."""
         return self.asset.materials.get(role, default)
 
-    def raw(
-        self, vertices: Floats, faces: Ints, material: str, part: str, solid: bool = False
-    ) -> None:
+    def raw(self, vertices: Floats, faces: Ints, material: str, part: str, solid: bool = False) -> None:
         """Add triangles; a solid's bounding box takes part in collisions."""
         key = (part, material)
         self.pieces.setdefault(key, Piece(part, material)).add(vertices, faces)
@@ -121,11 +109,7 @@ class Builder:
     ) -> None:
         """Add an axis-aligned box; a thin one that is no solid is lifted off the face of the asset that it lies in."""
         if not solid:
-            x, y, z = (
-                self._lifted(x, self.w / 2),
-                self._lifted(y, self.d / 2),
-                self._lifted(z, self.h),
-            )
+            x, y, z = (self._lifted(x, self.w / 2), self._lifted(y, self.d / 2), self._lifted(z, self.h))
         self.raw(*box_solid(x, y, z), material, part, solid)
 
     @staticmethod
@@ -160,19 +144,10 @@ class Builder:
         solid: bool = True,
     ) -> None:
         """Add an upright cylinder, or a cone frustum whose upper radius is `r2`."""
-        self.lathe(
-            [(r, z[0]), (r if r2 is None else r2, z[1])], material, (x, y), part, n, solid=solid
-        )
+        self.lathe([(r, z[0]), (r if r2 is None else r2, z[1])], material, (x, y), part, n, solid=solid)
 
     def rod(
-        self,
-        start: Vec3,
-        end: Vec3,
-        r: float,
-        material: str,
-        part: str = "frame",
-        n: int = 8,
-        solid: bool = False,
+        self, start: Vec3, end: Vec3, r: float, material: str, part: str = "frame", n: int = 8, solid: bool = False
     ) -> None:
         """Add a round bar between two points."""
         self.raw(*bar(start, end, r, n), material, part, solid)
@@ -183,13 +158,7 @@ class Builder:
             self.rod(start, end, r, material, part)
 
     def ball(
-        self,
-        center: Vec3,
-        radii: Vec3,
-        material: str,
-        part: str = "body",
-        n: int = 12,
-        solid: bool = True,
+        self, center: Vec3, radii: Vec3, material: str, part: str = "body", n: int = 12, solid: bool = True
     ) -> None:
         """Add an ellipsoid."""
         self.cushion(
@@ -229,14 +198,7 @@ class Builder:
         """Add a convex outline drawn out along an axis: (y, z) along x, (x, z) along y, (x, y) along z."""
         self.raw(*extruded(outline, span, axis), material, part, solid)
 
-    def legs(
-        self,
-        z: tuple[float, float],
-        r: float,
-        material: str,
-        inset: float = 0.04,
-        round_: bool = False,
-    ) -> None:
+    def legs(self, z: tuple[float, float], r: float, material: str, inset: float = 0.04, round_: bool = False) -> None:
         """Add four legs at the corners."""
         for sx in (-1, 1):
             for sy in (-1, 1):

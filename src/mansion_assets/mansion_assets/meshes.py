@@ -59,10 +59,7 @@ def mesh(asset: Asset) -> list[MeshPart]:
     if asset.glb is not None:
         return _from_glb(asset)
     pieces, _ = _built(_look(asset))
-    return [
-        MeshPart(part, vertices.copy(), faces.copy(), material(name))
-        for part, name, vertices, faces in pieces
-    ]
+    return [MeshPart(part, vertices.copy(), faces.copy(), material(name)) for part, name, vertices, faces in pieces]
 
 
 def collision_boxes(asset: Asset) -> list[Box]:
@@ -74,15 +71,7 @@ def collision_boxes(asset: Asset) -> list[Box]:
 
 def _look(asset: Asset) -> _Look:
     plain = msgspec.structs.replace(
-        asset,
-        key="",
-        category="",
-        name="",
-        synonyms=(),
-        rooms=(),
-        tags=(),
-        asset_id=None,
-        thor_type="",
+        asset, key="", category="", name="", synonyms=(), rooms=(), tags=(), asset_id=None, thor_type=""
     )
     return _Look(msgspec.msgpack.encode(plain))
 
@@ -99,8 +88,7 @@ def _built(look: _Look) -> tuple[Pieces, list[Box]]:
     builder = Builder(asset)
     make(builder)
     pieces = [
-        (p.part, p.material, np.concatenate(p.vertices), np.concatenate(p.faces))
-        for p in builder.pieces.values()
+        (p.part, p.material, np.concatenate(p.vertices), np.concatenate(p.faces)) for p in builder.pieces.values()
     ]
     low = np.min([v.min(axis=0) for _, _, v, _ in pieces], axis=0)
     high = np.max([v.max(axis=0) for _, _, v, _ in pieces], axis=0)
@@ -109,8 +97,7 @@ def _built(look: _Look) -> tuple[Pieces, list[Box]]:
     center = (low + high) / 2
     fitted = [(part, name, (v - center) * scale, f) for part, name, v, f in pieces]
     boxes = [
-        Box(_vec((np.array(b.center) - center) * scale), _vec(np.array(b.size) * scale))
-        for b in _fewer(builder.boxes)
+        Box(_vec((np.array(b.center) - center) * scale), _vec(np.array(b.size) * scale)) for b in _fewer(builder.boxes)
     ]
     return fitted, boxes or [Box((0.0, 0.0, 0.0), asset.size)]
 
@@ -135,9 +122,7 @@ def _from_glb(asset: Asset) -> list[MeshPart]:
         scene = trimesh.load(asset.glb, force="scene")
         geometries = scene.dump()
     except (OSError, ValueError) as error:
-        raise MansionError(
-            ErrorCode.NOT_FOUND, f"cannot read the GLB of asset {asset.key!r}: {error}"
-        ) from None
+        raise MansionError(ErrorCode.NOT_FOUND, f"cannot read the GLB of asset {asset.key!r}: {error}") from None
     axes = np.array([[-1.0, 0, 0], [0, 0, 1.0], [0, 1.0, 0]])
     points = [np.asarray(g.vertices) @ axes.T for g in geometries]
     low = np.min([p.min(axis=0) for p in points], axis=0)

@@ -11,17 +11,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-__all__ = [
-    "Axis",
-    "Floats",
-    "Ints",
-    "Vec3",
-    "bar",
-    "box_solid",
-    "extruded",
-    "revolved",
-    "rounded_box",
-]
+__all__ = ["Axis", "Floats", "Ints", "Vec3", "bar", "box_solid", "extruded", "revolved", "rounded_box"]
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 Ints: TypeAlias = npt.NDArray[np.int64]
@@ -49,9 +39,7 @@ def box_solid(x: Span, y: Span, z: Span) -> tuple[Floats, Ints]:
     return vertices, _BOX_FACES
 
 
-def revolved(
-    profile: Sequence[tuple[float, float]], at: Span, n: int, stretch: Span
-) -> tuple[Floats, Ints]:
+def revolved(profile: Sequence[tuple[float, float]], at: Span, n: int, stretch: Span) -> tuple[Floats, Ints]:
     """Return a body of revolution of `n` sides about the vertical axis through `at`.
 
     Parameters
@@ -104,10 +92,7 @@ def rounded_box(x: Span, y: Span, z: Span, round_: float, n: int) -> tuple[Float
     if round_ >= 1.0:
         lon = np.arange(m) * 2 * math.pi / m
     rows = [
-        np.column_stack(
-            [math.cos(b) * np.cos(lon), math.cos(b) * np.sin(lon), np.full(m, math.sin(b))]
-        )
-        for b in lat
+        np.column_stack([math.cos(b) * np.cos(lon), math.cos(b) * np.sin(lon), np.full(m, math.sin(b))]) for b in lat
     ]
     unit = np.concatenate([*rows, [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]])
     vertices = unit * radius + np.where(np.abs(unit) < 1e-9, 0.0, np.sign(unit)) * (half - radius)
@@ -121,9 +106,7 @@ def extruded(outline: Sequence[tuple[float, float]], span: Span, axis: Axis) -> 
     order = {"x": (2, 0, 1), "y": (0, 2, 1), "z": (0, 1, 2)}[axis]
     flat = [[(u, v, s) for u, v in outline] for s in span]
     vertices = np.array(flat, dtype=float).reshape(2 * n, 3)[:, order]
-    area = sum(
-        a[0] * b[1] - b[0] * a[1] for a, b in zip(outline, [*outline[1:], outline[0]], strict=True)
-    )
+    area = sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(outline, [*outline[1:], outline[0]], strict=True))
     faces = []
     for k in range(n):
         q = (k + 1) % n

@@ -75,9 +75,7 @@ def generate_launch_description():
     """Declare the arguments and start every node."""
 
     def switch(name, description):
-        return DeclareLaunchArgument(
-            name, default_value="false", choices=SWITCH, description=description
-        )
+        return DeclareLaunchArgument(name, default_value="false", choices=SWITCH, description=description)
 
     arguments = [
         DeclareLaunchArgument("namespace", default_value="/mansion", description="of all nodes"),
@@ -87,18 +85,14 @@ def generate_launch_description():
             choices=["debug", "info", "warn", "error", "fatal"],
             description="of all nodes",
         ),
-        DeclareLaunchArgument(
-            "params_file", default_value="", description="ROS parameter file for all nodes"
-        ),
+        DeclareLaunchArgument("params_file", default_value="", description="ROS parameter file for all nodes"),
         DeclareLaunchArgument(
             "robot_namespace",
             default_value="",
             description="of map, odom, scan, cmd_vel, tf and clock: / for the global names; when empty, those in the "
             "namespace /mansion, and below the nodes' namespace in any other",
         ),
-        DeclareLaunchArgument(
-            "frame_prefix", default_value="", description="in front of every frame, as in site_b/"
-        ),
+        DeclareLaunchArgument("frame_prefix", default_value="", description="in front of every frame, as in site_b/"),
         switch("use_sim_time", "take the time from /clock, in all nodes"),
         switch("publish_clock", "have skill_server publish the world's clock on /clock"),
         switch("respawn", "start a node again that has ended, after 2 s"),

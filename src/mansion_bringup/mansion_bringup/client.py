@@ -68,11 +68,7 @@ class MansionClient(Closing):
     """
 
     def __init__(
-        self,
-        *,
-        domain_id: int | None = None,
-        namespace: str = interfaces.DEFAULT_NAMESPACE,
-        timeout: float = 600.0,
+        self, *, domain_id: int | None = None, namespace: str = interfaces.DEFAULT_NAMESPACE, timeout: float = 600.0
     ) -> None:
         check_rclpy()
         if not rclpy.ok():
@@ -200,9 +196,7 @@ class MansionClient(Closing):
         hint = "is the graph running (`mansion up`)?"
         if callable_here:
             hint = choices(name, callable_here, "services")
-        return MansionError(
-            ErrorCode.UNAVAILABLE, f"no node serves {name}; {hint}", details={"service": name}
-        )
+        return MansionError(ErrorCode.UNAVAILABLE, f"no node serves {name}; {hint}", details={"service": name})
 
     def _lost(self, client: Client, timeout: float, gone: bool) -> MansionError:
         details = {"service": client.service_name}
@@ -212,9 +206,7 @@ class MansionClient(Closing):
                 f"the node that serves {client.service_name} went away during the call",
                 details=details,
             )
-        return MansionError(
-            ErrorCode.TIMEOUT, f"{client.service_name}: no answer in {timeout:g} s", details=details
-        )
+        return MansionError(ErrorCode.TIMEOUT, f"{client.service_name}: no answer in {timeout:g} s", details=details)
 
     def _client(self, name: str, arguments: Any) -> Client:
         kind = self._service_type(name, arguments)
@@ -263,9 +255,7 @@ class MansionClient(Closing):
         reply: BuildReply = self.call("build_building", job, reply=BuildReply)
         return reply
 
-    def listen(
-        self, name: str, handler: Callable[[str], None], qos: Qos | None = None
-    ) -> Callable[[], None]:
+    def listen(self, name: str, handler: Callable[[str], None], qos: Qos | None = None) -> Callable[[], None]:
         """Call `handler` with the text of each message of a String topic; return how to stop.
 
         Parameters

@@ -13,13 +13,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
 
-__all__ = [
-    "CHOICES",
-    "LOOPBACK_PROFILE",
-    "keep_to_this_machine",
-    "kept_to_this_machine",
-    "loopback_variables",
-]
+__all__ = ["CHOICES", "LOOPBACK_PROFILE", "keep_to_this_machine", "kept_to_this_machine", "loopback_variables"]
 
 RANGE: Final = "ROS_AUTOMATIC_DISCOVERY_RANGE"
 PROFILE: Final = "FASTRTPS_DEFAULT_PROFILES_FILE"
@@ -73,9 +67,7 @@ def kept_to_this_machine(environment: MutableMapping[str, str] = os.environ) -> 
 
 
 def _is_chosen(environment: Mapping[str, str]) -> bool:
-    return any(name in environment for name in CHOICES) or any(
-        Path(name).exists() for name in CHOSEN_FILES
-    )
+    return any(name in environment for name in CHOICES) or any(Path(name).exists() for name in CHOSEN_FILES)
 
 
 def loopback_variables(environment: Mapping[str, str]) -> dict[str, str]:

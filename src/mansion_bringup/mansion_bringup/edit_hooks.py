@@ -58,9 +58,7 @@ def _concerned(before: FloorScene, after: FloorScene) -> set[str]:
     names = set(touched)
     for side in (old, new):
         near = [
-            thing
-            for thing in side.values()
-            if thing.parent in touched or any(_meet(thing, spot) for spot in spots)
+            thing for thing in side.values() if thing.parent in touched or any(_meet(thing, spot) for spot in spots)
         ]
         for thing in near:
             names.add(thing.id)

@@ -57,9 +57,7 @@ def ensure_extra(name: str) -> None:
         ``NOT_FOUND`` if there is no such extra; ``UNAVAILABLE`` if it is missing and cannot be installed here.
     """
     if name not in EXTRAS:
-        raise MansionError(
-            ErrorCode.NOT_FOUND, f"there is no extra {name!r}; extras are {', '.join(EXTRAS)}"
-        )
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no extra {name!r}; extras are {', '.join(EXTRAS)}")
     prefix = Path(sys.prefix)
     if not (prefix / ".mansion-venv").exists():
         _require_modules(name)
@@ -117,9 +115,7 @@ def _launcher_lock(prefix: Path) -> Iterator[None]:
 def _install(name: str, lock: Path, prefix: Path) -> None:
     _say(f"installing the extra {name!r} from requirements/{lock.name} (once)")
     command = [sys.executable, "-m", "pip", "install", *_PIP_OPTIONS, "-r", str(lock)]
-    done = subprocess.run(
-        command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
-    )
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
     output = done.stdout + done.stderr
     with open(prefix / "setup.log", "a", encoding="utf-8") as log:
         log.write(output)

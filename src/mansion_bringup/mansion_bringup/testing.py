@@ -27,16 +27,7 @@ def pytest_command(arguments: Sequence[str]) -> list[str]:
     arguments : sequence of str
         pytest's own; they come last and so win (``-n 0``, ``--no-cov``, a path).
     """
-    return [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-n",
-        "2",
-        "--cov",
-        "--cov-report=term:skip-covered",
-        *arguments,
-    ]
+    return [sys.executable, "-m", "pytest", "-n", "2", "--cov", "--cov-report=term:skip-covered", *arguments]
 
 
 def test_environment(environment: Mapping[str, str]) -> dict[str, str]:
@@ -72,15 +63,9 @@ def run_tests(arguments: Sequence[str]) -> int:
     """
     if not (_CHECKOUT / "tests").is_dir():
         raise MansionError(
-            ErrorCode.NOT_FOUND,
-            f"there are no tests beside {_CHECKOUT}; run ./mansion test in a checkout of Mansion",
+            ErrorCode.NOT_FOUND, f"there are no tests beside {_CHECKOUT}; run ./mansion test in a checkout of Mansion"
         )
     for name in TEST_EXTRAS:
         ensure_extra(name)
-    done = subprocess.run(
-        pytest_command(arguments),
-        cwd=_CHECKOUT,
-        env=test_environment(os.environ),
-        check=False,
-    )
+    done = subprocess.run(pytest_command(arguments), cwd=_CHECKOUT, env=test_environment(os.environ), check=False)
     return done.returncode

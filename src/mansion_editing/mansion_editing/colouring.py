@@ -33,9 +33,7 @@ def recoloured(item: SceneObject, colour: str) -> SceneObject:
     if name is None:
         known = ", ".join(sorted(set(COLOUR_WORDS.values())))
         raise MansionError(
-            ErrorCode.INVALID_PAYLOAD,
-            f"unknown colour {colour[:40]!r}; colours are {known}",
-            path="$.color",
+            ErrorCode.INVALID_PAYLOAD, f"unknown colour {colour[:40]!r}; colours are {known}", path="$.color"
         )
     if colour_of(item.material) == name:
         return item

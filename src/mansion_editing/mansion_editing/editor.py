@@ -50,12 +50,7 @@ ACTION_TOOLS: Final[dict[str, type[Any]]] = {
     "MoveObject": MoveObjectArgs,
     "SetState": SetStateArgs,
 }
-HISTORY_TOOLS: Final[dict[str, type[Any]]] = {
-    "Undo": ToolArgs,
-    "Redo": ToolArgs,
-    "Diff": ToolArgs,
-    "Save": ToolArgs,
-}
+HISTORY_TOOLS: Final[dict[str, type[Any]]] = {"Undo": ToolArgs, "Redo": ToolArgs, "Diff": ToolArgs, "Save": ToolArgs}
 TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **HISTORY_TOOLS}
 """Each tool's name and the type of its arguments."""
 
@@ -131,9 +126,7 @@ class SceneEditor:
         kind = TOOLS.get(tool)
         if kind is None:
             raise MansionError(
-                ErrorCode.NOT_FOUND,
-                f"there is no tool {str(tool)[:80]!r}; tools are {', '.join(TOOLS)}",
-                path="$.tool",
+                ErrorCode.NOT_FOUND, f"there is no tool {str(tool)[:80]!r}; tools are {', '.join(TOOLS)}", path="$.tool"
             )
         args = arguments
         if not isinstance(arguments, kind):
@@ -193,10 +186,7 @@ class SceneEditor:
     def diff(self) -> DiffReport:
         """Say what waits to be saved."""
         changes = net_changes(self.state.pending)
-        words = [
-            f"{'+' if c.before is None else '-' if c.after is None else '~'} {c.id}"
-            for c in changes
-        ]
+        words = [f"{'+' if c.before is None else '-' if c.after is None else '~'} {c.id}" for c in changes]
         return DiffReport(message=", ".join(words) or "nothing waits to be saved", changes=changes)
 
     def save(self, what: str = "") -> EditResult:
@@ -257,6 +247,4 @@ def _landed(message: str, done: Transaction) -> EditResult:
 
 def _without_editor(args: Any) -> dict[str, Any]:
     plain: dict[str, Any] = msgspec.to_builtins(args)
-    return {
-        name: value for name, value in plain.items() if name != "editor" and value not in ("", None)
-    }
+    return {name: value for name, value in plain.items() if name != "editor" and value not in ("", None)}

@@ -47,9 +47,7 @@ def locked(path: Path, patience: float = PATIENCE) -> Iterator[None]:
                 break
             except OSError:
                 if time.monotonic() >= deadline:
-                    raise MansionError(
-                        ErrorCode.CONFLICT, f"another editor holds {path}; try again"
-                    ) from None
+                    raise MansionError(ErrorCode.CONFLICT, f"another editor holds {path}; try again") from None
                 time.sleep(0.02)
         try:
             yield

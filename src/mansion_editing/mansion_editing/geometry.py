@@ -33,9 +33,7 @@ def within_plan(index: FloorIndex, receptacle: SceneObject) -> Column:
     dy = boxes[:, 1] - receptacle.position[1]
     u = math.cos(angle) * dx - math.sin(angle) * dy
     v = math.sin(angle) * dx + math.cos(angle) * dy
-    inside = (np.abs(u) <= receptacle.size[0] / 2 + EDGE) & (
-        np.abs(v) <= receptacle.size[1] / 2 + EDGE
-    )
+    inside = (np.abs(u) <= receptacle.size[0] / 2 + EDGE) & (np.abs(v) <= receptacle.size[1] / 2 + EDGE)
     own = index.at.get(receptacle.id, -1)
     return np.array([n for n in np.flatnonzero(inside) if n != own], dtype=np.intp)
 
@@ -85,9 +83,7 @@ def contents(index: FloorIndex, receptacle: SceneObject, asset: Asset | None) ->
     return found
 
 
-def _rests(
-    item: SceneObject, receptacle: SceneObject, asset: Asset | None, shelves: bool = True
-) -> bool:
+def _rests(item: SceneObject, receptacle: SceneObject, asset: Asset | None, shelves: bool = True) -> bool:
     foot = item.position[2] - item.size[2] / 2
     top = receptacle.position[2] + receptacle.size[2] / 2
     if item.position[2] > top and abs(foot - top) <= REST:
@@ -110,9 +106,7 @@ def _in_volume(item: SceneObject, receptacle: SceneObject, asset: Asset | None) 
     x, y = to_local(receptacle, item.position)
     z = item.position[2] - receptacle.position[2]
     return any(
-        abs(x - v.x) <= v.w / 2 + EDGE
-        and abs(y - v.y) <= v.d / 2 + EDGE
-        and abs(z - v.z) <= v.h / 2 + EDGE
+        abs(x - v.x) <= v.w / 2 + EDGE and abs(y - v.y) <= v.d / 2 + EDGE and abs(z - v.z) <= v.h / 2 + EDGE
         for v in asset.volumes
     )
 

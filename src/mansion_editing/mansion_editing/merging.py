@@ -66,9 +66,7 @@ def _renamed(change: ObjectChange, names: Mapping[str, str]) -> ObjectChange:
     own = names.get(after.id, after.id) if change.before is None else after.id
     if (own, parent) == (after.id, after.parent):
         return change
-    return msgspec.structs.replace(
-        change, after=msgspec.structs.replace(after, id=own, parent=parent)
-    )
+    return msgspec.structs.replace(change, after=msgspec.structs.replace(after, id=own, parent=parent))
 
 
 def _next_id(wanted: str, taken: set[str]) -> str:

@@ -84,10 +84,7 @@ def ledges_of(asset: Asset, *, inside: bool) -> list[Ledge]:
     ]
     if inside:
         bare = asset.pickupable and not asset.openable
-        out = [
-            Ledge(v.kind, True, v.x, v.y, v.z - v.h / 2, v.w, v.d, v.h, vessel=bare)
-            for v in asset.volumes
-        ] + out
+        out = [Ledge(v.kind, True, v.x, v.y, v.z - v.h / 2, v.w, v.d, v.h, vessel=bare) for v in asset.volumes] + out
     return out
 
 
@@ -134,9 +131,7 @@ def _by_height(ledges: Sequence[Ledge], receptacle: SceneObject) -> list[Ledge]:
     return sorted(ledges, key=lambda ledge: abs(receptacle.position[2] + ledge.z - 1.0))
 
 
-def _obstacles(
-    index: FloorIndex, receptacle: SceneObject, skip: set[str]
-) -> npt.NDArray[np.float64]:
+def _obstacles(index: FloorIndex, receptacle: SceneObject, skip: set[str]) -> npt.NDArray[np.float64]:
     """Objects near a receptacle in its frame: x, y, half extents along its axes, lower and upper end."""
     ancestors = set(skip)
     above = receptacle.parent
@@ -184,18 +179,14 @@ def _on_ledge(
     xs, ys = ledge.x + _steps(rx), ledge.y + _steps(ry)
     gx, gy = (grid.ravel() for grid in np.meshgrid(xs, ys))
     if ledge.round:
-        ratio = np.hypot(
-            (np.abs(gx - ledge.x) + hw) / (ledge.w / 2), (np.abs(gy - ledge.y) + hd) / (ledge.d / 2)
-        )
+        ratio = np.hypot((np.abs(gx - ledge.x) + hw) / (ledge.w / 2), (np.abs(gy - ledge.y) + hd) / (ledge.d / 2))
         gx, gy = gx[ratio <= 1.0], gy[ratio <= 1.0]
     near = boxes[(boxes[:, 4] < ledge.z + size[2] + 0.002) & (boxes[:, 5] > ledge.z + 0.002)]
     gap = np.full(len(gx), 1.0)
     for x, y, half_w, half_d, _, _ in near:
         apart = np.maximum(np.abs(gx - x) - hw - half_w, np.abs(gy - y) - hd - half_d)
         gap = np.minimum(gap, apart)
-    edge = np.minimum(
-        ledge.w / 2 - np.abs(gx - ledge.x) - hw, ledge.d / 2 - np.abs(gy - ledge.y) - hd
-    )
+    edge = np.minimum(ledge.w / 2 - np.abs(gx - ledge.x) - hw, ledge.d / 2 - np.abs(gy - ledge.y) - hd)
     front = ledge.y + ledge.d / 2 - hd - gy
     cost = (
         handicap
@@ -208,9 +199,7 @@ def _on_ledge(
         cost += BESIDE * np.hypot(gx - beside[0], gy - beside[1])
     free = np.flatnonzero(gap >= GAP)
     order = free[np.argsort(cost[free], kind="stable")]
-    return [
-        Place(ledge, float(gx[k]), float(gy[k]), turn, round(float(cost[k]), 6)) for k in order[:40]
-    ]
+    return [Place(ledge, float(gx[k]), float(gy[k]), turn, round(float(cost[k]), 6)) for k in order[:40]]
 
 
 def _steps(reach: float) -> npt.NDArray[np.float64]:

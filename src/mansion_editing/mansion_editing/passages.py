@@ -103,15 +103,11 @@ def _before(shut: Sequence[Door], things: Sequence[SceneObject]) -> list[str]:
     """Return what stands before doors."""
     lines = [LineString(door.segment) for door in shut]
     return sorted(
-        item.id
-        for item in things
-        if (shapely.distance(lines, footprint(item)) <= _DOORWAY + BODY_RADIUS).any()
+        item.id for item in things if (shapely.distance(lines, footprint(item)) <= _DOORWAY + BODY_RADIUS).any()
     )
 
 
-def _between(
-    found: Sequence[Polygon], entered: set[int], things: Sequence[SceneObject]
-) -> list[str] | None:
+def _between(found: Sequence[Polygon], entered: set[int], things: Sequence[SceneObject]) -> list[str] | None:
     """Return what stands between the parts of a room that matter, None where only one does."""
     whole = sum(part.area for part in found)
     large = {n for n, part in enumerate(found) if part.area >= max(_WORTH, _SHARE * whole)}
@@ -119,7 +115,5 @@ def _between(
     if len(matter) < 2:
         return None
     shapes = [footprint(item) for item in things]
-    near = sum(
-        (shapely.distance(shapes, found[n]) <= BODY_RADIUS + 0.02).astype(int) for n in matter
-    )
+    near = sum((shapely.distance(shapes, found[n]) <= BODY_RADIUS + 0.02).astype(int) for n in matter)
     return sorted(item.id for item, sides in zip(things, near, strict=True) if sides > 1)

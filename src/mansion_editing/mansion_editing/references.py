@@ -78,20 +78,7 @@ _NAMED = [
     "lower",
     "last",
 ]
-_NUMBERS = [
-    "one",
-    "two",
-    "three",
-    "four",
-    "five",
-    "six",
-    "seven",
-    "eight",
-    "nine",
-    "ten",
-    "eleven",
-    "twelve",
-]
+_NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 
 
 def _floor_number(state: SceneState, word: str) -> int:
@@ -306,10 +293,7 @@ def _core(state: SceneState, reference: str) -> tuple[int, str] | None:
     names = {"elevator": "elevator", "lift": "elevator", "stairs": "stair", "stair": "stair"}
     wanted = rest.strip().lower().removeprefix("the ")
     cores: list[tuple[int, SceneCore]] = [
-        (number, core)
-        for number in state.floors
-        if floor in (None, number)
-        for core in state.scenes[number].cores
+        (number, core) for number in state.floors if floor in (None, number) for core in state.scenes[number].cores
     ]
     for number, core in cores:
         if core.id == wanted or core.type == names.get(wanted):

@@ -13,9 +13,7 @@ from mansion_msgs_py.world import ObjectState, WorldState
 __all__ = ["refuse_touched"]
 
 
-def refuse_touched(
-    folder: Path, changes: Iterable[ObjectChange], scenes: Mapping[int, FloorScene]
-) -> None:
+def refuse_touched(folder: Path, changes: Iterable[ObjectChange], scenes: Mapping[int, FloorScene]) -> None:
     """Refuse changes of what a session has in its overlay.
 
     Parameters
@@ -56,8 +54,7 @@ def _overlays(folder: Path) -> dict[str, dict[str, ObjectState]]:
             continue
         except MansionError as error:
             raise MansionError(
-                ErrorCode.CONFLICT,
-                f"{file} cannot be read ({error.info.message}); remove it to edit the building",
+                ErrorCode.CONFLICT, f"{file} cannot be read ({error.info.message}); remove it to edit the building"
             ) from None
         touched = {state.id: state for state in world.objects}
         if world.robot.held is not None:

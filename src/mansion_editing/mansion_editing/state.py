@@ -76,12 +76,7 @@ class SceneState:
         What differs from the scenes handed in, in the order it was done.
     """
 
-    def __init__(
-        self,
-        scenes: Sequence[FloorScene],
-        catalogue: Catalogue,
-        retriever: Retriever | None = None,
-    ) -> None:
+    def __init__(self, scenes: Sequence[FloorScene], catalogue: Catalogue, retriever: Retriever | None = None) -> None:
         self.catalogue = catalogue
         self.retriever: Retriever = retriever or TextRetriever()
         self.scenes = {scene.floor: scene for scene in scenes}
@@ -172,9 +167,7 @@ class SceneState:
 
     def add(self, floor: int, item: SceneObject) -> None:
         """Append an object."""
-        self.apply(
-            ObjectChange(floor=floor, index=len(self.scenes[floor].objects), after=item),
-        )
+        self.apply(ObjectChange(floor=floor, index=len(self.scenes[floor].objects), after=item))
 
     def remove(self, floor: int, item: SceneObject) -> None:
         """Take an object away."""
@@ -229,9 +222,7 @@ def changed(scene: FloorScene, change: ObjectChange) -> FloorScene:
     elif after is not None:
         if any(item.id == after.id for item in objects):
             raise MansionError(
-                ErrorCode.CONFLICT,
-                f"the id {after.id} is taken by now; repeat the edit",
-                details={"object": after.id},
+                ErrorCode.CONFLICT, f"the id {after.id} is taken by now; repeat the edit", details={"object": after.id}
             )
         objects.insert(min(change.index, len(objects)), after)
     return msgspec.structs.replace(scene, objects=objects)

@@ -53,18 +53,12 @@ class BuildingStore:
     """
 
     def __init__(
-        self,
-        folder: Path,
-        *,
-        validator: Validator | None = None,
-        clock: Callable[[], str] = lambda: "",
+        self, folder: Path, *, validator: Validator | None = None, clock: Callable[[], str] = lambda: ""
     ) -> None:
         self.folder = folder
         self._validator = validator
         self._clock = clock
-        self.index = decode_from(
-            BuildingIndex, self._read(folder / "building.json"), folder / "building.json"
-        )
+        self.index = decode_from(BuildingIndex, self._read(folder / "building.json"), folder / "building.json")
         self._edits = folder / "edits"
         self.lock_file = self._edits / "lock"
         if (self._edits / "pending.json").exists():
@@ -193,9 +187,7 @@ class BuildingStore:
         file = self.folder / "building.json"
         building = msgspec.json.decode(self._read(file))
         counts = {floor: len(self.scene(floor).objects) for floor in floors}
-        stale = [
-            e for e in building["floors"] if e["objects"] != counts.get(e["floor"], e["objects"])
-        ]
+        stale = [e for e in building["floors"] if e["objects"] != counts.get(e["floor"], e["objects"])]
         for entry in stale:
             entry["objects"] = counts[entry["floor"]]
         if stale:

@@ -11,11 +11,7 @@ __all__ = ["hex_color", "linear", "named", "surface_material"]
 def hex_color(text: str, default: str = "#b0a89c") -> tuple[float, float, float]:
     """Return ``#rrggbb`` as numbers from 0 to 1; `default` for anything else."""
     digits = text if len(text) == 7 and text.startswith("#") else default
-    return (
-        int(digits[1:3], 16) / 255.0,
-        int(digits[3:5], 16) / 255.0,
-        int(digits[5:7], 16) / 255.0,
-    )
+    return (int(digits[1:3], 16) / 255.0, int(digits[3:5], 16) / 255.0, int(digits[5:7], 16) / 255.0)
 
 
 def linear(color: tuple[float, float, float]) -> list[float]:
@@ -27,9 +23,7 @@ def linear(color: tuple[float, float, float]) -> list[float]:
 def named(name: str) -> Material:
     """Return a material of the library by its name."""
     entry = library()[name]
-    return Material(
-        entry.name, hex_color(entry.color), entry.alpha, entry.roughness, entry.metallic
-    )
+    return Material(entry.name, hex_color(entry.color), entry.alpha, entry.roughness, entry.metallic)
 
 
 @cache

@@ -101,12 +101,7 @@ def _edges(polygons: Mapping[str, Sequence[Ring]]) -> tuple[list[str], FloatArra
 
 
 def _opposites(
-    i: int,
-    owners: list[str],
-    starts: FloatArray,
-    ends: FloatArray,
-    units: FloatArray,
-    lengths: FloatArray,
+    i: int, owners: list[str], starts: FloatArray, ends: FloatArray, units: FloatArray, lengths: FloatArray
 ) -> list[tuple[int, float, float]]:
     """Later edges that run against edge `i` on its line, with the interval of `i` that they cover."""
     later = slice(i + 1, len(owners))
@@ -115,25 +110,16 @@ def _opposites(
     near_start = starts[later] - starts[i]
     near_end = ends[later] - starts[i]
     off = np.maximum(
-        np.abs(near_start[:, 0] * uy - near_start[:, 1] * ux),
-        np.abs(near_end[:, 0] * uy - near_end[:, 1] * ux),
+        np.abs(near_start[:, 0] * uy - near_start[:, 1] * ux), np.abs(near_end[:, 0] * uy - near_end[:, 1] * ux)
     )
     low = np.maximum(near_end @ units[i], 0.0)
     high = np.minimum(near_start @ units[i], lengths[i])
     hits = np.flatnonzero(against & (off < COLLINEAR) & (high - low > SLIVER))
-    return [
-        (int(k) + i + 1, float(low[k]), float(high[k]))
-        for k in hits
-        if owners[int(k) + i + 1] != owners[i]
-    ]
+    return [(int(k) + i + 1, float(low[k]), float(high[k])) for k in hits if owners[int(k) + i + 1] != owners[i]]
 
 
 def _fill(
-    owner: str,
-    start: FloatArray,
-    unit: FloatArray,
-    length: float,
-    shared: list[tuple[float, float, Stretch]],
+    owner: str, start: FloatArray, unit: FloatArray, length: float, shared: list[tuple[float, float, Stretch]]
 ) -> list[Stretch]:
     """Shared stretches of one edge in order, and outer ones between them."""
     found: list[Stretch] = []
@@ -144,9 +130,7 @@ def _fill(
         found.append(stretch)
         reached = max(reached, high)
     if length - reached > SLIVER:
-        found.append(
-            Stretch(_along(start, unit, reached), _along(start, unit, length), owner, None)
-        )
+        found.append(Stretch(_along(start, unit, reached), _along(start, unit, length), owner, None))
     return found
 
 
@@ -156,6 +140,4 @@ def _along(start: FloatArray, unit: FloatArray, distance: float) -> Point:
 
 
 def _signed_area(ring: Sequence[Point]) -> float:
-    return 0.5 * sum(
-        a[0] * b[1] - b[0] * a[1] for a, b in zip(ring, list(ring[1:]) + list(ring[:1]))
-    )
+    return 0.5 * sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(ring, list(ring[1:]) + list(ring[:1])))

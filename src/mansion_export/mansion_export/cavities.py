@@ -42,9 +42,7 @@ class _Guest:
     carried: bool
 
 
-def loose_colliders(
-    scene: FloorScene, catalogue: Catalogue | None = None
-) -> dict[str, tuple[Box, ...]]:
+def loose_colliders(scene: FloorScene, catalogue: Catalogue | None = None) -> dict[str, tuple[Box, ...]]:
     """Return the collision boxes of the objects that share room with a loose object or carry one.
 
     Parameters
@@ -79,9 +77,7 @@ def loose_colliders(
             carried = other.parent == item.id
             guest = _Guest(_bounds_in(item, other), carried)
             lies_in = carried or (
-                _volume(other) < _volume(item)
-                and item.parent != other.id
-                and _overlap(guest.bounds, _whole(item))
+                _volume(other) < _volume(item) and item.parent != other.id and _overlap(guest.bounds, _whole(item))
             )
             if other is not item and lies_in:
                 guests.append(guest)
@@ -153,9 +149,7 @@ def _carries(part: Bounds, guest: Bounds) -> bool:
     across = min(part[3], guest[3]) - max(part[0], guest[0])
     deep = min(part[4], guest[4]) - max(part[1], guest[1])
     area = (guest[3] - guest[0]) * (guest[4] - guest[1])
-    return (
-        abs(part[5] - guest[2]) < LEVEL and across > 0 and deep > 0 and across * deep > 0.6 * area
-    )
+    return abs(part[5] - guest[2]) < LEVEL and across > 0 and deep > 0 and across * deep > 0.6 * area
 
 
 def _without(part: Bounds, guest: Bounds) -> list[Bounds]:
@@ -164,11 +158,7 @@ def _without(part: Bounds, guest: Bounds) -> list[Bounds]:
         return [part]
     out_above = guest[5] > part[5] - DEEP
     low = [guest[0] - PLAY, guest[1] - PLAY, guest[2]]
-    high = [
-        guest[3] + PLAY,
-        guest[4] + PLAY if out_above else part[4],
-        part[5] if out_above else guest[5] + PLAY,
-    ]
+    high = [guest[3] + PLAY, guest[4] + PLAY if out_above else part[4], part[5] if out_above else guest[5] + PLAY]
     rest: list[Bounds] = []
     core = list(part)
     # Level cuts first: what carries stays one board below the whole cavity.

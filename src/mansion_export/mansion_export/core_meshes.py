@@ -86,8 +86,7 @@ def _rail(start: Point3, end: Point3) -> list[Surface]:
 
 
 def _outward(
-    corners: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
-    faces: np.ndarray[tuple[int, ...], np.dtype[np.int64]],
+    corners: np.ndarray[tuple[int, ...], np.dtype[np.float64]], faces: np.ndarray[tuple[int, ...], np.dtype[np.int64]]
 ) -> np.ndarray[tuple[int, ...], np.dtype[np.int64]]:
     """Turn all faces of a hexahedron to look outward, which its corners decide together."""
     a, b, c = (corners[faces[:, i]] for i in range(3))
@@ -95,9 +94,7 @@ def _outward(
     return faces if volume > 0 else np.ascontiguousarray(faces[:, ::-1])
 
 
-def _add_lift(
-    model: Model, scene: FloorScene, core: SceneCore, details: LiftDetails, here: bool
-) -> None:
+def _add_lift(model: Model, scene: FloorScene, core: SceneCore, details: LiftDetails, here: bool) -> None:
     name = f"{core.id}/call_panel"
     model.add(Node(name, _mesh_name(scene, name), "cores"), _call_panel(details))
     if not here:
@@ -153,9 +150,7 @@ def _lamp(details: LiftDetails) -> Box:
     return Box((cx, cy, z1 - WALL - 0.01), (0.5 * (x1 - x0), 0.5 * (y1 - y0), 0.02))
 
 
-def _plate(
-    at: Point3, facing: float, width: float, height: float, material: Material
-) -> list[Surface]:
+def _plate(at: Point3, facing: float, width: float, height: float, material: Material) -> list[Surface]:
     """A thin plate that looks along `facing`, or against it: it is the same on both sides."""
     box = Box(at, (width, 0.03 if height > 0.06 else 0.05, height), facing - 90.0)
     return [boxes_surface([box], material)]

@@ -14,14 +14,7 @@ import numpy.typing as npt
 from mansion_geometry.thor.axes import thor_euler, thor_heading, thor_point
 from mansion_msgs_py.shapes import Point
 
-__all__ = [
-    "gltf_points",
-    "gltf_quaternion",
-    "thor_heading",
-    "thor_point",
-    "thor_ring",
-    "thor_rotation",
-]
+__all__ = ["gltf_points", "gltf_quaternion", "thor_heading", "thor_point", "thor_ring", "thor_rotation"]
 
 
 def thor_ring(ring: Sequence[Point]) -> list[dict[str, float]]:

@@ -110,9 +110,7 @@ def gallery_files(
         asked.append([name for name in QUESTIONS if name != "diversity" or least > 1])
         files[page] = _page(room, [shown[name][:least] for name in names], catalogue)
     if not key.pages:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, "no room has results of every system", path="$.systems"
-        )
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "no room has results of every system", path="$.systems")
     files["form.html"] = _form(key, rooms, asked).encode()
     files["key.json"] = msgspec.json.format(msgspec.json.encode(key), indent=1) + b"\n"
     return files
@@ -139,9 +137,7 @@ def tally(answers: Sequence[Answer], key: GalleryKey) -> dict[str, dict[str, flo
                 )
             counts[question][system] += 1
     return {
-        question: {
-            name: count / max(1, sum(by_system.values())) for name, count in by_system.items()
-        }
+        question: {name: count / max(1, sum(by_system.values())) for name, count in by_system.items()}
         for question, by_system in counts.items()
     }
 
@@ -156,11 +152,7 @@ def _runs_of(
     return [own[i] for i in sorted(chosen.tolist())]
 
 
-def _page(
-    room: PlacementRoom,
-    panels: Sequence[Sequence[PlacementResult]],
-    catalogue: "Catalogue | None",
-) -> bytes:
+def _page(room: PlacementRoom, panels: Sequence[Sequence[PlacementResult]], catalogue: "Catalogue | None") -> bytes:
     """Draw a page: a row for each system where it shows several runs, else the systems in one row."""
     from PIL import Image, ImageDraw
 
@@ -180,9 +172,7 @@ def _page(
             picture = room_picture(room, result, PANEL, catalogue=catalogue)
             sheet.paste(picture, (x, y + head))
             if run == 0:
-                pen.text(
-                    (x + 16, y + 8), _LETTERS[number], font=load_font(26, True), fill="#222222"
-                )
+                pen.text((x + 16, y + 8), _LETTERS[number], font=load_font(26, True), fill="#222222")
     buffer = io.BytesIO()
     sheet.save(buffer, format="PNG", compress_level=6)
     return buffer.getvalue()
@@ -197,16 +187,13 @@ def _form(key: GalleryKey, rooms: Sequence[PlacementRoom], asked: Sequence[Seque
         parts.append(f'<section data-page="{page.page}"><h2>{title}</h2><img src="{page.page}">')
         for question in questions:
             choices = "".join(
-                f'<label><input type="radio" name="{page.page}.{question}" value="{letter}">'
-                f" {letter}</label>"
+                f'<label><input type="radio" name="{page.page}.{question}" value="{letter}"> {letter}</label>'
                 for letter in page.panels
             )
             text = html.escape(QUESTIONS[question])
             parts.append(f"<p><b>{question.capitalize()}.</b> {text}<br>{choices}</p>")
         parts.append("</section>")
-    return _FORM.replace("{{sections}}", "\n".join(parts)).replace(
-        "{{questions}}", json.dumps(list(QUESTIONS))
-    )
+    return _FORM.replace("{{sections}}", "\n".join(parts)).replace("{{questions}}", json.dumps(list(QUESTIONS)))
 
 
 _FORM = """<!doctype html>

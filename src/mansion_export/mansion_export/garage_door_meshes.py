@@ -32,19 +32,7 @@ def garage_slats(width: float, height: float, door: Door) -> list[Surface]:
         return [boxes_surface([roll], named("brushed_steel"))]
     count = max(1, round(height / SLAT))
     step = height / count
-    slats = [
-        Box(
-            (width / 2, 0.0, (i + 0.5) * step),
-            (width, THICKNESS, step - GROOVE),
-        )
-        for i in range(count)
-    ]
+    slats = [Box((width / 2, 0.0, (i + 0.5) * step), (width, THICKNESS, step - GROOVE)) for i in range(count)]
     core = Box((width / 2, 0.0, height / 2), (width, THICKNESS - 2 * GROOVE, height))
-    grip = [
-        Box((width / 2, side * (THICKNESS / 2 + 0.015), 0.7 * step), (0.22, 0.03, 0.03))
-        for side in (-1, 1)
-    ]
-    return [
-        boxes_surface(slats, named("signal_white")),
-        boxes_surface([core, *grip], named("painted_steel")),
-    ]
+    grip = [Box((width / 2, side * (THICKNESS / 2 + 0.015), 0.7 * step), (0.22, 0.03, 0.03)) for side in (-1, 1)]
+    return [boxes_surface(slats, named("signal_white")), boxes_surface([core, *grip], named("painted_steel"))]

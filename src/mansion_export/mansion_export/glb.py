@@ -45,12 +45,8 @@ def building_glb(
     return write_glb(models, name, building_title(scenes), quarter_turns(scenes))
 
 
-def floor_glb(
-    scene: FloorScene, *, ceilings: bool = True, catalogue: Catalogue | None = None
-) -> bytes:
+def floor_glb(scene: FloorScene, *, ceilings: bool = True, catalogue: Catalogue | None = None) -> bytes:
     """Write one floor as binary glTF, its finished floor at its elevation; see `building_glb`."""
     return write_glb(
-        [floor_model(scene, ceilings=ceilings, catalogue=catalogue)],
-        scene.building_id,
-        floor_title(scene),
+        [floor_model(scene, ceilings=ceilings, catalogue=catalogue)], scene.building_id, floor_title(scene)
     )

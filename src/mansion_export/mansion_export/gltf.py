@@ -75,8 +75,7 @@ class _Writer:
             if mesh is not None:
                 groups.setdefault(node.group, []).append(self.node(_placed(node, mesh)))
         children = [
-            self.node({"name": f"{model.name}/{group}", "children": members})
-            for group, members in groups.items()
+            self.node({"name": f"{model.name}/{group}", "children": members}) for group, members in groups.items()
         ]
         content: Json = {"name": model.name, "children": children, **_titled(model.title)}
         if model.elevation:
@@ -120,26 +119,15 @@ class _Writer:
             if material.alpha < 1.0:
                 content |= {"alphaMode": "BLEND", "doubleSided": True}
             if material.emission > 0.0:
-                content["emissiveFactor"] = [
-                    round(material.emission * c, 6) for c in linear(material.color)
-                ]
+                content["emissiveFactor"] = [round(material.emission * c, 6) for c in linear(material.color)]
             self.materials.append(content)
             self._material_index[material] = len(self.materials) - 1
         return self._material_index[material]
 
-    def accessor(
-        self, array: npt.NDArray[Any], kind: str, component: int, target: int, bounds: bool = False
-    ) -> int:
+    def accessor(self, array: npt.NDArray[Any], kind: str, component: int, target: int, bounds: bool = False) -> int:
         """Append an array to the buffer, on a multiple of four bytes, and describe it."""
         data = array.tobytes()
-        self.views.append(
-            {
-                "buffer": 0,
-                "byteOffset": len(self.buffer),
-                "byteLength": len(data),
-                "target": target,
-            }
-        )
+        self.views.append({"buffer": 0, "byteOffset": len(self.buffer), "byteLength": len(data), "target": target})
         self.buffer += data + b"\0" * (-len(data) % 4)
         content: Json = {
             "bufferView": len(self.views) - 1,
@@ -174,9 +162,7 @@ class _Writer:
         chunks = len(text).to_bytes(4, "little") + b"JSON" + text
         if self.buffer:
             chunks += len(self.buffer).to_bytes(4, "little") + b"BIN\0" + bytes(self.buffer)
-        return (
-            b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little") + chunks
-        )
+        return b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little") + chunks
 
 
 def _placed(node: Node, mesh: int) -> Json:

@@ -12,15 +12,7 @@ from mansion_msgs_py.scene import FloorScene
 
 __all__ = ["view_page"]
 
-SCRIPTS = (
-    "matrix.js",
-    "scene.js",
-    "renderer.js",
-    "camera.js",
-    "labels.js",
-    "input.js",
-    "main.js",
-)
+SCRIPTS = ("matrix.js", "scene.js", "renderer.js", "camera.js", "labels.js", "input.js", "main.js")
 
 
 def view_page(building: bytes | Sequence[FloorScene]) -> str:

@@ -33,9 +33,7 @@ def floor_model(
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
     """
-    model = Model(
-        f"floor_{scene.floor}", scene.floor, scene.elevation, title=floor_name(scene).capitalize()
-    )
+    model = Model(f"floor_{scene.floor}", scene.floor, scene.elevation, title=floor_name(scene).capitalize())
     add_floors(model, scene)
     add_walls(model, scene)
     if ceilings:

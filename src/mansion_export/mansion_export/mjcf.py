@@ -122,11 +122,7 @@ class _Writer:
                 shift = side * wall.thickness / 4
                 x = solid.center[0] - float(np.sin(angle)) * shift
                 y = solid.center[1] + float(np.cos(angle)) * shift
-                half = Box(
-                    (x, y, solid.center[2]),
-                    (solid.size[0], solid.size[1] / 2, solid.size[2]),
-                    solid.rotation,
-                )
+                half = Box((x, y, solid.center[2]), (solid.size[0], solid.size[1] / 2, solid.size[2]), solid.rotation)
                 name = f"{wall.id}/{i}{'l' if side > 0 else 'r'}"
                 geoms.append(
                     f"<geom name={quoteattr(name)} {_box_attributes(half)} "
@@ -135,11 +131,7 @@ class _Writer:
         self.bodies.append(f"<body name={quoteattr(wall.id)}>{''.join(geoms)}</body>")
 
     def body(
-        self,
-        node: Node,
-        mesh: Mesh,
-        colliders: Sequence[Box],
-        loose: tuple[float, float, float] | None = None,
+        self, node: Node, mesh: Mesh, colliders: Sequence[Box], loose: tuple[float, float, float] | None = None
     ) -> None:
         """Write a node as a body of visual meshes and boxes to collide with; `loose` is the size of a free one."""
         group = {"objects": OBJECT_GROUP, "ceiling": CEILING_GROUP}.get(node.group, STRUCTURE_GROUP)
@@ -166,9 +158,7 @@ class _Writer:
             place += f' quat="{_quaternion(node.rotation)}"'
         self.bodies.append(f"<body name={quoteattr(node.id)} {place}>{''.join(parts)}</body>")
 
-    def mesh(
-        self, name: str, part: int, surface: Surface, scale: tuple[float, float, float]
-    ) -> str:
+    def mesh(self, name: str, part: int, surface: Surface, scale: tuple[float, float, float]) -> str:
         """Return the name of a mesh asset at a scale, writing the asset and its file when they are new."""
         file = file_name(name, part)
         if file not in self.files:
@@ -179,16 +169,13 @@ class _Writer:
             size = f' scale="{_numbers(scale)}"'
             asset += "@" + "x".join(f"{value:.4g}" for value in scale)
         if asset not in self.assets:
-            self.assets[asset] = (
-                f'<mesh name={quoteattr(asset)} file={quoteattr(file)} inertia="shell"{size}/>'
-            )
+            self.assets[asset] = f'<mesh name={quoteattr(asset)} file={quoteattr(file)} inertia="shell"{size}/>'
         return asset
 
     def solid(self, name: str, solid: Box) -> None:
         """Write a box of the world that is only collided with."""
         self.bodies.append(
-            f"<geom name={quoteattr(name)} {_box_attributes(solid)} "
-            f'group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>'
+            f'<geom name={quoteattr(name)} {_box_attributes(solid)} group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>'
         )
 
 

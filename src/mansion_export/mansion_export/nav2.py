@@ -157,17 +157,13 @@ class _Grid:
             slice(max(int(low[0]), 0), min(int(high[0]), columns)),
         )
 
-    def _centers(
-        self, window: tuple[slice, slice]
-    ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+    def _centers(self, window: tuple[slice, slice]) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
         rows, columns = window
         xs = self.origin[0] + (np.arange(columns.start, columns.stop) + 0.5) * self.resolution
         ys = self.origin[1] + (np.arange(rows.start, rows.stop) + 0.5) * self.resolution
         return xs[None, :], ys[:, None]
 
-    def fill(
-        self, ring: Sequence[Point], value: int, holes: Sequence[Sequence[Point]] = ()
-    ) -> None:
+    def fill(self, ring: Sequence[Point], value: int, holes: Sequence[Sequence[Point]] = ()) -> None:
         """Set the cells whose centres lie in a polygon (even-odd rule)."""
         points = np.asarray(ring, dtype=float)
         window = self._window(points)

@@ -13,13 +13,7 @@ from mansion_msgs_py.scene import FloorScene, SceneObject
 __all__ = ["add_objects", "object_asset"]
 
 
-def add_objects(
-    model: Model,
-    scene: FloorScene,
-    catalogue: Catalogue | None = None,
-    *,
-    ceilings: bool = True,
-) -> None:
+def add_objects(model: Model, scene: FloorScene, catalogue: Catalogue | None = None, *, ceilings: bool = True) -> None:
     """Add each object of a floor where it stands; what hangs from ceilings only with them.
 
     An object in another colour than its asset's shows that colour in the asset's main material; one whose asset the
@@ -68,9 +62,7 @@ def _surfaces(key: str, catalogue: Catalogue, color: str) -> tuple[Surface, ...]
     asset = catalogue.asset(key)
     return tuple(
         Surface(
-            _material(part.material, color if part.material.name == asset.material else ""),
-            part.vertices,
-            part.faces,
+            _material(part.material, color if part.material.name == asset.material else ""), part.vertices, part.faces
         )
         for part in mesh(asset)
     )

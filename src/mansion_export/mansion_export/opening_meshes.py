@@ -165,16 +165,10 @@ def _leaf(width: float, height: float, kind: str, *, handle: bool) -> list[Surfa
         body = Box((width / 2, 0.0, height / 2), (width - 2 * edge, LEAF, height))
         surfaces.append(boxes_surface([body], named("brushed_steel" if steel else "light_wood")))
         if steel:
-            edges = [
-                Box((x, 0.0, height / 2), (edge, LEAF, height))
-                for x in (edge / 2, width - edge / 2)
-            ]
+            edges = [Box((x, 0.0, height / 2), (edge, LEAF, height)) for x in (edge / 2, width - edge / 2)]
             surfaces.append(boxes_surface(edges, named("rubber")))
     if handle:
-        grips = [
-            Box((width - 0.1, side * (LEAF / 2 + 0.025), 1.02), (0.12, 0.02, 0.02))
-            for side in (-1, 1)
-        ]
+        grips = [Box((width - 0.1, side * (LEAF / 2 + 0.025), 1.02), (0.12, 0.02, 0.02)) for side in (-1, 1)]
         surfaces.append(boxes_surface(grips, named("brushed_steel")))
     return surfaces
 
@@ -201,10 +195,7 @@ def _window(window: Window, length: float, deep: float, inward: float) -> list[S
         Box((length / 2, 0.0, height - bar / 2), (length - 2 * bar, 0.07, bar)),
     ]
     fields = max(1, round(length / 1.2))
-    bars += [
-        Box((length * i / fields, 0.0, height / 2), (bar, 0.06, height - 2 * bar))
-        for i in range(1, fields)
-    ]
+    bars += [Box((length * i / fields, 0.0, height / 2), (bar, 0.06, height - 2 * bar)) for i in range(1, fields)]
     board = Box((length / 2, inward * (deep / 2 + 0.02), -0.01), (length + 0.1, 0.12, 0.03))
     pane = Box((length / 2, 0.0, height / 2), (length - bar, 0.012, height - bar))
     return [

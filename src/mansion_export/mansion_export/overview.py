@@ -118,9 +118,7 @@ def _layout(floors: Sequence[Triangles], width: int) -> _Sheet:
         if sheet.height(len(floors)) <= 0.75 * width:
             return sheet
     rows = -(-len(floors) // MOST_COLUMNS)
-    return _Sheet(
-        MOST_COLUMNS, left, (cell_width, max(cell[1] // rows, cell_width // 3)), head, foot
-    )
+    return _Sheet(MOST_COLUMNS, left, (cell_width, max(cell[1] // rows, cell_width // 3)), head, foot)
 
 
 def _size(triangles: Triangles, view: View) -> tuple[float, float]:
@@ -158,10 +156,7 @@ def _caption(scene: FloorScene) -> str:
     rooms = sum(room.kind not in ("stair", "elevator") for room in scene.rooms)
     area = sum(room.area for room in scene.rooms if room.kind not in ("stair", "elevator"))
     name = floor_name(scene)
-    return (
-        f"{name[0].upper()}{name[1:]}: {rooms} room{'s' * (rooms != 1)}, {area:.0f} m², "
-        f"{len(scene.objects)} objects"
-    )
+    return f"{name[0].upper()}{name[1:]}: {rooms} room{'s' * (rooms != 1)}, {area:.0f} m², {len(scene.objects)} objects"
 
 
 def _rgb(color: tuple[float, float, float]) -> tuple[int, int, int]:

@@ -65,13 +65,8 @@ def room_picture(
     known = catalogue or load_catalogue()
     model = Model(room.room_id, 1, 0.0)
     net = orient(Polygon(room.polygon, room.holes))
-    model.add(
-        Node("floor", "floor", "structure"), [polygon_surface(net, -0.05, 0.0, named(_FLOOR))]
-    )
-    model.add(
-        Node("walls", "walls", "structure"),
-        [boxes_surface(_walls(room, net), named("white_drywall"))],
-    )
+    model.add(Node("floor", "floor", "structure"), [polygon_surface(net, -0.05, 0.0, named(_FLOOR))])
+    model.add(Node("walls", "walls", "structure"), [boxes_surface(_walls(room, net), named("white_drywall"))])
     add_objects(model, _scene(room, result, known), known)
     triangles = flatten(model)
     picture = Image.new("RGB", size, "#ffffff")
@@ -124,9 +119,7 @@ def _scene(room: PlacementRoom, result: PlacementResult, catalogue: Catalogue) -
     )
 
 
-def _nearest_asset(
-    catalogue: Catalogue, category: str, size: tuple[float, float, float]
-) -> Asset | None:
+def _nearest_asset(catalogue: Catalogue, category: str, size: tuple[float, float, float]) -> Asset | None:
     """Return the asset of a category that needs least scaling; the most similar category's where there is none."""
     from mansion_assets.catalogue.search import search_assets
 
@@ -134,11 +127,7 @@ def _nearest_asset(
     if not assets:
         found = search_assets(catalogue, category.replace("_", " "), 1)
         assets = [found[0].asset] if found else []
-    return min(
-        assets,
-        key=lambda a: (sum(abs(math.log(x / y)) for x, y in zip(a.size, size)), a.key),
-        default=None,
-    )
+    return min(assets, key=lambda a: (sum(abs(math.log(x / y)) for x, y in zip(a.size, size)), a.key), default=None)
 
 
 def _walls(room: PlacementRoom, net: Polygon) -> list[Box]:

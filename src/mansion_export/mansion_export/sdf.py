@@ -33,9 +33,7 @@ class SdfExport:
     meshes: dict[str, bytes]
 
 
-def world_sdf(
-    scenes: Sequence[FloorScene], mesh_dir: str = "meshes", catalogue: Catalogue | None = None
-) -> SdfExport:
+def world_sdf(scenes: Sequence[FloorScene], mesh_dir: str = "meshes", catalogue: Catalogue | None = None) -> SdfExport:
     """Make a Gazebo world of all floors.
 
     Parameters
@@ -110,9 +108,7 @@ def _model(model: Model, scene: FloorScene, mesh_dir: str, files: dict[str, byte
     </model>"""
 
 
-def _link(
-    name: str, position: tuple[float, float, float], rotation: float, parts: Sequence[str]
-) -> str:
+def _link(name: str, position: tuple[float, float, float], rotation: float, parts: Sequence[str]) -> str:
     pose = _pose(position, rotation)
     return f"      <link name={quoteattr(name)}>{pose}{''.join(parts)}</link>"
 

@@ -105,6 +105,4 @@ def blend_glass(
             k = index[y, x]
             if k >= 0:
                 for channel in range(3):
-                    image[y, x, channel] = (
-                        image[y, x, channel] * (1.0 - alpha[k]) + colors[k, channel] * alpha[k]
-                    )
+                    image[y, x, channel] = image[y, x, channel] * (1.0 - alpha[k]) + colors[k, channel] * alpha[k]

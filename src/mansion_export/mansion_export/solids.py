@@ -38,9 +38,7 @@ class Box:
     rotation: float = 0.0
 
 
-def box_between(
-    low: tuple[float, float, float], high: tuple[float, float, float], least: float = 1e-3
-) -> Box:
+def box_between(low: tuple[float, float, float], high: tuple[float, float, float], least: float = 1e-3) -> Box:
     """Return the upright box between two corners, at least `least` thick each way."""
     center = tuple((a + b) / 2 for a, b in zip(low, high))
     size = tuple(max(abs(b - a), least) for a, b in zip(low, high))
@@ -154,25 +152,16 @@ class WallBodies:
         for side, (points, sign) in enumerate(((self._starts, -1.0), (self._ends, 1.0))):
             to_start = self._starts[None] - points[:, None]
             to_end = self._ends[None] - points[:, None]
-            along = np.clip(
-                -np.einsum("ijk,jk->ij", to_start, self._units), 0.0, self._lengths[None]
-            )
+            along = np.clip(-np.einsum("ijk,jk->ij", to_start, self._units), 0.0, self._lengths[None])
             nearest = to_start + along[..., None] * self._units[None]
-            gap = np.minimum(
-                np.hypot(*np.moveaxis(to_start, 2, 0)), np.hypot(*np.moveaxis(to_end, 2, 0))
-            )
+            gap = np.minimum(np.hypot(*np.moveaxis(to_start, 2, 0)), np.hypot(*np.moveaxis(to_end, 2, 0)))
             goes_on = parallel & (gap < NEAR)
             np.fill_diagonal(goes_on, False)
             close = ~parallel & (np.hypot(nearest[..., 0], nearest[..., 1]) < reach)
             for i in np.flatnonzero(close.any(1) & ~goes_on.any(1)):
                 others = np.flatnonzero(close[i])
                 found[i, side] = self._beyond(
-                    int(i),
-                    others,
-                    sign * cross[i, others],
-                    to_start[i, others],
-                    to_end[i, others],
-                    sign,
+                    int(i), others, sign * cross[i, others], to_start[i, others], to_end[i, others], sign
                 )
         return found
 
@@ -188,9 +177,7 @@ class WallBodies:
         """How far wall `i` goes on among the walls that its end meets."""
         ahead = sign * self._units[i]
         # Where this wall's line meets the other's, counted from the end.
-        meets = (
-            to_start[:, 0] * self._units[others, 1] - to_start[:, 1] * self._units[others, 0]
-        ) / cross
+        meets = (to_start[:, 0] * self._units[others, 1] - to_start[:, 1] * self._units[others, 0]) / cross
         sides = np.stack([ahead[0] * to[:, 1] - ahead[1] * to[:, 0] for to in (to_start, to_end)])
         wide = float(self._half[i]) + NEAR
         if (sides.max(0) > wide).any() and (sides.min(0) < -wide).any():

@@ -13,9 +13,7 @@ from mansion_msgs_py.shapes import Point
 
 __all__ = ["boxes_surface", "polygon_surface", "triangulate"]
 
-CORNERS = np.array(
-    [(x, y, z) for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)], dtype=float
-)
+CORNERS = np.array([(x, y, z) for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)], dtype=float)
 SIDES = np.array(
     [
         (0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
@@ -40,9 +38,7 @@ def boxes_surface(boxes: Sequence[Box], material: Material) -> Surface:
     return Surface(material, vertices.reshape(-1, 3), faces.reshape(-1, 3).astype(np.int64))
 
 
-def polygon_surface(
-    polygon: Polygon, bottom: float, top: float, material: Material, sides: bool = True
-) -> Surface:
+def polygon_surface(polygon: Polygon, bottom: float, top: float, material: Material, sides: bool = True) -> Surface:
     """Return an upright prism over a polygon with holes; without `sides` only its upper face."""
     flat, faces = triangulate(polygon)
     count = len(flat)
@@ -58,19 +54,14 @@ def polygon_surface(
         n = len(points)
         following = np.roll(np.arange(n), -1)
         i = np.arange(n)
-        vertices += [
-            np.column_stack([points, np.full(n, bottom)]),
-            np.column_stack([points, np.full(n, top)]),
-        ]
+        vertices += [np.column_stack([points, np.full(n, bottom)]), np.column_stack([points, np.full(n, top)])]
         triangles.append(np.column_stack([i, following, following + n]) + offset)
         triangles.append(np.column_stack([i, following + n, i + n]) + offset)
         offset += 2 * n
     return Surface(material, np.concatenate(vertices), np.concatenate(triangles).astype(np.int64))
 
 
-def triangulate(
-    polygon: Polygon,
-) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
+def triangulate(polygon: Polygon) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
     """Triangulate a polygon with holes by ear clipping, holes joined to the outer ring first.
 
     Returns
@@ -99,9 +90,7 @@ def triangulate(
     return points, np.array(faces, dtype=np.int64).reshape(-1, 3)
 
 
-def _cross(
-    a: npt.NDArray[np.float64], b: npt.NDArray[np.float64], c: npt.NDArray[np.float64]
-) -> float:
+def _cross(a: npt.NDArray[np.float64], b: npt.NDArray[np.float64], c: npt.NDArray[np.float64]) -> float:
     return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
 
 
@@ -116,9 +105,7 @@ def _is_ear(points: npt.NDArray[np.float64], remaining: list[int], a: int, b: in
     pa, pb, pc = points[a], points[b], points[c]
     inside = np.ones(len(others), dtype=bool)
     for p, q in ((pa, pb), (pb, pc), (pc, pa)):
-        inside &= (q[0] - p[0]) * (others[:, 1] - p[1]) - (q[1] - p[1]) * (
-            others[:, 0] - p[0]
-        ) > 1e-12
+        inside &= (q[0] - p[0]) * (others[:, 1] - p[1]) - (q[1] - p[1]) * (others[:, 0] - p[0]) > 1e-12
     corner = (others[:, None, :] == np.stack([pa, pb, pc])[None]).all(-1).any(-1)
     return not bool((inside & ~corner).any())
 
@@ -126,17 +113,12 @@ def _is_ear(points: npt.NDArray[np.float64], remaining: list[int], a: int, b: in
 def _bridge(polygon: Polygon) -> list[Point]:
     """Join each hole to the outer ring by a doubled edge to a vertex that it sees."""
     ring = [(float(x), float(y)) for x, y in list(polygon.exterior.coords)[:-1]]
-    holes = [
-        [(float(x), float(y)) for x, y in list(hole.coords)[:-1]] for hole in polygon.interiors
-    ]
+    holes = [[(float(x), float(y)) for x, y in list(hole.coords)[:-1]] for hole in polygon.interiors]
     holes.sort(key=lambda hole: -max(hole)[0])
     for hole in holes:
         start = hole.index(max(hole))
         x, y = hole[start]
-        best = min(
-            range(len(ring)),
-            key=lambda i: (not _sees(ring, holes, (x, y), ring[i]), _far(ring[i], (x, y)), i),
-        )
+        best = min(range(len(ring)), key=lambda i: (not _sees(ring, holes, (x, y), ring[i]), _far(ring[i], (x, y)), i))
         around = [*hole[start:], *hole[: start + 1]]
         ring = [*ring[: best + 1], *around, *ring[best:]]
     return ring

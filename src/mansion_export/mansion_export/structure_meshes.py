@@ -30,11 +30,7 @@ def add_floors(model: Model, scene: FloorScene) -> None:
     for room in scene.rooms:
         polygon = Polygon(room.polygon, room.holes)
         finish = surface_material(room.floor_material, "floor")
-        at = (
-            polygon.centroid
-            if polygon.contains(polygon.centroid)
-            else polygon.representative_point()
-        )
+        at = polygon.centroid if polygon.contains(polygon.centroid) else polygon.representative_point()
         node = Node(
             room.id,
             room.id,
@@ -48,8 +44,7 @@ def add_floors(model: Model, scene: FloorScene) -> None:
     thickness = max(scene.height - max((wall.height for wall in scene.walls), default=2.8), 0.1)
     name = f"F{scene.floor}/slab"
     model.add(
-        Node(name, name, "structure"),
-        _parts(slab, -max(thickness, FINISH + 0.05), -FINISH, named("polished_concrete")),
+        Node(name, name, "structure"), _parts(slab, -max(thickness, FINISH + 0.05), -FINISH, named("polished_concrete"))
     )
     for core in scene.cores:
         landing = core.details.floor_landing if isinstance(core.details, StairDetails) else []

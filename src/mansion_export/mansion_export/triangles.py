@@ -68,9 +68,7 @@ def flatten(model: Model, keep: Callable[[Node], bool] | None = None) -> Triangl
     source = Triangles.join(sources)
     starts = np.cumsum([0, *(len(part.alpha) for part in sources)])
     which = np.array([meshes[node.mesh] for node in nodes], dtype=np.int64)
-    poses = np.array(
-        [(*node.scale, *node.position, np.radians(node.rotation)) for node in nodes]
-    ).reshape(-1, 7)
+    poses = np.array([(*node.scale, *node.position, np.radians(node.rotation)) for node in nodes]).reshape(-1, 7)
     counts = (starts[1:] - starts[:-1])[which]
     corners = np.empty((int(counts.sum()), 3, 3))
     origin = np.empty(len(corners), dtype=np.int64)
@@ -115,9 +113,7 @@ def _place_instances(
 
 
 @kernel
-def project(
-    corners: npt.NDArray[np.float64], axes: npt.NDArray[np.float64]
-) -> npt.NDArray[np.float64]:
+def project(corners: npt.NDArray[np.float64], axes: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     """Return corners, shape (n, 3, 3), along the rows of `axes`."""
     out = np.empty_like(corners)
     for k in range(len(corners)):

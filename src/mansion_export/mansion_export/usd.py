@@ -43,8 +43,7 @@ def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = Non
         from pxr import Usd, UsdGeom
     except ImportError as error:
         raise MansionError(
-            ErrorCode.UNAVAILABLE,
-            "the USD export needs the package usd-core: pip install 'mansion_scene[usd]'",
+            ErrorCode.UNAVAILABLE, "the USD export needs the package usd-core: pip install 'mansion_scene[usd]'"
         ) from error
     stage = Usd.Stage.CreateInMemory()
     UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
@@ -127,9 +126,7 @@ class _Writer:
             counts = np.full(len(surface.faces), 3, dtype=np.int32)
             shape.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(counts))
             shape.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
-            shape.CreateExtentAttr(
-                Vt.Vec3fArray.FromNumpy(np.stack([points.min(0), points.max(0)]))
-            )
+            shape.CreateExtentAttr(Vt.Vec3fArray.FromNumpy(np.stack([points.min(0), points.max(0)])))
             prim = shape.GetPrim()
             UsdShade.MaterialBindingAPI.Apply(prim).Bind(self.material(surface.material))
             UsdPhysics.CollisionAPI.Apply(prim)
@@ -149,17 +146,11 @@ class _Writer:
             shader.CreateIdAttr("UsdPreviewSurface")
             color = Gf.Vec3f(*linear(material.color))
             shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f).Set(color)
-            numbers = {
-                "roughness": material.roughness,
-                "metallic": material.metallic,
-                "opacity": material.alpha,
-            }
+            numbers = {"roughness": material.roughness, "metallic": material.metallic, "opacity": material.alpha}
             for name, value in numbers.items():
                 shader.CreateInput(name, Sdf.ValueTypeNames.Float).Set(float(value))
             if material.emission > 0.0:
-                shader.CreateInput("emissiveColor", Sdf.ValueTypeNames.Color3f).Set(
-                    color * material.emission
-                )
+                shader.CreateInput("emissiveColor", Sdf.ValueTypeNames.Color3f).Set(color * material.emission)
             made.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
             self.materials[material] = made
         return self.materials[material]

@@ -68,11 +68,7 @@ def wall_surfaces(wall: Wall, bodies: WallBodies) -> list[Surface]:
         surface_material(outside, "wall"),
         named("white_drywall"),
     )
-    return [
-        _surface(vertices, quads, material)
-        for quads, material in zip((left, right, core), materials)
-        if quads
-    ]
+    return [_surface(vertices, quads, material) for quads, material in zip((left, right, core), materials) if quads]
 
 
 def _cuts(ends: tuple[float, float], spans: list[tuple[float, float]]) -> npt.NDArray[np.float64]:
@@ -96,9 +92,7 @@ def _solid(
     return solid
 
 
-def _vertices(
-    wall: Wall, along: npt.NDArray[np.float64], up: npt.NDArray[np.float64]
-) -> npt.NDArray[np.float64]:
+def _vertices(wall: Wall, along: npt.NDArray[np.float64], up: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     """Return the grid's corners on the left and right face, (2 * len(along) * len(up), 3)."""
     start, end = np.array(wall.segment[0], dtype=float), np.array(wall.segment[1], dtype=float)
     unit = (end - start) / max(float(np.hypot(*(end - start))), 1e-9)

@@ -67,11 +67,7 @@ def _weld(vertices: Floats) -> Ints:
                 place[v] = found
                 found += 1
                 break
-            if (
-                keys[other, 0] == keys[v, 0]
-                and keys[other, 1] == keys[v, 1]
-                and keys[other, 2] == keys[v, 2]
-            ):
+            if keys[other, 0] == keys[v, 0] and keys[other, 1] == keys[v, 1] and keys[other, 2] == keys[v, 2]:
                 place[v] = place[other]
                 break
             slot = (slot + 1) & (size - 1)
@@ -118,11 +114,7 @@ def _shared_normal(
 def _equal_normal(normals: Floats, start: int, end: int, x: float, y: float, z: float) -> int:
     """Return the first of ``normals[start:end]`` that is (x, y, z), or `end`."""
     for q in range(start, end):
-        if (
-            abs(normals[q, 0] - x) < 1e-4
-            and abs(normals[q, 1] - y) < 1e-4
-            and abs(normals[q, 2] - z) < 1e-4
-        ):
+        if abs(normals[q, 0] - x) < 1e-4 and abs(normals[q, 1] - y) < 1e-4 and abs(normals[q, 2] - z) < 1e-4:
             return q
     return end
 

@@ -125,9 +125,7 @@ def render(
     image = np.empty((height, width, 3), dtype=np.float32)
     image[:] = background
     # Where pixel (0, 0) lies in the view's plane, and the way from the view's axes to the light's.
-    origin = np.array(
-        [low[0] - (_BORDER - 0.5) / view.scale, high[1] + (_BORDER - 0.5) / view.scale]
-    )
+    origin = np.array([low[0] - (_BORDER - 0.5) / view.scale, high[1] + (_BORDER - 0.5) / view.scale])
     turn = axes @ LIGHT.T
     shadow, corner, cell = _shadow_map(project(triangles.corners, LIGHT), opaque)
     shade_pixels(

@@ -50,9 +50,7 @@ def box_corners(box: Floats) -> Floats:
     """Return the four corners of a box, counter-clockwise, shape (4, 2)."""
     x, y, ux, uy, hw, hd = (float(value) for value in box[:6])
     signs = ((-1, -1), (1, -1), (1, 1), (-1, 1))
-    return np.array(
-        [(x + a * hw * ux - b * hd * uy, y + a * hw * uy + b * hd * ux) for a, b in signs]
-    )
+    return np.array([(x + a * hw * ux - b * hd * uy, y + a * hw * uy + b * hd * ux) for a, b in signs])
 
 
 @kernel

@@ -55,13 +55,9 @@ def _hits(
 ) -> bool:
     """Tell whether a box comes nearer than `gap` to any of many (see `box_buckets`)."""
     radius = math.hypot(box[4], box[5]) + gap
-    for row in range(
-        bucket_of(box[1] - radius, y0, size, across),
-        bucket_of(box[1] + radius, y0, size, across) + 1,
-    ):
+    for row in range(bucket_of(box[1] - radius, y0, size, across), bucket_of(box[1] + radius, y0, size, across) + 1):
         for col in range(
-            bucket_of(box[0] - radius, x0, size, across),
-            bucket_of(box[0] + radius, x0, size, across) + 1,
+            bucket_of(box[0] - radius, x0, size, across), bucket_of(box[0] + radius, x0, size, across) + 1
         ):
             bucket = row * across + col
             for i in range(starts[bucket], starts[bucket + 1]):
@@ -71,9 +67,7 @@ def _hits(
 
 
 @kernel
-def feasible_poses(
-    poses: Floats, parts: Floats, edges: Floats, boxes: Floats, zones: Floats, gap: float
-) -> Bools:
+def feasible_poses(poses: Floats, parts: Floats, edges: Floats, boxes: Floats, zones: Floats, gap: float) -> Bools:
     """Tell at which poses a rigid set of boxes fits.
 
     Parameters
@@ -118,9 +112,7 @@ def feasible_poses(
 
 
 @kernel
-def _ray(
-    x: float, y: float, dx: float, dy: float, edges: Floats, boxes: Floats, far: float
-) -> float:
+def _ray(x: float, y: float, dx: float, dy: float, edges: Floats, boxes: Floats, far: float) -> float:
     """Return the free length of a ray, at most `far`."""
     best = far
     for k in range(edges.shape[0]):
@@ -156,9 +148,7 @@ def _ray(
 
 
 @kernel
-def front_clearance(
-    poses: Floats, hw: float, hd: float, edges: Floats, boxes: Floats, far: float
-) -> Floats:
+def front_clearance(poses: Floats, hw: float, hd: float, edges: Floats, boxes: Floats, far: float) -> Floats:
     """Return the free depth before, behind, right and left of a box at each pose.
 
     Parameters

@@ -46,14 +46,7 @@ def segment_distance2(x: float, y: float, seg: Floats) -> float:
 
 @kernel
 def wall_counts(
-    rows: int,
-    cols: int,
-    x0: float,
-    y0: float,
-    cell: float,
-    edges: Floats,
-    walls: Floats,
-    radius: float,
+    rows: int, cols: int, x0: float, y0: float, cell: float, edges: Floats, walls: Floats, radius: float
 ) -> Counts:
     """Return 1 where a cell is outside the room or nearer to a wall than `radius`, else 0."""
     counts = np.zeros((rows, cols), dtype=np.int16)
@@ -73,9 +66,7 @@ def wall_counts(
 
 
 @kernel
-def near_segment(
-    counts: Counts, x0: float, y0: float, cell: float, segment: Floats, distance: float
-) -> Labels:
+def near_segment(counts: Counts, x0: float, y0: float, cell: float, segment: Floats, distance: float) -> Labels:
     """Return the flat indices of free cells at most `distance` from a segment."""
     rows, cols = counts.shape
     found = np.empty(rows * cols, dtype=np.int32)
@@ -106,9 +97,7 @@ def cell_window(
 
 
 @kernel
-def stamp(
-    counts: Counts, x0: float, y0: float, cell: float, boxes: Floats, radius: float, delta: int
-) -> int:
+def stamp(counts: Counts, x0: float, y0: float, cell: float, boxes: Floats, radius: float, delta: int) -> int:
     """Add `delta` to each cell nearer to a box than `radius`; return by how many the free cells shrank."""
     rows, cols = counts.shape
     limit = (radius - SLACK) ** 2

@@ -91,9 +91,7 @@ def _shrink(counts: Counts, reached: Bools, r0: int, r1: int, c0: int, c1: int) 
 
 
 @kernel
-def _approachable(
-    reached: Bools, x0: float, y0: float, cell: float, box: Floats, reach: float, front: bool
-) -> bool:
+def _approachable(reached: Bools, x0: float, y0: float, cell: float, box: Floats, reach: float, front: bool) -> bool:
     """Tell whether a reached cell lies at most `reach` from a box (`front`: before its front edge)."""
     rows, cols = reached.shape
     r0, r1, c0, c1 = cell_window(box, reach, x0, y0, cell, rows, cols)
@@ -202,8 +200,7 @@ class FreeGrid:
         self.reached = np.zeros((rows, cols), dtype=np.bool_)
         self.free_cells = int((self.counts == 0).sum())
         self.thresholds = [
-            near_segment(self.counts, self.x0, self.y0, cell, np.asarray(door, float), stand)
-            for door in doors
+            near_segment(self.counts, self.x0, self.y0, cell, np.asarray(door, float), stand) for door in doors
         ]
         self.seeds, self.required = self._entries()
         self.reached_cells = int(flood_fill(self.counts, self.seeds, self.reached))
@@ -290,9 +287,7 @@ class FreeGrid:
         flat = self.reached.ravel()
         return all(bool(flat[cells].any()) for cells in self.required)
 
-    def first_unreachable(
-        self, boxes: Floats, front: Bools, partner: Labels, *, changed: bool = False
-    ) -> int:
+    def first_unreachable(self, boxes: Floats, front: Bools, partner: Labels, *, changed: bool = False) -> int:
         """Return the index of the first box that cannot be approached, -1 if all can.
 
         Parameters

@@ -61,15 +61,11 @@ def edge_array(shape: BaseGeometry) -> NDArray[np.float64]:
     rings: list[Points] = []
     for part in polygon_parts(shape):
         rings.append(oriented(shapely.get_coordinates(part.exterior)[:-1]))
-        rings.extend(
-            oriented(shapely.get_coordinates(line)[:-1], ccw=False) for line in part.interiors
-        )
+        rings.extend(oriented(shapely.get_coordinates(line)[:-1], ccw=False) for line in part.interiors)
     return ring_edges(rings)
 
 
-def shared_walls(
-    first: NDArray[np.float64], second: NDArray[np.float64], gap: float = 0.01
-) -> list[SharedWall]:
+def shared_walls(first: NDArray[np.float64], second: NDArray[np.float64], gap: float = 0.01) -> list[SharedWall]:
     """Return the straight runs of `first`'s edges that `second`'s edges accompany.
 
     Parameters
@@ -104,12 +100,7 @@ def shared_walls(
         span = np.where(hi_t - lo_t > 1e-12, hi_t - lo_t, 1.0)
         middle = lo_d + (hi_d - lo_d) * ((lo + hi) / 2 - lo_t) / span
         slant = np.abs(along[:, 1] * ux - along[:, 0] * uy)
-        ok = (
-            (hi_t > lo_t)
-            & (hi - lo > 1e-6)
-            & (np.abs(middle) <= gap)
-            & (slant <= PARALLEL * length)
-        )
+        ok = (hi_t > lo_t) & (hi - lo > 1e-6) & (np.abs(middle) <= gap) & (slant <= PARALLEL * length)
         for a, b in _joined(sorted(zip(lo[ok].tolist(), hi[ok].tolist())), gap):
             walls.append(SharedWall((x0 + a * ux, y0 + a * uy), (x0 + b * ux, y0 + b * uy)))
     return walls

@@ -3,14 +3,6 @@
 from mansion_knowledge.base import KnowledgeBase, default_knowledge, load_knowledge
 from mansion_knowledge.types import BuildingType, RoomEntry, RoomType, Style
 
-__all__ = [
-    "BuildingType",
-    "KnowledgeBase",
-    "RoomEntry",
-    "RoomType",
-    "Style",
-    "default_knowledge",
-    "load_knowledge",
-]
+__all__ = ["BuildingType", "KnowledgeBase", "RoomEntry", "RoomType", "Style", "default_knowledge", "load_knowledge"]
 
 __version__ = "0.1.0"

@@ -184,9 +184,7 @@ def _building(name: str, record: dict[str, Any]) -> BuildingType:
         raise ValueError(f"floors must be [usual, most], not {list(floors)}")
     if len(areas) != 2 or not 15.0 <= areas[0] <= areas[1]:
         raise ValueError(f"floor_area must be [least, usual], not {list(areas)}")
-    storeys = {
-        key: tuple(parse_entry(entry) for entry in record[key]) for key in _STOREYS if key in record
-    }
+    storeys = {key: tuple(parse_entry(entry) for entry in record[key]) for key in _STOREYS if key in record}
     if "single" not in storeys:
         raise ValueError('has no "single" storey')
     seats = record.get("seats") or record.get("beds")

@@ -28,9 +28,7 @@ Family: TypeAlias = Literal[
     "civic", "worship", "transport", "industry", "mixed",
 ]  # fmt: skip
 
-_ENTRY = re.compile(
-    r"^(?P<type>[a-z][a-z0-9_]*)(?::(?P<area>\d+(?:\.\d+)?))?(?: x(?P<count>\d+))?(?P<more> \+)?$"
-)
+_ENTRY = re.compile(r"^(?P<type>[a-z][a-z0-9_]*)(?::(?P<area>\d+(?:\.\d+)?))?(?: x(?P<count>\d+))?(?P<more> \+)?$")
 
 
 @dataclass(frozen=True)

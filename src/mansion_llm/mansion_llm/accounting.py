@@ -50,7 +50,5 @@ class Meter:
         """Return the account so far."""
         with self._lock:
             return msgspec.structs.replace(
-                self._usage,
-                cost=round(self._usage.cost, 6),
-                seconds=round(self._usage.seconds, 3),
+                self._usage, cost=round(self._usage.cost, 6), seconds=round(self._usage.seconds, 3)
             )

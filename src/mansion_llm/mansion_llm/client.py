@@ -10,14 +10,7 @@ from mansion_llm.accounting import Meter
 from mansion_llm.extraction import json_candidates
 from mansion_llm.prompt import Message, Prompt, request_digest
 from mansion_llm.settings import WITHOUT_MODEL, LlmSettings, load_settings
-from mansion_llm.store import (
-    AnswerStore,
-    CacheFolder,
-    Recorder,
-    Recording,
-    RunSettings,
-    StoredAnswer,
-)
+from mansion_llm.store import AnswerStore, CacheFolder, Recorder, Recording, RunSettings, StoredAnswer
 from mansion_llm.structured import Mode, answer_schema, response_format, weaker_mode
 from mansion_llm.transport import ChatReply, ChatTransport, OpenAITransport, TransportError
 from mansion_msgs_py.codec import decode, to_builtins
@@ -225,9 +218,7 @@ class LlmClient:
             keeper.put(answer)
         return reply
 
-    def _with_patience(
-        self, name: str, messages: list[Message], schema: dict[str, Any]
-    ) -> ChatReply:
+    def _with_patience(self, name: str, messages: list[Message], schema: dict[str, Any]) -> ChatReply:
         """Ask until there is an answer: wait for a busy endpoint, ask in a plainer form where the form is refused."""
         if self._failures >= PATIENCE:
             raise TransportError("unreachable", "the endpoint failed too often and is left alone")

@@ -54,9 +54,7 @@ def load_embedding_settings(environment: Mapping[str, str] | None = None) -> Llm
     except ValueError:
         timeout = 0.0
     if not 0.01 <= timeout <= 3600.0:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"{_PREFIX}TIMEOUT must be 0.01 to 3600 seconds"
-        )
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{_PREFIX}TIMEOUT must be 0.01 to 3600 seconds")
     key = environment.get(_PREFIX + "API_KEY") or environment.get("OPENAI_API_KEY", "")
     return LlmSettings(base_url=url, model=model, api_key=Secret(key.strip()), timeout=timeout)
 
@@ -72,9 +70,7 @@ class EmbeddingsClient:
         Over the ``openai`` package when absent, made with the first request.
     """
 
-    def __init__(
-        self, settings: LlmSettings, *, transport: EmbeddingTransport | None = None
-    ) -> None:
+    def __init__(self, settings: LlmSettings, *, transport: EmbeddingTransport | None = None) -> None:
         self.settings = settings
         self._transport = transport
         self._failures = 0
@@ -89,10 +85,7 @@ class EmbeddingsClient:
             not asked again.
         """
         if self._failures >= _PATIENCE:
-            raise MansionError(
-                ErrorCode.UNAVAILABLE,
-                f"{self.settings.place} failed too often and is left alone",
-            )
+            raise MansionError(ErrorCode.UNAVAILABLE, f"{self.settings.place} failed too often and is left alone")
         if self._transport is None:
             self._transport = OpenAITransport(self.settings)
         vectors: list[list[float]] = []

@@ -93,11 +93,7 @@ class LlmSettings:
         """
         if self.replay is not None or (self.base_url and self.model):
             return
-        missing = [
-            name
-            for name, value in (("BASE_URL", self.base_url), ("MODEL", self.model))
-            if not value
-        ]
+        missing = [name for name, value in (("BASE_URL", self.base_url), ("MODEL", self.model)) if not value]
         raise MansionError(
             ErrorCode.UNAVAILABLE,
             "no language model is configured: set "
@@ -114,9 +110,7 @@ class LlmSettings:
         return shown_url(self.base_url)
 
 
-def load_settings(
-    environment: Mapping[str, str] | None = None, *, file: Path | None = None
-) -> LlmSettings:
+def load_settings(environment: Mapping[str, str] | None = None, *, file: Path | None = None) -> LlmSettings:
     """Return the settings.
 
     Parameters
@@ -146,11 +140,7 @@ def load_settings(
     known = {entry.name for entry in fields(LlmSettings)}
     for name in values:
         if name not in known:
-            raise _fault(
-                name,
-                "the configuration file",
-                f"is no setting; known are {', '.join(sorted(known))}",
-            )
+            raise _fault(name, "the configuration file", f"is no setting; known are {', '.join(sorted(known))}")
     return LlmSettings(**{n: _value(n, v, places.get(n, "")) for n, v in values.items()})
 
 
@@ -158,9 +148,7 @@ def _file_values(environment: Mapping[str, str], file: Path | None) -> dict[str,
     named = file is not None or bool(environment.get(_PREFIX + "CONFIG"))
     if file is None:
         home = Path(environment.get("XDG_CONFIG_HOME") or "~/.config").expanduser()
-        file = Path(
-            environment.get(_PREFIX + "CONFIG") or home / "mansion" / "llm.toml"
-        ).expanduser()
+        file = Path(environment.get(_PREFIX + "CONFIG") or home / "mansion" / "llm.toml").expanduser()
     if not file.is_file():
         if named:
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no configuration file {file}")
@@ -168,15 +156,11 @@ def _file_values(environment: Mapping[str, str], file: Path | None) -> dict[str,
     try:
         return tomllib.loads(file.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeError):
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"the configuration file {file} is no TOML"
-        ) from None
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"the configuration file {file} is no TOML") from None
 
 
 def _fault(name: str, place: str, what: str) -> MansionError:
-    return MansionError(
-        ErrorCode.INVALID_PAYLOAD, f"{name} in {place} {what}", details={"setting": name}
-    )
+    return MansionError(ErrorCode.INVALID_PAYLOAD, f"{name} in {place} {what}", details={"setting": name})
 
 
 _CHOICES = {"structured": get_args(Structured), "images": get_args(Images)}

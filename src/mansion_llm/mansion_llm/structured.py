@@ -50,10 +50,7 @@ def _strict(value: Any) -> Any:
 def response_format(mode: Mode, name: str, schema: dict[str, Any]) -> dict[str, Any] | None:
     """Return the request's ``response_format``; ``None`` for plain text."""
     if mode == "schema":
-        return {
-            "type": "json_schema",
-            "json_schema": {"name": name, "schema": schema, "strict": True},
-        }
+        return {"type": "json_schema", "json_schema": {"name": name, "schema": schema, "strict": True}}
     return {"type": "json_object"} if mode == "object" else None
 
 

@@ -47,9 +47,7 @@ class TransportError(Exception):
 class ChatTransport(Protocol):
     """Sends one talk and returns the answer, or raises `TransportError`."""
 
-    def complete(
-        self, messages: list[Message], response_format: dict[str, Any] | None
-    ) -> ChatReply:
+    def complete(self, messages: list[Message], response_format: dict[str, Any] | None) -> ChatReply:
         """Ask once."""
 
 
@@ -67,8 +65,7 @@ class OpenAITransport:
             import openai
         except ImportError:
             raise MansionError(
-                ErrorCode.UNAVAILABLE,
-                "a language-model endpoint needs the openai package: pip install openai",
+                ErrorCode.UNAVAILABLE, "a language-model endpoint needs the openai package: pip install openai"
             ) from None
         self._openai: Any = openai
         self._settings = settings
@@ -83,15 +80,10 @@ class OpenAITransport:
         if settings.temperature is not None:
             self._tuning["temperature"] = settings.temperature
 
-    def complete(
-        self, messages: list[Message], response_format: dict[str, Any] | None
-    ) -> ChatReply:
+    def complete(self, messages: list[Message], response_format: dict[str, Any] | None) -> ChatReply:
         """See `ChatTransport.complete`."""
         settings = self._settings
-        options: dict[str, Any] = {
-            "model": settings.model,
-            "messages": [_wire(m) for m in messages],
-        }
+        options: dict[str, Any] = {"model": settings.model, "messages": [_wire(m) for m in messages]}
         if response_format is not None:
             options["response_format"] = response_format
         try:
@@ -107,9 +99,7 @@ class OpenAITransport:
         except self._openai.OpenAIError as error:
             raise self._failure(error) from None
         except (ValueError, TypeError, AttributeError, LookupError) as error:
-            raise TransportError(
-                "failing", self._clean(f"the endpoint's reply has no answer: {error}")
-            ) from None
+            raise TransportError("failing", self._clean(f"the endpoint's reply has no answer: {error}")) from None
 
     def embed(self, texts: list[str]) -> list[list[float]]:
         """Return the model's embedding of each text, in the order of the texts; ask once.
@@ -121,9 +111,7 @@ class OpenAITransport:
         """
         try:
             # Without the format the package asks for base64, which not every endpoint knows.
-            answer = self._client.embeddings.create(
-                model=self._settings.model, input=texts, encoding_format="float"
-            )
+            answer = self._client.embeddings.create(model=self._settings.model, input=texts, encoding_format="float")
             rows = sorted(answer.data, key=lambda row: int(row.index))
             if [int(row.index) for row in rows] != list(range(len(texts))):
                 raise ValueError(f"{len(rows)} vectors for {len(texts)} texts")
@@ -131,9 +119,7 @@ class OpenAITransport:
         except self._openai.OpenAIError as error:
             raise self._failure(error) from None
         except (ValueError, TypeError, AttributeError, LookupError) as error:
-            raise TransportError(
-                "failing", self._clean(f"the endpoint's reply holds no embeddings: {error}")
-            ) from None
+            raise TransportError("failing", self._clean(f"the endpoint's reply holds no embeddings: {error}")) from None
 
     def _retuned(self, refusal: str) -> bool:
         """Rename or drop a parameter that the model refuses by name; tell whether something changed."""

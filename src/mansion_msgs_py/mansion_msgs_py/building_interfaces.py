@@ -6,25 +6,16 @@ from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import BuildJob, BuildReply, FurnishRequest, PlanReply
-from mansion_msgs_py.world import (
-    Progress,
-)
+from mansion_msgs_py.world import Progress
 
 __all__ = ["SERVICES", "TOPICS"]
 
 TOPICS: tuple[TopicInterface, ...] = (
     TopicInterface(
-        "build_requests",
-        "building_director",
-        "A request to build; the answer comes as latched results.",
-        BuildRequest,
+        "build_requests", "building_director", "A request to build; the answer comes as latched results.", BuildRequest
     ),
-    TopicInterface(
-        "program", "program_planner", "The program of each building.", BuildingProgram, qos=LATCHED
-    ),
-    TopicInterface(
-        "floor_layout", "floor_solver", "The layout of each floor.", FloorLayout, qos=LATCHED
-    ),
+    TopicInterface("program", "program_planner", "The program of each building.", BuildingProgram, qos=LATCHED),
+    TopicInterface("floor_layout", "floor_solver", "The layout of each floor.", FloorLayout, qos=LATCHED),
     TopicInterface(
         "floor_scene",
         "object_placer",
@@ -58,13 +49,7 @@ SERVICES: tuple[ServiceInterface, ...] = (
         FloorLayout,
         '{"boundary": [[0,0],[6,0],[6,4],[0,4]], "nodes": [{"id": "hall", "type": "main"}]}',
     ),
-    ServiceInterface(
-        "furnish_floor",
-        "object_placer",
-        "The furnished scene of one floor.",
-        FurnishRequest,
-        FloorScene,
-    ),
+    ServiceInterface("furnish_floor", "object_placer", "The furnished scene of one floor.", FurnishRequest, FloorScene),
     ServiceInterface(
         "build_building",
         "building_director",

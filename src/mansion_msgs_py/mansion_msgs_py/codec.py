@@ -85,13 +85,9 @@ def decode(kind: type[T], text: str | bytes) -> T:
     except msgspec.ValidationError as error:
         raise _unfit(kind, error) from None
     except (msgspec.DecodeError, UnicodeError) as error:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"not JSON: {error}", details={"payload": name}
-        ) from None
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"not JSON: {error}", details={"payload": name}) from None
     except RecursionError:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, "JSON nested too deeply", details={"payload": name}
-        ) from None
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "JSON nested too deeply", details={"payload": name}) from None
     return value
 
 
@@ -134,7 +130,4 @@ def decode_reply(success: bool, message: str, kind: type[T]) -> T:
 
 def schema(kind: Any) -> dict[str, Any]:
     """Return the JSON Schema (draft 2020-12) of a payload type."""
-    return {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        **msgspec.json.schema(kind),
-    }
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **msgspec.json.schema(kind)}

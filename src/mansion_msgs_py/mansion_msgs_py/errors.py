@@ -67,14 +67,7 @@ class MansionError(Exception):
     'NOT_FOUND at $.target_floor: there is no floor 9; floors are 1 to 4'
     """
 
-    def __init__(
-        self,
-        code: str,
-        message: str,
-        *,
-        path: str = "$",
-        details: dict[str, Any] | None = None,
-    ) -> None:
+    def __init__(self, code: str, message: str, *, path: str = "$", details: dict[str, Any] | None = None) -> None:
         super().__init__(message)
         self.info = ErrorInfo(code=code, message=message, path=path, details=dict(details or {}))
 

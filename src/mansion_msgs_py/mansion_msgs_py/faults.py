@@ -63,9 +63,7 @@ def _places(kind: Any, path: str) -> Iterator[inspect.Type]:
     except TypeError:
         return
     for step in _STEP.finditer(path):
-        found = [
-            member for place in found for inner in _inner(place, step) for member in _members(inner)
-        ]
+        found = [member for place in found for inner in _inner(place, step) for member in _members(inner)]
     yield from found
 
 

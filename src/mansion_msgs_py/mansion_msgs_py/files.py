@@ -7,9 +7,7 @@ from pathlib import Path
 __all__ = ["write_atomic"]
 
 
-def write_atomic(
-    path: Path, data: bytes, *, durable: bool = False, mode: int | None = None
-) -> None:
+def write_atomic(path: Path, data: bytes, *, durable: bool = False, mode: int | None = None) -> None:
     """Write a file through a temporary one beside it, so that a reader sees all or nothing.
 
     Parameters

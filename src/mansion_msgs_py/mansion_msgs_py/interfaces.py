@@ -39,11 +39,7 @@ __all__ = [
     "topic",
 ]
 
-TOPICS: tuple[TopicInterface, ...] = (
-    *building_interfaces.TOPICS,
-    *skill_interfaces.TOPICS,
-    *editing_interfaces.TOPICS,
-)
+TOPICS: tuple[TopicInterface, ...] = (*building_interfaces.TOPICS, *skill_interfaces.TOPICS, *editing_interfaces.TOPICS)
 
 SERVICES: tuple[ServiceInterface, ...] = (
     *building_interfaces.SERVICES,
@@ -74,23 +70,15 @@ def _payload_name(kind: Any) -> str:
 
 def markdown_table() -> str:
     """Return the table of all interfaces as Markdown."""
-    lines = [
-        "| service | type | arguments | reply | node | what it does |",
-        "| --- | --- | --- | --- | --- | --- |",
-    ]
+    lines = ["| service | type | arguments | reply | node | what it does |", "| --- | --- | --- | --- | --- | --- |"]
     lines += [
         f"| `{s.name}` | `{s.type}` | {_payload_name(s.arguments)} | {_payload_name(s.reply)} "
         f"| `{s.node}` | {s.description} |"
         for s in SERVICES
     ]
+    lines += ["", "| topic | type | payload | node | QoS | what it carries |", "| --- | --- | --- | --- | --- | --- |"]
     lines += [
-        "",
-        "| topic | type | payload | node | QoS | what it carries |",
-        "| --- | --- | --- | --- | --- | --- |",
-    ]
-    lines += [
-        f"| `{t.name}` | `{t.type}` | {_payload_name(t.payload)} | `{t.node}` | {t.qos} "
-        f"| {t.description} |"
+        f"| `{t.name}` | `{t.type}` | {_payload_name(t.payload)} | `{t.node}` | {t.qos} | {t.description} |"
         for t in TOPICS
     ]
     return "\n".join(lines) + "\n"

@@ -61,6 +61,4 @@ def payload_type(name: str) -> type[Any]:
         return PAYLOADS[name]
     except KeyError:
         known = ", ".join(sorted(PAYLOADS))
-        raise MansionError(
-            ErrorCode.NOT_FOUND, f"there is no payload {name!r}; known are {known}"
-        ) from None
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no payload {name!r}; known are {known}") from None

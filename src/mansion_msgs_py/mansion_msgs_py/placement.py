@@ -23,9 +23,7 @@ __all__ = [
 ]
 
 GlobalConstraint: TypeAlias = Literal["edge", "middle", "unconstrained"]
-RelationKind: TypeAlias = Literal[
-    "near", "far", "in_front_of", "around", "side_of", "center_aligned"
-]
+RelationKind: TypeAlias = Literal["near", "far", "in_front_of", "around", "side_of", "center_aligned"]
 Count: TypeAlias = Annotated[int, msgspec.Meta(ge=1, le=10_000)]
 
 

@@ -30,9 +30,7 @@ def read_bytes(file: Path, expected: str = "") -> bytes:
     except OSError as error:
         wish = f"; expected {expected}" if expected else ""
         raise MansionError(
-            ErrorCode.NOT_FOUND,
-            f"{file}: {error.strerror or error}{wish}",
-            details={"file": str(file)},
+            ErrorCode.NOT_FOUND, f"{file}: {error.strerror or error}{wish}", details={"file": str(file)}
         ) from None
 
 

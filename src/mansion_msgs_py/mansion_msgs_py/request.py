@@ -56,9 +56,7 @@ class BuildRequest(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     footprint: Footprint | None = None
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**53)] = 0
     planner: Literal["rules", "llm"] = "rules"
-    building_id: (
-        Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,63}$")] | None
-    ) = None
+    building_id: Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,63}$")] | None = None
     schema_version: Literal[1] = 1
 
 

@@ -31,16 +31,7 @@ __all__ = [
 ]
 
 DoorKind: TypeAlias = Literal[
-    "open",
-    "doorway",
-    "single",
-    "double",
-    "glazed",
-    "sliding",
-    "frame",
-    "entrance",
-    "balcony",
-    "garage",
+    "open", "doorway", "single", "double", "glazed", "sliding", "frame", "entrance", "balcony", "garage"
 ]
 """``open`` is a stretch of missing wall; ``sliding`` a lift's landing door; ``frame`` a stair's door frame;
 ``garage`` an outer door for vehicles, of slats that roll up."""

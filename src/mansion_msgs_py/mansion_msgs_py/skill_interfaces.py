@@ -1,15 +1,7 @@
 """Topics and services of the robot in the building."""
 
 from mansion_msgs_py.building import LoadBuilding
-from mansion_msgs_py.interface_types import (
-    CAMERA,
-    LATEST,
-    SENSOR,
-    STREAM,
-    Qos,
-    ServiceInterface,
-    TopicInterface,
-)
+from mansion_msgs_py.interface_types import CAMERA, LATEST, SENSOR, STREAM, Qos, ServiceInterface, TopicInterface
 from mansion_msgs_py.skills import (
     CameraNames,
     Control,
@@ -34,24 +26,13 @@ from mansion_msgs_py.skills import (
     VisibleObjects,
     WhereAmI,
 )
-from mansion_msgs_py.world import (
-    LiftRequest,
-    LiftState,
-    RobotState,
-    SkillProgress,
-    SkillResult,
-    WorldEvent,
-)
+from mansion_msgs_py.world import LiftRequest, LiftState, RobotState, SkillProgress, SkillResult, WorldEvent
 
 __all__ = ["SERVICES", "TOPICS"]
 
 TOPICS: tuple[TopicInterface, ...] = (
-    TopicInterface(
-        "robot_state", "skill_server", "Where a robot is, after each change.", RobotState
-    ),
-    TopicInterface(
-        "lift_state", "skill_server", "Each lift, once a second and on change.", LiftState
-    ),
+    TopicInterface("robot_state", "skill_server", "Where a robot is, after each change.", RobotState),
+    TopicInterface("lift_state", "skill_server", "Each lift, once a second and on change.", LiftState),
     TopicInterface(
         "lift_requests",
         "skill_server",
@@ -61,11 +42,7 @@ TOPICS: tuple[TopicInterface, ...] = (
     TopicInterface("skill_progress", "skill_server", "How far a running skill is.", SkillProgress),
     TopicInterface("world_events", "skill_server", "What each skill changed.", WorldEvent),
     TopicInterface(
-        "robot_pose",
-        "skill_server",
-        "The robot in `map`.",
-        type="geometry_msgs/msg/PoseStamped",
-        qos=LATEST,
+        "robot_pose", "skill_server", "The robot in `map`.", type="geometry_msgs/msg/PoseStamped", qos=LATEST
     ),
     TopicInterface(
         "landmarks",
@@ -81,13 +58,7 @@ TOPICS: tuple[TopicInterface, ...] = (
         type="visualization_msgs/msg/MarkerArray",
         qos=LATEST,
     ),
-    TopicInterface(
-        "path",
-        "skill_server",
-        "The way of the last motion.",
-        type="nav_msgs/msg/Path",
-        qos=LATEST,
-    ),
+    TopicInterface("path", "skill_server", "The way of the last motion.", type="nav_msgs/msg/Path", qos=LATEST),
     TopicInterface(
         "/map",
         "skill_server",
@@ -96,11 +67,7 @@ TOPICS: tuple[TopicInterface, ...] = (
         qos=LATEST,
     ),
     TopicInterface(
-        "/tf",
-        "skill_server",
-        "`map` -> `odom` -> `base_link`.",
-        type="tf2_msgs/msg/TFMessage",
-        qos=Qos(depth=100),
+        "/tf", "skill_server", "`map` -> `odom` -> `base_link`.", type="tf2_msgs/msg/TFMessage", qos=Qos(depth=100)
     ),
     TopicInterface(
         "/tf_static",
@@ -260,37 +227,15 @@ SERVICES: tuple[ServiceInterface, ...] = (
         SkillResult,
         '{"degrees": 90}',
     ),
+    ServiceInterface("skills/look_up", "skill_server", "Tilt the camera up.", LookArgs, SkillResult, '{"degrees": 30}'),
     ServiceInterface(
-        "skills/look_up",
-        "skill_server",
-        "Tilt the camera up.",
-        LookArgs,
-        SkillResult,
-        '{"degrees": 30}',
+        "skills/look_down", "skill_server", "Tilt the camera down.", LookArgs, SkillResult, '{"degrees": 30}'
     ),
     ServiceInterface(
-        "skills/look_down",
-        "skill_server",
-        "Tilt the camera down.",
-        LookArgs,
-        SkillResult,
-        '{"degrees": 30}',
+        "skills/open_door", "skill_server", "Open a door.", DoorArgs, SkillResult, '{"door": "F1/door_2"}'
     ),
     ServiceInterface(
-        "skills/open_door",
-        "skill_server",
-        "Open a door.",
-        DoorArgs,
-        SkillResult,
-        '{"door": "F1/door_2"}',
-    ),
-    ServiceInterface(
-        "skills/close_door",
-        "skill_server",
-        "Close a door.",
-        DoorArgs,
-        SkillResult,
-        '{"door": "F1/door_2"}',
+        "skills/close_door", "skill_server", "Close a door.", DoorArgs, SkillResult, '{"door": "F1/door_2"}'
     ),
     ServiceInterface(
         "skills/open_object",
@@ -340,20 +285,9 @@ SERVICES: tuple[ServiceInterface, ...] = (
         SkillResult,
         '{"object": "F1/lobby/floor_lamp_1"}',
     ),
+    ServiceInterface("skills/where_am_i", "skill_server", "Floor, room, pose and held object.", None, WhereAmI),
     ServiceInterface(
-        "skills/where_am_i",
-        "skill_server",
-        "Floor, room, pose and held object.",
-        None,
-        WhereAmI,
-    ),
-    ServiceInterface(
-        "skills/list_landmarks",
-        "skill_server",
-        "Rooms and cores of this floor.",
-        SessionArgs,
-        Landmarks,
-        "{}",
+        "skills/list_landmarks", "skill_server", "Rooms and cores of this floor.", SessionArgs, Landmarks, "{}"
     ),
     ServiceInterface(
         "skills/list_visible",

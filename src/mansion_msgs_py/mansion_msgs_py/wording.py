@@ -50,9 +50,7 @@ def with_article(words: str) -> str:
     ('an orange toolbox', 'a table', 'a unit', 'an urn')
     """
     first = words.lower()
-    vowel = first[:1] in tuple("aeiou") and not (
-        first.startswith(_SOUNDED) and not first.startswith(("unin", "unim"))
-    )
+    vowel = first[:1] in tuple("aeiou") and not (first.startswith(_SOUNDED) and not first.startswith(("unin", "unim")))
     return f"{'an' if vowel or first.startswith(_MUTE) else 'a'} {words}"
 
 

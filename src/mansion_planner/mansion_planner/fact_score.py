@@ -60,9 +60,7 @@ def finished_rooms(reply: PlanReply, layouts: list[FloorLayout]) -> list[Finishe
     return rooms
 
 
-def score_building(
-    facts: list[str], reply: PlanReply, layouts: list[FloorLayout]
-) -> list[FactResult]:
+def score_building(facts: list[str], reply: PlanReply, layouts: list[FloorLayout]) -> list[FactResult]:
     """Check each fact against the finished building.
 
     Parameters
@@ -83,9 +81,7 @@ def score_building(
     return [FactResult(fact, *_check(fact, reply, layouts, rooms)) for fact in facts]
 
 
-def _check(
-    fact: str, reply: PlanReply, layouts: list[FloorLayout], rooms: list[FinishedRoom]
-) -> tuple[bool, str]:
+def _check(fact: str, reply: PlanReply, layouts: list[FloorLayout], rooms: list[FinishedRoom]) -> tuple[bool, str]:
     match = _ROOM.match(fact)
     if match is not None:
         return _room(match, rooms)
@@ -97,11 +93,7 @@ def _check(
     if fact.startswith("material "):
         return _material(*fact.split()[1:], reply=reply)
     if fact == "setback":
-        areas = [
-            _area(layout)
-            for floor, layout in zip(reply.program.floors, layouts)
-            if floor.index >= 1
-        ]
+        areas = [_area(layout) for floor, layout in zip(reply.program.floors, layouts) if floor.index >= 1]
         return areas[-1] < 0.97 * areas[0], ", ".join(f"{area:.0f} m2" for area in areas)
     key, _, value = fact.partition("=")
     checks: dict[str, Callable[[], tuple[bool, str]]] = {
@@ -128,9 +120,7 @@ def _room(match: "re.Match[str]", rooms: list[FinishedRoom]) -> tuple[bool, str]
         chosen = [room for room in chosen if room.floor == int(match["floor"])]
     elif not by_name and not chosen:
         chosen = []
-    found = f"{len(chosen)}: " + ", ".join(
-        f"F{r.floor}/{r.id} {r.shape.area:.0f}" for r in chosen[:6]
-    )
+    found = f"{len(chosen)}: " + ", ".join(f"F{r.floor}/{r.id} {r.shape.area:.0f}" for r in chosen[:6])
     count = match["count"]
     met = bool(chosen) if count is None else len(chosen) == int(count)
     if match["area"] is not None:
@@ -142,14 +132,9 @@ def _room(match: "re.Match[str]", rooms: list[FinishedRoom]) -> tuple[bool, str]
 
 def _adjacent(first: str, second: str, *, rooms: list[FinishedRoom]) -> tuple[bool, str]:
     pairs = [
-        (a, b)
-        for a in rooms
-        for b in rooms
-        if (a.room_type, b.room_type) == (first, second) and a.floor == b.floor
+        (a, b) for a in rooms for b in rooms if (a.room_type, b.room_type) == (first, second) and a.floor == b.floor
     ]
-    shared = max(
-        (a.shape.buffer(0.01).intersection(b.shape).length / 2 for a, b in pairs), default=0.0
-    )
+    shared = max((a.shape.buffer(0.01).intersection(b.shape).length / 2 for a, b in pairs), default=0.0)
     return shared >= 0.3, f"{shared:.1f} m of shared wall"
 
 
@@ -171,9 +156,7 @@ def _basements(value: str, rooms: list[FinishedRoom]) -> tuple[bool, str]:
 
 def _method(value: str, reply: PlanReply) -> tuple[bool, str]:
     kinds = sorted({core.type for core in reply.program.vertical_connectivity.cores})
-    expected = {"none": [], "stair": ["stair"], "elevator": ["elevator"]}.get(
-        value, ["elevator", "stair"]
-    )
+    expected = {"none": [], "stair": ["stair"], "elevator": ["elevator"]}.get(value, ["elevator", "stair"])
     return kinds == expected, ", ".join(kinds)
 
 
@@ -188,19 +171,12 @@ def _total(value: float, reply: PlanReply) -> tuple[bool, str]:
 
 def _floor_area(value: float, reply: PlanReply) -> tuple[bool, str]:
     areas = [Polygon(p.boundary, p.holes).area for p in reply.problems]
-    return all(abs(area - value) <= 0.06 * value for area in areas), ", ".join(
-        f"{a:.0f}" for a in areas
-    )
+    return all(abs(area - value) <= 0.06 * value for area in areas), ", ".join(f"{a:.0f}" for a in areas)
 
 
 def _shape(value: str, reply: PlanReply, layouts: list[FloorLayout]) -> tuple[bool, str]:
-    parts = [
-        Polygon(room.polygon, room.holes).buffer(0.01, join_style="mitre")
-        for room in layouts[0].rooms
-    ]
-    parts += [
-        Polygon(core.polygon).buffer(0.01, join_style="mitre") for core in reply.problems[0].cores
-    ]
+    parts = [Polygon(room.polygon, room.holes).buffer(0.01, join_style="mitre") for room in layouts[0].rooms]
+    parts += [Polygon(core.polygon).buffer(0.01, join_style="mitre") for core in reply.problems[0].cores]
     outline = unary_union(parts).buffer(-0.01, join_style="mitre").simplify(0.05)
     if outline.geom_type != "Polygon":
         return False, "the rooms do not hang together"

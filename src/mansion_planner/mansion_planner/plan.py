@@ -85,15 +85,12 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
         return plan_with_model(request, base, building_id)
     try:
         facts = read_brief(request.description, base)
-        planned = plan_program(
-            request, facts, base, building_id, item_generator(request.seed, "program")
-        )
+        planned = plan_program(request, facts, base, building_id, item_generator(request.seed, "program"))
     except MansionError as error:
         raise error.at_stage("program") from None
     _report_unread(facts, planned.program)
     topologies = [floor_topology(planned, storey, base) for storey in planned.storeys]
     problems = [
-        floor_problem(planned, storey, topology, request.seed)
-        for storey, topology in zip(planned.storeys, topologies)
+        floor_problem(planned, storey, topology, request.seed) for storey, topology in zip(planned.storeys, topologies)
     ]
     return PlanReply(program=planned.program, topologies=topologies, problems=problems)

@@ -22,10 +22,7 @@ ProgressReport = Callable[[str, float], None]
 
 
 def furnish_floor(
-    request: FurnishRequest,
-    *,
-    progress: ProgressReport | None = None,
-    catalogue: "Catalogue | None" = None,
+    request: FurnishRequest, *, progress: ProgressReport | None = None, catalogue: "Catalogue | None" = None
 ) -> FloorScene:
     """Make the scene of one floor: structure, openings, objects, light, sky and the robot's start.
 
@@ -81,9 +78,7 @@ def _contents(
     # The placement solver compiles its kernels when it is imported.
     from mansion_scene.room_contents import RoomFurnisher
 
-    furnisher = RoomFurnisher(
-        structure, seed=request.seed, style=request.style, catalogue=catalogue, chooser=chooser
-    )
+    furnisher = RoomFurnisher(structure, seed=request.seed, style=request.style, catalogue=catalogue, chooser=chooser)
     objects: list[SceneObject] = []
     discarded: list[Discard] = []
     for index, room in enumerate(structure.rooms):
@@ -95,10 +90,7 @@ def _contents(
 
 
 def _scene(
-    request: FurnishRequest,
-    structure: FloorStructure,
-    objects: list[SceneObject],
-    discarded: list[Discard],
+    request: FurnishRequest, structure: FloorStructure, objects: list[SceneObject], discarded: list[Discard]
 ) -> FloorScene:
     program, floor = request.floor, structure.floor
     hub = next(room for room in structure.rooms if room.id == floor.hub.id)
@@ -138,15 +130,7 @@ def _scene(
 
 def _require_unique_ids(scene: FloorScene) -> None:
     seen: set[str] = set()
-    for group in (
-        scene.rooms,
-        scene.walls,
-        scene.doors,
-        scene.windows,
-        scene.cores,
-        scene.objects,
-        scene.lights,
-    ):
+    for group in (scene.rooms, scene.walls, scene.doors, scene.windows, scene.cores, scene.objects, scene.lights):
         for item in group:
             if item.id in seen:
                 raise MansionError(ErrorCode.INTERNAL, f"the id {item.id} comes twice in the scene")

@@ -20,10 +20,7 @@ _THIN = 0.02  # what hangs closer to its wall stops nobody
 
 
 def clear_of_ways(
-    hung: Sequence[SceneObject],
-    standing: Sequence[SceneObject],
-    net: Polygon,
-    doors: Sequence[PlacementOpening],
+    hung: Sequence[SceneObject], standing: Sequence[SceneObject], net: Polygon, doors: Sequence[PlacementOpening]
 ) -> list[SceneObject]:
     """Leave out what hangs low beside a door, or cuts a door or furniture off, with all that lies on it.
 
@@ -50,9 +47,7 @@ def _in_the_way(item: SceneObject) -> bool:
     return item.mount == "wall" and low < _ROBOT_HEIGHT and item.size[1] > _THIN
 
 
-def _in_doorways(
-    hung: Sequence[SceneObject], net: Polygon, doors: Sequence[PlacementOpening]
-) -> set[str]:
+def _in_doorways(hung: Sequence[SceneObject], net: Polygon, doors: Sequence[PlacementOpening]) -> set[str]:
     ways = shapely.union_all(
         [LineString(door.segment).buffer(_DOORWAY, cap_style="flat") for door in doors]
     ).intersection(net)
@@ -67,10 +62,7 @@ def _in_doorways(
 
 
 def _cutting_off(
-    deep: Sequence[SceneObject],
-    standing: Sequence[SceneObject],
-    net: Polygon,
-    doors: Sequence[PlacementOpening],
+    deep: Sequence[SceneObject], standing: Sequence[SceneObject], net: Polygon, doors: Sequence[PlacementOpening]
 ) -> set[str]:
     """Return what must go so that everything that can be reached without all of it can be reached."""
     solid = [footprint(item) for item in standing if item.size[2] > _FLAT]

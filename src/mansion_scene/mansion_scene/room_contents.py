@@ -5,12 +5,7 @@ from collections.abc import Callable, Sequence
 import msgspec
 from shapely.geometry import LineString, Polygon
 
-from mansion_assets.catalogue import (
-    Catalogue,
-    RoomFurnishing,
-    furnish_request,
-    load_catalogue,
-)
+from mansion_assets.catalogue import Catalogue, RoomFurnishing, furnish_request, load_catalogue
 from mansion_assets.catalogue.records import Item
 from mansion_geometry.randomness import item_seed
 from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementRoom
@@ -29,9 +24,7 @@ ItemChooser = Callable[[SceneRoom, float, tuple[float, float]], Sequence[Item] |
 _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
 
-def room_openings(
-    structure: FloorStructure, room: SceneRoom
-) -> tuple[list[PlacementOpening], list[PlacementOpening]]:
+def room_openings(structure: FloorStructure, room: SceneRoom) -> tuple[list[PlacementOpening], list[PlacementOpening]]:
     """Return a room's doors and windows as openings in the boundary of its net interior."""
     net = Polygon(room.net_polygon, room.net_holes)
     doors = [
@@ -101,9 +94,7 @@ class RoomFurnisher:
             style=self._style,
             room_id=room.id,
             extent=(x1 - x0, y1 - y0),
-            items=None
-            if self._chooser is None
-            else self._chooser(room, net.area, (x1 - x0, y1 - y0)),
+            items=None if self._chooser is None else self._chooser(room, net.area, (x1 - x0, y1 - y0)),
         )
         doors, windows = room_openings(self._structure, room)
         result = place_room(
@@ -132,8 +123,7 @@ class RoomFurnisher:
             seed=self._seed,
         )
         left = [
-            Discard(room=room.id, name=lost.name, count=lost.count, reason=lost.reason)
-            for lost in result.discarded
+            Discard(room=room.id, name=lost.name, count=lost.count, reason=lost.reason) for lost in result.discarded
         ]
         return [*placed, *clear_of_ways(small, placed, net, doors)], left
 
@@ -149,9 +139,7 @@ def _with_panels(door: Door) -> Door:
     )
 
 
-def _scene_objects(
-    room: SceneRoom, wishes: RoomFurnishing, placements: list[PlacedObject]
-) -> list[SceneObject]:
+def _scene_objects(room: SceneRoom, wishes: RoomFurnishing, placements: list[PlacedObject]) -> list[SceneObject]:
     counts: dict[str, int] = {}
     objects = []
     for placement in placements:

@@ -24,9 +24,7 @@ def _is_obstacle(item: SceneObject) -> bool:
     return item.mount in ("floor", "wall") and bottom < _HEADROOM and top > 0.05
 
 
-def free_region(
-    room: SceneRoom, objects: Sequence[SceneObject], radius: float = ROBOT_RADIUS
-) -> list[Polygon]:
+def free_region(room: SceneRoom, objects: Sequence[SceneObject], radius: float = ROBOT_RADIUS) -> list[Polygon]:
     """Return where a disc robot's centre may be in a room, as connected parts, largest first."""
     net = Polygon(room.net_polygon, room.net_holes)
     mine = [item for item in objects if item.room == room.id and _is_obstacle(item)]
@@ -34,21 +32,13 @@ def free_region(
     free = net.buffer(-radius, join_style="mitre")
     if boxes:
         free = free.difference(
-            shapely.union_all(
-                shapely.buffer(boxes, [radius + oblique_margin(item) for item in mine])
-            )
+            shapely.union_all(shapely.buffer(boxes, [radius + oblique_margin(item) for item in mine]))
         )
-    parts = [
-        part
-        for part in shapely.get_parts(free)
-        if part.geom_type == "Polygon" and not part.is_empty
-    ]
+    parts = [part for part in shapely.get_parts(free) if part.geom_type == "Polygon" and not part.is_empty]
     return sorted(parts, key=lambda part: (-round(part.area, 6), part.bounds))
 
 
-def place_spawn(
-    room: SceneRoom, doors: Sequence[Door], objects: Sequence[SceneObject]
-) -> SpawnPose:
+def place_spawn(room: SceneRoom, doors: Sequence[Door], objects: Sequence[SceneObject]) -> SpawnPose:
     """Choose the start in a room: roomy, in the part that most doors lead to, looking along the longest view.
 
     Parameters

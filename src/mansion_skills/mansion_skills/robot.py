@@ -49,9 +49,7 @@ class Robot:
         engine: Engine | None = None,
     ) -> None:
         self.engine = engine or Engine()
-        self.loaded = self.engine.load(
-            LoadBuilding(path=str(building), session=session, world=world, reset=reset)
-        )
+        self.loaded = self.engine.load(LoadBuilding(path=str(building), session=session, world=world, reset=reset))
         self.session = self.loaded.session
 
     def skill(self, name: str, **arguments: Any) -> Any:

@@ -26,9 +26,7 @@ def test_every_program_names_existing_categories_with_assets_that_meet_its_bound
             assert assets, (room_type, item.name)
             assert all(a.mount == "floor" for a in assets), (room_type, item.name)
         for hang in card.wall:
-            assert {a.mount for a in CATALOGUE.choose_from(hang.category)} == {"wall"}, (
-                hang.category
-            )
+            assert {a.mount for a in CATALOGUE.choose_from(hang.category)} == {"wall"}, hang.category
         for hang in card.ceiling:
             assert {a.mount for a in CATALOGUE.choose_from(hang.category)} == {"ceiling"}
         for rug in card.rugs:
@@ -59,10 +57,9 @@ def test_arrangements_name_receptacles_and_small_things() -> None:
 
 def test_sizes_are_plausible() -> None:
     for asset in CATALOGUE.assets.values():
-        assert all(
-            0.0029 < side < 4.3 or asset.category in ("garage_car", "pool_basin")
-            for side in asset.size
-        ), asset.key
+        assert all(0.0029 < side < 4.3 or asset.category in ("garage_car", "pool_basin") for side in asset.size), (
+            asset.key
+        )
         if asset.mount == "floor":
             assert asset.size[2] <= 2.51, asset.key
         if asset.pickupable and asset.asset_id is None:
@@ -133,10 +130,7 @@ def test_a_user_folder_adds_an_asset_and_puts_it_into_rooms(tmp_path: Path) -> N
 
 
 def test_a_user_folder_adds_a_room_type(tmp_path: Path) -> None:
-    room = {
-        "room_type": "drone_hangar",
-        "floor": [{"name": "bench", "category": "workbench", "global": "edge"}],
-    }
+    room = {"room_type": "drone_hangar", "floor": [{"name": "bench", "category": "workbench", "global": "edge"}]}
     catalogue = load_catalogue([_folder(tmp_path, "r.json", "rooms", room)])
     assert catalogue.room_program("drone_hangar").how == "exact"
 

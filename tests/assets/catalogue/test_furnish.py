@@ -14,9 +14,7 @@ TYPES = st.sampled_from(CATALOGUE.room_types)
 
 @settings(deadline=None, max_examples=80)
 @given(room_type=TYPES, area=st.floats(2.0, 500.0), seed=st.integers(0, 10**6))
-def test_a_request_is_well_formed_and_fits_its_share_of_the_room(
-    room_type: str, area: float, seed: int
-) -> None:
+def test_a_request_is_well_formed_and_fits_its_share_of_the_room(room_type: str, area: float, seed: int) -> None:
     wishes = furnish_request(CATALOGUE, room_type, area, seed=seed, room_id="F1/r")
     names = [o.name for o in wishes.floor]
     assert len(set(names)) == len(names)
@@ -37,17 +35,13 @@ def test_a_request_is_well_formed_and_fits_its_share_of_the_room(
 
 def test_the_same_seed_gives_the_same_request_and_other_seeds_differ() -> None:
     def asked(seed: int) -> str:
-        return encode(
-            furnish_request(CATALOGUE, "living_room", 24.0, seed=seed, room_id="F1/a").floor
-        )
+        return encode(furnish_request(CATALOGUE, "living_room", 24.0, seed=seed, room_id="F1/a").floor)
 
     assert asked(3) == asked(3)
     assert len({asked(seed) for seed in range(20)}) >= 15
 
 
-@pytest.mark.parametrize(
-    "room_type", ["open_office", "classroom", "cafeteria", "sales_area", "ward"]
-)
+@pytest.mark.parametrize("room_type", ["open_office", "classroom", "cafeteria", "sales_area", "ward"])
 def test_larger_rooms_get_more(room_type: str) -> None:
     counts = [
         sum(o.quantity for o in furnish_request(CATALOGUE, room_type, a, seed=1, room_id="r").floor)

@@ -13,9 +13,7 @@ from mansion_msgs_py.errors import MansionError
 
 def queries(name: str) -> list[tuple[str, list[str]]]:
     """Return texts with the categories that answer them."""
-    return msgspec.json.decode(
-        Path(__file__).with_name(name).read_bytes(), type=list[tuple[str, list[str]]]
-    )
+    return msgspec.json.decode(Path(__file__).with_name(name).read_bytes(), type=list[tuple[str, list[str]]])
 
 
 QUERIES = queries("search_queries.json")
@@ -49,17 +47,12 @@ def test_uses_are_of_categories_and_find_them() -> None:
     catalogue = load_catalogue()
     used = [name for name in catalogue.categories if use_of(name)]
     assert len(used) == len(uses_by_category()) > 200
-    found = [
-        name
-        for name in used
-        if name in {h.asset.category for h in search_assets(catalogue, use_of(name), 5)}
-    ]
+    found = [name for name in used if name in {h.asset.category for h in search_assets(catalogue, use_of(name), 5)}]
     assert len(found) >= 0.9 * len(used)
 
 
 @pytest.mark.parametrize(
-    ("query", "category"),
-    [("key board", "keyboard"), ("boxes", "box"), ("book shelf", "bookshelf")],
+    ("query", "category"), [("key board", "keyboard"), ("boxes", "box"), ("book shelf", "bookshelf")]
 )
 def test_words_written_apart_and_plurals_are_one_word(query: str, category: str) -> None:
     assert search_assets(load_catalogue(), query, 1)[0].asset.category == category
@@ -70,8 +63,7 @@ def test_every_category_is_found_by_its_own_name() -> None:
     missed = [
         name
         for name in catalogue.categories
-        if name
-        not in {h.asset.category for h in search_assets(catalogue, name.replace("_", " "), 3)}
+        if name not in {h.asset.category for h in search_assets(catalogue, name.replace("_", " "), 3)}
     ]
     assert missed == []
 

@@ -15,23 +15,14 @@ def test_sources_and_usage_reach_the_report() -> None:
     plan = plan_building(BuildRequest(description="a small flat"))
     assert building_report(plan, [], [], {}).llm is None
     usage = LlmUsage(model="m", answers=3, input_tokens=10, cost=0.5)
-    plan = msgspec.structs.replace(
-        plan, sources={"numbers": "llm", "cores": "rules: why"}, llm=usage
-    )
+    plan = msgspec.structs.replace(plan, sources={"numbers": "llm", "cores": "rules: why"}, llm=usage)
     report = building_report(plan, [], [], {})
     assert report.sources == {"numbers": "llm", "cores": "rules: why"}
     assert report.llm == usage
 
 
-def test_the_command_line_says_what_to_set(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: object
-) -> None:
-    for name in (
-        "MANSION_LLM_BASE_URL",
-        "MANSION_LLM_MODEL",
-        "MANSION_LLM_REPLAY",
-        "MANSION_LLM_CONFIG",
-    ):
+def test_the_command_line_says_what_to_set(monkeypatch: pytest.MonkeyPatch, tmp_path: object) -> None:
+    for name in ("MANSION_LLM_BASE_URL", "MANSION_LLM_MODEL", "MANSION_LLM_REPLAY", "MANSION_LLM_CONFIG"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.delenv("OPENAI_BASE_URL", raising=False)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))

@@ -202,12 +202,8 @@ def test_a_sound_building_has_no_fault(sound: Path) -> None:
     assert verify_building(sound) == []
 
 
-@pytest.mark.parametrize(
-    ("plant", "kind"), PLANTED, ids=[f"{plant.__name__}-{kind}" for plant, kind in PLANTED]
-)
-def test_a_planted_fault_in_a_scene_is_found(
-    building: Path, plant: Callable[[Json], None], kind: str
-) -> None:
+@pytest.mark.parametrize(("plant", "kind"), PLANTED, ids=[f"{plant.__name__}-{kind}" for plant, kind in PLANTED])
+def test_a_planted_fault_in_a_scene_is_found(building: Path, plant: Callable[[Json], None], kind: str) -> None:
     change(scene(building), plant)
     assert kind in kinds(building)
 
@@ -235,9 +231,7 @@ def test_a_number_that_is_not_finite_is_found(building: Path) -> None:
 
 def test_a_missing_file_is_named(building: Path) -> None:
     (building / "floors/floor_1/plan.svg").unlink()
-    assert [(f.kind, f.where) for f in verify_building(building)] == [
-        ("FILE", "floors/floor_1/plan.svg")
-    ]
+    assert [(f.kind, f.where) for f in verify_building(building)] == [("FILE", "floors/floor_1/plan.svg")]
 
 
 def test_a_cut_scene_file_is_named(building: Path) -> None:

@@ -36,9 +36,7 @@ def floor_with_gap(gap: float, turn: float, shift: float) -> FloorScene:
     for number, side in ((1, 1.0), (2, -1.0)):
         away, angle = side * (gap / 2 + 1.0), math.radians(turn)
         x, y = hall[0] - math.sin(angle) * away, hall[1] + math.cos(angle) * away
-        cabinets.append(
-            thing(f"cabinet_{number}", "F1/hall", (x, y, 0.0), (1.4, 2.0, 1.0), rotation=turn)
-        )
+        cabinets.append(thing(f"cabinet_{number}", "F1/hall", (x, y, 0.0), (1.4, 2.0, 1.0), rotation=turn))
     doors = [door for door in whole.doors if door.id != "F1/door_5"]
     return msgspec.structs.replace(
         whole,

@@ -22,19 +22,7 @@ def mansion(*arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-COMMANDS = (
-    "build",
-    "plan",
-    "up",
-    "call",
-    "echo",
-    "graph",
-    "solve",
-    "place",
-    "schema",
-    "check",
-    "test",
-)
+COMMANDS = ("build", "plan", "up", "call", "echo", "graph", "solve", "place", "schema", "check", "test")
 
 
 def test_help_lists_every_command_and_each_has_examples() -> None:
@@ -51,9 +39,7 @@ def test_each_command_shows_an_example(command: str) -> None:
 
 
 def test_an_infeasible_brief_ends_with_status_2_and_the_reason(tmp_path: Path) -> None:
-    done = mansion(
-        "build", "a hospital", "--floors", "9", "--area", "12", "-o", str(tmp_path / "h")
-    )
+    done = mansion("build", "a hospital", "--floors", "9", "--area", "12", "-o", str(tmp_path / "h"))
     assert done.returncode == 2
     assert "INFEASIBLE" in done.stderr
     assert "Traceback" not in done.stderr
@@ -70,9 +56,7 @@ def test_an_infeasible_brief_ends_with_status_2_and_the_reason(tmp_path: Path) -
         ("place", "/nowhere.json", "-o", "x.json"),
     ],
 )
-def test_bad_input_ends_with_one_line_and_status_1(
-    arguments: tuple[str, ...], tmp_path: Path
-) -> None:
+def test_bad_input_ends_with_one_line_and_status_1(arguments: tuple[str, ...], tmp_path: Path) -> None:
     done = mansion(*arguments)
     assert done.returncode == 1
     assert done.stderr.startswith("error: ")

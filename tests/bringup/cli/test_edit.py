@@ -14,9 +14,7 @@ from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 
 def _scene(*objects: SceneObject) -> FloorScene:
     ring = [(0.0, 0.0), (6.0, 0.0), (6.0, 6.0), (0.0, 6.0)]
-    room = SceneRoom(
-        id="F1/hall", room_type="hall", kind="main", polygon=ring, net_polygon=ring, area=36.0
-    )
+    room = SceneRoom(id="F1/hall", room_type="hall", kind="main", polygon=ring, net_polygon=ring, area=36.0)
     return FloorScene(
         building_id="b", floor=1, floors=1, label="1", elevation=0.0, height=3.0,
         outline=ring, rooms=[room], walls=[], doors=[], objects=list(objects),
@@ -46,12 +44,8 @@ def test_what_leaves_its_room_is_refused() -> None:
 
 def test_what_lies_in_a_bowl_in_a_box_stands_in_neither() -> None:
     box = _box("F1/hall/box_1", 2.0)
-    bowl = msgspec.structs.replace(
-        _box("F1/hall/bowl_1", 2.0), size=(0.4, 0.4, 0.3), mount="inside", parent=box.id
-    )
-    apple = msgspec.structs.replace(
-        _box("F1/hall/apple_1", 2.0), size=(0.1, 0.1, 0.1), mount="inside", parent=bowl.id
-    )
+    bowl = msgspec.structs.replace(_box("F1/hall/bowl_1", 2.0), size=(0.4, 0.4, 0.3), mount="inside", parent=box.id)
+    apple = msgspec.structs.replace(_box("F1/hall/apple_1", 2.0), size=(0.1, 0.1, 0.1), mount="inside", parent=bowl.id)
     loose = msgspec.structs.replace(apple, parent=None, mount="floor")
     assert not any("stand in" in f for f in _whole_check(_scene(box, bowl, apple)))
     assert any("stand in" in f for f in _whole_check(_scene(box, bowl, loose)))

@@ -21,9 +21,7 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
     except MansionError as error:
         pytest.skip(str(error))
     folder = tmp_path_factory.mktemp("look") / "house"
-    build_building(
-        identified(BuildRequest(description="a two-storey house", floor_area=70.0)), folder
-    )
+    build_building(identified(BuildRequest(description="a two-storey house", floor_area=70.0)), folder)
     return folder
 
 

@@ -113,9 +113,7 @@ def test_each_command_has_an_example_of_its_own(path: tuple[str, ...]) -> None:
 
 
 @pytest.mark.parametrize(
-    "path",
-    [path for path, command in commands() if any(p.required for p in command.params)],
-    ids=" ".join,
+    "path", [path for path, command in commands() if any(p.required for p in command.params)], ids=" ".join
 )
 def test_a_command_without_what_it_needs_says_so(path: tuple[str, ...]) -> None:
     shown = CliRunner().invoke(app, list(path))
@@ -137,9 +135,7 @@ WRITING = (
 
 
 @pytest.mark.parametrize("words", WRITING, ids=" ".join)
-def test_an_output_below_a_file_is_named(
-    words: tuple[str, ...], things: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_output_below_a_file_is_named(words: tuple[str, ...], things: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (things / "none.txt").write_text("[]")
     words = tuple(word.replace("none.json", "none.txt") for word in words)
     assert "file.json" in refused(words, "file.json/below", things, monkeypatch)
@@ -166,16 +162,10 @@ def test_an_output_that_the_system_refuses_is_one_line(things: Path) -> None:
 
 @pytest.mark.parametrize(
     "words",
-    [
-        ("build", "a four-storey office", "-o", "{}/office"),
-        ("bench", "graph"),
-        ("echo", "nothing"),
-    ],
+    [("build", "a four-storey office", "-o", "{}/office"), ("bench", "graph"), ("echo", "nothing")],
     ids=" ".join,
 )
-def test_an_interrupt_ends_a_command_without_a_traceback(
-    words: tuple[str, ...], tmp_path: Path
-) -> None:
+def test_an_interrupt_ends_a_command_without_a_traceback(words: tuple[str, ...], tmp_path: Path) -> None:
     process = subprocess.Popen(
         [sys.executable, "-m", "mansion_bringup", *(w.replace("{}", str(tmp_path)) for w in words)],
         stdout=subprocess.PIPE,

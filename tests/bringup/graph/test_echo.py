@@ -47,10 +47,7 @@ def test_a_topic_takes_the_type_and_quality_of_its_publishers(client: MansionCli
     node.create_publisher(PoseWithCovarianceStamped, "poses", qos_profile(SENSOR))
     found = find_topic(node, "poses")
     assert found is not None
-    assert (found.name, found.type) == (
-        "/mansion/poses",
-        "geometry_msgs/msg/PoseWithCovarianceStamped",
-    )
+    assert (found.name, found.type) == ("/mansion/poses", "geometry_msgs/msg/PoseWithCovarianceStamped")
     assert (found.qos.reliability, found.qos.durability) == ("best_effort", "volatile")
     node.create_publisher(String, "notes", qos_profile(LATCHED))
     found = find_topic(node, "notes")

@@ -56,17 +56,12 @@ def description(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     """What `generate_launch_description` returns: the arguments, then the function that makes the nodes."""
     modules = {
         "launch": {"LaunchDescription": list},
-        "launch.actions": {
-            "DeclareLaunchArgument": Argument,
-            "OpaqueFunction": lambda *, function: function,
-        },
+        "launch.actions": {"DeclareLaunchArgument": Argument, "OpaqueFunction": lambda *, function: function},
         "launch.substitutions": {"LaunchConfiguration": Configuration},
         "launch_ros": {},
         "launch_ros.actions": {"Node": NodeAction},
         "ament_index_python": {},
-        "ament_index_python.packages": {
-            "get_package_share_directory": lambda name: f"/share/{name}"
-        },
+        "ament_index_python.packages": {"get_package_share_directory": lambda name: f"/share/{name}"},
     }
     for name, content in modules.items():
         module = ModuleType(name)
@@ -97,18 +92,12 @@ def test_all_nodes_of_the_graph_start_below_mansion(description: list[Any]) -> N
     assert list(nodes) == [entry.executable for entry in GRAPH_NODES]
     for entry in GRAPH_NODES:
         node = nodes[entry.executable]
-        assert (node.package, node.name, node.namespace) == (
-            entry.package,
-            entry.executable,
-            "/mansion",
-        )
+        assert (node.package, node.name, node.namespace) == (entry.package, entry.executable, "/mansion")
         assert node.ros_arguments == ["--log-level", "info"]
         assert (node.parameters, node.output, node.respawn) == ([], "screen", False)
 
 
-def test_parameter_files_come_after_the_switches_and_the_own_one_last(
-    description: list[Any], tmp_path: Path
-) -> None:
+def test_parameter_files_come_after_the_switches_and_the_own_one_last(description: list[Any], tmp_path: Path) -> None:
     every, own = str(tmp_path / "all.yaml"), str(tmp_path / "own.yaml")
     for path in (every, own):
         Path(path).touch()

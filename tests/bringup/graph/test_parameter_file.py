@@ -63,9 +63,7 @@ def test_every_node_starts_with_it(context: None) -> None:
 
     for entry in GRAPH_NODES:
         cli = ["--ros-args", "--params-file", str(FILE)]
-        probe = rclpy.create_node(
-            entry.executable, cli_args=cli, automatically_declare_parameters_from_overrides=True
-        )
+        probe = rclpy.create_node(entry.executable, cli_args=cli, automatically_declare_parameters_from_overrides=True)
         names = [name for name in probe.list_parameters([], 0).names if name not in GIVEN_BY_ROS]
         assert names, entry.executable
         assert all(probe.get_parameter(name).type_ is not Parameter.Type.NOT_SET for name in names)

@@ -31,8 +31,5 @@ def displays() -> list[dict[str, Any]]:
 def test_a_display_reads_a_topic_of_its_type(display: dict[str, Any]) -> None:
     if display["Class"] in NO_TOPIC:
         return
-    published = {
-        topic.name if topic.name.startswith("/") else f"/mansion/{topic.name}": topic.type
-        for topic in TOPICS
-    }
+    published = {topic.name if topic.name.startswith("/") else f"/mansion/{topic.name}": topic.type for topic in TOPICS}
     assert published[display["Topic"]["Value"]] == READS[display["Class"]]

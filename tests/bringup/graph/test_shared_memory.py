@@ -371,27 +371,21 @@ def test_segments_that_are_gone_already_are_no_error(
     assert _files(shm) == _files(tmp_path / "ledgers") == set()
 
 
-def test_a_process_that_is_gone_is_no_error(
-    ledger: SegmentLedger, hold: Callable[..., Child]
-) -> None:
+def test_a_process_that_is_gone_is_no_error(ledger: SegmentLedger, hold: Callable[..., Child]) -> None:
     node = hold(f"own:{DATA}")
     node.kill()
     ledger.note([node.pid])
     assert ledger.names == frozenset()
 
 
-def test_looks_closer_than_the_interval_are_left_out(
-    ledger: SegmentLedger, hold: Callable[..., Child]
-) -> None:
+def test_looks_closer_than_the_interval_are_left_out(ledger: SegmentLedger, hold: Callable[..., Child]) -> None:
     ledger.note([hold(f"own:{DATA}").pid], interval=1000.0)
     ledger.note([hold(f"own:{OTHER}").pid], interval=1000.0)
     assert ledger.names == {DATA}
 
 
 @pytest.mark.parametrize("there", [True, False])
-def test_without_segments_no_file_is_made(
-    there: bool, shm: Path, ledger: SegmentLedger, tmp_path: Path
-) -> None:
+def test_without_segments_no_file_is_made(there: bool, shm: Path, ledger: SegmentLedger, tmp_path: Path) -> None:
     if not there:
         shm.rmdir()
     ledger.note([os.getpid()])
@@ -399,9 +393,7 @@ def test_without_segments_no_file_is_made(
     assert _files(tmp_path) <= {"shm"}
 
 
-def test_the_ledger_of_a_dead_supervisor_is_followed_and_that_of_a_living_one_is_not(
-    shm: Path, tmp_path: Path
-) -> None:
+def test_the_ledger_of_a_dead_supervisor_is_followed_and_that_of_a_living_one_is_not(shm: Path, tmp_path: Path) -> None:
     folder = tmp_path / "ledgers"
     holder = [sys.executable, "-c", HOLDER, str(shm), f"own:{DATA}", f"own:{PORT}"]
     supervisor = Child(SUPERVISOR, str(shm), str(folder), *holder)
@@ -428,9 +420,7 @@ def test_a_ledger_is_dead_when_its_process_id_is_another_process_by_now(
     assert remove_left_behind(shm, [file.parent]) == [DATA]
 
 
-def test_a_ledger_that_is_no_ledger_removes_nothing_and_is_deleted(
-    shm: Path, tmp_path: Path
-) -> None:
+def test_a_ledger_that_is_no_ledger_removes_nothing_and_is_deleted(shm: Path, tmp_path: Path) -> None:
     folder = tmp_path / "ledgers"
     folder.mkdir(mode=0o700)
     (shm / DATA).touch()
@@ -461,9 +451,7 @@ def test_the_file_lies_in_the_first_folder_that_is_private(
     assert private.stat().st_mode & 0o777 == 0o700
 
 
-def test_without_a_private_folder_the_ledger_is_kept_in_memory(
-    shm: Path, hold: Callable[..., Child]
-) -> None:
+def test_without_a_private_folder_the_ledger_is_kept_in_memory(shm: Path, hold: Callable[..., Child]) -> None:
     ledger = SegmentLedger(shm, [])
     node = hold(f"own:{DATA}")
     ledger.note([node.pid])
@@ -506,17 +494,10 @@ class Nodes:
         self.everything = SegmentLedger(folders=[])
 
     def environment(self, domain: int) -> dict[str, str]:
-        chosen = (
-            "FASTRTPS_DEFAULT_PROFILES_FILE",
-            "FASTDDS_DEFAULT_PROFILES_FILE",
-            "FASTDDS_BUILTIN_TRANSPORTS",
-        )
+        chosen = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE", "FASTDDS_BUILTIN_TRANSPORTS")
         environment = {name: value for name, value in os.environ.items() if name not in chosen}
         environment.pop("ROS_LOCALHOST_ONLY", None)
-        return environment | {
-            "ROS_DOMAIN_ID": str(domain),
-            "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-        }
+        return environment | {"ROS_DOMAIN_ID": str(domain), "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
 
     def start(self, *names: str, domain: int | None = None) -> list[Child]:
         """Start nodes of these names together."""
@@ -582,9 +563,7 @@ def _stops_with_one_of(ports: set[str], pid: int) -> bool:
 
 
 @pytest.mark.graph
-def test_killed_nodes_leave_nothing_and_foreign_ones_keep_theirs_and_go_on(
-    nodes: Nodes, tmp_path: Path
-) -> None:
+def test_killed_nodes_leave_nothing_and_foreign_ones_keep_theirs_and_go_on(nodes: Nodes, tmp_path: Path) -> None:
     first, second, ann, ben = nodes.start("first", "second", "ann", "ben")
     (killed,) = nodes.start("killed", domain=free_domain(nodes.domain))
     ledger = SegmentLedger(folders=[tmp_path / "ledgers"])
@@ -625,9 +604,7 @@ def test_a_port_that_a_living_node_took_over_stays_and_works(nodes: Nodes, tmp_p
 
 
 @pytest.mark.graph
-def test_a_port_that_a_noted_node_makes_for_a_killed_peer_is_removed_too(
-    nodes: Nodes, tmp_path: Path
-) -> None:
+def test_a_port_that_a_noted_node_makes_for_a_killed_peer_is_removed_too(nodes: Nodes, tmp_path: Path) -> None:
     writer, reader = nodes.start("writer", "reader")
     writer.expect("reader: hello")
     ledger = SegmentLedger(folders=[tmp_path / "ledgers"])
@@ -643,14 +620,10 @@ def test_a_port_that_a_noted_node_makes_for_a_killed_peer_is_removed_too(
 
 
 @pytest.mark.graph
-def test_what_a_killed_supervisor_leaves_is_removed_at_the_next_start(
-    nodes: Nodes, tmp_path: Path
-) -> None:
+def test_what_a_killed_supervisor_leaves_is_removed_at_the_next_start(nodes: Nodes, tmp_path: Path) -> None:
     folder = tmp_path / "ledgers"
     command = [sys.executable, "-c", NODE, "node"]
-    supervisor = Child(
-        SUPERVISOR, str(SHM), str(folder), *command, environment=nodes.environment(nodes.domain)
-    )
+    supervisor = Child(SUPERVISOR, str(SHM), str(folder), *command, environment=nodes.environment(nodes.domain))
     supervisor.expect("ready")
     pid, *names = supervisor.lines[0].split()
     nodes.everything.note([int(pid)])

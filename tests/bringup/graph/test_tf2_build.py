@@ -62,9 +62,7 @@ def test_a_transform_message_has_the_type_hash_of_jazzy() -> None:
 
 
 def test_colcon_finds_no_package_in_the_definitions() -> None:
-    files = {
-        str(path.relative_to(DEFINITIONS)) for path in DEFINITIONS.rglob("*") if path.is_file()
-    }
+    files = {str(path.relative_to(DEFINITIONS)) for path in DEFINITIONS.rglob("*") if path.is_file()}
     assert files == {
         "LICENSE",
         "README.md",
@@ -98,9 +96,7 @@ def refusal() -> str:
     return caught.value.info.message
 
 
-def test_a_folder_of_that_name_is_not_the_package(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_folder_of_that_name_is_not_the_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "path", [str(tmp_path)])
     (tmp_path / "tf2_msgs").mkdir()
     assert not has_tf2()
@@ -114,20 +110,14 @@ def test_missing_tools_are_named_with_the_packages_that_have_them(
     version = f"{sys.version_info.major}.{sys.version_info.minor}"
     monkeypatch.setenv("PATH", str(environment))
     monkeypatch.setattr(sysconfig, "get_path", lambda name: str(environment / name))
-    assert missing_tools() == [
-        "a C compiler",
-        "a C++ compiler",
-        f"the headers of Python {version}",
-    ]
+    assert missing_tools() == ["a C compiler", "a C++ compiler", f"the headers of Python {version}"]
     assert refusal() == (
         f"building tf2_msgs needs a C compiler and a C++ compiler and the headers of Python {version}: "
         f"sudo apt install build-essential python{version}-dev"
     )
 
 
-def test_beside_a_sourced_ros_its_own_package_is_named(
-    environment: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_beside_a_sourced_ros_its_own_package_is_named(environment: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("AMENT_PREFIX_PATH", "/opt/ros/kilted")
     monkeypatch.setenv("ROS_DISTRO", "kilted")
     assert refusal().endswith("sudo apt install ros-kilted-tf2-msgs")
@@ -138,9 +128,7 @@ def test_without_the_wheels_of_rclpy_nothing_is_built(environment: Path) -> None
     assert "the wheels of rclpy, which are not installed" in refusal()
 
 
-needs_tools = pytest.mark.skipif(
-    bool(missing_tools()), reason=f"missing: {', '.join(missing_tools())}"
-)
+needs_tools = pytest.mark.skipif(bool(missing_tools()), reason=f"missing: {', '.join(missing_tools())}")
 
 
 @needs_tools
@@ -153,17 +141,14 @@ def test_a_failing_step_is_quoted_and_leaves_nothing_but_its_log(
     monkeypatch.setattr(tf2_build, "_python", lambda places: fails)
     log = environment / "tf2_msgs-build.log"
     assert refusal() == (
-        "tf2_msgs is not built, translating the definitions failed: error: no such type; "
-        f"the full log is {log}"
+        f"tf2_msgs is not built, translating the definitions failed: error: no such type; the full log is {log}"
     )
     assert set(environment.rglob("*")) - before == {log}
     assert "Reading\n" in log.read_text(encoding="utf-8")
 
 
 @needs_tools
-def test_an_interrupted_build_leaves_nothing(
-    environment: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_interrupted_build_leaves_nothing(environment: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupt(places: tf2_build._Places) -> None:
         places.package.mkdir(parents=True)
         raise KeyboardInterrupt
@@ -234,16 +219,7 @@ def needs_wheels_and_registry(folder: Path) -> None:
         pytest.skip("this Python is in no virtual environment that could be copied")
     if not Path(sys.prefix, "include", "geometry_msgs").exists():
         pytest.skip("the wheels of rclpy are not installed")
-    command = [
-        "-m",
-        "pip",
-        "download",
-        "--no-deps",
-        "--retries=0",
-        "-d",
-        str(folder),
-        "ros-rpyutils==0.4.2",
-    ]
+    command = ["-m", "pip", "download", "--no-deps", "--retries=0", "-d", str(folder), "ros-rpyutils==0.4.2"]
     done = subprocess.run([sys.executable, *command], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         pytest.skip("pip reaches no package registry")
@@ -259,10 +235,7 @@ def link_or_copy(source: str, target: str) -> None:
 
 def run(prefix: Path, code: str) -> str:
     """Run code in an environment and a ROS domain of its own; return what it prints."""
-    packages = [
-        Path(sys.modules[name].__path__[0]).parent
-        for name in ("mansion_bringup", "mansion_msgs_py")
-    ]
+    packages = [Path(sys.modules[name].__path__[0]).parent for name in ("mansion_bringup", "mansion_msgs_py")]
     variables = {
         **os.environ,
         "PYTHONPATH": os.pathsep.join(map(str, packages)),

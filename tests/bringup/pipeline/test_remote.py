@@ -66,9 +66,7 @@ def until(condition: Callable[[], bool], seconds: float = 20.0) -> None:
     assert condition()
 
 
-def test_a_node_that_is_up_and_still_loading_is_waited_for(
-    client: MansionClient, solver: Node
-) -> None:
+def test_a_node_that_is_up_and_still_loading_is_waited_for(client: MansionClient, solver: Node) -> None:
     until(lambda: client.sees_node("floor_solver"))
     loaded = threading.Timer(1.0, add_json_service, args=(solver, service("solve_floor"), solved))
     loaded.start()

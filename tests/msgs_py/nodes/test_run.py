@@ -79,9 +79,7 @@ def test_a_spinning_node_ends_without_a_traceback(program: Program, number: sign
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_node_that_is_still_being_made_ends_without_a_traceback(
-    program: Program, number: signal.Signals
-) -> None:
+def test_a_node_that_is_still_being_made_ends_without_a_traceback(program: Program, number: signal.Signals) -> None:
     process = program("""
         class Slow(Bare):
             def __init__(self):
@@ -129,9 +127,7 @@ def test_two_interrupts_without_a_terminal_leave_status_0(program: Program) -> N
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_what_fails_because_the_context_is_gone_is_not_reported(
-    program: Program, number: signal.Signals
-) -> None:
+def test_what_fails_because_the_context_is_gone_is_not_reported(program: Program, number: signal.Signals) -> None:
     process = program("""
         import rclpy
         class Late(Bare):
@@ -165,9 +161,7 @@ def test_a_refusal_at_the_start_is_one_line_and_status_1(program: Program) -> No
 
 
 @pytest.mark.parametrize("value", ["99", "many"])
-def test_a_parameter_that_is_not_accepted_is_one_line_and_status_1(
-    program: Program, value: str
-) -> None:
+def test_a_parameter_that_is_not_accepted_is_one_line_and_status_1(program: Program, value: str) -> None:
     process = program(f"""
         class Limited(Bare):
             def __init__(self):

@@ -74,10 +74,7 @@ def test_an_area_follows_the_building_or_its_storeys(text: str, each: bool) -> N
 def test_an_area_of_a_room_is_not_the_buildings() -> None:
     facts = read("an office with a 40 m2 meeting room and a gym of 60 m2")
     assert not facts.area
-    assert {fact.room_type: fact.area for fact in facts.rooms} == {
-        "meeting_room": 40.0,
-        "gym": 60.0,
-    }
+    assert {fact.room_type: fact.area for fact in facts.rooms} == {"meeting_room": 40.0, "gym": 60.0}
 
 
 def test_counts_and_plurals() -> None:
@@ -105,9 +102,7 @@ def test_a_place_after_a_list_belongs_to_the_list() -> None:
         ("six bedrooms distributed across the upper floors", False),
     ],
 )
-def test_a_number_for_several_storeys_holds_for_each_unless_it_is_shared_out(
-    text: str, each: bool
-) -> None:
+def test_a_number_for_several_storeys_holds_for_each_unless_it_is_shared_out(text: str, each: bool) -> None:
     assert [fact.each for fact in read(text).rooms] == [each]
 
 
@@ -117,15 +112,11 @@ def test_a_place_before_a_room_is_that_rooms_alone() -> None:
 
 
 @pytest.mark.parametrize(
-    "words",
-    ["per floor", "each floor", "on each floor", "for every storey", "on each of the 3 floors"],
+    "words", ["per floor", "each floor", "on each floor", "for every storey", "on each of the 3 floors"]
 )
 def test_a_number_for_each_storey_holds_for_each(words: str) -> None:
     facts = read(f"A three-storey school with two classrooms {words} and a cafeteria")
-    assert [(r.room_type, r.count, r.each) for r in facts.rooms] == [
-        ("classroom", 2, True),
-        ("cafeteria", 1, False),
-    ]
+    assert [(r.room_type, r.count, r.each) for r in facts.rooms] == [("classroom", 2, True), ("cafeteria", 1, False)]
     assert [ref.kind for ref in facts.rooms[0].floors] == ["every"]
 
 
@@ -152,10 +143,7 @@ def test_a_clause_about_a_storey_places_all_its_rooms() -> None:
 
 def test_first_floor_is_above_the_ground_floor_where_both_are_named() -> None:
     facts = read("a shop on the ground floor and a gym on the first floor of a library")
-    assert {fact.room_type: fact.floors[0].first for fact in facts.rooms if fact.floors} == {
-        "shop": 1,
-        "gym": 2,
-    }
+    assert {fact.room_type: fact.floors[0].first for fact in facts.rooms if fact.floors} == {"shop": 1, "gym": 2}
 
 
 def test_exclusions_end_with_their_clause() -> None:
@@ -225,9 +213,7 @@ def test_a_negation_ends_with_its_sentence() -> None:
 
 
 def test_sides_make_an_area() -> None:
-    assert [quantity.value for quantity in read("an office of 20 x 15 metres").floor_area] == [
-        300.0
-    ]
+    assert [quantity.value for quantity in read("an office of 20 x 15 metres").floor_area] == [300.0]
 
 
 def test_a_storey_that_is_the_same_as_another_is_a_copy() -> None:

@@ -69,11 +69,7 @@ class Architect:
         assert types is not None
         return {
             "palette": [
-                {
-                    "room_type": name,
-                    "floor_material": "porcelain tile, sand",
-                    "wall_material": "lime plaster, warm",
-                }
+                {"room_type": name, "floor_material": "porcelain tile, sand", "wall_material": "lime plaster, warm"}
                 for name in types[1].split(", ")
             ]
         }
@@ -98,9 +94,7 @@ class Architect:
                 }
                 for room in floor.rooms
             ]
-            floors.append(
-                {"index": floor.index, "requirement": "as the brief says", "rooms": rooms}
-            )
+            floors.append({"index": floor.index, "requirement": "as the brief says", "rooms": rooms})
         return {
             "reasoning": "plain",
             "vertical_connectivity": {"method": method[1], "cores": cores, "justification": "kept"},
@@ -129,21 +123,11 @@ class Architect:
         assert span is not None
         x0, x1, y0, y1 = (float(v.rstrip(".")) for v in span.groups())
         boxes = []
-        known = {
-            n.id: n.seed_box for problem in self.plan.problems for n in problem.nodes if n.seed_box
-        }
+        known = {n.id: n.seed_box for problem in self.plan.problems for n in problem.nodes if n.seed_box}
         for k, target in enumerate(targets):
             box = known.get(target["id"])
             wide = (x1 - x0) / len(targets)
             x = list(box.x) if box else [x0 + k * wide, x0 + (k + 1) * wide]
             y = list(box.y) if box else [y0, y1]
-            boxes.append(
-                {
-                    "room_id": target["id"],
-                    "x": x,
-                    "y": y,
-                    "area": target["share_of_parent"],
-                    "reason": "fits",
-                }
-            )
+            boxes.append({"room_id": target["id"], "x": x, "y": y, "area": target["share_of_parent"], "reason": "fits"})
         return {"boxes": boxes}

@@ -5,13 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mansion_knowledge import default_knowledge
-from mansion_planner.llm.cleaning import (
-    clean_id,
-    clean_text,
-    is_core_name,
-    material_fault,
-    room_kind,
-)
+from mansion_planner.llm.cleaning import clean_id, clean_text, is_core_name, material_fault, room_kind
 
 
 @pytest.mark.parametrize(
@@ -41,9 +35,7 @@ def test_wet_rooms_take_no_wood() -> None:
     bathroom = default_knowledge().room("bathroom")
     assert material_fault("oak hardwood, matte", bathroom, floor=True)
     assert not material_fault("oak-look porcelain tile", bathroom, floor=True)
-    assert not material_fault(
-        "oak hardwood, matte", default_knowledge().room("bedroom"), floor=True
-    )
+    assert not material_fault("oak hardwood, matte", default_knowledge().room("bedroom"), floor=True)
     assert material_fault("<script>", None, floor=False)
 
 
@@ -61,6 +53,4 @@ def test_types_follow_from_ids(name: str, kind: str) -> None:
 
 
 def test_cores_are_told_from_rooms() -> None:
-    assert (
-        is_core_name("stair_1") and is_core_name("elevator") and not is_core_name("starlight_room")
-    )
+    assert is_core_name("stair_1") and is_core_name("elevator") and not is_core_name("starlight_room")

@@ -14,11 +14,7 @@ def graph(*edges: str, names: list[str] = NODES) -> FloorTopology:
     nodes = [
         TopologyNode(
             id=name,
-            type="main"
-            if name == "hallway"
-            else "stair"
-            if name.startswith("stair")
-            else "Entities",
+            type="main" if name == "hallway" else "stair" if name.startswith("stair") else "Entities",
             area=9.0,
             room_type=name.rsplit("_", 1)[0] if name[-1].isdigit() else name,
         )
@@ -28,9 +24,7 @@ def graph(*edges: str, names: list[str] = NODES) -> FloorTopology:
     for edge in edges:
         kind = "~" if "~" in edge else "-"
         source, target = edge.split(kind)
-        made.append(
-            Edge(source=source, target=target, kind="adjacent" if kind == "~" else "access")
-        )
+        made.append(Edge(source=source, target=target, kind="adjacent" if kind == "~" else "access"))
     return FloorTopology(nodes=nodes, edges=made)
 
 
@@ -72,9 +66,7 @@ def test_a_graph_that_no_plan_has_is_refused() -> None:
 def test_a_crowded_hub_is_refused() -> None:
     names = ["hallway", *(f"storage_{k}" for k in range(30))]
     star = [f"hallway-{name}" for name in names[1:]]
-    assert any(
-        "sub-hubs" in f for f in graph_faults(graph(*star, names=names), default_knowledge())
-    )
+    assert any("sub-hubs" in f for f in graph_faults(graph(*star, names=names), default_knowledge()))
 
 
 def test_adjacent_edges_are_promoted_towards_the_hub_alone() -> None:
@@ -86,7 +78,5 @@ def test_adjacent_edges_are_promoted_towards_the_hub_alone() -> None:
 
 
 def test_no_promotion_leads_through_a_core() -> None:
-    promoted = access_promoted(
-        graph("hallway~stair_1", "stair_1~kitchen", names=["hallway", "stair_1", "kitchen"])
-    )
+    promoted = access_promoted(graph("hallway~stair_1", "stair_1~kitchen", names=["hallway", "stair_1", "kitchen"]))
     assert [edge.kind for edge in promoted.edges] == ["access", "adjacent"]

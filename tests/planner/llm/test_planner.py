@@ -35,20 +35,11 @@ def offline() -> PlanReply:
 class Run:
     """A planning run against an architect whose answers may be spoilt."""
 
-    def __init__(
-        self, chat: ModuleType, architect: ModuleType, offline: PlanReply, tmp_path: Path
-    ) -> None:
-        self.chat, self.architect, self.offline, self.tape = (
-            chat,
-            architect,
-            offline,
-            tmp_path / "tape.jsonl",
-        )
+    def __init__(self, chat: ModuleType, architect: ModuleType, offline: PlanReply, tmp_path: Path) -> None:
+        self.chat, self.architect, self.offline, self.tape = (chat, architect, offline, tmp_path / "tape.jsonl")
         self.asked: list[str] = []
 
-    def __call__(
-        self, spoil: Spoil | None = None, brief: str = BRIEF, **settings: Any
-    ) -> PlanReply:
+    def __call__(self, spoil: Spoil | None = None, brief: str = BRIEF, **settings: Any) -> PlanReply:
         """Plan; `spoil` turns piece, good answer and number of the question into the answer."""
         model = self.architect.Architect(self.offline)
         counts: dict[str, int] = {}
@@ -63,12 +54,7 @@ class Run:
             return self.chat.Reply(answer if isinstance(answer, str) else json.dumps(answer))
 
         with self.chat.ChatServer(script) as server:
-            values: dict[str, Any] = {
-                "base_url": server.url,
-                "model": "m",
-                "api_key": Secret(KEY),
-                "repairs": 1,
-            }
+            values: dict[str, Any] = {"base_url": server.url, "model": "m", "api_key": Secret(KEY), "repairs": 1}
             client = LlmClient(LlmSettings(**(values | settings)), sleep=lambda seconds: None)
             request = BuildRequest(description=brief, planner="llm")
             return plan_with_model(request, default_knowledge(), "b", client)
@@ -99,22 +85,12 @@ def test_good_answers_are_used(run: Run) -> None:
     reply = run()
     assert_sound(reply)
     sources = reply.sources
-    for piece in (
-        "numbers",
-        "materials",
-        "program/F1",
-        "program/F2",
-        "cores",
-        "topology/F1",
-        "topology/F2",
-    ):
+    for piece in ("numbers", "materials", "program/F1", "program/F2", "cores", "topology/F1", "topology/F2"):
         assert sources[piece] == "llm"
     assert all(value.startswith("llm") for value in sources.values())
     assert reply.program.reasoning == "plain"
     assert reply.llm is not None and reply.llm.answers == len(run.asked)
-    nodes = [
-        node for topology in reply.topologies for node in topology.nodes if node.type == "Entities"
-    ]
+    nodes = [node for topology in reply.topologies for node in topology.nodes if node.type == "Entities"]
     assert any(node.floor_material == "terrazzo, grey" for node in nodes)
     assert any(problem.seeds is not None for problem in reply.problems)
     assert set(run.asked) == {"numbers", "materials", "program", "topology", "seeds"}
@@ -210,9 +186,7 @@ def test_a_model_that_talks_nonsense_leaves_the_rules_plan(run: Run, offline: Pl
     assert reply.program.floors[0].outline == offline.program.floors[0].outline
 
 
-@pytest.mark.parametrize(
-    "spoil", [_no_dining_room, _negative_areas, _core_adrift, _bad_graph, _overlapping_boxes]
-)
+@pytest.mark.parametrize("spoil", [_no_dining_room, _negative_areas, _core_adrift, _bad_graph, _overlapping_boxes])
 def test_a_fault_that_is_corrected_when_asked_again_is_forgotten(run: Run, spoil: Spoil) -> None:
     seen: set[str] = set()
 
@@ -282,9 +256,7 @@ def test_moved_cores_are_used_where_every_floor_can_be_laid_out(run: Run) -> Non
             outline = run.offline.program.floors[0].outline
             right, top = max(x for x, _ in outline), max(y for _, y in outline)
             wide, high = core["x"][1] - core["x"][0], core["y"][1] - core["y"][0]
-            left, low = (
-                (0.0, 0.0) if core["x"][0] > 0 or core["y"][0] > 0 else (right - wide, top - high)
-            )
+            left, low = (0.0, 0.0) if core["x"][0] > 0 or core["y"][0] > 0 else (right - wide, top - high)
             core["x"], core["y"] = [left, left + wide], [low, low + high]
             moved[:] = [core["x"], core["y"]]
         return answer
@@ -300,46 +272,26 @@ def test_moved_cores_are_used_where_every_floor_can_be_laid_out(run: Run) -> Non
 
 def test_numbers_that_the_brief_leaves_open_are_the_models(run: Run) -> None:
     def spoil(piece: str, answer: Any, count: int) -> Any:
-        return answer | {
-            "floors": 3,
-            "floor_area": 240.0,
-            "building_type": "library_building",
-            "style": "modern",
-        }
+        return answer | {"floors": 3, "floor_area": 240.0, "building_type": "library_building", "style": "modern"}
 
     reply = run(spoil, brief="somewhere to read", pieces=("numbers",))
     program = reply.program
-    assert len(program.floors) == 3 and (program.building_type, program.style) == (
-        "library_building",
-        "modern",
-    )
+    assert len(program.floors) == 3 and (program.building_type, program.style) == ("library_building", "modern")
     assert sum(f.gross_floor_area for f in program.floors) == pytest.approx(3 * 240, rel=0.1)
     assert "language model" in program.trace[0].effect
     assert not any("as stated" in entry.effect for entry in program.trace)
 
 
 @pytest.mark.parametrize(
-    "wrong",
-    [
-        {"floors": 40},
-        {"floors": -1},
-        {"floor_area": 1e7},
-        {"style": "x"},
-        {"building_type": "moon"},
-    ],
+    "wrong", [{"floors": 40}, {"floors": -1}, {"floor_area": 1e7}, {"style": "x"}, {"building_type": "moon"}]
 )
 def test_numbers_out_of_bounds_are_not_taken(run: Run, wrong: dict[str, Any]) -> None:
-    reply = run(
-        lambda piece, answer, count: answer | wrong, brief="somewhere to read", pieces=("numbers",)
-    )
+    reply = run(lambda piece, answer, count: answer | wrong, brief="somewhere to read", pieces=("numbers",))
     assert reply.sources["numbers"].startswith("rules: ")
 
 
 def test_numbers_that_the_brief_states_are_kept(run: Run) -> None:
-    reply = run(
-        lambda piece, answer, count: answer | {"floors": 7, "building_type": "hospital"},
-        pieces=("numbers",),
-    )
+    reply = run(lambda piece, answer, count: answer | {"floors": 7, "building_type": "hospital"}, pieces=("numbers",))
     assert len(reply.program.floors) == 2 and reply.program.building_type == "house"
 
 
@@ -348,9 +300,7 @@ def test_the_program_and_the_rounds_come_with_pictures(run: Run) -> None:
     with run.chat.ChatServer(run.chat.in_turn(run.chat.Reply("no"))) as server:
         values: dict[str, Any] = {"base_url": server.url, "model": "m", "repairs": 0}
         client = LlmClient(LlmSettings(**values), sleep=lambda seconds: None)
-        plan_with_model(
-            BuildRequest(description=BRIEF, planner="llm"), default_knowledge(), "b", client
-        )
+        plan_with_model(BuildRequest(description=BRIEF, planner="llm"), default_knowledge(), "b", client)
         pictured = {
             run.architect.piece_of(request)
             for request in server.requests
@@ -373,14 +323,7 @@ def test_a_contradiction_is_found_before_anything_is_asked(run: Run) -> None:
 
 
 @pytest.mark.parametrize(
-    "brief",
-    [
-        "a small flat",
-        "a three-storey hotel",
-        "an L-shaped clinic",
-        "a four-storey office",
-        "a supermarket",
-    ],
+    "brief", ["a small flat", "a three-storey hotel", "an L-shaped clinic", "a four-storey office", "a supermarket"]
 )
 def test_the_rules_own_graphs_pass_the_check(brief: str) -> None:
     for topology in plan_building(BuildRequest(description=brief)).topologies:

@@ -22,9 +22,7 @@ OUTLINE = Footprint(boundary=[(0, 0), (20, 0), (20, 10), (0, 10)])
         ("a two-storey shop", {"footprint": OUTLINE, "area": 200.0}, "$.footprint"),
     ],
 )
-def test_areas_that_do_not_agree_are_refused(
-    description: str, options: dict[str, Any], path: str
-) -> None:
+def test_areas_that_do_not_agree_are_refused(description: str, options: dict[str, Any], path: str) -> None:
     with pytest.raises(MansionError) as caught:
         plan_building(BuildRequest(description=description, **options))
     assert caught.value.code == "CONTRADICTION"
@@ -40,9 +38,7 @@ def test_areas_that_do_not_agree_are_refused(
         ("a shop", {"footprint": OUTLINE, "floor_area": 206.0}, 200.0),
     ],
 )
-def test_a_storey_gets_the_area_that_is_stated(
-    description: str, options: dict[str, Any], storey: float
-) -> None:
+def test_a_storey_gets_the_area_that_is_stated(description: str, options: dict[str, Any], storey: float) -> None:
     program = plan_building(BuildRequest(description=description, **options)).program
     for floor in program.floors:
         assert floor.gross_floor_area == pytest.approx(storey, rel=0.02)

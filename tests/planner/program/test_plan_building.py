@@ -26,8 +26,7 @@ BRIEFS = [e["brief"] for e in CORPUS if not any(f.startswith("error=") for f in 
 @cache
 def plans() -> list[tuple[str, PlanReply]]:
     return [
-        (brief, plan_building(BuildRequest(description=brief, seed=number % 5)))
-        for number, brief in enumerate(BRIEFS)
+        (brief, plan_building(BuildRequest(description=brief, seed=number % 5))) for number, brief in enumerate(BRIEFS)
     ]
 
 
@@ -73,9 +72,7 @@ def test_cores_are_integer_boxes_inside_every_outline_and_apart() -> None:
         cores = reply.program.vertical_connectivity.cores
         boxes = [shapely.box(c.x[0], c.y[0], c.x[1], c.y[1]) for c in cores]
         for core in cores:
-            assert all(float(value).is_integer() and value >= 0 for value in (*core.x, *core.y)), (
-                brief
-            )
+            assert all(float(value).is_integer() and value >= 0 for value in (*core.x, *core.y)), brief
         for floor in reply.program.floors:
             outline = Polygon(floor.outline, floor.holes).buffer(1e-6)
             assert all(outline.covers(box) for box in boxes), (brief, floor.index)
@@ -151,22 +148,16 @@ def test_the_same_request_gives_the_same_bytes() -> None:
 
 def test_other_seeds_give_other_outlines() -> None:
     plans_by_seed = {
-        encode_bytes(
-            plan_building(BuildRequest(description="a house", seed=seed)).program.floors[0].outline
-        )
+        encode_bytes(plan_building(BuildRequest(description="a house", seed=seed)).program.floors[0].outline)
         for seed in range(8)
     }
     assert len(plans_by_seed) > 2
 
 
 @pytest.mark.parametrize(
-    "entry",
-    [e for e in CORPUS if e["facts"][0].startswith("error=")],
-    ids=lambda e: e["brief"][:40],
+    "entry", [e for e in CORPUS if e["facts"][0].startswith("error=")], ids=lambda e: e["brief"][:40]
 )
-def test_briefs_that_cannot_be_met_are_refused_with_both_places(
-    entry: dict[str, list[str]],
-) -> None:
+def test_briefs_that_cannot_be_met_are_refused_with_both_places(entry: dict[str, list[str]]) -> None:
     with pytest.raises(MansionError) as caught:
         plan_building(BuildRequest(description=str(entry["brief"])))
     assert f"error={caught.value.code}" in entry["facts"]

@@ -34,18 +34,12 @@ def region(rows: int, columns: int) -> np.ndarray:
 
 def test_rounds_go_breadth_first_and_leave_cores_out() -> None:
     rounds = build_cut_rounds(make_model(office(3), SolverOptions()))
-    assert [(r.parent, r.children) for r in rounds] == [
-        ("corridor", ("office_0", "office_1", "office_2"))
-    ]
+    assert [(r.parent, r.children) for r in rounds] == [("corridor", ("office_0", "office_1", "office_2"))]
 
 
 def test_access_is_followed_before_adjacency_and_strays_join_the_hub() -> None:
     nodes = [ProblemNode(id=n, type="main" if n == "a" else "Entities", area=9.0) for n in "abcd"]
-    edges = [
-        Edge(source="a", target="c", kind="adjacent"),
-        Edge(source="a", target="b"),
-        Edge(source="b", target="c"),
-    ]
+    edges = [Edge(source="a", target="c", kind="adjacent"), Edge(source="a", target="b"), Edge(source="b", target="c")]
     problem = FloorProblem(boundary=box(0, 0, 6, 6), nodes=nodes, edges=edges)
     rounds = build_cut_rounds(make_model(problem, SolverOptions()))
     assert [(r.parent, r.children) for r in rounds] == [("a", ("b", "d")), ("b", ("c",))]

@@ -48,9 +48,7 @@ def test_progress_and_the_seconds_of_each_problem(tmp_path: Path) -> None:
 
 
 def test_a_refused_problem_does_not_stop_the_others(tmp_path: Path) -> None:
-    bad = FloorProblem(
-        boundary=[(0, 0), (1, 1), (2, 2)], nodes=[ProblemNode(id="x", type="main")], plan_id=7
-    )
+    bad = FloorProblem(boundary=[(0, 0), (1, 1), (2, 2)], nodes=[ProblemNode(id="x", type="main")], plan_id=7)
     source = write(tmp_path / "problems.json", [bad, flat()])
     first, second = solve_file(source, tmp_path / "out.json")
     assert first.rooms == []
@@ -70,9 +68,7 @@ def test_the_protocol_gives_a_plan_that_equals_its_truth_full_marks() -> None:
     layout = solve_floor(flat())
     fields = {name: getattr(flat(), name) for name in FloorProblem.__struct_fields__}
     fields["nodes"] = [
-        ProblemNode(
-            id=r.id, type="Entities", area=next(n.area for n in flat().nodes if n.id == r.id)
-        )
+        ProblemNode(id=r.id, type="Entities", area=next(n.area for n in flat().nodes if n.id == r.id))
         for r in layout.rooms
     ]
     problem = TrueProblem(**fields, truth=layout.rooms)
@@ -120,9 +116,7 @@ def solving(source: Path, output: Path) -> "subprocess.Popen[str]":
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
-def test_a_process_without_threads_forks_its_workers_and_gets_the_same_layouts(
-    tmp_path: Path,
-) -> None:
+def test_a_process_without_threads_forks_its_workers_and_gets_the_same_layouts(tmp_path: Path) -> None:
     source = write(tmp_path / "problems.json", [flat(), office(4), flat()])
     solve_file(source, tmp_path / "one.json", jobs=1)
     with solving(source, tmp_path / "two.json") as process:

@@ -98,9 +98,7 @@ def test_what_is_met_is_not_carved() -> None:
 
 
 @pytest.mark.parametrize(("rooms", "carved"), [(16, [1, 3]), (6, [3])])
-def test_large_floors_carve_what_each_other_search_leaves_open(
-    rooms: int, carved: list[int]
-) -> None:
+def test_large_floors_carve_what_each_other_search_leaves_open(rooms: int, carved: list[int]) -> None:
     """Rooms lie in a row, and the first wants a door to the last."""
     nodes = [ProblemNode(id="hub", type="main", area=8.0)]
     nodes += [ProblemNode(id=f"room_{k}", type="Entities", area=8.0) for k in range(1, rooms)]

@@ -72,10 +72,7 @@ def test_a_clockwise_outline_gives_the_same_cover() -> None:
 
 
 def test_areas_that_do_not_add_up_are_scaled_and_reported() -> None:
-    nodes = [
-        ProblemNode(id="a", type="main", area=10.0),
-        ProblemNode(id="b", type="Entities", area=30.0),
-    ]
+    nodes = [ProblemNode(id="a", type="main", area=10.0), ProblemNode(id="b", type="Entities", area=30.0)]
     layout = solve_floor(FloorProblem(boundary=box(0, 0, 10, 8), nodes=nodes))
     assert layout.area_scale == 2.0
     assert shapes(layout)["b"].area == pytest.approx(60.0, rel=0.1)
@@ -89,11 +86,7 @@ def test_zones_vanish_and_their_rooms_open_onto_the_hub() -> None:
         ProblemNode(id="a", type="Entities", area=20.0),
         ProblemNode(id="b", type="Entities", area=20.0),
     ]
-    edges = [
-        Edge(source="hall", target="zone"),
-        Edge(source="zone", target="a"),
-        Edge(source="zone", target="b"),
-    ]
+    edges = [Edge(source="hall", target="zone"), Edge(source="zone", target="a"), Edge(source="zone", target="b")]
     layout = solve_floor(FloorProblem(boundary=box(0, 0, 10, 6), nodes=nodes, edges=edges))
     rooms = shapes(layout)
     assert set(rooms) == {"hall", "a", "b"}
@@ -217,10 +210,7 @@ def test_the_callback_is_asked_before_each_round_with_a_preview() -> None:
         return None
 
     solve_floor(flat(), seed_callback=callback)
-    assert [(r.parent, r.children) for r in seen] == [
-        ("living", ("bed", "kitchen", "study")),
-        ("bed", ("bath",)),
-    ]
+    assert [(r.parent, r.children) for r in seen] == [("living", ("bed", "kitchen", "study")), ("bed", ("bath",))]
     assert all(r.preview.startswith(b"\x89PNG") for r in seen)
     assert {room.id for room in seen[1].layout} == {"living", "bed", "kitchen", "study"}
     assert 0.0 < seen[0].fractions["bed"] < 1.0

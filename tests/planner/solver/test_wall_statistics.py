@@ -52,9 +52,7 @@ def test_painting_keeps_the_statistics_of_a_recount() -> None:
 
 
 @pytest.mark.parametrize("heat", [0.0, 0.5])
-def test_annealing_returns_the_energy_of_the_state_that_it_leaves_and_none_is_worse(
-    heat: float,
-) -> None:
+def test_annealing_returns_the_energy_of_the_state_that_it_leaves_and_none_is_worse(heat: float) -> None:
     goal, grid, state = striped()
     before = total_energy(grid.cells, goal, state)
     boxes = np.zeros((0, 5), np.int64)

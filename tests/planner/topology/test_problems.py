@@ -31,9 +31,7 @@ def test_every_node_has_what_the_schema_asks() -> None:
     reply = plan_building(BuildRequest(description="a three-storey office with elevator"))
     for topology in reply.topologies:
         kinds = [node.type for node in topology.nodes]
-        assert (
-            kinds.count("main") == 1 and kinds.count("stair") >= 1 and kinds.count("elevator") >= 1
-        )
+        assert kinds.count("main") == 1 and kinds.count("stair") >= 1 and kinds.count("elevator") >= 1
         for node in topology.nodes:
             assert node.floor_material and node.wall_material and node.room_type
             if node.type == "main":
@@ -69,20 +67,13 @@ def test_suites_hang_on_their_room() -> None:
 def test_a_given_footprint_is_kept(ring: list[tuple[float, float]]) -> None:
     from shapely.geometry import Polygon
 
-    reply = plan_building(
-        BuildRequest(description="a two-storey clinic", footprint=Footprint(boundary=ring))
-    )
+    reply = plan_building(BuildRequest(description="a two-storey clinic", footprint=Footprint(boundary=ring)))
     for floor in reply.program.floors:
         assert Polygon(floor.outline).symmetric_difference(Polygon(ring)).area < 1e-6
 
 
 @pytest.mark.parametrize(
-    "ring",
-    [
-        [(0, 0), (2, 2), (2, 0), (0, 2)],
-        [(0, 0), (1, 0), (1, 1)],
-        [(0, 0), (float("nan"), 1), (3, 3)],
-    ],
+    "ring", [[(0, 0), (2, 2), (2, 0), (0, 2)], [(0, 0), (1, 0), (1, 1)], [(0, 0), (float("nan"), 1), (3, 3)]]
 )
 def test_a_footprint_that_is_no_polygon_is_refused(ring: list[tuple[float, float]]) -> None:
     with pytest.raises(MansionError) as caught:

@@ -15,13 +15,7 @@ CATALOGUE = load_catalogue()
 RING = [(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0)]
 ROOM = "F1/test_1"
 DOOR = Door(
-    id="d",
-    kind="single",
-    segment=((2.0, 0.0), (2.9, 0.0)),
-    rooms=(ROOM, None),
-    width=0.9,
-    height=2.1,
-    hinge="start",
+    id="d", kind="single", segment=((2.0, 0.0), (2.9, 0.0)), rooms=(ROOM, None), width=0.9, height=2.1, hinge="start"
 )
 WINDOW = Window(id="w", wall="", room=ROOM, segment=((2.0, 5.0), (4.0, 5.0)), sill=0.9, height=1.4)
 
@@ -37,11 +31,7 @@ def _stand(wishes: RoomFurnishing) -> list[SceneObject]:
             number = len(placed) + 1
             placed.append(
                 scene_object(
-                    asset,
-                    f"{ROOM}/{asset.category}_{number}",
-                    ROOM,
-                    (x + w / 2, 5.0 - d / 2 - 0.01, h / 2),
-                    180.0,
+                    asset, f"{ROOM}/{asset.category}_{number}", ROOM, (x + w / 2, 5.0 - d / 2 - 0.01, h / 2), 180.0
                 )
             )
             x += w + 0.05
@@ -67,16 +57,7 @@ def _decorated(
     return placed, extra
 
 
-TYPES = [
-    "meeting_room",
-    "living_room",
-    "kitchen",
-    "bathroom",
-    "reading_room",
-    "laboratory",
-    "workshop",
-    "bar",
-]
+TYPES = ["meeting_room", "living_room", "kitchen", "bathroom", "reading_room", "laboratory", "workshop", "bar"]
 
 
 @pytest.mark.parametrize("room_type", TYPES)
@@ -96,9 +77,7 @@ def test_ids_are_unique_and_everything_is_in_the_room(room_type: str, seed: int)
 
 @pytest.mark.parametrize("room_type", TYPES)
 @pytest.mark.parametrize("seed", [1, 2])
-def test_small_objects_rest_on_or_in_their_receptacle_without_overlap(
-    room_type: str, seed: int
-) -> None:
+def test_small_objects_rest_on_or_in_their_receptacle_without_overlap(room_type: str, seed: int) -> None:
     placed, extra = _decorated(room_type, seed)
     by_id = {o.id: o for o in placed + extra}
     carried = [o for o in extra if o.parent]
@@ -106,11 +85,7 @@ def test_small_objects_rest_on_or_in_their_receptacle_without_overlap(
         parent = by_id[o.parent or ""]
         asset = CATALOGUE.asset(parent.asset)
         bottom = o.position[2] - o.size[2] / 2 - parent.position[2]
-        levels = (
-            [s.z for s in asset.surfaces]
-            if o.mount == "surface"
-            else [v.z - v.h / 2 for v in asset.volumes]
-        )
+        levels = [s.z for s in asset.surfaces] if o.mount == "surface" else [v.z - v.h / 2 for v in asset.volumes]
         assert min(abs(bottom - z) for z in levels) < 1e-3, o.id
         x, y = to_local(parent, o.position)
         assert abs(x) < parent.size[0] / 2 and abs(y) < parent.size[1] / 2
@@ -147,13 +122,7 @@ def test_a_rug_lies_below_the_coffee_table_and_can_be_walked_on() -> None:
     for seed in range(8):
         wishes = furnish_request(CATALOGUE, "living_room", 30.0, seed=seed, room_id=ROOM)
         extra = decorate_room(
-            CATALOGUE,
-            wishes,
-            room_id=ROOM,
-            net_polygon=RING,
-            ceiling_height=2.7,
-            placed=[stood],
-            seed=seed,
+            CATALOGUE, wishes, room_id=ROOM, net_polygon=RING, ceiling_height=2.7, placed=[stood], seed=seed
         )
         found += [o for o in extra if o.mount == "floor"]
     assert len(found) >= 4
@@ -170,9 +139,7 @@ def test_lamps_keep_headroom_and_ceiling_objects_do_not_overlap() -> None:
     for i, a in enumerate(hung):
         assert a.position[2] + a.size[2] / 2 == pytest.approx(2.7, abs=1e-3)
         for b in hung[i + 1 :]:
-            assert not footprint(a.position, a.size, a.rotation).intersects(
-                footprint(b.position, b.size, b.rotation)
-            )
+            assert not footprint(a.position, a.size, a.rotation).intersects(footprint(b.position, b.size, b.rotation))
 
 
 def test_the_same_seed_decorates_alike_and_another_does_not() -> None:
@@ -183,19 +150,13 @@ def test_the_same_seed_decorates_alike_and_another_does_not() -> None:
 def test_an_l_shaped_room_is_decorated_within_its_walls() -> None:
     ring = [(0.0, 0.0), (6.0, 0.0), (6.0, 2.0), (3.0, 2.0), (3.0, 5.0), (0.0, 5.0)]
     wishes = furnish_request(CATALOGUE, "lobby", 21.0, seed=1, room_id=ROOM)
-    extra = decorate_room(
-        CATALOGUE, wishes, room_id=ROOM, net_polygon=ring, ceiling_height=3.0, doors=[DOOR], seed=1
-    )
+    extra = decorate_room(CATALOGUE, wishes, room_id=ROOM, net_polygon=ring, ceiling_height=3.0, doors=[DOOR], seed=1)
     shape = Polygon(ring).buffer(0.01)
     assert any(o.mount == "ceiling" for o in extra) and any(o.mount == "wall" for o in extra)
-    assert all(
-        shape.contains(footprint(o.position, o.size, o.rotation)) for o in extra if not o.parent
-    )
+    assert all(shape.contains(footprint(o.position, o.size, o.rotation)) for o in extra if not o.parent)
 
 
 def test_a_receptacles_frame_turns_with_it() -> None:
-    desk = scene_object(
-        CATALOGUE.asset("office_desk_1"), f"{ROOM}/office_desk_1", ROOM, (2.0, 3.0, 0.37), 90.0
-    )
+    desk = scene_object(CATALOGUE.asset("office_desk_1"), f"{ROOM}/office_desk_1", ROOM, (2.0, 3.0, 0.37), 90.0)
     assert to_floor(desk, (0.0, 1.0)) == pytest.approx((1.0, 3.0))
     assert to_local(desk, (1.0, 3.0)) == pytest.approx((0.0, 1.0))

@@ -25,9 +25,7 @@ def test_every_indoor_room_is_lit_from_inside_below_its_ceiling(sample_floors: M
 
 def test_large_rooms_have_more_lights_than_small_ones(sample_floors: ModuleType) -> None:
     rooms = {room.id: room for room in build_structure(sample_floors.office()).rooms}
-    assert len(room_lights(rooms["F1/open_office_1"], [])) > len(
-        room_lights(rooms["F1/storage"], [])
-    )
+    assert len(room_lights(rooms["F1/open_office_1"], [])) > len(room_lights(rooms["F1/storage"], []))
 
 
 def test_a_lamp_glows_where_it_stands(sample_floors: ModuleType) -> None:

@@ -51,9 +51,7 @@ def chat() -> ModuleType:
 
 def faults_of(objects: list[dict[str, Any]]) -> list[str]:
     answer = msgspec.convert({"objects": objects}, ObjectsAnswer)
-    return [
-        f.text for f in object_faults(answer, load_catalogue(), "open_office", 40.0, (8.0, 5.0))
-    ]
+    return [f.text for f in object_faults(answer, load_catalogue(), "open_office", 40.0, (8.0, 5.0))]
 
 
 def changed(at: int, **values: Any) -> list[dict[str, Any]]:
@@ -81,10 +79,7 @@ def test_good_objects_have_no_faults_and_become_items() -> None:
         (changed(2, relative=[{"kind": "under", "target": "desk"}]), "relative"),
         (changed(2, name="desk"), "unique"),
         (changed(2, name="rm -rf /"), "snake case"),
-        (
-            changed(0, quantity=200, structure={"kind": "matrix", "rows": 20, "cols": 10}),
-            "m2 of floor",
-        ),
+        (changed(0, quantity=200, structure={"kind": "matrix", "rows": 20, "cols": 10}), "m2 of floor"),
         (DESKS * 10, "at most"),
     ],
 )
@@ -103,11 +98,7 @@ def test_offered_categories_stand_on_the_floor() -> None:
 
 
 def furnished(
-    chat: ModuleType,
-    request: FurnishRequest,
-    answer: Callable[[str], Any],
-    monkeypatch: pytest.MonkeyPatch,
-    tape: Path,
+    chat: ModuleType, request: FurnishRequest, answer: Callable[[str], Any], monkeypatch: pytest.MonkeyPatch, tape: Path
 ) -> Any:
     def script(asked: dict[str, Any]) -> Any:
         content = answer(str(asked["messages"][1]["content"]))
@@ -118,9 +109,7 @@ def furnished(
         settings = LlmSettings(base_url=server.url, model="m", repairs=0, record=tape)
         monkeypatch.setattr(LlmClient, "from_environment", classmethod(lambda cls: cls(settings)))
         live = assembly.furnish_floor(request)
-    monkeypatch.setattr(
-        LlmClient, "from_environment", classmethod(lambda cls: cls(LlmSettings(replay=tape)))
-    )
+    monkeypatch.setattr(LlmClient, "from_environment", classmethod(lambda cls: cls(LlmSettings(replay=tape))))
     assert encode_bytes(assembly.furnish_floor(request)) == encode_bytes(live)
     return live
 
@@ -133,9 +122,7 @@ def test_a_floor_is_furnished_by_the_model_and_replays_to_the_same_bytes(
     scene = furnished(chat, request, lambda text: plants, monkeypatch, tmp_path / "tape")
     assert set(scene.sources.values()) <= {"llm", "rules: such rooms stay empty"}
     assert "llm" in scene.sources.values() and scene.llm.answers > 0
-    standing = {
-        item.category for item in scene.objects if item.mount == "floor" and item.parent is None
-    }
+    standing = {item.category for item in scene.objects if item.mount == "floor" and item.parent is None}
     assert standing == {"house_plant"}
 
 
@@ -152,12 +139,7 @@ def test_rooms_whose_answer_is_useless_keep_their_types_furniture(
 def test_without_an_endpoint_the_chooser_says_what_to_set(
     sample_floors: ModuleType, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    for name in (
-        "MANSION_LLM_BASE_URL",
-        "MANSION_LLM_MODEL",
-        "MANSION_LLM_REPLAY",
-        "OPENAI_BASE_URL",
-    ):
+    for name in ("MANSION_LLM_BASE_URL", "MANSION_LLM_MODEL", "MANSION_LLM_REPLAY", "OPENAI_BASE_URL"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     with pytest.raises(MansionError, match="MANSION_LLM_BASE_URL"):

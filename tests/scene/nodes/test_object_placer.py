@@ -25,9 +25,7 @@ def executor() -> Iterator[object]:
 
 
 @pytest.mark.graph
-def test_a_floor_is_furnished_by_service_and_published(
-    sample_floors: ModuleType, executor: object
-) -> None:
+def test_a_floor_is_furnished_by_service_and_published(sample_floors: ModuleType, executor: object) -> None:
     from diagnostic_msgs.srv import AddDiagnostics
     from rclpy.qos import DurabilityPolicy, QoSProfile
     from std_msgs.msg import String
@@ -39,9 +37,7 @@ def test_a_floor_is_furnished_by_service_and_published(
         executor.add_node(node)
     published: list[str] = []
     latched = QoSProfile(depth=4, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-    caller.create_subscription(
-        String, "floor_scene", lambda message: published.append(message.data), latched
-    )
+    caller.create_subscription(String, "floor_scene", lambda message: published.append(message.data), latched)
     client = caller.create_client(AddDiagnostics, "furnish_floor")
     assert client.wait_for_service(timeout_sec=10.0)
 

@@ -24,9 +24,7 @@ def write(path: Path) -> Path:
 
 
 def without_seconds(path: Path) -> list[dict[str, object]]:
-    return [
-        {k: v for k, v in one.items() if k != "seconds"} for one in json.loads(path.read_bytes())
-    ]
+    return [{k: v for k, v in one.items() if k != "seconds"} for one in json.loads(path.read_bytes())]
 
 
 def test_the_result_is_the_same_for_any_number_of_processes(tmp_path: Path) -> None:
@@ -64,11 +62,7 @@ def test_the_table_has_a_line_for_each_room_and_one_for_all() -> None:
 
 
 def test_measures_find_what_is_wrong() -> None:
-    asked = room(
-        rectangle(4, 4),
-        [((1, 0), (2, 0))],
-        [item("box", (1, 1, 1), 2, "edge"), item("rug", (1, 1, 1))],
-    )
+    asked = room(rectangle(4, 4), [((1, 0), (2, 0))], [item("box", (1, 1, 1), 2, "edge"), item("rug", (1, 1, 1))])
     result = msgspec.convert(
         {
             "room_id": asked.room_id,

@@ -3,12 +3,7 @@
 import numpy as np
 import pytest
 
-from mansion_msgs_py.placement import (
-    MatrixStructure,
-    PlacementObject,
-    PlacementOpening,
-    PlacementRoom,
-)
+from mansion_msgs_py.placement import MatrixStructure, PlacementObject, PlacementOpening, PlacementRoom
 from mansion_scene.placement import place_room
 
 
@@ -37,9 +32,7 @@ def test_an_audience_sits_shoulder_to_shoulder(seed: int) -> None:
     seats = result.placements
     assert len(seats) == 16
     along = np.radians(seats[0].rotation)
-    places = sorted(
-        {round(s.center[0] * np.cos(along) + s.center[1] * np.sin(along), 3) for s in seats}
-    )
+    places = sorted({round(s.center[0] * np.cos(along) + s.center[1] * np.sin(along), 3) for s in seats})
     assert len(places) == 4
     assert np.diff(places).max() < 1.8 + 0.05
 

@@ -140,9 +140,7 @@ def test_tall_things_keep_away_from_windows() -> None:
 
 def test_a_matrix_that_does_not_fit_is_reduced_and_said_so() -> None:
     asked = room(
-        rectangle(4, 4),
-        [((0.3, 0), (1.2, 0))],
-        [item("desk", (1.0, 0.8, 0.75), where="middle", matrix=(4, 4))],
+        rectangle(4, 4), [((0.3, 0), (1.2, 0))], [item("desk", (1.0, 0.8, 0.75), where="middle", matrix=(4, 4))]
     )
     result = place_room(asked, seed=0)
     assert_sound(asked, result)
@@ -153,17 +151,13 @@ def test_a_matrix_that_does_not_fit_is_reduced_and_said_so() -> None:
 def test_a_smaller_asset_stands_in_only_where_offered() -> None:
     big, small = (2.5, 1.2, 0.8), (1.2, 0.6, 0.8)
     for smaller, placed in (((), 0), ((small,), 1)):
-        asked = room(
-            rectangle(2.2, 2.4), [((0.3, 0), (1.2, 0))], [item("sofa", big, smaller=smaller)]
-        )
+        asked = room(rectangle(2.2, 2.4), [((0.3, 0), (1.2, 0))], [item("sofa", big, smaller=smaller)])
         result = place_room(asked, seed=0)
         assert [p.size for p in result.placements] == [small] * placed
 
 
 def test_without_margins_no_path_is_narrower_than_asked() -> None:
-    asked = room(
-        rectangle(3, 3), [((0.3, 0), (1.2, 0))], [item("crate", (0.7, 0.7, 0.8), 8, "edge")]
-    )
+    asked = room(rectangle(3, 3), [((0.3, 0), (1.2, 0))], [item("crate", (0.7, 0.7, 0.8), 8, "edge")])
     loose = place_room(asked, seed=0, options=PlacementOptions(tight=False))
     dense = place_room(asked, seed=0)
     assert_sound(asked, loose)
@@ -171,9 +165,7 @@ def test_without_margins_no_path_is_narrower_than_asked() -> None:
 
 
 def test_a_door_on_the_wall_centre_line_is_moved_to_the_boundary() -> None:
-    asked = room(
-        rectangle(4, 4), [((1, -0.06), (2, -0.06))], [item("shelf", (0.8, 0.3, 1.8), 6, "edge")]
-    )
+    asked = room(rectangle(4, 4), [((1, -0.06), (2, -0.06))], [item("shelf", (0.8, 0.3, 1.8), 6, "edge")])
     result = place_room(asked, seed=0)
     on_wall = room(rectangle(4, 4), [((1, 0.0), (2, 0.0))], asked.objects)
     assert_sound(on_wall, result)
@@ -192,9 +184,7 @@ def test_a_room_without_doors_is_furnished() -> None:
         ([item("a", (1, 1, 1), paired="b")], "$.objects[0].structure.with"),
     ],
 )
-def test_faulty_requests_are_refused_with_their_place(
-    objects: list[PlacementObject], path: str
-) -> None:
+def test_faulty_requests_are_refused_with_their_place(objects: list[PlacementObject], path: str) -> None:
     with pytest.raises(MansionError) as refused:
         place_room(room(rectangle(4, 4), [], objects), seed=0)
     assert refused.value.info.path == path
@@ -207,9 +197,7 @@ def test_a_polygon_that_crosses_itself_is_refused() -> None:
 
 def test_circular_relations_are_placed_all_the_same() -> None:
     asked = room(
-        rectangle(5, 5),
-        [((1, 0), (2, 0))],
-        [item("a", (0.6, 0.6, 1), near="b"), item("b", (0.6, 0.6, 1), near="a")],
+        rectangle(5, 5), [((1, 0), (2, 0))], [item("a", (0.6, 0.6, 1), near="b"), item("b", (0.6, 0.6, 1), near="a")]
     )
     result = place_room(asked, seed=0)
     assert_sound(asked, result)

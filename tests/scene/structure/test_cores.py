@@ -11,9 +11,7 @@ from mansion_scene.structure import build_structure
 
 
 @pytest.mark.parametrize("floor", [1, 2, 3])
-def test_each_core_has_a_door_to_a_room_and_a_pose_before_it_facing_away(
-    sample_floors: ModuleType, floor: int
-) -> None:
+def test_each_core_has_a_door_to_a_room_and_a_pose_before_it_facing_away(sample_floors: ModuleType, floor: int) -> None:
     structure = build_structure(sample_floors.office(floor))
     rooms = {room.id: Polygon(room.net_polygon) for room in structure.rooms}
     assert [core.id for core in structure.cores] == ["stair_1", "elevator_1"]

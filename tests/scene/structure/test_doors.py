@@ -38,9 +38,7 @@ def reached(structure: FloorStructure) -> set[str]:
 
 @settings(max_examples=40, deadline=None)
 @given(st.integers(0, 10_000), st.sampled_from([1, 2]))
-def test_any_floor_has_doors_in_its_walls_to_every_room(
-    sample_floors: ModuleType, seed: int, floor: int
-) -> None:
+def test_any_floor_has_doors_in_its_walls_to_every_room(sample_floors: ModuleType, seed: int, floor: int) -> None:
     structure = build_structure(sample_floors.random_floor(seed, floor))
     check_doors(structure)
     assert reached(structure) == {room.id for room in structure.rooms}
@@ -48,9 +46,7 @@ def test_any_floor_has_doors_in_its_walls_to_every_room(
 
 @settings(max_examples=40, deadline=None)
 @given(st.integers(0, 10_000))
-def test_leaves_swing_inside_their_room_and_never_through_another_leaf(
-    sample_floors: ModuleType, seed: int
-) -> None:
+def test_leaves_swing_inside_their_room_and_never_through_another_leaf(sample_floors: ModuleType, seed: int) -> None:
     structure = build_structure(sample_floors.random_floor(seed))
     nets = {room.id: Polygon(room.net_polygon, room.net_holes) for room in structure.rooms}
     leaves = []
@@ -139,9 +135,7 @@ def test_a_missing_edge_becomes_a_recorded_detour(sample_floors: ModuleType) -> 
         "office_1": ("office", sample_floors.box(4, 0, 8, 4)),
         "office_2": ("office", sample_floors.box(8, 0, 12, 4)),
     }
-    structure = build_structure(
-        sample_floors.request(rooms, [("hall", "office_1"), ("hall", "office_2")])
-    )
+    structure = build_structure(sample_floors.request(rooms, [("hall", "office_1"), ("hall", "office_2")]))
     assert reached(structure) == {room.id for room in structure.rooms}
     (downgrade,) = structure.downgrades
     assert "hall" in downgrade.wish and "office_2" in downgrade.wish
@@ -168,9 +162,7 @@ def test_a_short_shared_wall_gives_a_narrow_door_and_a_note(sample_floors: Modul
         "office": ("office", [(4, 3.05), (8, 3.05), (8, 7), (4, 7)]),
         "store": ("storage", sample_floors.box(4, 0, 8, 3.05)),
     }
-    structure = build_structure(
-        sample_floors.request(rooms, [("hall", "office"), ("hall", "store")], floor=2)
-    )
+    structure = build_structure(sample_floors.request(rooms, [("hall", "office"), ("hall", "store")], floor=2))
     door = next(door for door in structure.doors if "F2/office" in door.rooms)
     assert 0.7 <= door.width < 0.9
     assert any("clear" in downgrade.got for downgrade in structure.downgrades)
@@ -180,16 +172,10 @@ def test_a_short_shared_wall_gives_a_narrow_door_and_a_note(sample_floors: Modul
 def test_a_zone_that_vanished_asks_for_no_door(sample_floors: ModuleType) -> None:
     from mansion_msgs_py.topology import Edge, TopologyNode
 
-    rooms = {
-        "hall": ("hall", sample_floors.box(0, 0, 4, 4)),
-        "office_1": ("office", sample_floors.box(4, 0, 8, 4)),
-    }
+    rooms = {"hall": ("hall", sample_floors.box(0, 0, 4, 4)), "office_1": ("office", sample_floors.box(4, 0, 8, 4))}
     request = sample_floors.request(rooms, [])
     request.topology.nodes.append(TopologyNode(id="wing", type="area", area=16.0))
-    request.topology.edges[:] = [
-        Edge(source="hall", target="wing"),
-        Edge(source="wing", target="office_1"),
-    ]
+    request.topology.edges[:] = [Edge(source="hall", target="wing"), Edge(source="wing", target="office_1")]
     structure = build_structure(request)
     assert reached(structure) == {"F1/hall", "F1/office_1"}
     assert structure.downgrades == []

@@ -16,10 +16,7 @@ def net(room) -> Polygon:
 
 
 def test_walls_take_half_their_thickness_on_inner_sides_only(sample_floors: ModuleType) -> None:
-    rooms = {
-        "a": ("office", sample_floors.box(0, 0, 4, 3)),
-        "b": ("office", sample_floors.box(4, 0, 8, 3)),
-    }
+    rooms = {"a": ("office", sample_floors.box(0, 0, 4, 3)), "b": ("office", sample_floors.box(4, 0, 8, 3))}
     structure = build_structure(sample_floors.request(rooms, [("a", "b")]))
     assert net(structure.rooms[0]).bounds == (0.0, 0.0, 3.94, 3.0)
     assert net(structure.rooms[1]).bounds == (4.06, 0.0, 8.0, 3.0)
@@ -53,10 +50,7 @@ def test_an_open_structural_wall_keeps_its_ends(sample_floors: ModuleType) -> No
         "dining": ("dining_room", sample_floors.box(5, 0, 9, 5)),
     }
     request = sample_floors.request(
-        rooms,
-        [("living", "dining")],
-        open_rooms=["dining"],
-        structural_walls=[((5.0, 0.0), (5.0, 5.0))],
+        rooms, [("living", "dining")], open_rooms=["dining"], structural_walls=[((5.0, 0.0), (5.0, 5.0))]
     )
     structure = build_structure(request)
     ends = [wall for wall in structure.walls if wall.structural]
@@ -66,15 +60,10 @@ def test_an_open_structural_wall_keeps_its_ends(sample_floors: ModuleType) -> No
 
 @settings(max_examples=30, deadline=None)
 @given(st.integers(0, 10_000))
-def test_net_interiors_lie_in_their_rooms_and_off_the_walls(
-    sample_floors: ModuleType, seed: int
-) -> None:
+def test_net_interiors_lie_in_their_rooms_and_off_the_walls(sample_floors: ModuleType, seed: int) -> None:
     structure = build_structure(sample_floors.random_floor(seed))
     nets = [net(room) for room in structure.rooms]
-    walls = [
-        LineString(wall.segment).buffer(wall.thickness / 2 - 1e-3, cap_style="flat")
-        for wall in structure.walls
-    ]
+    walls = [LineString(wall.segment).buffer(wall.thickness / 2 - 1e-3, cap_style="flat") for wall in structure.walls]
     for room, inner in zip(structure.rooms, nets, strict=True):
         assert inner.is_valid and inner.area > 0
         assert Polygon(room.polygon).buffer(1e-6).covers(inner)

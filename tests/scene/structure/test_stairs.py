@@ -21,9 +21,7 @@ SIDES = ["north", "south", "east", "west", None]
 def details_of(side=None, height=3.2, size=(3.0, 6.0), up=True, below=True) -> StairDetails:
     core = CorePlan(id="stair_1", type="stair", x=(0, size[0]), y=(0, size[1]), door_side=side)
     net = box(0.0, 0.0, size[0] - 0.06, size[1] - 0.06)
-    return stair_details(
-        "stair_1", stair_frame(core, net, OUTLINE), height, goes_up=up, comes_from_below=below
-    )
+    return stair_details("stair_1", stair_frame(core, net, OUTLINE), height, goes_up=up, comes_from_below=below)
 
 
 @settings(max_examples=60, deadline=None)
@@ -45,9 +43,7 @@ def test_risers_are_comfortable_and_climb_a_storey_in_walking_order(
 
 @settings(max_examples=40, deadline=None)
 @given(st.floats(3.0, 4.2), st.sampled_from(SIDES), st.booleans())
-def test_flights_lie_inside_the_core_and_off_the_floor_landing(
-    height: float, side: str | None, turned: bool
-) -> None:
+def test_flights_lie_inside_the_core_and_off_the_floor_landing(height: float, side: str | None, turned: bool) -> None:
     size = (6.0, 3.0) if turned else (3.0, 6.0)
     stair = details_of(side, height, size)
     core, landing = box(0, 0, *size).buffer(1e-6), Polygon(stair.floor_landing)

@@ -15,10 +15,7 @@ def stretches_of(request, structural=()):
 
 
 def test_two_boxes_share_one_wall(sample_floors: ModuleType) -> None:
-    rooms = {
-        "a": ("office", sample_floors.box(0, 0, 4, 3)),
-        "b": ("office", sample_floors.box(4, 1, 8, 3)),
-    }
+    rooms = {"a": ("office", sample_floors.box(0, 0, 4, 3)), "b": ("office", sample_floors.box(4, 1, 8, 3))}
     inner = [s for s in stretches_of(sample_floors.request(rooms, [("a", "b")])) if s.right]
     assert len(inner) == 1
     assert {inner[0].left, inner[0].right} == {"F1/a", "F1/b"}
@@ -50,9 +47,7 @@ def test_every_region_is_bounded_by_its_stretches(sample_floors: ModuleType) -> 
         assert length == pytest.approx(region.polygon.length, abs=0.01)
 
 
-def test_a_slanted_wall_is_shared_although_its_points_are_rounded(
-    sample_floors: ModuleType,
-) -> None:
+def test_a_slanted_wall_is_shared_although_its_points_are_rounded(sample_floors: ModuleType) -> None:
     third = round(10 / 3, 4)
     rooms = {
         "a": ("office", [(0, 0), (5, 0), (0, 10)]),
@@ -60,24 +55,13 @@ def test_a_slanted_wall_is_shared_although_its_points_are_rounded(
         "c": ("office", [(5 - third / 2, third), (10, 10), (0, 10)]),
     }
     request = sample_floors.request(rooms, [("a", "b"), ("b", "c")])
-    shared = {
-        frozenset((s.left, s.right)): s.length for s in stretches_of(request) if s.right is not None
-    }
-    assert shared[frozenset(("F1/a", "F1/b"))] == pytest.approx(
-        math.hypot(third / 2, third), abs=1e-3
-    )
-    assert set(shared) == {
-        frozenset(("F1/a", "F1/b")),
-        frozenset(("F1/a", "F1/c")),
-        frozenset(("F1/b", "F1/c")),
-    }
+    shared = {frozenset((s.left, s.right)): s.length for s in stretches_of(request) if s.right is not None}
+    assert shared[frozenset(("F1/a", "F1/b"))] == pytest.approx(math.hypot(third / 2, third), abs=1e-3)
+    assert set(shared) == {frozenset(("F1/a", "F1/b")), frozenset(("F1/a", "F1/c")), frozenset(("F1/b", "F1/c"))}
 
 
 def test_structural_walls_mark_exactly_the_stretches_on_them(sample_floors: ModuleType) -> None:
-    rooms = {
-        "a": ("office", sample_floors.box(0, 0, 4, 6)),
-        "b": ("office", sample_floors.box(4, 0, 8, 6)),
-    }
+    rooms = {"a": ("office", sample_floors.box(0, 0, 4, 6)), "b": ("office", sample_floors.box(4, 0, 8, 6))}
     request = sample_floors.request(rooms, [("a", "b")])
     inner = [s for s in stretches_of(request, [((4, 0), (4, 2.5))]) if s.right is not None]
     assert [(round(s.length, 3), s.structural) for s in inner] == [(2.5, True), (3.5, False)] or [

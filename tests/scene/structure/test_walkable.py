@@ -34,9 +34,7 @@ def test_a_room_narrower_than_a_passage_has_no_part() -> None:
     assert walkable_parts({"a": box(0, 0, 0.5, 4)})["a"].is_empty
 
 
-def test_what_only_touches_the_far_side_of_a_neck_is_reached_another_way(
-    sample_floors: ModuleType,
-) -> None:
+def test_what_only_touches_the_far_side_of_a_neck_is_reached_another_way(sample_floors: ModuleType) -> None:
     rooms = {
         "corridor": ("corridor", list(dumbbell(0.5).exterior.coords[:-1])),
         "near": ("office", sample_floors.box(0, 4, 4, 8)),
@@ -44,12 +42,7 @@ def test_what_only_touches_the_far_side_of_a_neck_is_reached_another_way(
         "fill_1": ("storage", [(4, 2.5), (6, 2.5), (6, 4), (4, 4)]),
         "fill_2": ("storage", sample_floors.box(4, 0, 6, 2)),
     }
-    edges = [
-        ("corridor", "near"),
-        ("corridor", "far"),
-        ("corridor", "fill_1"),
-        ("corridor", "fill_2"),
-    ]
+    edges = [("corridor", "near"), ("corridor", "far"), ("corridor", "fill_1"), ("corridor", "fill_2")]
     structure = build_structure(sample_floors.request(rooms, edges, floor=2))
     pairs = {frozenset(door.rooms) for door in structure.doors}
     assert frozenset(("F2/corridor", "F2/near")) in pairs

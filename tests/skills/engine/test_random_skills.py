@@ -92,9 +92,7 @@ class Building(RuleBasedStateMachine):
         self.do(session, "PickUp", object=thing)
 
     @rule(
-        session=sessions,
-        where=st.sampled_from([*THINGS, "floor"]),
-        relation=st.sampled_from(["on", "in", "in_front"]),
+        session=sessions, where=st.sampled_from([*THINGS, "floor"]), relation=st.sampled_from(["on", "in", "in_front"])
     )
     def put(self, session: str, where: str, relation: str) -> None:
         if where != "floor":
@@ -132,8 +130,5 @@ class Building(RuleBasedStateMachine):
 
 TestBuilding = Building.TestCase
 TestBuilding.settings = settings(
-    max_examples=15,
-    stateful_step_count=20,
-    deadline=None,
-    suppress_health_check=[HealthCheck.too_slow],
+    max_examples=15, stateful_step_count=20, deadline=None, suppress_health_check=[HealthCheck.too_slow]
 )

@@ -10,14 +10,7 @@ from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.skills import ControlArgs, MoveToArgs, RotateArgs, SessionArgs
-from mansion_msgs_py.world import (
-    LiftDoor,
-    LiftMotion,
-    LiftRequest,
-    LiftRequestType,
-    SkillStatus,
-    WorldState,
-)
+from mansion_msgs_py.world import LiftDoor, LiftMotion, LiftRequest, LiftRequestType, SkillStatus, WorldState
 from mansion_skills import Robot
 from mansion_skills.engine import Engine
 from mansion_skills.engine.driving import Drive, drive_for
@@ -49,9 +42,7 @@ def test_worlds_of_other_names_are_worlds_of_their_own(building: Path) -> None:
     assert b.pick_up("mug_1").status is SkillStatus.SUCCESS
 
 
-def test_a_lift_belongs_to_the_session_that_called_it_until_it_has_been_used(
-    building: Path,
-) -> None:
+def test_a_lift_belongs_to_the_session_that_called_it_until_it_has_been_used(building: Path) -> None:
     a, b = pair(building)
     for robot in (a, b):
         robot.go_to_landmark("elevator")
@@ -82,11 +73,7 @@ def test_lift_requests_hold_and_release_as_open_rmf_does(building: Path) -> None
     request = LiftRequest(lift_name="elevator_1", session_id="fleet", destination_floor="3")
     engine.request_lift(request)
     state = world.lift_states()[0]
-    assert (state.current_floor, state.door_state, state.session_id) == (
-        "3",
-        LiftDoor.OPEN,
-        "fleet",
-    )
+    assert (state.current_floor, state.door_state, state.session_id) == ("3", LiftDoor.OPEN, "fleet")
     motions = {change.motion_state for change in world.lift_changes}
     assert motions >= {LiftMotion.UP, LiftMotion.STOPPED}
     robot.go_to_landmark("elevator")
@@ -95,9 +82,7 @@ def test_lift_requests_hold_and_release_as_open_rmf_does(building: Path) -> None
     engine.request_lift(request)
     assert robot.call_elevator().status is SkillStatus.SUCCESS
     with pytest.raises(MansionError, match="does not serve"):
-        engine.request_lift(
-            LiftRequest(lift_name="elevator_1", session_id="x", destination_floor="9")
-        )
+        engine.request_lift(LiftRequest(lift_name="elevator_1", session_id="x", destination_floor="9"))
 
 
 def test_a_new_server_continues_where_the_former_one_ended(building: Path) -> None:
@@ -191,9 +176,7 @@ def test_a_fair_lock_serves_in_the_order_of_arrival() -> None:
 def test_a_skill_in_real_time_is_cancelled_where_it_is(building: Path) -> None:
     robot = Robot(building, engine=Engine(Pace(realtime=True, factor=2.0)))
     results = []
-    thread = threading.Thread(
-        target=lambda: results.append(robot.engine.run("MoveTo", MoveToArgs(x=11.0, y=1.5)))
-    )
+    thread = threading.Thread(target=lambda: results.append(robot.engine.run("MoveTo", MoveToArgs(x=11.0, y=1.5))))
     thread.start()
     while robot.where_am_i().pose.x < 6.2:
         time.sleep(0.01)
@@ -226,9 +209,7 @@ def test_drive_commands_move_the_robot_until_a_wall_stops_it(robot: Robot) -> No
     assert not drive_for(seat, drive, 0.05, now)
 
 
-def test_a_fault_inside_a_skill_leaves_the_world_as_it_was(
-    robot: Robot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_fault_inside_a_skill_leaves_the_world_as_it_was(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
     from mansion_skills.skills import handling
 
     robot.go_near_object("mug_1")

@@ -35,12 +35,7 @@ def test_the_map_is_free_in_rooms_occupied_in_walls_and_unknown_outside() -> Non
     def at(x: float, y: float) -> int:
         return int(data[grid.frame.cell(x, y)])
 
-    assert (at(6.0, 1.5), at(5.0, 3.0), at(2.4, 3.0), at(-1.0, 5.0)) == (
-        FREE,
-        OCCUPIED,
-        FREE,
-        UNKNOWN,
-    )
+    assert (at(6.0, 1.5), at(5.0, 3.0), at(2.4, 3.0), at(-1.0, 5.0)) == (FREE, OCCUPIED, FREE, UNKNOWN)
     assert (at(13.0, 1.5), at(-1.0, 1.0)) == (OCCUPIED, FREE)
     assert not grid.is_free(-1.0, 1.0), "the cabin is free on the map, but no robot drives into it"
     assert (grid.frame.x0, grid.frame.y0) == (-2.6, -0.55) or grid.frame.resolution == 0.05

@@ -43,8 +43,7 @@ with MansionClient(domain_id=domain, timeout=30.0) as client:
 @pytest.fixture(scope="module")
 def running() -> Iterator[GraphProcesses]:
     options = GraphOptions(
-        domain_id=free_domain(),
-        parameters={"skill_server": {"publish_clock": "true", "motion": "fast"}},
+        domain_id=free_domain(), parameters={"skill_server": {"publish_clock": "true", "motion": "fast"}}
     )
     with GraphProcesses(options, [NODE]) as processes:
         processes.wait_ready(60.0)
@@ -57,9 +56,7 @@ def client(running: GraphProcesses) -> Iterator[MansionClient]:
         yield made
 
 
-def next_message(
-    client: MansionClient, kind: type, name: str, wanted: Callable[[Any], bool] = lambda _: True
-) -> Any:
+def next_message(client: MansionClient, kind: type, name: str, wanted: Callable[[Any], bool] = lambda _: True) -> Any:
     """Return the first message of a topic that is wanted."""
     got: list[Any] = []
     arrived = threading.Event()
@@ -118,9 +115,7 @@ def test_the_clock_goes_on_by_what_skills_take(client: MansionClient, tmp_path: 
     assert seconds(lambda now: now > 2.5) == pytest.approx(4.0, abs=0.01)
 
 
-def test_two_client_processes_work_in_two_buildings_at_once(
-    running: GraphProcesses, tmp_path: Path
-) -> None:
+def test_two_client_processes_work_in_two_buildings_at_once(running: GraphProcesses, tmp_path: Path) -> None:
     domain = str(running.options.domain_id)
     clients = [
         subprocess.Popen(

@@ -55,9 +55,7 @@ while True:
 def test_a_killed_process_comes_back_to_its_last_finished_skill(building: Path) -> None:
     rng = random.Random(7)
     for _ in range(KILLS):
-        process = subprocess.Popen(
-            [sys.executable, "-c", CARRIER, str(building)], stdout=subprocess.PIPE, text=True
-        )
+        process = subprocess.Popen([sys.executable, "-c", CARRIER, str(building)], stdout=subprocess.PIPE, text=True)
         assert process.stdout is not None and process.stdout.readline() == "ready\n"
         time.sleep(rng.uniform(0.02, 0.4))
         process.kill()
@@ -167,9 +165,7 @@ def test_a_second_robot_has_services_and_topics_below_its_session(
     client.call("skills/go_to_landmark", {"landmark": "stairs", "session": "r2"})
     client.call("skills/take_stairs", {"direction": "Up", "session": "r2"})
     got: list[Any] = []
-    client.node.create_subscription(
-        OccupancyGrid, "/r2/map", got.append, qos_profile(topic("/map").qos)
-    )
+    client.node.create_subscription(OccupancyGrid, "/r2/map", got.append, qos_profile(topic("/map").qos))
     end = time.monotonic() + 10.0
     while not got and time.monotonic() < end:
         time.sleep(0.05)
@@ -198,9 +194,7 @@ def test_two_clients_take_turns(client: MansionClient, server: tuple[GraphProces
     assert min(counts.values()) >= 10
 
 
-def test_a_killed_server_is_replaced_and_goes_on(
-    client: MansionClient, server: tuple[GraphProcesses, Path]
-) -> None:
+def test_a_killed_server_is_replaced_and_goes_on(client: MansionClient, server: tuple[GraphProcesses, Path]) -> None:
     running, folder = server
     client.call("skills/go_near_object", {"object": "F1/office/mug_1"})
     client.call("skills/pick_up", {"object": "F1/office/mug_1"})
@@ -239,9 +233,7 @@ def test_the_example_carries_an_object_from_floor_1_to_floor_3(building: Path) -
     script = Path(__file__).parents[3] / "docs" / "examples" / "carry_object.py"
     assert len(script.read_text().splitlines()) <= 20
     subprocess.run(
-        [sys.executable, str(script), str(building), "F1/office/mug_1", "F3/kitchen/table_1"],
-        check=True,
-        timeout=60,
+        [sys.executable, str(script), str(building), "F1/office/mug_1", "F3/kitchen/table_1"], check=True, timeout=60
     )
     state = Robot(building).engine.seat("").world.objects.state("F1/office/mug_1")
     assert (state.floor, state.parent) == (3, "F3/kitchen/table_1")
@@ -256,9 +248,7 @@ def test_the_example_carries_an_object_from_floor_1_to_floor_3(building: Path) -
         (("F3/kitchen/table_1", "F1/office"), "PickUp F3/kitchen/table_1: INVALID_ACTION: "),
     ],
 )
-def test_the_example_ends_with_status_1_and_the_reason(
-    building: Path, words: tuple[str, ...], said: str
-) -> None:
+def test_the_example_ends_with_status_1_and_the_reason(building: Path, words: tuple[str, ...], said: str) -> None:
     script = Path(__file__).parents[3] / "docs" / "examples" / "carry_object.py"
     command = [sys.executable, str(script), *([str(building), *words] if words else [])]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)

@@ -26,8 +26,7 @@ NODE = NodeProcess("mansion_skills", "skill_server", "load_building")
 @pytest.fixture
 def client(tmp_path: Path) -> Iterator[MansionClient]:
     options = GraphOptions(
-        domain_id=free_domain(),
-        parameters={"skill_server": {"motion": "realtime", "camera": "false"}},
+        domain_id=free_domain(), parameters={"skill_server": {"motion": "realtime", "camera": "false"}}
     )
     with GraphProcesses(options, [NODE]) as running:
         running.wait_ready(60.0)

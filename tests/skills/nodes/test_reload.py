@@ -88,9 +88,7 @@ def buildings(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 
 @pytest.fixture
 def server() -> Iterator[GraphProcesses]:
-    options = GraphOptions(
-        domain_id=free_domain(), parameters={"skill_server": {"durable": "false"}}
-    )
+    options = GraphOptions(domain_id=free_domain(), parameters={"skill_server": {"durable": "false"}})
     with GraphProcesses(options, [NODE]) as running:
         running.wait_ready(60.0)
         yield running
@@ -102,10 +100,7 @@ def test_a_server_outlives_many_loads_with_listeners_on_every_topic(
     domain = server.options.domain_id
     assert domain is not None
     executors = (rclpy.executors.SingleThreadedExecutor, rclpy.executors.MultiThreadedExecutor)
-    listeners = [
-        Listener(executor, domain, f"listener_{number}")
-        for number, executor in enumerate(executors)
-    ]
+    listeners = [Listener(executor, domain, f"listener_{number}") for number, executor in enumerate(executors)]
     try:
         with MansionClient(domain_id=domain, timeout=60.0) as client:
             for number in range(LOADS):

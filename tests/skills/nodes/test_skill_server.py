@@ -66,12 +66,9 @@ def test_ranges_and_descriptions_can_be_asked_for(start: Start) -> None:
 
 
 @pytest.mark.parametrize(
-    ("override", "named"),
-    [("camera_rate:=0.0", "camera_rate"), ("robot_radius:=wide", "robot_radius")],
+    ("override", "named"), [("camera_rate:=0.0", "camera_rate"), ("robot_radius:=wide", "robot_radius")]
 )
-def test_a_value_out_of_range_or_of_another_type_is_refused(
-    start: Start, override: str, named: str
-) -> None:
+def test_a_value_out_of_range_or_of_another_type_is_refused(start: Start, override: str, named: str) -> None:
     from rclpy.exceptions import ParameterException
 
     with pytest.raises(ParameterException, match=named):
@@ -119,18 +116,14 @@ def test_a_named_robot_namespace_wins(start: Start, building: Path) -> None:
     assert {"/map", "/odom"} <= {publisher.topic_name for publisher in server.publishers}
 
 
-def test_the_clock_that_it_publishes_starts_with_simulated_time(
-    start: Start, building: Path
-) -> None:
+def test_the_clock_that_it_publishes_starts_with_simulated_time(start: Start, building: Path) -> None:
     from rclpy.qos import qos_profile_sensor_data
     from rosgraph_msgs.msg import Clock
 
     server = start("camera:=false", "publish_clock:=true", "use_sim_time:=true")
     server.load(LoadBuilding(path=str(building)))
     ticked = threading.Event()
-    server.create_subscription(
-        Clock, "/clock", lambda message: ticked.set(), qos_profile_sensor_data
-    )
+    server.create_subscription(Clock, "/clock", lambda message: ticked.set(), qos_profile_sensor_data)
     for _ in range(100):
         server.executor.spin_once(timeout_sec=0.1)
         if ticked.is_set():

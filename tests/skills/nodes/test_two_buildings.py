@@ -27,19 +27,14 @@ def clients(tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[MansionCl
     domain = free_domain()
     parameters = {"/mansion": QUIET, "/site_b": {**QUIET, "frame_prefix": "site_b/"}}
     graphs = [
-        GraphProcesses(
-            GraphOptions(namespace=namespace, domain_id=domain, parameters={"skill_server": given}),
-            [NODE],
-        )
+        GraphProcesses(GraphOptions(namespace=namespace, domain_id=domain, parameters={"skill_server": given}), [NODE])
         for namespace, given in parameters.items()
     ]
     with graphs[0], graphs[1]:
         made = []
         for graph in graphs:
             graph.wait_ready(60.0)
-            client = MansionClient(
-                domain_id=domain, namespace=graph.options.namespace, timeout=30.0
-            )
+            client = MansionClient(domain_id=domain, namespace=graph.options.namespace, timeout=30.0)
             folder = write_building(tmp_path_factory.mktemp("buildings") / "one", [1, 2])
             client.call("load_building", {"path": str(folder)})
             client.call("load_building", {"path": str(folder), "session": "r2", "world": "w2"})
@@ -59,11 +54,7 @@ def test_a_drive_command_moves_one_robot(clients: list[MansionClient]) -> None:
     from geometry_msgs.msg import Twist
 
     node = clients[0].node
-    for topic, mover in (
-        ("/cmd_vel", (0, "")),
-        ("/site_b/cmd_vel", (1, "")),
-        ("/r2/cmd_vel", (0, "r2")),
-    ):
+    for topic, mover in (("/cmd_vel", (0, "")), ("/site_b/cmd_vel", (1, "")), ("/r2/cmd_vel", (0, "r2"))):
         robots = [(0, ""), (0, "r2"), (1, ""), (1, "r2")]
         time.sleep(2 * STALE)  # until the robot before stands
         before = {robot: x_of(clients[robot[0]], robot[1]) for robot in robots}

@@ -14,9 +14,7 @@ from mansion_skills import Robot
 OK, FAILED = SkillStatus.SUCCESS, SkillStatus.EXECUTION_FAILURE
 THINGS = ["mug_1", "fridge_1", "table_1", "shelf_1", "box_1", "F1/door_1", "F1/door_2"]
 
-anywhere = settings(
-    max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+anywhere = settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 def stand(robot: Robot, x: float, y: float, yaw: float = 0.0) -> None:

@@ -17,11 +17,7 @@ from mansion_skills.skills.near import _tilt_towards
 from mansion_skills.skills.seeing import CAMERA_HEIGHT
 from mansion_skills.world.overlay import overlay_path
 
-OK, UNMET, INVALID = (
-    SkillStatus.SUCCESS,
-    SkillStatus.PRECONDITION_FAILURE,
-    SkillStatus.INVALID_ACTION,
-)
+OK, UNMET, INVALID = (SkillStatus.SUCCESS, SkillStatus.PRECONDITION_FAILURE, SkillStatus.INVALID_ACTION)
 
 
 def do(robot: Robot, *steps: tuple[str, dict[str, object]]) -> None:
@@ -41,9 +37,7 @@ def test_a_robot_begins_at_the_spawn_pose(robot: Robot) -> None:
     assert (here.pose.x, here.pose.y) == (6.0, 1.5)
 
 
-def test_the_lift_needs_the_entrance_and_the_call_and_takes_the_robot_to_the_standard_pose(
-    robot: Robot,
-) -> None:
+def test_the_lift_needs_the_entrance_and_the_call_and_takes_the_robot_to_the_standard_pose(robot: Robot) -> None:
     assert robot.call_elevator().status is UNMET
     do(robot, ("GoToLandmark", {"landmark": "elevator"}))
     refused = robot.use_elevator(3)
@@ -152,11 +146,7 @@ def test_a_box_goes_to_another_floor_with_what_is_in_it(robot: Robot) -> None:
 def test_things_put_on_a_surface_do_not_overlap(robot: Robot) -> None:
     for name in ("F1/office/ball_1", "F1/kitchen/apple_1", "F1/office/mug_1"):
         if name.endswith("apple_1"):
-            do(
-                robot,
-                ("GoNearObject", {"object": "fridge_1"}),
-                ("OpenObject", {"object": "fridge_1"}),
-            )
+            do(robot, ("GoNearObject", {"object": "fridge_1"}), ("OpenObject", {"object": "fridge_1"}))
         do(robot, ("GoNearObject", {"object": name}), ("PickUp", {"object": name}))
         do(robot, ("GoNearObject", {"object": "table_1"}), ("Place", {"target": "table_1"}))
     objects = robot.engine.seat("").world.objects
@@ -184,9 +174,7 @@ def test_a_closed_door_stops_the_robot_and_the_answer_names_it(robot: Robot) -> 
 
 
 @pytest.mark.parametrize(("floor", "status"), [(1, UNMET), (2, OK)])
-def test_only_a_robot_on_the_doors_floor_keeps_it_open(
-    building: Path, floor: int, status: SkillStatus
-) -> None:
+def test_only_a_robot_on_the_doors_floor_keeps_it_open(building: Path, floor: int, status: SkillStatus) -> None:
     engine = Engine()
     robot, other = Robot(building, engine=engine), Robot(building, "second", engine=engine)
     do(robot, ("GoNearObject", {"object": "F1/door_1"}))
@@ -230,9 +218,7 @@ def test_the_camera_tilts_between_its_stops(robot: Robot) -> None:
     do(robot, ("LookDown", {"degrees": 120}))
 
 
-def test_what_goes_somewhere_looks_ahead_and_what_handles_looks_down_as_far_as_needed(
-    robot: Robot,
-) -> None:
+def test_what_goes_somewhere_looks_ahead_and_what_handles_looks_down_as_far_as_needed(robot: Robot) -> None:
     body = robot.engine.seat("").robot
     do(robot, ("GoNearObject", {"object": "fridge_1"}))
     assert body.pitch == 0.0, "a fridge is in the picture of a level camera"
@@ -327,10 +313,7 @@ def test_a_building_without_a_lift_says_so_and_names_the_stairs(building: Path) 
 
 def test_a_building_without_stairs_says_so_and_names_the_lift(building: Path) -> None:
     result = without(building, "stair").take_stairs("Up")
-    assert (result.status, result.message) == (
-        INVALID,
-        "this building has no stairs; use CallElevator",
-    )
+    assert (result.status, result.message) == (INVALID, "this building has no stairs; use CallElevator")
 
 
 def test_a_building_of_one_floor_has_nowhere_to_ride_to(tmp_path: Path) -> None:

@@ -144,9 +144,7 @@ def test_update_floor_names_the_floors_there_are(gym: ThorGym, thor: ThorDouble)
     assert len(thor.scenes) == 1 and gym.where_am_i().floor == 1
 
 
-def test_what_was_done_on_a_floor_is_there_when_one_comes_back(
-    gym: ThorGym, thor: ThorDouble
-) -> None:
+def test_what_was_done_on_a_floor_is_there_when_one_comes_back(gym: ThorGym, thor: ThorDouble) -> None:
     gym.go_near_object("F1/kitchen/fridge_1")
     gym.open_object("F1/kitchen/fridge_1")
     gym.go_near_object("F1/door_1")
@@ -166,8 +164,7 @@ def test_a_box_takes_its_contents_to_the_other_floor(gym: ThorGym, thor: ThorDou
 
 
 @pytest.mark.parametrize(
-    ("action", "message"),
-    [("PickupObject", OUT_OF_SIGHT), ("Teleport", "Collided with: Chair_1")],
+    ("action", "message"), [("PickupObject", OUT_OF_SIGHT), ("Teleport", "Collided with: Chair_1")]
 )
 def test_what_ai2thor_refuses_fails_with_its_words_and_leaves_the_world(
     gym: ThorGym, thor: ThorDouble, action: str, message: str
@@ -183,9 +180,7 @@ def test_what_ai2thor_refuses_fails_with_its_words_and_leaves_the_world(
     assert after == before and gym.where_am_i().held is None
 
 
-def test_a_robot_that_is_stopped_on_its_way_stands_where_ai2thor_has_it(
-    gym: ThorGym, thor: ThorDouble
-) -> None:
+def test_a_robot_that_is_stopped_on_its_way_stands_where_ai2thor_has_it(gym: ThorGym, thor: ThorDouble) -> None:
     gym.go_near_object(MUG)
     begin = len(thor.actions)
     stopped = thor.do_Teleport
@@ -209,9 +204,7 @@ def test_a_floor_that_cannot_be_shown_is_left_again(gym: ThorGym, thor: ThorDoub
     assert gym.take_stairs("Up").status is SkillStatus.SUCCESS
 
 
-def test_a_reset_that_raises_is_a_refusal_too(
-    gym: ThorGym, thor: ThorDouble, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_reset_that_raises_is_a_refusal_too(gym: ThorGym, thor: ThorDouble, monkeypatch: pytest.MonkeyPatch) -> None:
     gym.go_to_landmark("stairs")
     real = thor.reset
 
@@ -293,9 +286,7 @@ def test_without_the_extra_the_error_says_what_to_install(monkeypatch: pytest.Mo
     assert caught.value.code == "UNAVAILABLE"
 
 
-def test_a_controller_is_opened_with_the_settings_and_the_callers(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_controller_is_opened_with_the_settings_and_the_callers(monkeypatch: pytest.MonkeyPatch) -> None:
     seen: dict[str, Any] = {}
 
     class Recorder:
@@ -311,10 +302,7 @@ def test_a_controller_is_opened_with_the_settings_and_the_callers(
 
 
 STEPS = st.one_of(
-    st.tuples(
-        st.just("GoNearObject"),
-        st.sampled_from(["mug_1", "fridge_1", "table_1", "box_1", "desk_1", "apple_1"]),
-    ),
+    st.tuples(st.just("GoNearObject"), st.sampled_from(["mug_1", "fridge_1", "table_1", "box_1", "desk_1", "apple_1"])),
     st.tuples(st.just("PickUp"), st.sampled_from(["mug_1", "box_1", "apple_1", "ball_1"])),
     st.tuples(st.just("Place"), st.sampled_from(["desk_1", "table_1", "fridge_1", "floor"])),
     st.tuples(st.sampled_from(["OpenObject", "CloseObject"]), st.just("fridge_1")),
@@ -335,13 +323,9 @@ ARGUMENT = {
 }
 
 
-@settings(
-    max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(steps=st.lists(st.tuples(STEPS, FAULTS), max_size=15))
-def test_world_and_ai2thor_agree_after_every_skill(
-    folder: Path, steps: list[tuple[tuple[str, Any], str]]
-) -> None:
+def test_world_and_ai2thor_agree_after_every_skill(folder: Path, steps: list[tuple[tuple[str, Any], str]]) -> None:
     thor = ThorDouble()
     gym = ThorGym(folder, thor, reset=True, durable=False)
     world, houses = world_of(gym), gym.houses
@@ -355,12 +339,8 @@ def test_world_and_ai2thor_agree_after_every_skill(
         check_world(world)
         here = gym.where_am_i()
         assert thor.hand == here.held
-        assert (thor.agent["x"], thor.agent["z"]) == pytest.approx(
-            (here.pose.x, here.pose.y), abs=0.011
-        )
+        assert (thor.agent["x"], thor.agent["z"]) == pytest.approx((here.pose.x, here.pose.y), abs=0.011)
         for state in world.objects.on_floor(here.floor):
             if state.id in houses:
                 center = thor.objects[state.id]["center"]
-                assert state.position == pytest.approx(
-                    (center["x"], center["z"], center["y"]), abs=0.011
-                )
+                assert state.position == pytest.approx((center["x"], center["z"], center["y"]), abs=0.011)

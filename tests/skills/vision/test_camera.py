@@ -84,9 +84,7 @@ def test_the_pixels_of_an_object_lie_in_its_box(camera: Camera, robot: Robot, pi
     assert len(seen) >= 3
 
 
-def test_a_part_that_is_not_asked_for_is_empty_and_the_others_stay_the_same(
-    camera: Camera,
-) -> None:
+def test_a_part_that_is_not_asked_for_is_empty_and_the_others_stay_the_same(camera: Camera) -> None:
     whole = camera.render()
     for part in ("rgb", "depth", "segmentation"):
         some = camera.render(**{part: False})
@@ -128,9 +126,7 @@ def test_glass_does_not_hide_what_is_behind(camera: Camera, robot: Robot) -> Non
     assert np.abs(closed - opened).mean() < 25
 
 
-def test_what_is_picked_up_leaves_its_place_and_is_seen_in_the_hand(
-    camera: Camera, robot: Robot
-) -> None:
+def test_what_is_picked_up_leaves_its_place_and_is_seen_in_the_hand(camera: Camera, robot: Robot) -> None:
     mug = "F1/office/mug_1"
     done(robot.go_near_object(mug))
     done(robot.pick_up(mug))
@@ -147,9 +143,7 @@ def test_what_is_picked_up_leaves_its_place_and_is_seen_in_the_hand(
     assert at[:, 2].max() == pytest.approx(0.84, abs=0.02)
 
 
-def test_an_object_is_seen_on_the_floor_that_it_was_carried_to(
-    camera: Camera, robot: Robot
-) -> None:
+def test_an_object_is_seen_on_the_floor_that_it_was_carried_to(camera: Camera, robot: Robot) -> None:
     mug, table = "F1/office/mug_1", "F2/kitchen/table_1"
     done(robot.go_near_object(mug))
     done(robot.pick_up(mug))
@@ -219,16 +213,12 @@ def test_robots_see_each_other_and_not_themselves(pictured: Path, renders: None)
         assert "robot/second" not in one.render().visible()
 
 
-def test_culling_loses_nothing_that_can_be_seen(
-    camera: Camera, robot: Robot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_culling_loses_nothing_that_can_be_seen(camera: Camera, robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
     for x, y, yaw in ((6.0, 1.5, 30.0), (2.4, 2.0, 70.0), (5.0, 4.4, 0.0), (8.4, 3.6, 250.0)):
         look_at(robot, x, y, yaw)
         culled = camera.render()
         with monkeypatch.context() as patch:
-            patch.setattr(
-                FloorModel, "_in_wedges", lambda self, rooms, offset, radius, heading: radius >= 0.0
-            )
+            patch.setattr(FloorModel, "_in_wedges", lambda self, rooms, offset, radius, heading: radius >= 0.0)
             whole = camera.render()
         assert (culled.segmentation != whole.segmentation).mean() < 0.002
         assert (culled.rgb != whole.rgb).mean() < 0.002
@@ -341,9 +331,7 @@ def test_an_object_that_the_models_do_not_have_is_left_out(pictured: Path, rende
         assert camera.render().visible()["F1/office/desk_1"] > 100
 
 
-def test_without_opengl_the_packages_are_named(
-    robot: Robot, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_opengl_the_packages_are_named(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("mansion_skills.vision.gl.find_library", lambda name: None)
     with pytest.raises(MansionError) as error:
         Camera(robot, 48, 48)

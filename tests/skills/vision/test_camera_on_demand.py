@@ -100,9 +100,7 @@ def test_nothing_is_opened_while_nobody_listens(topics: Callable[[Node], CameraT
     assert not any(publisher.sent for publisher in node.publishers.values())
 
 
-def test_drawing_stops_with_the_last_listener_and_goes_on_with_the_next(
-    topics: Callable[[Node], CameraTopics],
-) -> None:
+def test_drawing_stops_with_the_last_listener_and_goes_on_with_the_next(topics: Callable[[Node], CameraTopics]) -> None:
     node = Node()
     camera = topics(node)
     image = node.publishers["camera/image"]

@@ -49,9 +49,7 @@ def test_images_are_what_the_camera_sees(pictured: Path, renders: None) -> None:
 
         def listen(kind: type, name: str) -> None:
             qos = qos_profile(topic(name).qos)
-            client.node.create_subscription(
-                kind, name, lambda message: got.__setitem__(name, message), qos
-            )
+            client.node.create_subscription(kind, name, lambda message: got.__setitem__(name, message), qos)
 
         names = ("camera/image", "camera/depth", "camera/segmentation")
         for name in names:

@@ -13,17 +13,13 @@ gymnasium = pytest.importorskip("gymnasium")
 
 
 @pytest.mark.parametrize("observation", ["rgb", "rgbd"])
-def test_gymnasiums_checker_has_nothing_to_say_of_pictures(
-    pictured: Path, renders: None, observation: str
-) -> None:
+def test_gymnasiums_checker_has_nothing_to_say_of_pictures(pictured: Path, renders: None, observation: str) -> None:
     from gymnasium.utils.env_checker import check_env
 
     from mansion_tasks.env import ENV_ID
 
     tasks = generate(Sandbox(pictured), 4, seed=0)
-    env = gymnasium.make(
-        ENV_ID, building=pictured, tasks=tasks, observation=observation, image_size=(80, 60)
-    ).unwrapped
+    env = gymnasium.make(ENV_ID, building=pictured, tasks=tasks, observation=observation, image_size=(80, 60)).unwrapped
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         check_env(env, skip_render_check=True)

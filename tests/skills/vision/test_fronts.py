@@ -32,12 +32,9 @@ def triangles_of(asset: str) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("asset", "category", "moving"),
-    [("Fridge_28", "fridge", {0}), ("storage_cabinet_2", "storage_cabinet", {0, 1})],
+    ("asset", "category", "moving"), [("Fridge_28", "fridge", {0}), ("storage_cabinet_2", "storage_cabinet", {0, 1})]
 )
-def test_the_doors_of_furniture_lie_at_its_front(
-    asset: str, category: str, moving: set[int]
-) -> None:
+def test_the_doors_of_furniture_lie_at_its_front(asset: str, category: str, moving: set[int]) -> None:
     kind, triangles = openable(asset, category), triangles_of(asset)
     part = part_of(triangles, kind)
     assert set(part.tolist()) == {-1, *moving}

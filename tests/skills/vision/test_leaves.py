@@ -27,12 +27,7 @@ def room_at(x: float, y: float) -> str | None:
 )
 @settings(max_examples=200, deadline=None)
 def test_leaves_are_where_the_exported_model_has_them(
-    kind: str,
-    hinge: str,
-    swing: str | None,
-    rooms: tuple[str, str],
-    backwards: bool,
-    is_open: bool,
+    kind: str, hinge: str, swing: str | None, rooms: tuple[str, str], backwards: bool, is_open: bool
 ) -> None:
     ends = ((2.0, 3.0), (3.5, 3.0))
     door = Door(

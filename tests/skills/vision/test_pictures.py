@@ -43,9 +43,7 @@ def test_a_panorama_shows_each_direction_where_it_belongs(middle: float) -> None
 
 
 def places(count: int) -> list[tuple[str, np.ndarray]]:
-    return [
-        (f"F1/room_{i}", np.full((HEIGHT, WIDTH, 3), 40 + i, dtype=np.uint8)) for i in range(count)
-    ]
+    return [(f"F1/room_{i}", np.full((HEIGHT, WIDTH, 3), 40 + i, dtype=np.uint8)) for i in range(count)]
 
 
 @given(count=st.integers(0, 20), per_page=st.integers(1, 16))
@@ -90,9 +88,7 @@ def test_a_panel_has_a_button_for_each_floor_and_lights_the_current_one() -> Non
     assert beside.shape[1] > panel.shape[1]
 
 
-@pytest.mark.parametrize(
-    "ways", [(None, None), ("Up to 2", None), (None, "Down to G"), ("Up", "Down")]
-)
+@pytest.mark.parametrize("ways", [(None, None), ("Up to 2", None), (None, "Down to G"), ("Up", "Down")])
 def test_arrows_point_only_where_stairs_lead(ways: tuple[str | None, str | None]) -> None:
     view = np.full((480, 480, 3), 120, dtype=np.uint8)
     picture = with_arrows(view, *ways).astype(int)
@@ -172,10 +168,7 @@ def test_a_tile_shows_the_middle_of_the_round_above_and_what_is_behind_below() -
     round_[:, :20] = round_[:, -20:] = (0, 0, 255)
     (page,) = tile_pages([("stair_1", round_)], "Landmarks")
     above, below = page[-TILE[1] - 12 : -12 - TILE[1] // 2], page[-12 - TILE[1] // 2 : -12]
-    red, blue = (
-        np.nonzero((half[..., c] > 200) & (half[..., 1] < 50))[1]
-        for half, c in ((above, 0), (below, 2))
-    )
+    red, blue = (np.nonzero((half[..., c] > 200) & (half[..., 1] < 50))[1] for half, c in ((above, 0), (below, 2)))
     middle = page.shape[1] / 2
     assert abs(red.mean() - middle) < 3
     assert abs(blue.mean() - middle) < 3

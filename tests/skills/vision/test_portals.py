@@ -28,13 +28,7 @@ DOORS = [door for door in SCENE.doors if set(door.rooms) <= set(ROOMS)]
 )
 @settings(max_examples=150, deadline=None)
 def test_no_room_that_a_line_of_sight_reaches_is_left_out(
-    door: Door,
-    side: int,
-    eye: Point,
-    through: float,
-    beyond: float,
-    aside: float,
-    half: float,
+    door: Door, side: int, eye: Point, through: float, beyond: float, aside: float, half: float
 ) -> None:
     here, there = str(door.rooms[side]), str(door.rooms[1 - side])
     x0, y0, x1, y1 = ROOMS[here]

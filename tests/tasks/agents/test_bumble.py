@@ -88,9 +88,7 @@ def scripted(chat: ModuleType, building: Path, plan: list[dict[str, Any]] | None
     return script
 
 
-def test_it_does_a_task_by_numbers_alone(
-    building: Path, chat: ModuleType, client_of: Client
-) -> None:
+def test_it_does_a_task_by_numbers_alone(building: Path, chat: ModuleType, client_of: Client) -> None:
     with chat.ChatServer(scripted(chat, building)) as server:
         log = run_episode(mug_task(), building, Bumble(client_of(server)), LocalPort())
     assert log.end.success
@@ -155,9 +153,7 @@ def test_useless_answers_are_asked_for_again_and_cost_no_more_than_a_look_around
     assert len(log.steps) == 2 and len(server.requests) <= 12
 
 
-def test_one_bad_answer_in_between_does_not_end_the_task(
-    building: Path, chat: ModuleType, client_of: Client
-) -> None:
+def test_one_bad_answer_in_between_does_not_end_the_task(building: Path, chat: ModuleType, client_of: Client) -> None:
     good = scripted(chat, building)
     bad = [
         chat.Reply("what?"),
@@ -191,9 +187,7 @@ def test_an_endpoint_that_gives_no_answers_is_no_verdict_on_the_agent(
     assert len(server.requests) <= 6
 
 
-def test_failures_of_one_episode_are_told_in_the_next(
-    building: Path, chat: ModuleType, client_of: Client
-) -> None:
+def test_failures_of_one_episode_are_told_in_the_next(building: Path, chat: ModuleType, client_of: Client) -> None:
     plan = [{"skill": "CallElevator"}, {"skill": "Stop"}]
     with chat.ChatServer(scripted(chat, building, plan)) as server:
         first = run_episode(mug_task(), building, Bumble(client_of(server)), LocalPort())
@@ -206,18 +200,14 @@ def test_failures_of_one_episode_are_told_in_the_next(
     assert first.end.lessons[0] in text(server.requests[0])
 
 
-def test_what_failed_before_is_told_within_the_episode(
-    building: Path, chat: ModuleType, client_of: Client
-) -> None:
+def test_what_failed_before_is_told_within_the_episode(building: Path, chat: ModuleType, client_of: Client) -> None:
     plan = [{"skill": "CallElevator"}, {"skill": "Stop"}]
     with chat.ChatServer(scripted(chat, building, plan)) as server:
         run_episode(mug_task(), building, Bumble(client_of(server)), LocalPort())
     assert "CallElevator() -> PRECONDITION_FAILURE" in text(server.requests[-1])
 
 
-def test_whatever_a_model_chooses_is_a_skill_with_a_card(
-    building: Path, chat: ModuleType, client_of: Client
-) -> None:
+def test_whatever_a_model_chooses_is_a_skill_with_a_card(building: Path, chat: ModuleType, client_of: Client) -> None:
     names = iter([*CARDS, "Cancel", "LoadBuilding", "ListVisible", "TakeControl"] * 10)
 
     def script(request: dict[str, Any]) -> Any:

@@ -47,8 +47,7 @@ def test_a_hallucinated_object_fails_as_a_skill_and_the_loop_goes_on(
     building: Path, chat: ModuleType, client_of: Client
 ) -> None:
     script = chat.in_turn(
-        says(chat.Reply, code='GoNearObject("F1/ballroom/piano_1")'),
-        says(chat.Reply, code=FETCH + RIDE + DELIVER),
+        says(chat.Reply, code='GoNearObject("F1/ballroom/piano_1")'), says(chat.Reply, code=FETCH + RIDE + DELIVER)
     )
     with chat.ChatServer(script) as server:
         log = run_episode(mug_task(), building, Come(client_of(server)), LocalPort())
@@ -57,14 +56,7 @@ def test_a_hallucinated_object_fails_as_a_skill_and_the_loop_goes_on(
 
 
 @pytest.mark.parametrize(
-    "code",
-    [
-        'import os\nos.system("touch broken")',
-        'open("broken", "w")',
-        "exec('1')",
-        "while True: pass",
-        "",
-    ],
+    "code", ['import os\nos.system("touch broken")', 'open("broken", "w")', "exec('1')", "while True: pass", ""]
 )
 def test_code_that_is_more_than_calls_is_repaired_or_given_up_and_never_runs(
     building: Path, chat: ModuleType, client_of: Client, code: str, tmp_path: Path,
@@ -85,30 +77,21 @@ def test_plans_that_lead_nowhere_end(building: Path, chat: ModuleType, client_of
     assert log.end.stop == "agent_stopped" and len(log.steps) == MOST_PLANS
 
 
-def test_the_model_may_say_that_it_is_done(
-    building: Path, chat: ModuleType, client_of: Client
-) -> None:
+def test_the_model_may_say_that_it_is_done(building: Path, chat: ModuleType, client_of: Client) -> None:
     with chat.ChatServer(chat.in_turn(says(chat.Reply, thought="all there", done=True))) as server:
         log = run_episode(mug_task(), building, Come(client_of(server)), LocalPort())
     assert (log.end.claimed, log.end.success, log.end.reason) == (True, False, "all there")
 
 
-def test_an_endpoint_that_refuses_the_key_ends_the_run(
-    building: Path, chat: ModuleType, client_of: Client
-) -> None:
-    with (
-        chat.ChatServer(chat.in_turn(chat.Reply("no", status=401))) as server,
-        pytest.raises(MansionError) as caught,
-    ):
+def test_an_endpoint_that_refuses_the_key_ends_the_run(building: Path, chat: ModuleType, client_of: Client) -> None:
+    with chat.ChatServer(chat.in_turn(chat.Reply("no", status=401))) as server, pytest.raises(MansionError) as caught:
         run_episode(mug_task(), building, Come(client_of(server)), LocalPort())
     assert caught.value.code == ErrorCode.UNAVAILABLE
 
 
 def test_what_a_long_map_leaves_out_is_counted() -> None:
     entries = [
-        MapEntry(f"F1/room_{k}/thing_{j}", "thing", "", 1, f"F1/room_{k}", "")
-        for k in range(60)
-        for j in range(40)
+        MapEntry(f"F1/room_{k}/thing_{j}", "thing", "", 1, f"F1/room_{k}", "") for k in range(60) for j in range(40)
     ]
     shown = map_text(entries)
     left_out = int(shown.rsplit("(", 1)[1].split()[0])

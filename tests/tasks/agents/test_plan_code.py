@@ -12,9 +12,7 @@ from mansion_tasks.agents.skill_cards import CARDS
 
 
 def test_a_plan_is_a_list_of_calls_under_either_name() -> None:
-    plan = read_plan(
-        'go_to_landmark("elevator")  # first\nCallElevator()\nUseElevator(target_floor=3)'
-    )
+    plan = read_plan('go_to_landmark("elevator")  # first\nCallElevator()\nUseElevator(target_floor=3)')
     assert [(c.skill, c.arguments) for c in plan] == [
         ("GoToLandmark", {"landmark": "elevator"}),
         ("CallElevator", {}),
@@ -59,9 +57,7 @@ def test_a_plan_is_a_list_of_calls_under_either_name() -> None:
         "# " + "x" * 7000,
     ],
 )
-def test_what_is_more_than_calls_with_literals_is_refused(
-    code: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_what_is_more_than_calls_with_literals_is_refused(code: str, monkeypatch: pytest.MonkeyPatch) -> None:
     def ran(*arguments: object) -> None:
         raise AssertionError("the plan ran")
 

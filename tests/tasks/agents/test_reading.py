@@ -119,9 +119,4 @@ def test_nouns_match_categories_by_word(noun: str, name: str, score: int) -> Non
 
 
 def test_singulars_keep_words_that_only_look_like_plurals() -> None:
-    assert [singular(w) for w in ("glass", "bus", "boxes", "knives")] == [
-        "glass",
-        "bus",
-        "box",
-        "knife",
-    ]
+    assert [singular(w) for w in ("glass", "bus", "boxes", "knives")] == ["glass", "bus", "box", "knife"]

@@ -34,15 +34,9 @@ def blocked(**free: float) -> SkillResult:
 
 @pytest.mark.parametrize(
     ("free", "turn", "distance"),
-    [
-        ({"back": 3.0}, 180.0, 1.5),
-        ({"left": 0.8}, 90.0, 0.75),
-        ({"right": 2.0, "left": 1.0}, -90.0, 1.5),
-    ],
+    [({"back": 3.0}, 180.0, 1.5), ({"left": 0.8}, 90.0, 0.75), ({"right": 2.0, "left": 1.0}, -90.0, 1.5)],
 )
-def test_the_way_out_leads_where_most_is_free(
-    free: dict[str, float], turn: float, distance: float
-) -> None:
+def test_the_way_out_leads_where_most_is_free(free: dict[str, float], turn: float, distance: float) -> None:
     way = escape(blocked(**free))
     assert way is not None
     assert [call.arguments for call in way] == [{"degrees": turn}, {"distance": distance}]
@@ -60,10 +54,7 @@ def test_one_blocked_move_is_the_agents_own_affair() -> None:
     assert watch.step(seen) is None
     turned = SkillResult(skill="Rotate", status=SkillStatus.SUCCESS, message="")
     rotate = SkillCall(skill="Rotate")
-    assert (
-        watch.step(Observation("", 2, 9, 1, (1,), Pose2D(x=0, y=0), last_call=rotate, last=turned))
-        is None
-    )
+    assert watch.step(Observation("", 2, 9, 1, (1,), Pose2D(x=0, y=0), last_call=rotate, last=turned)) is None
     assert watch.step(seen) == SkillCall(skill="Rotate", arguments={"degrees": 180.0})
 
 

@@ -22,9 +22,7 @@ def landmark(name: str, x: float) -> LandmarkInfo:
     return LandmarkInfo(name=name, kind="room", floor=1, pose=Pose2D(x=x, y=0.0))
 
 
-def around(
-    *visible: SeenObject, rooms: tuple[LandmarkInfo, ...] = ()
-) -> tuple[Surroundings, Observation]:
+def around(*visible: SeenObject, rooms: tuple[LandmarkInfo, ...] = ()) -> tuple[Surroundings, Observation]:
     memory = Surroundings()
     now = Observation("", 0, 50, 1, (1, 2), HERE, visible=visible, landmarks=rooms)
     memory.note(now)
@@ -65,12 +63,7 @@ def test_things_on_another_floor_than_the_one_named_do_not_count() -> None:
 def test_named_rooms_come_first_then_likely_ones_then_the_nearest() -> None:
     rooms = tuple(
         landmark(f"F1/{name}", x)
-        for name, x in (
-            ("corridor", 1.0),
-            ("office_1", 2.0),
-            ("break_room", 9.0),
-            ("meeting_room_2", 20.0),
-        )
+        for name, x in (("corridor", 1.0), ("office_1", 2.0), ("break_room", 9.0), ("meeting_room_2", 20.0))
     )
     memory, now = around(rooms=rooms)
     potato = memory.rooms_to_search(now, Phrase("potato"))

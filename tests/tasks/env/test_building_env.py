@@ -40,18 +40,14 @@ def make(folder: Path, tasks: list[Task], **more: Any) -> BuildingEnv:
 
 
 @pytest.mark.parametrize("actions", ["low", "skill"])
-def test_gymnasiums_checker_has_nothing_to_say(
-    folder: Path, tasks: list[Task], actions: str
-) -> None:
+def test_gymnasiums_checker_has_nothing_to_say(folder: Path, tasks: list[Task], actions: str) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         check_env(make(folder, tasks, actions=actions), skip_render_check=True)
 
 
 @pytest.mark.parametrize("actions", ["low", "skill"])
-def test_observations_are_in_their_space_whatever_is_done(
-    folder: Path, tasks: list[Task], actions: str
-) -> None:
+def test_observations_are_in_their_space_whatever_is_done(folder: Path, tasks: list[Task], actions: str) -> None:
     env = make(folder, tasks, actions=actions)
     env.action_space.seed(4)
     observation, _ = env.reset(seed=4)
@@ -69,18 +65,14 @@ def trace(env: BuildingEnv, seed: int, steps: int = 60) -> list[bytes]:
     observation, _ = env.reset(seed=seed)
     found = []
     for _ in range(steps):
-        found.append(
-            b"".join(np.asarray(observation[key]).tobytes() for key in sorted(observation))
-        )
+        found.append(b"".join(np.asarray(observation[key]).tobytes() for key in sorted(observation)))
         observation, _, terminated, truncated, _ = env.step(int(rng.integers(env.action_space.n)))
         if terminated or truncated:
             observation, _ = env.reset()
     return found
 
 
-def test_the_same_seed_gives_the_same_episodes_in_a_used_and_a_new_environment(
-    folder: Path, tasks: list[Task]
-) -> None:
+def test_the_same_seed_gives_the_same_episodes_in_a_used_and_a_new_environment(folder: Path, tasks: list[Task]) -> None:
     used = make(folder, tasks)
     trace(used, 1, 200)
     assert trace(used, 7) == trace(make(folder, tasks), 7)
@@ -109,9 +101,7 @@ def test_an_episode_ends_with_success_and_the_whole_reward(folder: Path, tasks: 
     assert env._tracker.score.navigation == 1.0 and total >= 0.5
 
 
-def test_an_episode_is_truncated_when_its_steps_are_used_up(
-    folder: Path, tasks: list[Task]
-) -> None:
+def test_an_episode_is_truncated_when_its_steps_are_used_up(folder: Path, tasks: list[Task]) -> None:
     env = make(folder, tasks, max_steps=3)
     env.reset(seed=0)
     look = env.action_names.index("rotate_left")
@@ -138,9 +128,7 @@ def test_what_cannot_be_done_changes_nothing_and_says_why(folder: Path, tasks: l
     assert info["status"] == "INVALID_ACTION"
 
 
-def test_tasks_are_chosen_by_id_by_index_or_by_the_seed(
-    folder: Path, tasks: list[Task], tmp_path: Path
-) -> None:
+def test_tasks_are_chosen_by_id_by_index_or_by_the_seed(folder: Path, tasks: list[Task], tmp_path: Path) -> None:
     file = tmp_path / "tasks.json"
     file.write_bytes(encode_bytes(TaskSet(building=str(folder), building_id="sample", tasks=tasks)))
     env = BuildingEnv(folder, tasks=file)
@@ -152,8 +140,7 @@ def test_tasks_are_chosen_by_id_by_index_or_by_the_seed(
 
 
 @pytest.mark.parametrize(
-    "wrong",
-    [{"actions": "medium"}, {"observation": "sound"}, {"render_mode": "ansi"}, {"tasks": []}],
+    "wrong", [{"actions": "medium"}, {"observation": "sound"}, {"render_mode": "ansi"}, {"tasks": []}]
 )
 def test_options_that_do_not_exist_are_refused(folder: Path, wrong: dict[str, Any]) -> None:
     with pytest.raises(MansionError):
@@ -185,8 +172,6 @@ def test_nothing_is_written_to_the_building(folder: Path, tasks: list[Task]) -> 
 
 
 def test_gymnasium_finds_the_environment_in_a_module_of_its_name(folder: Path) -> None:
-    code = (
-        f"import gymnasium; gymnasium.make('mansion_tasks.env:{ENV_ID}', building={str(folder)!r})"
-    )
+    code = f"import gymnasium; gymnasium.make('mansion_tasks.env:{ENV_ID}', building={str(folder)!r})"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr

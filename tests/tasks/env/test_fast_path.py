@@ -19,9 +19,7 @@ MOTIONS = {
     "look_up": ("LookUp", {"degrees": TILT}),
     "look_down": ("LookDown", {"degrees": TILT}),
 }
-FEW = settings(
-    max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+FEW = settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 @pytest.fixture(scope="module")
@@ -87,9 +85,7 @@ def test_the_eyes_see_what_list_visible_lists(
             assert bearing == pytest.approx(by_id[name].bearing, abs=0.06) or abs(bearing) > 179.9
 
 
-def test_only_the_nearest_are_looked_for_and_what_is_always_wanted(
-    pair: tuple[Sandbox, Sandbox],
-) -> None:
+def test_only_the_nearest_are_looked_for_and_what_is_always_wanted(pair: tuple[Sandbox, Sandbox]) -> None:
     sandbox, _ = pair
     sandbox.reset()
     sandbox.skill("GoToLandmark", landmark="office")

@@ -25,8 +25,7 @@ def bench(building: Path, output: Path, *agents: str, **more: object) -> Bench:
 
 def facts(result: BenchResult) -> list[tuple[object, ...]]:
     return [
-        (r.agent, r.task, r.success, r.retrieval, r.navigation, r.steps, r.time, r.stop, r.log)
-        for r in result.episodes
+        (r.agent, r.task, r.success, r.retrieval, r.navigation, r.steps, r.time, r.stop, r.log) for r in result.episodes
     ]
 
 
@@ -90,9 +89,7 @@ def test_a_finished_episode_is_not_run_again_and_a_damaged_log_is(
     assert len(run) == 7
 
 
-def test_an_interrupted_bench_goes_on(
-    building: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_interrupted_bench_goes_on(building: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     wanted = bench(building, tmp_path / "out")
     true_run, left = benching.run_episode, [4]
 
@@ -112,12 +109,8 @@ def test_an_interrupted_bench_goes_on(
     assert facts(whole) == facts(run_bench(bench(building, tmp_path / "fresh")))
 
 
-def test_agents_that_do_not_exist_and_files_that_are_none_are_refused(
-    building: Path, tmp_path: Path
-) -> None:
-    with pytest.raises(
-        MansionError, match="did you mean oracle\\? agents: random, oracle"
-    ) as caught:
+def test_agents_that_do_not_exist_and_files_that_are_none_are_refused(building: Path, tmp_path: Path) -> None:
+    with pytest.raises(MansionError, match="did you mean oracle\\? agents: random, oracle") as caught:
         run_bench(bench(building, tmp_path, "oracel"))
     assert caught.value.code == ErrorCode.NOT_FOUND
     with pytest.raises(MansionError) as caught:
@@ -125,15 +118,8 @@ def test_agents_that_do_not_exist_and_files_that_are_none_are_refused(
     assert caught.value.code == ErrorCode.NOT_FOUND
 
 
-def test_agents_that_ask_a_model_say_that_none_is_configured(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    for name in (
-        "MANSION_LLM_BASE_URL",
-        "MANSION_LLM_MODEL",
-        "OPENAI_BASE_URL",
-        "MANSION_LLM_REPLAY",
-    ):
+def test_agents_that_ask_a_model_say_that_none_is_configured(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    for name in ("MANSION_LLM_BASE_URL", "MANSION_LLM_MODEL", "OPENAI_BASE_URL", "MANSION_LLM_REPLAY"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     assert [make_agent(name).name for name in AGENTS[:3]] == ["random", "oracle", "explorer"]
@@ -144,21 +130,10 @@ def test_agents_that_ask_a_model_say_that_none_is_configured(
     assert "planner" not in str(caught.value)
 
 
-def test_the_command_prints_the_table_writes_pictures_and_repeats_a_log(
-    building: Path, tmp_path: Path
-) -> None:
+def test_the_command_prints_the_table_writes_pictures_and_repeats_a_log(building: Path, tmp_path: Path) -> None:
     file, out = write_tasks(building, mug_task()), tmp_path / "out"
     runner = CliRunner()
-    command = [
-        "bench",
-        "agents",
-        "--tasks",
-        str(file.parent),
-        "--agents",
-        "explorer",
-        "-o",
-        str(out),
-    ]
+    command = ["bench", "agents", "--tasks", str(file.parent), "--agents", "explorer", "-o", str(out)]
     done = runner.invoke(app, [*command, "--sheets", "1"])
     assert done.exit_code == 0, done.output
     assert "| explorer | 2 | 1 | 100.0" in done.output

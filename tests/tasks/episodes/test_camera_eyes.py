@@ -21,9 +21,7 @@ def test_a_mark_is_drawn_on_its_object_and_nowhere_else() -> None:
     labels = np.full((120, 160), -1, dtype=np.int32)
     labels[60:100, 100:140] = 1
     labels[10, 10:13] = 0
-    data = marked_view(
-        rgb, labels, ("F1/den/pin", "F1/den/box"), {"F1/den/pin": "#1", "F1/den/box": "#2"}
-    )
+    data = marked_view(rgb, labels, ("F1/den/pin", "F1/den/box"), {"F1/den/pin": "#1", "F1/den/box": "#2"})
     with Image.open(BytesIO(data)) as picture:
         changed = np.argwhere((np.asarray(picture) != 200).any(axis=2))
     assert len(changed) > 50
@@ -37,12 +35,7 @@ def test_a_building_without_models_is_seen_without_pictures(building: Path) -> N
         port = LocalPort()
         port.load(folder)
         seen = eyes(Watcher(port, mug_task(), Access()).moment())
-        assert (seen.view(), seen.landmarks(), seen.lift_panel(), seen.stairs()) == (
-            b"",
-            [],
-            b"",
-            b"",
-        )
+        assert (seen.view(), seen.landmarks(), seen.lift_panel(), seen.stairs()) == (b"", [], b"", b"")
 
 
 def test_the_plan_shows_robot_target_and_goal(building: Path) -> None:
@@ -56,7 +49,5 @@ def test_the_plan_shows_robot_target_and_goal(building: Path) -> None:
             goals=frozenset({"F1/kitchen"}),
         )  # fmt: skip
     assert plain.size == full.size and max(plain.size) == 300
-    colors = {color for _, color in full.getcolors(1 << 20)} - {
-        color for _, color in plain.getcolors(1 << 20)
-    }
+    colors = {color for _, color in full.getcolors(1 << 20)} - {color for _, color in plain.getcolors(1 << 20)}
     assert {(250, 214, 130), (214, 60, 40), (30, 80, 170)} <= colors

@@ -29,9 +29,7 @@ os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 
 
 def test_agents_get_the_same_result_over_services_as_in_one_process(building: Path) -> None:
-    options = GraphOptions(
-        domain_id=free_domain(), parameters={"skill_server": {"durable": "false"}}
-    )
+    options = GraphOptions(domain_id=free_domain(), parameters={"skill_server": {"durable": "false"}})
     with GraphProcesses(options, [SERVER]) as graph:
         graph.wait_ready(60.0)
         with MansionClient(domain_id=options.domain_id, timeout=30.0) as client:
@@ -53,7 +51,5 @@ def compare(task: Task, agent: Agent, building: Path, port: GraphPort) -> None:
     here = run_episode(task, building, agent, LocalPort())
     there = run_episode(task, building, agent, port)
     assert there.steps == here.steps
-    assert msgspec.structs.replace(there.end, seconds=0.0) == msgspec.structs.replace(
-        here.end, seconds=0.0
-    )
+    assert msgspec.structs.replace(there.end, seconds=0.0) == msgspec.structs.replace(here.end, seconds=0.0)
     assert replay(there, building, LocalPort()) == []

@@ -21,9 +21,7 @@ from mansion_tasks.episodes.sheet import chosen_steps, episode_frames, write_gif
 
 
 @pytest.mark.parametrize("agent", [RandomAgent(), Explorer()], ids=lambda agent: agent.name)
-def test_a_log_read_back_repeats_to_the_same_result(
-    building: Path, tmp_path: Path, agent: Agent
-) -> None:
+def test_a_log_read_back_repeats_to_the_same_result(building: Path, tmp_path: Path, agent: Agent) -> None:
     log = run_episode(mug_task(), building, agent, LocalPort())
     write_log(tmp_path / "log.jsonl", log)
     read = read_log(tmp_path / "log.jsonl")
@@ -34,10 +32,7 @@ def test_a_log_read_back_repeats_to_the_same_result(
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        (
-            lambda log: log.steps[2].call.arguments.update(object="F1/office/lamp_1"),
-            "step 4, PickUp",
-        ),
+        (lambda log: log.steps[2].call.arguments.update(object="F1/office/lamp_1"), "step 4, PickUp"),
         (lambda log: log.steps.pop(), "success is False"),
         (lambda log: setattr(log.end, "retrieval", 0.25), "retrieval and navigation"),
         (lambda log: setattr(log.end, "digest", "0"), "the world at the end"),
@@ -69,10 +64,7 @@ def test_what_is_no_whole_log_is_refused(building: Path, tmp_path: Path) -> None
 def test_every_line_of_a_log_says_what_it_is(building: Path, tmp_path: Path) -> None:
     log = run_episode(mug_task(max_steps=3), building, RandomAgent(), LocalPort())
     write_log(tmp_path / "log.jsonl", log)
-    kinds = [
-        msgspec.json.decode(line)["line"]
-        for line in (tmp_path / "log.jsonl").read_bytes().splitlines()
-    ]
+    kinds = [msgspec.json.decode(line)["line"] for line in (tmp_path / "log.jsonl").read_bytes().splitlines()]
     assert kinds == ["start", "step", "step", "step", "end"]
 
 

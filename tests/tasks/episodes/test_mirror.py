@@ -18,10 +18,7 @@ from mansion_tasks.episodes.stand_in import stand_in
 
 
 def facts(world: World, robot: RobotBody) -> list[object]:
-    lifts = [
-        (lift.name, lift.position, round(lift.opening, 9), lift.session)
-        for lift in world.lifts.values()
-    ]
+    lifts = [(lift.name, lift.position, round(lift.opening, 9), lift.session) for lift in world.lifts.values()]
     return [world_digest(world, robot), world.time, lifts, robot.call]
 
 

@@ -24,9 +24,7 @@ class Scripted(OracleAgent):
 
     name = "scripted"
 
-    def __init__(
-        self, *choices: SkillCall | Stop | MansionError, access: Access | None = None
-    ) -> None:
+    def __init__(self, *choices: SkillCall | Stop | MansionError, access: Access | None = None) -> None:
         self.choices = list(choices)
         self.seen: list[Observation] = []
         self.access = access or Access()
@@ -51,9 +49,7 @@ def digest(folder: Path) -> dict[str, str]:
 
 
 @pytest.mark.parametrize("task", [mug_task(), apple_task(), search_task()], ids=lambda t: t.id)
-def test_the_oracle_does_every_task_and_the_building_stays_as_it_is(
-    building: Path, task: object
-) -> None:
+def test_the_oracle_does_every_task_and_the_building_stays_as_it_is(building: Path, task: object) -> None:
     before = digest(building)
     log = run_episode(task, building, OracleAgent(), LocalPort())
     end = log.end
@@ -78,8 +74,7 @@ def test_what_others_left_in_the_building_is_not_seen(building: Path) -> None:
 
 def test_chance_is_the_same_for_the_same_seed_and_another_for_another(building: Path) -> None:
     runs = [
-        run_episode(mug_task(), building, RandomAgent(), LocalPort(), EpisodeOptions(seed=seed))
-        for seed in (1, 1, 2)
+        run_episode(mug_task(), building, RandomAgent(), LocalPort(), EpisodeOptions(seed=seed)) for seed in (1, 1, 2)
     ]
     assert runs[0].steps == runs[1].steps
     assert runs[0].end.digest == runs[1].end.digest
@@ -115,9 +110,7 @@ def test_a_fault_in_an_agents_code_ends_its_episode_and_names_the_line(building:
 
 
 @pytest.mark.parametrize(("choice", "got"), [("hello", "str"), (None, "NoneType"), ({}, "dict")])
-def test_an_agent_that_returns_another_type_ends_its_episode(
-    building: Path, choice: Any, got: str
-) -> None:
+def test_an_agent_that_returns_another_type_ends_its_episode(building: Path, choice: Any, got: str) -> None:
     log = run_episode(mug_task(), building, Scripted(choice), LocalPort())
     assert (log.end.stop, log.end.success, log.end.steps) == ("agent_failed", False, 0)
     assert log.end.reason == f"act() returned {got}; accepted: SkillCall or Stop"
@@ -163,9 +156,7 @@ def test_the_robot_starts_where_the_task_says(building: Path) -> None:
         call("Cancel"),
     ],
 )
-def test_a_call_that_is_none_is_an_invalid_action_and_a_step(
-    building: Path, bad: SkillCall
-) -> None:
+def test_a_call_that_is_none_is_an_invalid_action_and_a_step(building: Path, bad: SkillCall) -> None:
     log = run_episode(mug_task(), building, Scripted(bad), LocalPort())
     assert log.steps[0].status is SkillStatus.INVALID_ACTION
     assert log.end.steps == 1

@@ -34,9 +34,7 @@ def test_every_kind_and_span_takes_its_turn(tasks: list[Task]) -> None:
     assert len({task.id for task in tasks}) == len({task.instruction for task in tasks}) == 15
 
 
-def test_every_task_is_open_at_its_start_and_done_by_its_plan(
-    sandbox: Sandbox, tasks: list[Task]
-) -> None:
+def test_every_task_is_open_at_its_start_and_done_by_its_plan(sandbox: Sandbox, tasks: list[Task]) -> None:
     for task in tasks:
         sandbox.reset(task.start)
         assert not done(task, sandbox.world, SESSION)
@@ -92,11 +90,7 @@ def test_a_closing_task_names_one_container(sandbox: Sandbox) -> None:
 
 def test_low_buildings_have_fewer_recipes() -> None:
     assert [recipe.name for recipe in recipes_for(1)] == ["deliver_1f", "search", "open_and_put"]
-    assert [recipe.name for recipe in recipes_for(4, TaskKind.DELIVER)] == [
-        "deliver_1f",
-        "deliver_2f",
-        "deliver_4f",
-    ]
+    assert [recipe.name for recipe in recipes_for(4, TaskKind.DELIVER)] == ["deliver_1f", "deliver_2f", "deliver_4f"]
 
 
 def test_a_building_without_things_has_no_tasks(tmp_path: Path) -> None:

@@ -82,9 +82,7 @@ def test_open_and_closed_follow_the_door_of_a_fridge(sandbox: Sandbox) -> None:
     assert not check(sandbox, GoalKind.CLOSED, receptacles=[FRIDGE])
 
 
-def test_the_robot_is_in_one_room_and_has_seen_what_it_is_told_it_has_seen(
-    sandbox: Sandbox,
-) -> None:
+def test_the_robot_is_in_one_room_and_has_seen_what_it_is_told_it_has_seen(sandbox: Sandbox) -> None:
     assert check(sandbox, GoalKind.ROBOT_IN_ROOM, rooms=["F1/hall"])
     assert not check(sandbox, GoalKind.ROBOT_IN_ROOM, rooms=["F2/hall", "F1/office"])
     goal = Goal(kind=GoalKind.SEEN, objects=[APPLE, MUG])
@@ -93,10 +91,7 @@ def test_the_robot_is_in_one_room_and_has_seen_what_it_is_told_it_has_seen(
 
 
 def test_all_goals_must_hold_and_a_task_without_any_is_refused(sandbox: Sandbox) -> None:
-    goals = [
-        Goal(kind=GoalKind.ROBOT_IN_ROOM, rooms=["F1/hall"]),
-        Goal(kind=GoalKind.HOLDING, objects=[MUG]),
-    ]
+    goals = [Goal(kind=GoalKind.ROBOT_IN_ROOM, rooms=["F1/hall"]), Goal(kind=GoalKind.HOLDING, objects=[MUG])]
     task = Task(id="t", kind=TaskKind.DELIVER, instruction="Get a mug.", goals=goals)
     assert unmet_goals(task, sandbox.world, SESSION) == goals[1:]
     assert not done(task, sandbox.world, SESSION)

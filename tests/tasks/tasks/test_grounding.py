@@ -43,10 +43,7 @@ def loaded(building: Path) -> LoadedBuilding:
         (Need(noun="mug", room="kitchen"), []),
         (Need(noun="mug", relation="on", receptacle="desk", floor=3), ["F3/office/mug_1"]),
         (Need(noun="mug", relation="in", receptacle="desk", floor=3), []),
-        (
-            Need(noun="apple", relation="in", receptacle="refrigerator", floor=1),
-            ["F1/kitchen/apple_1"],
-        ),
+        (Need(noun="apple", relation="in", receptacle="refrigerator", floor=1), ["F1/kitchen/apple_1"]),
         (Need(noun="apple", relation="in", floor=1), ["F1/kitchen/apple_1"]),
         (Need(noun="light", floor=1), ["F1/kitchen/ceiling_light_1"]),
         (Need(noun="toolbox"), []),
@@ -70,9 +67,7 @@ def test_a_need_is_said_with_the_article_that_fits_the_building(loaded: LoadedBu
     assert describe(Need(room="hall", floor=1), loaded) == "the hall on the first floor (button G)"
 
 
-def a_task(
-    *needs: Need, kind: TaskKind = TaskKind.DELIVER, goals: tuple[GoalKind, ...] = ()
-) -> Task:
+def a_task(*needs: Need, kind: TaskKind = TaskKind.DELIVER, goals: tuple[GoalKind, ...] = ()) -> Task:
     made = [Goal(kind=goal) for goal in goals]
     return Task(id="t", kind=kind, instruction="Do it.", needs=list(needs), goals=made)
 
@@ -87,10 +82,7 @@ TARGET = Need(noun="mug", floor=2, role="target")
         (a_task(TARGET, Need(floor=3, role="destination")), [GoalKind.OBJECT_IN_ROOM]),
         (a_task(TARGET, Need(noun="table", floor=1, role="destination")), [GoalKind.OBJECT_NEAR]),
         (a_task(TARGET, kind=TaskKind.SEARCH), [GoalKind.SEEN, GoalKind.ROBOT_NEAR]),
-        (
-            a_task(TARGET, Need(noun="fridge", role="destination"), kind=TaskKind.OPEN_AND_PUT),
-            [GoalKind.OBJECT_IN],
-        ),
+        (a_task(TARGET, Need(noun="fridge", role="destination"), kind=TaskKind.OPEN_AND_PUT), [GoalKind.OBJECT_IN]),
         (
             a_task(
                 TARGET,
@@ -101,9 +93,7 @@ TARGET = Need(noun="mug", floor=2, role="target")
         ),
     ],
 )
-def test_a_grounded_task_can_be_done_as_it_says(
-    building: Path, task: Task, kinds: list[GoalKind]
-) -> None:
+def test_a_grounded_task_can_be_done_as_it_says(building: Path, task: Task, kinds: list[GoalKind]) -> None:
     sandbox = Sandbox(building)
     made = ground(task, sandbox)
     assert [goal.kind for goal in made.goals] == kinds
@@ -113,9 +103,7 @@ def test_a_grounded_task_can_be_done_as_it_says(
 
 
 def test_what_is_missing_is_named(building: Path) -> None:
-    task = a_task(
-        Need(noun="basketball", color="red", role="target"), Need(room="hall", role="destination")
-    )
+    task = a_task(Need(noun="basketball", color="red", role="target"), Need(room="hall", role="destination"))
     with pytest.raises(MansionError, match="a red basketball") as caught:
         ground(task, Sandbox(building))
     assert caught.value.code == "INFEASIBLE" and caught.value.info.path == "$.needs[0]"
@@ -126,9 +114,7 @@ def test_what_cannot_be_carried_or_opened_does_not_meet_its_part(building: Path)
     kitchen = Need(room="kitchen", role="destination")
     with pytest.raises(MansionError, match="a desk"):
         ground(a_task(Need(noun="desk", role="target"), kitchen), Sandbox(building))
-    closed = a_task(
-        TARGET, Need(noun="table", role="destination"), goals=(GoalKind.OBJECT_IN, GoalKind.CLOSED)
-    )
+    closed = a_task(TARGET, Need(noun="table", role="destination"), goals=(GoalKind.OBJECT_IN, GoalKind.CLOSED))
     with pytest.raises(MansionError, match="a table"):
         ground(closed, Sandbox(building))
 

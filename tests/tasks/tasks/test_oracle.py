@@ -36,10 +36,7 @@ goals = st.one_of(
         st.sampled_from(TABLES),
     ),
     st.builds(
-        lambda thing: [
-            Goal(kind=GoalKind.SEEN, objects=[thing]),
-            Goal(kind=GoalKind.ROBOT_NEAR, receptacles=[thing]),
-        ],
+        lambda thing: [Goal(kind=GoalKind.SEEN, objects=[thing]), Goal(kind=GoalKind.ROBOT_NEAR, receptacles=[thing])],
         st.sampled_from(CARRIED),
     ),
 )
@@ -57,12 +54,8 @@ def shared(tmp_path_factory: pytest.TempPathFactory) -> Sandbox:
 
 
 @given(goals)
-@settings(
-    max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
-def test_any_thing_is_brought_anywhere_and_the_plan_does_it_again(
-    shared: Sandbox, wanted: list[Goal]
-) -> None:
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_any_thing_is_brought_anywhere_and_the_plan_does_it_again(shared: Sandbox, wanted: list[Goal]) -> None:
     task = a_task(*wanted)
     solution = solve(task, shared)
     assert solution is not None
@@ -70,12 +63,8 @@ def test_any_thing_is_brought_anywhere_and_the_plan_does_it_again(
 
 
 @given(goals, st.lists(st.integers(0, 6), max_size=10), st.integers(0, 2**16))
-@settings(
-    max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
-def test_it_goes_on_from_the_middle_of_a_mess(
-    shared: Sandbox, wanted: list[Goal], mess: list[int], pick: int
-) -> None:
+@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_it_goes_on_from_the_middle_of_a_mess(shared: Sandbox, wanted: list[Goal], mess: list[int], pick: int) -> None:
     task = a_task(*wanted)
     shared.reset()
     tracker = ProgressTracker(task, shared.world, SESSION)
@@ -107,9 +96,7 @@ def test_it_opens_closed_doors_on_its_way(shared: Sandbox) -> None:
     for door in ("F1/door_1", "F1/door_2"):
         shared.skill("GoNearObject", object=door)
         shared.skill("CloseDoor", door=door)
-    oracle = Oracle(
-        a_task(Goal(kind=GoalKind.HOLDING, objects=["F1/office/mug_1"])), shared.world, SESSION
-    )
+    oracle = Oracle(a_task(Goal(kind=GoalKind.HOLDING, objects=["F1/office/mug_1"])), shared.world, SESSION)
     skills = []
     while (call := oracle.next_call()) is not None and len(skills) < 10:
         oracle.note(call, shared.run(call))
@@ -121,12 +108,8 @@ def test_it_puts_down_what_is_not_wanted(shared: Sandbox) -> None:
     shared.reset()
     shared.skill("GoNearObject", object="F1/office/mug_1")
     shared.skill("PickUp", object="F1/office/mug_1")
-    oracle = Oracle(
-        a_task(Goal(kind=GoalKind.HOLDING, objects=["F1/office/ball_1"])), shared.world, SESSION
-    )
-    assert oracle.next_call() == SkillCall(
-        skill="Place", arguments={"target": "floor", "relation": "on"}
-    )
+    oracle = Oracle(a_task(Goal(kind=GoalKind.HOLDING, objects=["F1/office/ball_1"])), shared.world, SESSION)
+    assert oracle.next_call() == SkillCall(skill="Place", arguments={"target": "floor", "relation": "on"})
 
 
 def test_it_opens_puts_in_and_closes(shared: Sandbox) -> None:
@@ -145,9 +128,7 @@ def test_it_opens_puts_in_and_closes(shared: Sandbox) -> None:
 
 
 def test_it_gives_up_what_cannot_be_done(shared: Sandbox) -> None:
-    on_a_mug = Goal(
-        kind=GoalKind.OBJECT_ON, objects=["F1/office/box_1"], receptacles=["F1/office/mug_1"]
-    )
+    on_a_mug = Goal(kind=GoalKind.OBJECT_ON, objects=["F1/office/box_1"], receptacles=["F1/office/mug_1"])
     assert solve(a_task(on_a_mug), shared) is None
     desk_in_hand = Goal(kind=GoalKind.HOLDING, objects=["F1/office/desk_1"])
     assert solve(a_task(desk_in_hand), shared) is None

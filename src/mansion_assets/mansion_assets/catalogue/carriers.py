@@ -21,39 +21,18 @@ BOARD = 0.022
 """Thickness of a furniture board, metres."""
 
 
-def rect(
-    kind: str,
-    box: Rectangle,
-    z: float,
-    clearance: float = 1.0,
-    round_: bool = False,
-) -> Surface:
+def rect(kind: str, box: Rectangle, z: float, clearance: float = 1.0, round_: bool = False) -> Surface:
     """Return a face at height `z`, `clearance` free above it."""
     x0, x1, y0, y1 = box
     return Surface(
-        kind=kind,
-        x=(x0 + x1) / 2,
-        y=(y0 + y1) / 2,
-        z=z,
-        w=x1 - x0,
-        d=y1 - y0,
-        clearance=clearance,
-        round=round_,
+        kind=kind, x=(x0 + x1) / 2, y=(y0 + y1) / 2, z=z, w=x1 - x0, d=y1 - y0, clearance=clearance, round=round_
     )
 
 
 def volume(kind: str, box: Rectangle, z0: float, z1: float) -> Volume:
     """Return an inner box from `z0` to `z1`."""
     x0, x1, y0, y1 = box
-    return Volume(
-        kind=kind,
-        x=(x0 + x1) / 2,
-        y=(y0 + y1) / 2,
-        z=(z0 + z1) / 2,
-        w=x1 - x0,
-        d=y1 - y0,
-        h=z1 - z0,
-    )
+    return Volume(kind=kind, x=(x0 + x1) / 2, y=(y0 + y1) / 2, z=(z0 + z1) / 2, w=x1 - x0, d=y1 - y0, h=z1 - z0)
 
 
 def inset(size: Size3, margin: float) -> Rectangle:

@@ -6,14 +6,7 @@ from typing import Literal
 import msgspec
 
 from mansion_assets.catalogue.asset import Asset
-from mansion_assets.catalogue.records import (
-    Arrangement,
-    Extent,
-    HangItem,
-    Item,
-    RoomRecord,
-    RugItem,
-)
+from mansion_assets.catalogue.records import Arrangement, Extent, HangItem, Item, RoomRecord, RugItem
 from mansion_assets.catalogue.resolve import RoomIndex
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
@@ -55,10 +48,7 @@ class Catalogue:
     """
 
     def __init__(
-        self,
-        assets: Iterable[Asset],
-        rooms: Iterable[RoomRecord],
-        arrangements: Iterable[Arrangement],
+        self, assets: Iterable[Asset], rooms: Iterable[RoomRecord], arrangements: Iterable[Arrangement]
     ) -> None:
         self._assets: dict[str, Asset] = {asset.key: asset for asset in assets}
         self._rooms: dict[str, RoomRecord] = {room.room_type: room for room in rooms}

@@ -12,9 +12,7 @@ _AISLE = 0.7
 """Free strip that a matrix leaves along the walls, metres."""
 
 
-def copies(
-    count: int | Count, area: float, others: dict[str, int], rng: np.random.Generator
-) -> int:
+def copies(count: int | Count, area: float, others: dict[str, int], rng: np.random.Generator) -> int:
     """Return the number of copies for a room of `area` square metres.
 
     Parameters
@@ -46,9 +44,7 @@ def room_extent(area: float, extent: tuple[float, float] | None) -> tuple[float,
     return max(extent), min(extent)
 
 
-def grid(
-    wanted: int, cell: tuple[float, float], shape: MatrixShape, extent: tuple[float, float]
-) -> tuple[int, int]:
+def grid(wanted: int, cell: tuple[float, float], shape: MatrixShape, extent: tuple[float, float]) -> tuple[int, int]:
     """Return rows and columns of at most `wanted` copies that fit a room.
 
     Parameters
@@ -69,10 +65,7 @@ def grid(
         rows = _fitting(along, cell[1], shape.gap[1], shape.max_rows)
         for r in range(1, rows + 1):
             c = min(cols, wanted // r)
-            if c >= 1 and (r * c, -abs(c - 1.3 * r)) > (
-                best[0] * best[1],
-                -abs(best[1] - 1.3 * best[0]),
-            ):
+            if c >= 1 and (r * c, -abs(c - 1.3 * r)) > (best[0] * best[1], -abs(best[1] - 1.3 * best[0])):
                 best = (r, c)
     return best
 

@@ -20,12 +20,7 @@ def _fridge(size: Size3, p: dict[str, Any]) -> list[Carrier]:
 def _oven(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     w, d, h = size
     wall = min(0.05, w * 0.1)
-    box = (
-        -w / 2 + wall,
-        w / 2 - wall * (3 if p.get("panel") == "side" else 1),
-        -d / 2 + wall,
-        d / 2 - wall,
-    )
+    box = (-w / 2 + wall, w / 2 - wall * (3 if p.get("panel") == "side" else 1), -d / 2 + wall, d / 2 - wall)
     low = float(p.get("base", 0.25 if h > 0.6 else 0.03))
     out: list[Carrier] = [volume("cavity", box, low, h - max(0.04, h * 0.22 if h > 0.6 else 0.04))]
     if 0.5 < h <= 1.2:
@@ -68,21 +63,14 @@ def _bathtub(size: Size3, p: dict[str, Any]) -> list[Carrier]:
 
 def _toilet(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     w, d, h = size
-    return [
-        rect("tank", (-w * 0.38, w * 0.38, -d / 2 + 0.02, -d / 2 + min(0.17, d * 0.24)), h, 0.5)
-    ]
+    return [rect("tank", (-w * 0.38, w * 0.38, -d / 2 + 0.02, -d / 2 + min(0.17, d * 0.24)), h, 0.5)]
 
 
 def _bin(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     w, d, h = size
     wall = min(0.03, 0.12 * min(w, d))
     shrink = 0.72 if p.get("shape", "round") == "round" else 0.9
-    box = (
-        -w / 2 * shrink + wall,
-        w / 2 * shrink - wall,
-        -d / 2 * shrink + wall,
-        d / 2 * shrink - wall,
-    )
+    box = (-w / 2 * shrink + wall, w / 2 * shrink - wall, -d / 2 * shrink + wall, d / 2 * shrink - wall)
     return [volume("inside", box, min(0.02, h * 0.15), h * 0.92)]
 
 
@@ -92,9 +80,7 @@ def _vitrine(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     box = (-w / 2 + 0.04, w / 2 - 0.04, -d / 2 + 0.04, d / 2 - 0.04)
     count = int(p.get("levels", 1))
     step = (h - 0.03 - base) / count
-    return [
-        volume("case", box, base + i * step, base + (i + 1) * step - 0.02) for i in range(count)
-    ]
+    return [volume("case", box, base + i * step, base + (i + 1) * step - 0.02) for i in range(count)]
 
 
 def _open_top(size: Size3, p: dict[str, Any]) -> list[Carrier]:

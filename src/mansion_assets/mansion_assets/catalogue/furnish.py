@@ -12,13 +12,7 @@ from mansion_assets.catalogue.furnishing import HangWish, RoomFurnishing, RugWis
 from mansion_assets.catalogue.records import Arrangement, HangItem, Item
 from mansion_assets.catalogue.seats import seating_tables, seats_around, sits_around, wanted_seats
 from mansion_geometry.randomness import item_generator
-from mansion_msgs_py.placement import (
-    MatrixStructure,
-    PairedStructure,
-    PlacementObject,
-    SingleStructure,
-    Structure,
-)
+from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacementObject, SingleStructure, Structure
 
 __all__ = ["furnish_request"]
 
@@ -87,9 +81,7 @@ class _Style:
         """Return one of `assets`; the building's own choice more often than not."""
         draws = rng.random(2)
         if draws[0] < _LOYALTY:
-            generator = item_generator(
-                self.seed, "style", self.name, assets[0].category, len(assets)
-            )
+            generator = item_generator(self.seed, "style", self.name, assets[0].category, len(assets))
             return assets[int(generator.integers(len(assets)))]
         return assets[int(draws[1] * len(assets))]
 
@@ -114,13 +106,7 @@ class _Draft:
         rng: np.random.Generator,
         style: _Style,
     ) -> None:
-        self.catalogue, self.card, self.area, self.rng, self.style = (
-            catalogue,
-            card,
-            area,
-            rng,
-            style,
-        )
+        self.catalogue, self.card, self.area, self.rng, self.style = (catalogue, card, area, rng, style)
         self.extent = room_extent(area, extent)
         self.left = area * card.cover * min(1.0, 0.7 + 0.3 * area / 12.0)
         self.entries: dict[str, _Entry] = {}
@@ -148,9 +134,7 @@ class _Draft:
             wanted = self.entries[item.paired].count
             structure = PairedStructure(with_=item.paired)
         elif asset.footprint > 0.0:
-            wanted = min(
-                wanted, max(1, int((self.left - self._reserved(item)) / self._share(item, asset)))
-            )
+            wanted = min(wanted, max(1, int((self.left - self._reserved(item)) / self._share(item, asset))))
             wanted = wanted if asset.footprint <= max(self.left, 0.0) else 0
             if item.matrix is not None:
                 rows, cols = self._grid(item, asset, wanted)
@@ -172,9 +156,7 @@ class _Draft:
     def _for_seats(self, item: Item, assets: list[Asset], wanted: int) -> list[Asset]:
         """Keep the tables that seat as many as the room asks to sit around each of them."""
         for other in self.card.floor:
-            if not sits_around(other, item.name) or not (
-                other.min_area <= self.area <= other.max_area
-            ):
+            if not sits_around(other, item.name) or not (other.min_area <= self.area <= other.max_area):
                 continue
             seats = self.catalogue.choose_from(other.category, other.extent)
             if seats:
@@ -189,9 +171,7 @@ class _Draft:
         for other in self.card.floor:
             follows = not isinstance(other.count, int) and other.count.each == item.name
             if (other.paired == item.name or follows) and other.min_area <= self.area:
-                sizes = [
-                    a.footprint for a in self.catalogue.choose_from(other.category, other.extent)
-                ]
+                sizes = [a.footprint for a in self.catalogue.choose_from(other.category, other.extent)]
                 times = 1.0 if isinstance(other.count, int) or not follows else other.count.times
                 total += times * other.p * (min(sizes) if sizes else 0.0)
         return total
@@ -203,9 +183,7 @@ class _Draft:
         for other in later:
             certain = other.p >= 1.0 and other.min_area <= self.area <= other.max_area
             if certain and not other.paired and isinstance(other.count, int):
-                sizes = [
-                    a.footprint for a in self.catalogue.choose_from(other.category, other.extent)
-                ]
+                sizes = [a.footprint for a in self.catalogue.choose_from(other.category, other.extent)]
                 total += other.count * (min(sizes) if sizes else 0.0)
         return total
 
@@ -214,9 +192,7 @@ class _Draft:
         depth = asset.size[1]
         for other in self.card.floor:
             if other.paired == item.name:
-                sizes = [
-                    a.size[1] for a in self.catalogue.choose_from(other.category, other.extent)
-                ]
+                sizes = [a.size[1] for a in self.catalogue.choose_from(other.category, other.extent)]
                 depth += 0.8 * min(sizes) if sizes else 0.0
         return grid(wanted, (asset.size[0], depth), item.matrix, self.extent)
 
@@ -239,11 +215,7 @@ class _Draft:
         """Return up to two assets of the same category that are smaller in plan, the largest of them first."""
         w, d, _ = asset.size
         choices = self.catalogue.choose_from(asset.category, item.extent)
-        fits = [
-            a
-            for a in choices
-            if a.size[0] <= w and a.size[1] <= d and a.footprint < 0.93 * asset.footprint
-        ]
+        fits = [a for a in choices if a.size[0] <= w and a.size[1] <= d and a.footprint < 0.93 * asset.footprint]
         fits.sort(key=lambda a: (-a.footprint, a.key))
         out = fits[:1]
         if out:
@@ -264,9 +236,7 @@ class _Draft:
         floor = []
         for name, entry in self.entries.items():
             entry.smaller = self._enough_seats(name, entry)
-            relative = [
-                r for r in entry.item.relative if r.target in self.entries and r.target != name
-            ]
+            relative = [r for r in entry.item.relative if r.target in self.entries and r.target != name]
             floor.append(
                 PlacementObject(
                     name=name,
@@ -280,11 +250,7 @@ class _Draft:
                 )
             )
         assets = {name: entry.asset for name, entry in self.entries.items()}
-        return (
-            floor,
-            assets,
-            {name: entry.smaller for name, entry in self.entries.items() if entry.smaller},
-        )
+        return (floor, assets, {name: entry.smaller for name, entry in self.entries.items() if entry.smaller})
 
 
 def _hang(draft: _Draft, item: HangItem) -> HangWish | None:
@@ -313,12 +279,7 @@ def _rugs(draft: _Draft) -> list[RugWish]:
         if present and assets and (not item.under or _has(draft, item.under)):
             chosen = tuple(assets[int(i)] for i in order)
             out.append(
-                RugWish(
-                    assets=chosen,
-                    under=draft.category_of(item.under),
-                    margin=item.margin,
-                    count=item.count,
-                )
+                RugWish(assets=chosen, under=draft.category_of(item.under), margin=item.margin, count=item.count)
             )
     return out
 

@@ -60,6 +60,4 @@ class RoomFurnishing(msgspec.Struct, frozen=True, kw_only=True):
         """Return the asset of a placed object: the first choice, or the smaller one of that size."""
         first = self.floor_assets[name]
         choices = [first, *self.alternatives.get(name, [])]
-        return min(
-            choices, key=lambda a: sum(abs(p - q) for p, q in zip(a.size, size, strict=True))
-        )
+        return min(choices, key=lambda a: sum(abs(p - q) for p, q in zip(a.size, size, strict=True)))

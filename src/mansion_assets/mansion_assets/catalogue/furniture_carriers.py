@@ -132,9 +132,7 @@ def _trolley(size: Size3, p: dict[str, Any]) -> list[Carrier]:
     count = int(p.get("levels", 2))
     rail = float(p.get("rail", 0.08 if h > 0.5 else 0.0))
     top = h - rail
-    heights = (
-        [top - (top - 0.2) * i / max(1, count - 1) for i in range(count)] if count > 1 else [top]
-    )
+    heights = [top - (top - 0.2) * i / max(1, count - 1) for i in range(count)] if count > 1 else [top]
     gap = (top - 0.2) / max(1, count - 1) - 0.03
     box = inset(size, 0.05)
     return [rect("shelf", box, z, 0.8 if i == 0 else gap) for i, z in enumerate(heights)]

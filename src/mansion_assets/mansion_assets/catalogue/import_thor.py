@@ -60,10 +60,7 @@ def main(argv: list[str]) -> int:
     source, target = Path(argv[0]), Path(argv[1])
     table = convert(msgspec.json.decode((source / "asset-database.json").read_bytes()))
     types = table.pop("types")
-    lines = [
-        f"{msgspec.json.encode(k).decode()}: {msgspec.json.encode(v).decode()}"
-        for k, v in types.items()
-    ]
+    lines = [f"{msgspec.json.encode(k).decode()}: {msgspec.json.encode(v).decode()}" for k, v in types.items()]
     head = msgspec.json.encode(table).decode()[:-1]
     target.write_text(head + ',"types":{\n' + ",\n".join(lines) + "\n}}\n", encoding="utf-8")
     return 0

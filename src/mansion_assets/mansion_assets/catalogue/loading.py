@@ -10,13 +10,7 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue
-from mansion_assets.catalogue.records import (
-    Arrangement,
-    AssetRecord,
-    CategoryRecord,
-    Item,
-    RoomRecord,
-)
+from mansion_assets.catalogue.records import Arrangement, AssetRecord, CategoryRecord, Item, RoomRecord
 from mansion_assets.catalogue.surfaces import surfaces_of
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -90,17 +84,12 @@ def _read(kind: type[T], file: Path) -> T:
         return decode(kind, file.read_bytes())
     except MansionError as error:
         raise MansionError(
-            error.code,
-            f"{file.name}: {error.info.message}",
-            path=error.info.path,
-            details={"file": str(file)},
+            error.code, f"{file.name}: {error.info.message}", path=error.info.path, details={"file": str(file)}
         ) from None
 
 
 def _expand(
-    record: CategoryRecord,
-    thor: dict[str, list[tuple[str, float, float, float, str]]],
-    rooms: tuple[str, ...],
+    record: CategoryRecord, thor: dict[str, list[tuple[str, float, float, float, str]]], rooms: tuple[str, ...]
 ) -> list[Asset]:
     """Return the assets of a category: AI2-THOR's first, then our own variants."""
     out: list[Asset] = []
@@ -157,10 +146,7 @@ def _user_asset(file: Path, record: AssetRecord, rooms: tuple[str, ...]) -> Asse
         path = (file.parent / record.glb).resolve()
         if not path.is_file():
             raise MansionError(
-                ErrorCode.NOT_FOUND,
-                f"{file.name}: no GLB file {record.glb}",
-                path="$.glb",
-                details={"file": str(file)},
+                ErrorCode.NOT_FOUND, f"{file.name}: no GLB file {record.glb}", path="$.glb", details={"file": str(file)}
             )
         glb = str(path)
     elif not record.recipe:

@@ -87,14 +87,6 @@ def material(name: str) -> PbrMaterial:
         metallic, roughness, opacity = 0.9, 0.05, 1.0
     elif name in ("glass_black", "glass_white"):
         opacity = 0.95
-    elif family == "metal" and colour in (
-        "white",
-        "yellow",
-        "red",
-        "blue",
-        "green",
-        "black",
-        "orange",
-    ):
+    elif family == "metal" and colour in ("white", "yellow", "red", "blue", "green", "black", "orange"):
         metallic, roughness = 0.3, 0.45
     return PbrMaterial(name, COLOURS.get(colour, "#a8a39b"), metallic, roughness, opacity, emissive)

@@ -165,9 +165,7 @@ class HangItem(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     p: Probability = 1.0
     height: float | None = None
     above: str = ""
-    place: Literal[
-        "free", "door", "facing_door", "facing_seats", "above", "grid", "center", "spread"
-    ] = "free"
+    place: Literal["free", "door", "facing_door", "facing_seats", "above", "grid", "center", "spread"] = "free"
     spacing: float = 3.0
     min_area: float = 0.0
 

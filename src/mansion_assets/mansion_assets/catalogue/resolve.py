@@ -15,21 +15,7 @@ How: TypeAlias = Literal["exact", "synonym", "similar", "fallback"]
 
 _NUMBER = re.compile(r"[_\s\-]*\d+$")
 _WEAK_WORDS = frozenset(
-    (
-        "room",
-        "area",
-        "space",
-        "zone",
-        "hall",
-        "main",
-        "small",
-        "large",
-        "shared",
-        "common",
-        "general",
-        "the",
-        "and",
-    )
+    ("room", "area", "space", "zone", "hall", "main", "small", "large", "shared", "common", "general", "the", "and")
 )
 
 
@@ -119,6 +105,4 @@ def _similarity(asked: str, name: str) -> float:
     head = 0.25 if head_first and head_first == head_second else 0.0
     a, b = _trigrams(asked), _trigrams(name)
     spelling = len(a & b) / max(1, len(a | b))
-    return (
-        0.75 * shared / max(total, 1e-9) + head + 0.35 * spelling * (shared < 0.5) + 0.05 * spelling
-    )
+    return 0.75 * shared / max(total, 1e-9) + head + 0.35 * spelling * (shared < 0.5) + 0.05 * spelling

@@ -56,14 +56,7 @@ class SearchHit(msgspec.Struct, frozen=True):
 
 
 def _stem(word: str) -> str:
-    for ending, repl in (
-        ("ies", "y"),
-        ("sses", "ss"),
-        ("shes", "sh"),
-        ("ches", "ch"),
-        ("xes", "x"),
-        ("ves", "f"),
-    ):
+    for ending, repl in (("ies", "y"), ("sses", "ss"), ("shes", "sh"), ("ches", "ch"), ("xes", "x"), ("ves", "f")):
         if word.endswith(ending) and len(word) > len(ending) + 1:
             return word[: -len(ending)] + repl
     if word.endswith("s") and not word.endswith(("ss", "us", "is")) and len(word) > 3:
@@ -116,9 +109,7 @@ class _Index:
                     terms[word] += weight  # type: ignore[assignment]
             self.terms.append(terms)
             texts = [*fields["name"], *fields["synonym"]]
-            self.phrases.append(
-                sorted({tuple(_words(t)) for t in texts}, key=lambda p: (-len(p), p))
-            )
+            self.phrases.append(sorted({tuple(_words(t)) for t in texts}, key=lambda p: (-len(p), p)))
         self.mean = sum(sum(t.values()) for t in self.terms) / max(1, len(self.terms))
         count = Counter(word for terms in self.terms for word in terms)
         total = len(self.terms)
@@ -131,11 +122,7 @@ class _Index:
         found = []
         for other, theirs in self.grams.items():
             share = 2 * len(grams & theirs) / (len(grams) + len(theirs))
-            if (
-                len(other) > 3
-                and len(word) > 3
-                and (word.startswith(other) or word.endswith(other))
-            ):
+            if len(other) > 3 and len(word) > 3 and (word.startswith(other) or word.endswith(other)):
                 share = max(share, 0.62)
             if word[0] == other[0] and abs(len(word) - len(other)) <= 2 and len(word) > 4:
                 share = max(share, SequenceMatcher(None, word, other).ratio() - 0.15)
@@ -177,9 +164,7 @@ class _Index:
         return out
 
 
-def _phrase_bonus(
-    phrases: Sequence[tuple[str, ...]], asked: tuple[str, ...], bare: tuple[str, ...]
-) -> float:
+def _phrase_bonus(phrases: Sequence[tuple[str, ...]], asked: tuple[str, ...], bare: tuple[str, ...]) -> float:
     """Reward a name or synonym that the query is, ends with, or contains, the longest first."""
     best = 0.0
     for phrase in phrases:
@@ -196,9 +181,7 @@ def _index(catalogue: Catalogue) -> _Index:
     return _Index(catalogue)
 
 
-def search_assets(
-    catalogue: Catalogue, query: str, top_k: int = 5, properties: Sequence[str] = ()
-) -> list[SearchHit]:
+def search_assets(catalogue: Catalogue, query: str, top_k: int = 5, properties: Sequence[str] = ()) -> list[SearchHit]:
     """Return the assets that fit a text best, the best first.
 
     Parameters
@@ -270,18 +253,13 @@ def _field(name: str) -> str:
     if field is None:
         accepted = ", ".join(sorted(set(PROPERTIES.values())))
         raise MansionError(
-            ErrorCode.INVALID_PAYLOAD,
-            f"unknown property {name!r}; accepted: {accepted}",
-            path="$.properties",
+            ErrorCode.INVALID_PAYLOAD, f"unknown property {name!r}; accepted: {accepted}", path="$.properties"
         )
     return field
 
 
 def _holds(asset: Asset, fields: Sequence[str]) -> bool:
-    return all(
-        asset.asset_id is not None if field == "thor" else bool(getattr(asset, field))
-        for field in fields
-    )
+    return all(asset.asset_id is not None if field == "thor" else bool(getattr(asset, field)) for field in fields)
 
 
 def _look(asset: Asset, query: str) -> float:

@@ -47,9 +47,7 @@ def _by_area(count: Count, area: float) -> float:
     return min(count.max, max(count.min, area / count.per))
 
 
-def seating_tables(
-    tables: Sequence[Asset], seat: Asset, seats: float, extent: tuple[float, float]
-) -> list[Asset]:
+def seating_tables(tables: Sequence[Asset], seat: Asset, seats: float, extent: tuple[float, float]) -> list[Asset]:
     """Return the tables that seat so many and leave room to pass behind the chairs.
 
     Parameters

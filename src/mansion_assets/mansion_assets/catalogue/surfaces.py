@@ -17,9 +17,7 @@ __all__ = ["surfaces_of"]
 _RULES: dict[str, Rule] = {**FURNITURE, **FIXTURES}
 
 
-def surfaces_of(
-    recipe: str, size: Size3, parameters: dict[str, Any]
-) -> tuple[tuple[Surface, ...], tuple[Volume, ...]]:
+def surfaces_of(recipe: str, size: Size3, parameters: dict[str, Any]) -> tuple[tuple[Surface, ...], tuple[Volume, ...]]:
     """Return the surfaces and inner volumes of an asset in its own frame.
 
     Parameters
@@ -63,9 +61,7 @@ def _lowered(s: Surface, dz: float) -> Surface:
 
 
 def _sunk(v: Volume, dz: float) -> Volume:
-    return Volume(
-        kind=v.kind, x=_mm(v.x), y=_mm(v.y), z=_mm(v.z - dz), w=_mm(v.w), d=_mm(v.d), h=_mm(v.h)
-    )
+    return Volume(kind=v.kind, x=_mm(v.x), y=_mm(v.y), z=_mm(v.z - dz), w=_mm(v.w), d=_mm(v.d), h=_mm(v.h))
 
 
 def _mm(value: float) -> float:

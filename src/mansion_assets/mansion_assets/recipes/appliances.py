@@ -9,12 +9,7 @@ __all__: list[str] = []
 
 
 def hollow(
-    b: Builder,
-    x: tuple[float, float],
-    y: tuple[float, float],
-    z: tuple[float, float],
-    t: float,
-    material: str,
+    b: Builder, x: tuple[float, float], y: tuple[float, float], z: tuple[float, float], t: float, material: str
 ) -> None:
     """A box open towards the front, for a case with something inside."""
     b.box((x[0], x[0] + t), y, z, material, "case")
@@ -30,22 +25,9 @@ def fridge(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     main, face = b.mat(), d / 2 - 0.075
     hollow(b, (-w / 2, w / 2), (-d / 2, face), (0.02, h), 0.045, main)
-    b.box(
-        (-w / 2 + 0.03, w / 2 - 0.03),
-        (-d / 2 + 0.03, face - 0.03),
-        (0, 0.03),
-        "plastic_black",
-        "feet",
-        False,
-    )
+    b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + 0.03, face - 0.03), (0, 0.03), "plastic_black", "feet", False)
     for cell in b.cells:
-        b.box(
-            (cell.x0, cell.x1),
-            (cell.y0, min(cell.y1, face)),
-            (cell.z - 0.012, cell.z),
-            "glass_white",
-            "boards",
-        )
+        b.box((cell.x0, cell.x1), (cell.y0, min(cell.y1, face)), (cell.z - 0.012, cell.z), "glass_white", "boards")
     split = (0.03, h) if b.p.get("doors") == 1 else (0.03, h * 0.36, h)
     for z0, z1 in itertools.pairwise(split):
         b.box((-w / 2, w / 2), (face + 0.006, d / 2 - 0.03), (z0, z1 - 0.008), main, "door", False)
@@ -71,21 +53,13 @@ def display_fridge(b: Builder) -> None:
     count = len(cells) or 5
     for k in range(count):
         z = cells[k].z if cells else 0.25 + k * (h - 0.4) / count
-        b.box(
-            (-w / 2 + 0.05, w / 2 - 0.05),
-            (-d / 2 + 0.05, d / 2 - 0.1),
-            (z - 0.015, z),
-            "metal_steel",
-            "boards",
-        )
+        b.box((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.05, d / 2 - 0.1), (z - 0.015, z), "metal_steel", "boards")
         if cells:
             continue
         goods = max(3, int(w / 0.11))
         for i in range(goods):
             x = -w / 2 + 0.08 + i * (w - 0.16) / goods
-            color = ("paper_blue", "plastic_white", "paper_red", "paper_yellow", "paper_green")[
-                (i // 3 + k) % 5
-            ]
+            color = ("paper_blue", "plastic_white", "paper_red", "paper_yellow", "paper_green")[(i // 3 + k) % 5]
             b.box((x, x + 0.08), (-0.05, d / 2 - 0.14), (z, z + 0.18), color, "goods", False)
     if b.asset.openable:
         doors = max(1, round(w / 0.7))
@@ -109,9 +83,7 @@ def display_fridge(b: Builder) -> None:
             )
     else:
         b.box((-w / 2, w / 2), (d / 2 - 0.2, d / 2), (0.0, 0.25), main, "front")
-    b.box(
-        (-w / 2, w / 2), (d / 2 - 0.05, d / 2 - 0.03), (h - 0.15, h), "light_white", "sign", False
-    )
+    b.box((-w / 2, w / 2), (d / 2 - 0.05, d / 2 - 0.03), (h - 0.15, h), "light_white", "sign", False)
 
 
 @recipe("oven")
@@ -151,14 +123,7 @@ def _oven_door(b: Builder, right: float, front: tuple[float, float]) -> None:
     main = b.mat()
     cell = b.cells[0]
     t = min(0.03, w * 0.06)
-    b.box(
-        (-w / 2 + 0.005, right - 0.005),
-        front,
-        (cell.z - t, cell.top + t * 0.6),
-        main,
-        "door",
-        False,
-    )
+    b.box((-w / 2 + 0.005, right - 0.005), front, (cell.z - t, cell.top + t * 0.6), main, "door", False)
     b.box(
         (cell.x0 + 0.02, cell.x1 - 0.02),
         (front[1], front[1] + 0.003),
@@ -173,22 +138,8 @@ def _side_panel(b: Builder, right: float, face: float, grip: float) -> None:
     """Handle, display and buttons beside the door."""
     w, d, h = b.w, b.d, b.h
     cell = b.cells[0]
-    b.box(
-        (right - 0.02, right - 0.01),
-        (grip, d / 2),
-        (cell.z, cell.top),
-        "metal_steel",
-        "handle",
-        False,
-    )
-    b.box(
-        (right + 0.01, w / 2 - 0.01),
-        (face, face + 0.01),
-        (h * 0.7, h * 0.85),
-        "screen_green",
-        "panel",
-        False,
-    )
+    b.box((right - 0.02, right - 0.01), (grip, d / 2), (cell.z, cell.top), "metal_steel", "handle", False)
+    b.box((right + 0.01, w / 2 - 0.01), (face, face + 0.01), (h * 0.7, h * 0.85), "screen_green", "panel", False)
     for k in range(4):
         b.box(
             (right + 0.015, w / 2 - 0.015),
@@ -204,14 +155,7 @@ def _knobs(b: Builder, face: float, grip: float) -> None:
     """Handle and a row of knobs above the door."""
     w, d, h = b.w, b.d, b.h
     cell = b.cells[0]
-    b.box(
-        (-w * 0.38, w * 0.38),
-        (grip, d / 2),
-        (cell.top - 0.01, cell.top + 0.008),
-        "metal_steel",
-        "handle",
-        False,
-    )
+    b.box((-w * 0.38, w * 0.38), (grip, d / 2), (cell.top - 0.01, cell.top + 0.008), "metal_steel", "handle", False)
     for k in range(4 if h > 0.6 else 2):
         x = -w * 0.3 + k * w * 0.2
         b.rod(
@@ -227,26 +171,10 @@ def _knobs(b: Builder, face: float, grip: float) -> None:
 def _hob(b: Builder, face: float) -> None:
     """Glass hob with four burners."""
     w, d, h = b.w, b.d, b.h
-    b.box(
-        (-w / 2 + 0.02, w / 2 - 0.02),
-        (-d / 2 + 0.04, face - 0.03),
-        (h - 0.006, h),
-        "glass_black",
-        "hob",
-        False,
-    )
+    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.04, face - 0.03), (h - 0.006, h), "glass_black", "hob", False)
     for sx in (-1, 1):
         for sy in (-1, 1):
-            b.cyl(
-                sx * w * 0.24,
-                sy * d * 0.2 - 0.01,
-                (h - 0.005, h),
-                0.075,
-                "metal_dark",
-                "burners",
-                n=20,
-                solid=False,
-            )
+            b.cyl(sx * w * 0.24, sy * d * 0.2 - 0.01, (h - 0.005, h), 0.075, "metal_dark", "burners", n=20, solid=False)
 
 
 @recipe("washer")

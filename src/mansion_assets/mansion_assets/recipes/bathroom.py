@@ -17,14 +17,7 @@ def toilet(b: Builder) -> None:
     b.cyl(0, -d / 2 + tank / 2, (h - 0.004, h), 0.025, "metal_chrome", "button", solid=False)
     cy = -d / 2 + tank + (d - tank) / 2
     ry = (d - tank) / 2
-    b.lathe(
-        [(0.55, 0), (0.5, rim * 0.3), (0.95, rim * 0.95), (1.0, rim)],
-        b.mat(),
-        (0, cy),
-        "bowl",
-        24,
-        (w * 0.46, ry),
-    )
+    b.lathe([(0.55, 0), (0.5, rim * 0.3), (0.95, rim * 0.95), (1.0, rim)], b.mat(), (0, cy), "bowl", 24, (w * 0.46, ry))
     b.lathe(
         [(1.0, rim), (1.02, rim + 0.015), (0.98, rim + 0.03)],
         "plastic_white",
@@ -50,9 +43,7 @@ def urinal(b: Builder) -> None:
         20,
         (w * 0.45, d / 2 - 0.03),
     )
-    b.box(
-        (-w * 0.4, w * 0.4), (-d / 2 + 0.05, -d / 2 + 0.16), (h * 0.55, h * 0.92), b.mat(), "back"
-    )
+    b.box((-w * 0.4, w * 0.4), (-d / 2 + 0.05, -d / 2 + 0.16), (h * 0.55, h * 0.92), b.mat(), "back")
     b.rod((0, -d / 2 + 0.08, h * 0.9), (0, -d / 2 + 0.08, h), 0.012, "metal_chrome", "pipe")
 
 
@@ -73,12 +64,7 @@ def bidet(b: Builder) -> None:
 
 def _tap(b: Builder, x: float, z: float, y: float, high: float) -> None:
     b.path(
-        [
-            (x, y, z),
-            (x, y, z + high - 0.012),
-            (x, y + 0.12, z + high - 0.012),
-            (x, y + 0.12, z + high * 0.6),
-        ],
+        [(x, y, z), (x, y, z + high - 0.012), (x, y + 0.12, z + high - 0.012), (x, y + 0.12, z + high * 0.6)],
         0.012,
         "metal_chrome",
         "tap",
@@ -136,25 +122,11 @@ def _below(b: Builder, high: float, deep: float, top: str) -> None:
             lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.02)))
             b.box((lo, hi), (-d / 2, d / 2 - 0.03), (0.1, high), main, "cabinet")
         b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.03), (0.1, 0.12), main, "cabinet")
-        b.box(
-            (-w / 2 + 0.04, w / 2 - 0.04),
-            (-d / 2 + 0.03, d / 2 - 0.07),
-            (0, 0.1),
-            "plastic_dark",
-            "plinth",
-            False,
-        )
+        b.box((-w / 2 + 0.04, w / 2 - 0.04), (-d / 2 + 0.03, d / 2 - 0.07), (0, 0.1), "plastic_dark", "plinth", False)
         count = 2 if w > 0.5 else 1
         for k in range(count):
             x0, x1 = -w / 2 + k * w / count, -w / 2 + (k + 1) * w / count
-            b.box(
-                (x0 + 0.003, x1 - 0.003),
-                (d / 2 - 0.03, d / 2 - 0.012),
-                (0.11, high - 0.01),
-                main,
-                "doors",
-                False,
-            )
+            b.box((x0 + 0.003, x1 - 0.003), (d / 2 - 0.03, d / 2 - 0.012), (0.11, high - 0.01), main, "doors", False)
             hx = x1 - 0.04 if k == 0 else x0 + 0.04
             b.box(
                 (hx - 0.006, hx + 0.006),
@@ -166,13 +138,7 @@ def _below(b: Builder, high: float, deep: float, top: str) -> None:
             )
     elif top.startswith("metal") and not b.p.get("pedestal"):
         b.legs((0, high), 0.02, "metal_steel", 0.01)
-        b.box(
-            (-w / 2 + 0.03, w / 2 - 0.03),
-            (-d / 2 + 0.03, d / 2 - 0.03),
-            (0.2, 0.22),
-            "metal_steel",
-            "shelf",
-        )
+        b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + 0.03, d / 2 - 0.03), (0.2, 0.22), "metal_steel", "shelf")
     else:
         b.lathe(
             [(0.3, 0), (0.2, high * 0.3), (0.2, deep * 0.85), (0.6, deep)],
@@ -214,10 +180,7 @@ def shower(b: Builder) -> None:
     b.box((0.0, w / 2), (d / 2 - 0.01, d / 2), (0.06, h), "glass_clear", "door", False)
     b.box((-w / 2, w / 2), (d / 2 - 0.02, d / 2), (h - 0.03, h), "metal_chrome", "rail", False)
     b.path(
-        [(0, -d / 2 + 0.04, 1.0), (0, -d / 2 + 0.04, h - 0.08), (0, -d * 0.15, h - 0.08)],
-        0.012,
-        "metal_chrome",
-        "pipe",
+        [(0, -d / 2 + 0.04, 1.0), (0, -d / 2 + 0.04, h - 0.08), (0, -d * 0.15, h - 0.08)], 0.012, "metal_chrome", "pipe"
     )
     b.cyl(0, -d * 0.15, (h - 0.12, h - 0.09), 0.09, "metal_chrome", "head", solid=False)
     b.box((-0.1, 0.1), (-d / 2 + 0.01, -d / 2 + 0.06), (1.0, 1.05), "metal_chrome", "mixer", False)
@@ -233,34 +196,12 @@ def stall(b: Builder) -> None:
         b.box((lo, hi), (-d / 2, d / 2), (foot, h), b.mat(), "sides")
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.02), (0, h), "plastic_light", "back")
     if b.p.get("style") == "curtain":
-        b.rod(
-            (-w / 2, d / 2 - 0.03, h - 0.03),
-            (w / 2, d / 2 - 0.03, h - 0.03),
-            0.015,
-            "metal_chrome",
-            "rail",
-        )
+        b.rod((-w / 2, d / 2 - 0.03, h - 0.03), (w / 2, d / 2 - 0.03, h - 0.03), 0.015, "metal_chrome", "rail")
         for k in range(6):
             x = -w / 2 + 0.05 + k * 0.07
-            b.cushion(
-                (x, x + 0.07),
-                (d / 2 - 0.08, d / 2),
-                (0.1, h - 0.04),
-                "fabric_red",
-                "curtain",
-                0.9,
-                8,
-                False,
-            )
+            b.cushion((x, x + 0.07), (d / 2 - 0.08, d / 2), (0.1, h - 0.04), "fabric_red", "curtain", 0.9, 8, False)
         b.box((-w * 0.3, w * 0.3), (-d / 2 + 0.02, -d / 2 + 0.35), (0.4, 0.45), "wood_oak", "seat")
-        b.box(
-            (-w * 0.3, w * 0.3),
-            (-d / 2 + 0.02, -d / 2 + 0.03),
-            (0.6, h - 0.2),
-            "glass_mirror",
-            "mirror",
-            False,
-        )
+        b.box((-w * 0.3, w * 0.3), (-d / 2 + 0.02, -d / 2 + 0.03), (0.6, h - 0.2), "glass_mirror", "mirror", False)
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (0.0, 0.02), "wood_walnut", "floor")
         return
     for x0, x1 in ((-w / 2, -w * 0.32), (w * 0.32, w / 2)):

@@ -33,9 +33,7 @@ def paper_hanger(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + min(0.01, d * 0.3)), (0, h), b.mat(), "plate")
     r = min(h, d) * 0.42
     b.rod((-w * 0.3, d / 2 - r, h / 2), (w * 0.3, d / 2 - r, h / 2), r, "paper_white", "roll", 16)
-    b.rod(
-        (-w / 2, d / 2 - r, h / 2), (w / 2, d / 2 - r, h / 2), min(0.006, r * 0.3), b.mat(), "pin"
-    )
+    b.rod((-w / 2, d / 2 - r, h / 2), (w / 2, d / 2 - r, h / 2), min(0.006, r * 0.3), b.mat(), "pin")
 
 
 @recipe("shower_head")
@@ -54,12 +52,7 @@ def faucet(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     r = max(0.006, min(0.016, w * 0.1, h * 0.08))
     y = -d / 2 + 2 * r
-    b.path(
-        [(0, y, 0), (0, y, h - r), (0, d / 2 - r, h - r), (0, d / 2 - r, h * 0.6)],
-        r,
-        b.mat(),
-        "spout",
-    )
+    b.path([(0, y, 0), (0, y, h - r), (0, d / 2 - r, h - r), (0, d / 2 - r, h * 0.6)], r, b.mat(), "spout")
     b.box((-r * 2, r * 2), (-d / 2, -d / 2 + 4 * r), (0, h * 0.2), b.mat(), "foot")
     for sx in (-1, 1):
         x = sx * (w / 2 - r)
@@ -74,13 +67,7 @@ def curtain(b: Builder) -> None:
     if style == "blinds":
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.75, h), "plastic_white", "box")
         for k in range(4):
-            b.box(
-                (-w / 2, w / 2),
-                (-d * 0.4, d * 0.4),
-                (h * k * 0.18, h * k * 0.18 + h * 0.1),
-                main,
-                "slats",
-            )
+            b.box((-w / 2, w / 2), (-d * 0.4, d * 0.4), (h * k * 0.18, h * k * 0.18 + h * 0.1), main, "slats")
         return
     r = min(0.014, d * 0.12)
     y = 0.0 if style != "rail" else d / 2 - r
@@ -95,13 +82,7 @@ def curtain(b: Builder) -> None:
             x = side * (w / 2 - fold * (k + 0.5))
             depth = min(d / 2, 0.05)
             b.cushion(
-                (x - fold / 2, x + fold / 2),
-                (y - depth, min(d / 2, y + depth)),
-                (0, h - r),
-                main,
-                "folds",
-                0.95,
-                8,
+                (x - fold / 2, x + fold / 2), (y - depth, min(d / 2, y + depth)), (0, h - r), main, "folds", 0.95, 8
             )
     if style != "rail":
         b.box((-w / 2, -w / 2 + 0.01), (-d / 2, d / 2), (h - 0.06, h), "metal_steel", "end", False)
@@ -111,8 +92,6 @@ def curtain(b: Builder) -> None:
 def toothbrush(b: Builder) -> None:
     """Cup with two brushes."""
     w, h = b.w, b.h
-    b.lathe(
-        [(0.42, 0), (0.5, h * 0.5), (0.44, h * 0.5), (0.38, 0.01)], b.mat(), stretch=(w, b.d), n=14
-    )
+    b.lathe([(0.42, 0), (0.5, h * 0.5), (0.44, h * 0.5), (0.38, 0.01)], b.mat(), stretch=(w, b.d), n=14)
     b.rod((-w * 0.1, 0, 0.01), (-w * 0.3, 0, h), 0.005, "plastic_red", "brush")
     b.rod((w * 0.1, 0, 0.01), (w * 0.3, 0.01, h * 0.97), 0.005, "plastic_blue", "brush")

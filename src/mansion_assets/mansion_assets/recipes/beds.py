@@ -10,16 +10,9 @@ def _mattress(b: Builder, z: float, low: float, pillows: int, sheet: str, inset:
     """Mattress with its top at `z`, a cover from the chest down, and pillows at the head (-y)."""
     w, d = b.w, b.d
     x = (-w / 2 + inset, w / 2 - inset)
-    b.cushion(
-        x, (-d / 2 + 0.05, d / 2 - 0.03), (low, z - 0.004), "fabric_white", "mattress", 0.35, 12
-    )
+    b.cushion(x, (-d / 2 + 0.05, d / 2 - 0.03), (low, z - 0.004), "fabric_white", "mattress", 0.35, 12)
     b.box(
-        (x[0] - 0.006, x[1] + 0.006),
-        (-d / 2 + min(0.6, d * 0.3), d / 2 - 0.02),
-        (z - 0.05, z),
-        sheet,
-        "cover",
-        False,
+        (x[0] - 0.006, x[1] + 0.006), (-d / 2 + min(0.6, d * 0.3), d / 2 - 0.02), (z - 0.05, z), sheet, "cover", False
     )
     for k in range(pillows):
         width = (x[1] - x[0]) / pillows
@@ -54,18 +47,10 @@ def bed(b: Builder) -> None:
             b.box((-w / 2, w / 2), (-d / 2, d / 2), (top.z - 0.2, top.z - 0.14), frame, "frame")
             _mattress(b, top.z, top.z - 0.15, pillows, b.mat(), 0.05)
         high = b.tops[1].z
-        b.box(
-            (w / 2 - 0.03, w / 2), (-d / 2, d / 2 - 0.5), (high + 0.1, high + 0.16), frame, "rail"
-        )
+        b.box((w / 2 - 0.03, w / 2), (-d / 2, d / 2 - 0.5), (high + 0.1, high + 0.16), frame, "rail")
         for k in range(5):
             zk = 0.25 + k * (high - 0.3) / 4
-            b.rod(
-                (w / 2 - 0.02, d / 2 - 0.4, zk),
-                (w / 2 - 0.02, d / 2 - 0.06, zk),
-                0.015,
-                frame,
-                "steps",
-            )
+            b.rod((w / 2 - 0.02, d / 2 - 0.4, zk), (w / 2 - 0.02, d / 2 - 0.06, zk), 0.015, frame, "steps")
         return
     if style == "lounger":
         b.legs((0, z - 0.1), 0.025, frame)
@@ -85,28 +70,12 @@ def _medical(b: Builder, style: str) -> None:
     z, frame = b.tops[0].z, b.mat("frame", "metal_white")
     if style == "hospital":
         b.wheels(0.07, 0.1)
-        b.box(
-            (-w / 2 + 0.1, w / 2 - 0.1), (-d / 2 + 0.15, d / 2 - 0.15), (0.14, 0.2), frame, "base"
-        )
+        b.box((-w / 2 + 0.1, w / 2 - 0.1), (-d / 2 + 0.15, d / 2 - 0.15), (0.14, 0.2), frame, "base")
         for y in (-d * 0.25, d * 0.25):
             b.box((-0.08, 0.08), (y - 0.06, y + 0.06), (0.18, z - 0.2), "metal_grey", "lift")
-        b.box(
-            (-w / 2 + 0.05, w / 2 - 0.05),
-            (-d / 2 + 0.03, d / 2 - 0.03),
-            (z - 0.22, z - 0.15),
-            frame,
-            "deck",
-        )
-        b.box(
-            (-w / 2 + 0.03, w / 2 - 0.03), (-d / 2, -d / 2 + 0.035), (0.3, h), "wood_birch", "head"
-        )
-        b.box(
-            (-w / 2 + 0.03, w / 2 - 0.03),
-            (d / 2 - 0.035, d / 2),
-            (0.3, h - 0.12),
-            "wood_birch",
-            "foot",
-        )
+        b.box((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.03, d / 2 - 0.03), (z - 0.22, z - 0.15), frame, "deck")
+        b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2, -d / 2 + 0.035), (0.3, h), "wood_birch", "head")
+        b.box((-w / 2 + 0.03, w / 2 - 0.03), (d / 2 - 0.035, d / 2), (0.3, h - 0.12), "wood_birch", "foot")
         for sx in (-1, 1):
             x = sx * (w / 2 - 0.012)
             for zr in (z + 0.08, z + 0.22):
@@ -120,13 +89,7 @@ def _medical(b: Builder, style: str) -> None:
         b.box((-0.13, 0.13), (-0.2, 0.2), (0.1, z - 0.12), "metal_steel", "column")
     else:
         b.legs((0, z - 0.12), 0.025, "metal_chrome", 0.05)
-        b.box(
-            (-w / 2 + 0.06, w / 2 - 0.06),
-            (-d * 0.3, d * 0.35),
-            (0.18, z - 0.2),
-            "wood_white",
-            "cabinet",
-        )
+        b.box((-w / 2 + 0.06, w / 2 - 0.06), (-d * 0.3, d * 0.35), (0.18, z - 0.2), "wood_white", "cabinet")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - 0.14, z - 0.09), "metal_steel", "deck")
     head = -d / 2 + d * 0.26
     b.cushion((-w / 2, w / 2), (head, d / 2), (z - 0.1, z), b.mat(), "pad", 0.4)
@@ -144,25 +107,10 @@ def _crib(b: Builder) -> None:
     frame, z = b.mat("frame", "wood_white"), b.tops[0].z
     low = z - 0.12
     b.legs((0, h), 0.022, frame, 0.0)
-    b.box(
-        (-w / 2 + 0.02, w / 2 - 0.02),
-        (-d / 2 + 0.02, d / 2 - 0.02),
-        (low - 0.02, low),
-        frame,
-        "deck",
-    )
-    b.cushion(
-        (-w / 2 + 0.05, w / 2 - 0.05),
-        (-d / 2 + 0.05, d / 2 - 0.05),
-        (low, z),
-        "fabric_white",
-        "mattress",
-        0.35,
-    )
+    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.02, d / 2 - 0.02), (low - 0.02, low), frame, "deck")
+    b.cushion((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.05, d / 2 - 0.05), (low, z), "fabric_white", "mattress", 0.35)
     _crib_sides(b, low, frame)
-    b.cushion(
-        (-w * 0.3, w * 0.3), (-d / 2 + 0.08, -d / 2 + 0.28), (z, z + 0.06), b.mat(), "pillows", 0.6
-    )
+    b.cushion((-w * 0.3, w * 0.3), (-d / 2 + 0.08, -d / 2 + 0.28), (z, z + 0.06), b.mat(), "pillows", 0.6)
 
 
 def _crib_sides(b: Builder, low: float, frame: str) -> None:
@@ -191,9 +139,7 @@ def _crib_sides(b: Builder, low: float, frame: str) -> None:
 def pet_bed(b: Builder) -> None:
     """Padded ring around a cushion."""
     w, d, h = b.w, b.d, b.h
-    b.cushion(
-        (-w * 0.42, w * 0.42), (-d * 0.42, d * 0.42), (0, h * 0.5), "fabric_beige", "cushion", 0.9
-    )
+    b.cushion((-w * 0.42, w * 0.42), (-d * 0.42, d * 0.42), (0, h * 0.5), "fabric_beige", "cushion", 0.9)
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * w * 0.36))
         b.cushion((lo, hi), (-d / 2, d / 2), (0, h), b.mat(), "rim", 0.9)
@@ -216,15 +162,7 @@ def textile(b: Builder) -> None:
         count = max(2, round(h / 0.05))
         for k in range(count):
             color = main if k % 2 == 0 else "fabric_light"
-            b.cushion(
-                (-w / 2, w / 2),
-                (-d / 2, d / 2),
-                (h * k / count, h * (k + 1) / count),
-                color,
-                "folds",
-                0.8,
-                8,
-            )
+            b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (h * k / count, h * (k + 1) / count), color, "folds", 0.8, 8)
     elif style == "hung":
         for k in range(5):
             x0 = -w / 2 + k * w / 5

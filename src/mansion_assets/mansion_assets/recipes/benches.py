@@ -36,12 +36,7 @@ def bench(b: Builder) -> None:
         for k in range(count):
             y = -d / 2 + k * step
             b.box(
-                (-w / 2, w / 2),
-                (y + 0.004, y + step - 0.004),
-                (seat - 0.04, seat),
-                main,
-                "seat",
-                k in (0, count - 1),
+                (-w / 2, w / 2), (y + 0.004, y + step - 0.004), (seat - 0.04, seat), main, "seat", k in (0, count - 1)
             )
         b.boxes.append(_seat_box(b, seat))
     if b.p.get("back"):
@@ -52,13 +47,7 @@ def bench(b: Builder) -> None:
                 b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.03), (z, z + 0.07), main, "back")
             for sx in (-1, 1):
                 x = sx * (w / 2 - 0.1)
-                b.box(
-                    (x - r, x + r),
-                    (-d / 2 + 0.03, -d / 2 + 0.06),
-                    (seat - 0.04, h - 0.02),
-                    "metal_dark",
-                    "back",
-                )
+                b.box((x - r, x + r), (-d / 2 + 0.03, -d / 2 + 0.06), (seat - 0.04, h - 0.02), "metal_dark", "back")
 
 
 def _seat_box(b: Builder, seat: float) -> Box:
@@ -85,27 +74,13 @@ def sofa(b: Builder) -> None:
     sharp = 0.22 if b.p.get("style") == "block" else 0.45
     foot = min(0.1, seat.z * 0.25)
     b.legs((0, foot), 0.022, "wood_walnut", 0.03)
-    b.box(
-        (-w / 2 + 0.01, w / 2 - 0.01),
-        (-d / 2 + 0.02, d / 2 - 0.03),
-        (foot, seat.z * 0.62),
-        main,
-        "base",
-    )
+    b.box((-w / 2 + 0.01, w / 2 - 0.01), (-d / 2 + 0.02, d / 2 - 0.03), (foot, seat.z * 0.62), main, "base")
     inner = w - 2 * arm
     count = max(1, round(inner / 0.72))
     for k in range(count):
         x0 = -inner / 2 + k * inner / count
         x1 = x0 + inner / count
-        b.cushion(
-            (x0 + 0.004, x1 - 0.004),
-            (-d / 2 + back, d / 2),
-            (seat.z * 0.6, seat.z),
-            main,
-            "seat",
-            sharp,
-            12,
-        )
+        b.cushion((x0 + 0.004, x1 - 0.004), (-d / 2 + back, d / 2), (seat.z * 0.6, seat.z), main, "seat", sharp, 12)
         b.cushion(
             (x0 + 0.004, x1 - 0.004),
             (-d / 2 + back * 0.35, -d / 2 + back * 1.05),
@@ -150,12 +125,7 @@ def _seat_beam(b: Builder, z: float) -> None:
 
 def _padded_seat(b: Builder, x: tuple[float, float], z: float, plush: bool) -> None:
     b.cushion(
-        (x[0] + 0.04, x[1] - 0.04),
-        (-b.d / 2 + 0.14, b.d / 2),
-        (z - (0.16 if plush else 0.06), z),
-        b.mat(),
-        "seat",
-        0.4,
+        (x[0] + 0.04, x[1] - 0.04), (-b.d / 2 + 0.14, b.d / 2), (z - (0.16 if plush else 0.06), z), b.mat(), "seat", 0.4
     )
     b.cushion(
         (x[0] + 0.03, x[1] - 0.03),

@@ -14,13 +14,7 @@ def bin_(b: Builder) -> None:
     high = h - (0.06 if lid else 0.0)
     t = min(0.02, w * 0.06)
     if b.p.get("shape", "round") == "round":
-        b.lathe(
-            [(0.4, 0), (0.5, high), (0.47, high), (0.37, 0.015)],
-            b.mat(),
-            stretch=(w, d),
-            n=24,
-            solid=False,
-        )
+        b.lathe([(0.4, 0), (0.5, high), (0.47, high), (0.37, 0.015)], b.mat(), stretch=(w, d), n=24, solid=False)
         _hollow(b, high, t, 0.92)
     else:
         _tapered_walls(b, high, t)
@@ -35,34 +29,16 @@ def _tapered_walls(b: Builder, high: float, t: float) -> None:
     """Four walls `t` thick, narrower at the floor than at the rim."""
     w, d, main = b.w, b.d, b.mat()
     b.prism(
-        [
-            (-w * 0.45, 0),
-            (w * 0.45, 0),
-            (w / 2, high),
-            (w / 2 - t, high),
-            (-w / 2 + t, high),
-            (-w / 2, high),
-        ],
+        [(-w * 0.45, 0), (w * 0.45, 0), (w / 2, high), (w / 2 - t, high), (-w / 2 + t, high), (-w / 2, high)],
         (-d / 2, -d / 2 + t),
         main,
         "y",
         solid=False,
     )
-    b.prism(
-        [(-w * 0.45, 0), (w * 0.45, 0), (w / 2, high), (-w / 2, high)],
-        (d / 2 - t, d / 2),
-        main,
-        "y",
-        solid=False,
-    )
+    b.prism([(-w * 0.45, 0), (w * 0.45, 0), (w / 2, high), (-w / 2, high)], (d / 2 - t, d / 2), main, "y", solid=False)
     for sx in (-1, 1):
         b.prism(
-            [
-                (sx * w * 0.45, 0),
-                (sx * w / 2, high),
-                (sx * (w / 2 - t), high),
-                (sx * (w * 0.45 - t), 0),
-            ],
+            [(sx * w * 0.45, 0), (sx * w / 2, high), (sx * (w / 2 - t), high), (sx * (w * 0.45 - t), 0)],
             (-d / 2, d / 2),
             main,
             "y",
@@ -109,14 +85,7 @@ def basket(b: Builder) -> None:
 def sack(b: Builder) -> None:
     """Tied bag."""
     b.lathe(
-        [
-            (0.3, 0),
-            (0.5, b.h * 0.2),
-            (0.48, b.h * 0.5),
-            (0.2, b.h * 0.85),
-            (0.06, b.h * 0.9),
-            (0.2, b.h),
-        ],
+        [(0.3, 0), (0.5, b.h * 0.2), (0.48, b.h * 0.5), (0.2, b.h * 0.85), (0.06, b.h * 0.9), (0.2, b.h)],
         b.mat(),
         stretch=(b.w, b.d),
         n=14,
@@ -131,14 +100,7 @@ def open_top(b: Builder) -> None:
     t = 0.05
     low = h - depth
     b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.02, d / 2 - 0.02), (0.06, low), main, "base")
-    b.box(
-        (-w / 2 + 0.05, w / 2 - 0.05),
-        (-d / 2 + 0.05, d / 2 - 0.05),
-        (0, 0.06),
-        "plastic_dark",
-        "plinth",
-        False,
-    )
+    b.box((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.05, d / 2 - 0.05), (0, 0.06), "plastic_dark", "plinth", False)
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
         b.box((lo, hi), (-d / 2, d / 2), (low - 0.1, h), main, "rim")

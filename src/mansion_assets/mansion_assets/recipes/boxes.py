@@ -29,14 +29,7 @@ def _speaker(b: Builder) -> None:
     b.box(x, (-d / 2, d / 2 - 0.012), (0, h), main, "case")
     for z, r in ((0.32, 0.36), (0.74, 0.22)):
         b.rod((0, d / 2 - 0.014, z * h), (0, d / 2, z * h), r * w, "plastic_dark", "cones", 20)
-        b.rod(
-            (0, d / 2 - 0.013, z * h),
-            (0, d / 2 - 0.001, z * h),
-            r * w * 0.4,
-            "metal_grey",
-            "cones",
-            12,
-        )
+        b.rod((0, d / 2 - 0.013, z * h), (0, d / 2 - 0.001, z * h), r * w * 0.4, "metal_grey", "cones", 12)
 
 
 def _screen(b: Builder) -> None:
@@ -45,22 +38,8 @@ def _screen(b: Builder) -> None:
     x, y = (-w / 2, w / 2), (-d / 2, d / 2)
     main = b.mat()
     b.box(x, y, (0, h), main, "case")
-    b.box(
-        (-w * 0.3, w * 0.3),
-        (d / 2 - 0.001, d / 2),
-        (h * 0.3, h * 0.7),
-        "screen_blue",
-        "panel",
-        False,
-    )
-    b.box(
-        (-w * 0.35, w * 0.35),
-        (-d * 0.2, d * 0.25),
-        (h - 0.001, h),
-        "plastic_light",
-        "plate",
-        False,
-    )
+    b.box((-w * 0.3, w * 0.3), (d / 2 - 0.001, d / 2), (h * 0.3, h * 0.7), "screen_blue", "panel", False)
+    b.box((-w * 0.35, w * 0.35), (-d * 0.2, d * 0.25), (h - 0.001, h), "plastic_light", "plate", False)
 
 
 def _papers(b: Builder) -> None:
@@ -110,9 +89,7 @@ def _wedge(b: Builder) -> None:
 
 def _knives(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
-    b.prism(
-        [(-d / 2, 0), (d / 2, 0), (d * 0.2, h * 0.72), (-d / 2, h * 0.6)], (-w / 2, w / 2), b.mat()
-    )
+    b.prism([(-d / 2, 0), (d / 2, 0), (d * 0.2, h * 0.72), (-d / 2, h * 0.6)], (-w / 2, w / 2), b.mat())
     for k in range(4):
         x = -w * 0.3 + k * w * 0.2
         b.rod((x, -d * 0.1, h * 0.6), (x, -d * 0.3, h - 0.01), 0.009, "plastic_black", "handles", 6)
@@ -121,25 +98,13 @@ def _knives(b: Builder) -> None:
 def _clipboard(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.35), b.mat(), "board")
-    b.box(
-        (-w * 0.44, w * 0.44),
-        (-d * 0.46, d * 0.36),
-        (h * 0.35, h * 0.45),
-        "paper_white",
-        "sheet",
-        False,
-    )
+    b.box((-w * 0.44, w * 0.44), (-d * 0.46, d * 0.36), (h * 0.35, h * 0.45), "paper_white", "sheet", False)
     b.box((-w * 0.18, w * 0.18), (d * 0.36, d * 0.48), (h * 0.35, h), "metal_steel", "clip")
 
 
 def _tube(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
-    b.prism(
-        [(-w / 2, h * 0.4), (w * 0.25, 0), (w * 0.25, h), (-w / 2, h * 0.6)],
-        (-d / 2, d / 2),
-        b.mat(),
-        "y",
-    )
+    b.prism([(-w / 2, h * 0.4), (w * 0.25, 0), (w * 0.25, h), (-w / 2, h * 0.6)], (-d / 2, d / 2), b.mat(), "y")
     b.box((w * 0.25, w / 2), (-d * 0.3, d * 0.3), (h * 0.15, h * 0.85), "plastic_red", "cap")
 
 
@@ -157,9 +122,7 @@ def _pad(b: Builder) -> None:
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * w * 0.2))
         b.cushion((lo, hi), (-d / 2, d * 0.2), (0, h * 0.7), b.mat(), "grips", 0.9)
-        b.cyl(
-            sx * w * 0.15, 0.0, (h * 0.7, h), w * 0.06, "plastic_dark", "sticks", n=10, solid=False
-        )
+        b.cyl(sx * w * 0.15, 0.0, (h * 0.7, h), w * 0.06, "plastic_dark", "sticks", n=10, solid=False)
 
 
 _BLOCKS: dict[str, Recipe] = {

@@ -15,34 +15,13 @@ def _carton(b: Builder) -> None:
     b.box(x, y, (0, high), main, "body")
     if high < h:
         b.prism(
-            [
-                (-d / 2, high),
-                (d / 2, high),
-                (0.004, h * 0.97),
-                (0.004, h),
-                (-0.004, h),
-                (-0.004, h * 0.97),
-            ],
+            [(-d / 2, high), (d / 2, high), (0.004, h * 0.97), (0.004, h), (-0.004, h), (-0.004, h * 0.97)],
             x,
             "paper_white",
             part="gable",
         )
-    b.box(
-        (-w * 0.32, w * 0.32),
-        (d / 2 - 0.001, d / 2),
-        (high * 0.3, high * 0.7),
-        "paper_white",
-        "label",
-        False,
-    )
-    b.box(
-        (-w * 0.36, w * 0.36),
-        (d / 2 - 0.001, d / 2),
-        (high * 0.74, high * 0.84),
-        "paper_yellow",
-        "label",
-        False,
-    )
+    b.box((-w * 0.32, w * 0.32), (d / 2 - 0.001, d / 2), (high * 0.3, high * 0.7), "paper_white", "label", False)
+    b.box((-w * 0.36, w * 0.36), (d / 2 - 0.001, d / 2), (high * 0.74, high * 0.84), "paper_yellow", "label", False)
 
 
 def _carton_open(b: Builder) -> None:
@@ -53,12 +32,7 @@ def _carton_open(b: Builder) -> None:
         lo, hi = sorted((sx * (w / 2 - 0.02), sx * (w / 2 - 0.02 - t)))
         b.box((lo, hi), (-d / 2 + 0.02, d / 2 - 0.02), (0, low), b.mat(), "sides")
         b.prism(
-            [
-                (sx * (w / 2 - 0.02), low),
-                (sx * w / 2, h),
-                (sx * (w / 2 - 0.005), h),
-                (sx * (w / 2 - 0.03), low),
-            ],
+            [(sx * (w / 2 - 0.02), low), (sx * w / 2, h), (sx * (w / 2 - 0.005), h), (sx * (w / 2 - 0.03), low)],
             (-d / 2 + 0.02, d / 2 - 0.02),
             b.mat(),
             "y",
@@ -69,12 +43,7 @@ def _carton_open(b: Builder) -> None:
         lo, hi = sorted((sy * (d / 2 - 0.02), sy * (d / 2 - 0.02 - t)))
         b.box((-w / 2 + 0.02, w / 2 - 0.02), (lo, hi), (0, low), b.mat(), "sides")
         b.prism(
-            [
-                (sy * (d / 2 - 0.02), low),
-                (sy * d / 2, h),
-                (sy * (d / 2 - 0.005), h),
-                (sy * (d / 2 - 0.03), low),
-            ],
+            [(sy * (d / 2 - 0.02), low), (sy * d / 2, h), (sy * (d / 2 - 0.005), h), (sy * (d / 2 - 0.03), low)],
             (-w / 2 + 0.02, w / 2 - 0.02),
             b.mat(),
             part="flaps",
@@ -100,14 +69,7 @@ def _bag(b: Builder) -> None:
             "leather_dark",
             "handles",
         )
-    b.box(
-        (-w * 0.25, w * 0.25),
-        (d / 2 - 0.003, d / 2),
-        (low * 0.2, low * 0.5),
-        "fabric_dark",
-        "pocket",
-        False,
-    )
+    b.box((-w * 0.25, w * 0.25), (d / 2 - 0.003, d / 2), (low * 0.2, low * 0.5), "fabric_dark", "pocket", False)
 
 
 def _suitcase(b: Builder) -> None:
@@ -115,14 +77,7 @@ def _suitcase(b: Builder) -> None:
     b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0.05, h - 0.08), b.mat(), "shell", 0.3, 12)
     for k in range(4):
         x = -w * 0.36 + k * w * 0.24
-        b.box(
-            (x - 0.008, x + 0.008),
-            (d / 2 - 0.003, d / 2),
-            (h * 0.16, h * 0.8),
-            "plastic_dark",
-            "ribs",
-            False,
-        )
+        b.box((x - 0.008, x + 0.008), (d / 2 - 0.003, d / 2), (h * 0.16, h * 0.8), "plastic_dark", "ribs", False)
     b.wheels(0.025, 0.06)
     b.path(
         [
@@ -148,57 +103,27 @@ def _tray(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + t), (0, h), b.mat(), "rim")
     b.box((-w / 2, w / 2), (d / 2 - t, d / 2), (0, h if h < 0.06 else h * 0.3), b.mat(), "rim")
     if h > 0.06:
-        b.box(
-            (-w * 0.42, w * 0.42),
-            (-d * 0.4, d * 0.42),
-            (floor, h * 0.3),
-            "paper_white",
-            "papers",
-            False,
-        )
+        b.box((-w * 0.42, w * 0.42), (-d * 0.4, d * 0.42), (floor, h * 0.3), "paper_white", "papers", False)
 
 
 def _lidbox(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     low = h * 0.78
-    b.box(
-        (-w / 2 + 0.004, w / 2 - 0.004), (-d / 2 + 0.004, d / 2 - 0.012), (0, low), b.mat(), "body"
-    )
+    b.box((-w / 2 + 0.004, w / 2 - 0.004), (-d / 2 + 0.004, d / 2 - 0.012), (0, low), b.mat(), "body")
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.008), (low, h * 0.86), b.mat(), "lid")
     b.path(
-        [
-            (-w * 0.22, 0, h * 0.85),
-            (-w * 0.2, 0, h - 0.008),
-            (w * 0.2, 0, h - 0.008),
-            (w * 0.22, 0, h * 0.85),
-        ],
+        [(-w * 0.22, 0, h * 0.85), (-w * 0.2, 0, h - 0.008), (w * 0.2, 0, h - 0.008), (w * 0.22, 0, h * 0.85)],
         0.008,
         "plastic_black",
         "handle",
     )
-    b.box(
-        (-0.02, 0.02),
-        (d / 2 - 0.012, d / 2),
-        (low * 0.85, low * 1.05),
-        "metal_steel",
-        "latch",
-        False,
-    )
+    b.box((-0.02, 0.02), (d / 2 - 0.012, d / 2), (low * 0.85, low * 1.05), "metal_steel", "latch", False)
 
 
 def _tissue(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.75), b.mat(), "box")
-    b.cushion(
-        (-w * 0.18, w * 0.18),
-        (-d * 0.12, d * 0.12),
-        (h * 0.7, h),
-        "paper_white",
-        "tissue",
-        0.9,
-        8,
-        False,
-    )
+    b.cushion((-w * 0.18, w * 0.18), (-d * 0.12, d * 0.12), (h * 0.7, h), "paper_white", "tissue", 0.9, 8, False)
 
 
 CASES: dict[str, Recipe] = {

@@ -29,19 +29,9 @@ def _buffet(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.15), (0.88, 0.92), "metal_steel", "top")
     for z in (0.84, 0.88):
         b.rod(
-            (-w / 2, d / 2 - 0.03 - (z - 0.84), z),
-            (w / 2, d / 2 - 0.03 - (z - 0.84), z),
-            0.012,
-            "metal_steel",
-            "rail",
+            (-w / 2, d / 2 - 0.03 - (z - 0.84), z), (w / 2, d / 2 - 0.03 - (z - 0.84), z), 0.012, "metal_steel", "rail"
         )
-    b.rod(
-        (-w / 2, d / 2 - 0.012, 0.86),
-        (w / 2, d / 2 - 0.012, 0.86),
-        0.012,
-        "metal_steel",
-        "rail",
-    )
+    b.rod((-w / 2, d / 2 - 0.012, 0.86), (w / 2, d / 2 - 0.012, 0.86), 0.012, "metal_steel", "rail")
     count = max(2, round(w / 0.6))
     for k in range(count):
         x = -w / 2 + (k + 0.5) * w / count
@@ -68,21 +58,8 @@ def _closed_front(b: Builder, work: float, back: float) -> None:
     """Body on a plinth, up to the worktop and `back` from the rear."""
     w, d = b.w, b.d
     main = b.mat()
-    b.box(
-        (-w / 2 + 0.03, w / 2 - 0.03),
-        (-d / 2 + back, d / 2 - 0.04),
-        (0, work - 0.04),
-        main,
-        "body",
-    )
-    b.box(
-        (-w / 2 + 0.05, w / 2 - 0.05),
-        (d / 2 - 0.05, d / 2 - 0.03),
-        (0, 0.06),
-        "metal_dark",
-        "plinth",
-        False,
-    )
+    b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + back, d / 2 - 0.04), (0, work - 0.04), main, "body")
+    b.box((-w / 2 + 0.05, w / 2 - 0.05), (d / 2 - 0.05, d / 2 - 0.03), (0, 0.06), "metal_dark", "plinth", False)
 
 
 def _reception(b: Builder, work: float) -> None:
@@ -93,20 +70,9 @@ def _reception(b: Builder, work: float) -> None:
         b.box((x - 0.02, x + 0.02), (-d / 2, d / 2 - 0.03), (0, h - 0.04), main, "sides")
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.27), (work - 0.03, work), "wood_white", "top")
     b.box((-w / 2, w / 2), (d / 2 - 0.07, d / 2 - 0.03), (0, h - 0.04), main, "front")
+    b.box((-w / 2, w / 2), (d / 2 - 0.3, d / 2), (h - 0.04, h), b.mat("top", "stone_white"), "ledge")
     b.box(
-        (-w / 2, w / 2),
-        (d / 2 - 0.3, d / 2),
-        (h - 0.04, h),
-        b.mat("top", "stone_white"),
-        "ledge",
-    )
-    b.box(
-        (-w / 2 + 0.02, w / 2 - 0.02),
-        (d / 2 - 0.03, d / 2 - 0.02),
-        (h * 0.45, h * 0.5),
-        "light_white",
-        "strip",
-        False,
+        (-w / 2 + 0.02, w / 2 - 0.02), (d / 2 - 0.03, d / 2 - 0.02), (h * 0.45, h * 0.5), "light_white", "strip", False
     )
 
 
@@ -142,13 +108,6 @@ def checkout(b: Builder) -> None:
     z = h
     b.box((-w / 2, w / 2), (-d / 2 + 0.35, d / 2), (0.05, z - 0.05), b.mat(), "body")
     b.box((-w / 2, w / 2), (-d / 2 + 0.33, d / 2), (z - 0.06, z), "metal_steel", "top")
-    b.box(
-        (-w / 2 + 0.05, 0.2),
-        (-d / 2 + 0.45, d / 2 - 0.08),
-        (z - 0.004, z),
-        "rubber_black",
-        "belt",
-        False,
-    )
+    b.box((-w / 2 + 0.05, 0.2), (-d / 2 + 0.45, d / 2 - 0.08), (z - 0.004, z), "rubber_black", "belt", False)
     b.box((-0.45, 0.45), (-d / 2, -d / 2 + 0.36), (0.05, z * 0.72), b.mat(), "cash")
     b.box((-w / 2, w / 2), (-d / 2 + 0.34, d / 2), (0, 0.06), "metal_dark", "plinth")

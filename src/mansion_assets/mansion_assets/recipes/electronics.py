@@ -19,24 +19,12 @@ def screen(b: Builder) -> None:
         thick = min(0.05, d * 0.3)
         y0, y1 = -thick / 2, thick / 2
         b.box((-w * 0.26, w * 0.26), (-d / 2, d / 2), (0, 0.015), "plastic_black", "foot")
-        b.box(
-            (-0.03, 0.03),
-            (y0 - 0.012, y0 + 0.01),
-            (0.01, low + h * 0.3),
-            "plastic_black",
-            "stand",
-            False,
-        )
+        b.box((-0.03, 0.03), (y0 - 0.012, y0 + 0.01), (0.01, low + h * 0.3), "plastic_black", "stand", False)
     b.box((-w / 2, w / 2), (y0, y1 - 0.006), (low, h), b.mat(), "case")
     edge = min(0.016, w * 0.03)
     b.box((-w / 2, w / 2), (y1 - 0.006, y1), (low, low + edge), b.mat(), "frame", False)
     b.box(
-        (-w / 2 + edge, w / 2 - edge),
-        (y1 - 0.006, y1 - 0.002),
-        (low + edge, h - edge),
-        "screen_dark",
-        "screen",
-        False,
+        (-w / 2 + edge, w / 2 - edge), (y1 - 0.006, y1 - 0.002), (low + edge, h - edge), "screen_dark", "screen", False
     )
     b.box(
         (-w * 0.42, w * 0.1),
@@ -63,27 +51,10 @@ def laptop(b: Builder) -> None:
     base = min(0.022, h * 0.1)
     hinge = -d * 0.28 if h > 0.5 * d else -d / 2 + 0.01
     b.box((-w / 2, w / 2), (hinge, d / 2), (0, base), b.mat(), "base")
-    b.box(
-        (-w * 0.44, w * 0.44),
-        (hinge + 0.02, hinge + d * 0.4),
-        (base, base + 0.002),
-        "plastic_black",
-        "keys",
-        False,
-    )
-    b.box(
-        (-w * 0.14, w * 0.14),
-        (d * 0.26, d * 0.46),
-        (base, base + 0.0015),
-        "metal_grey",
-        "pad",
-        False,
-    )
+    b.box((-w * 0.44, w * 0.44), (hinge + 0.02, hinge + d * 0.4), (base, base + 0.002), "plastic_black", "keys", False)
+    b.box((-w * 0.14, w * 0.14), (d * 0.26, d * 0.46), (base, base + 0.0015), "metal_grey", "pad", False)
     b.prism(
-        [(hinge, base), (hinge + 0.012, base), (-d / 2 + 0.012, h), (-d / 2, h)],
-        (-w / 2, w / 2),
-        b.mat(),
-        part="lid",
+        [(hinge, base), (hinge + 0.012, base), (-d / 2 + 0.012, h), (-d / 2, h)], (-w / 2, w / 2), b.mat(), part="lid"
     )
     b.prism(
         [
@@ -123,14 +94,7 @@ def phone(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.85), b.mat(), "case")
     if b.mat().startswith("glass"):
-        b.box(
-            (-w * 0.44, w * 0.44),
-            (-d * 0.46, d * 0.46),
-            (h * 0.85, h),
-            "screen_dark",
-            "screen",
-            False,
-        )
+        b.box((-w * 0.44, w * 0.44), (-d * 0.46, d * 0.46), (h * 0.85, h), "screen_dark", "screen", False)
         return
     b.box(
         (-w * 0.4, w * 0.4),
@@ -157,20 +121,9 @@ def phone(b: Builder) -> None:
 def desk_phone(b: Builder) -> None:
     """Office telephone."""
     w, d, h = b.w, b.d, b.h
-    b.prism(
-        [(-d / 2, 0), (d / 2, 0), (d / 2, h * 0.3), (-d / 2, h * 0.75)], (-w / 2, w / 2), b.mat()
-    )
-    b.cushion(
-        (-w / 2, -w * 0.25), (-d / 2, d * 0.45), (h * 0.5, h), "plastic_dark", "receiver", 0.8
-    )
-    b.box(
-        (-w * 0.15, w * 0.4),
-        (-d * 0.35, -d * 0.1),
-        (h * 0.62, h * 0.72),
-        "screen_green",
-        "display",
-        False,
-    )
+    b.prism([(-d / 2, 0), (d / 2, 0), (d / 2, h * 0.3), (-d / 2, h * 0.75)], (-w / 2, w / 2), b.mat())
+    b.cushion((-w / 2, -w * 0.25), (-d / 2, d * 0.45), (h * 0.5, h), "plastic_dark", "receiver", 0.8)
+    b.box((-w * 0.15, w * 0.4), (-d * 0.35, -d * 0.1), (h * 0.62, h * 0.72), "screen_green", "display", False)
 
 
 @recipe("headphones")
@@ -179,8 +132,7 @@ def headphones(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     r, rz = w / 2 - 0.012, h - w * 0.2
     points = [
-        (r * math.cos(a), 0.0, w * 0.18 + (rz - w * 0.02) * math.sin(a))
-        for a in [k * math.pi / 10 for k in range(11)]
+        (r * math.cos(a), 0.0, w * 0.18 + (rz - w * 0.02) * math.sin(a)) for a in [k * math.pi / 10 for k in range(11)]
     ]
     b.path(points, 0.008, b.mat(), "band")
     for sx in (-1, 1):
@@ -198,39 +150,13 @@ def clock(b: Builder) -> None:
     b.rod((0, -d / 2, cz), (0, d / 2 - 0.006, cz), r, b.mat(), "rim", 28, True)
     if style == "dart":
         for k, (share, color) in enumerate(
-            (
-                (0.9, "fabric_beige"),
-                (0.62, "fabric_green"),
-                (0.55, "fabric_black"),
-                (0.12, "fabric_red"),
-            )
+            ((0.9, "fabric_beige"), (0.62, "fabric_green"), (0.55, "fabric_black"), (0.12, "fabric_red"))
         ):
-            b.rod(
-                (0, d / 2 - 0.008, cz),
-                (0, d / 2 - 0.006 + 0.0015 * (k + 1), cz),
-                r * share,
-                color,
-                "face",
-                28,
-            )
+            b.rod((0, d / 2 - 0.008, cz), (0, d / 2 - 0.006 + 0.0015 * (k + 1), cz), r * share, color, "face", 28)
         return
     b.rod((0, d / 2 - 0.008, cz), (0, d / 2 - 0.003, cz), r * 0.9, "paper_white", "face", 28)
-    b.rod(
-        (0, d / 2 - 0.002, cz),
-        (0, d / 2 - 0.002, cz + r * 0.7),
-        r * 0.03,
-        "plastic_black",
-        "hands",
-        6,
-    )
-    b.rod(
-        (0, d / 2 - 0.002, cz),
-        (r * 0.42, d / 2 - 0.002, cz + r * 0.2),
-        r * 0.04,
-        "plastic_black",
-        "hands",
-        6,
-    )
+    b.rod((0, d / 2 - 0.002, cz), (0, d / 2 - 0.002, cz + r * 0.7), r * 0.03, "plastic_black", "hands", 6)
+    b.rod((0, d / 2 - 0.002, cz), (r * 0.42, d / 2 - 0.002, cz + r * 0.2), r * 0.04, "plastic_black", "hands", 6)
     if style == "desk":
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.08), b.mat(), "foot")
         b.box((-w * 0.2, w * 0.2), (-d * 0.2, d * 0.2), (h * 0.94, h), "metal_steel", "bell", False)

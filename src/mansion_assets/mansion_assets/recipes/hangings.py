@@ -41,9 +41,7 @@ def extinguisher(b: Builder) -> None:
     """Red bottle with valve and hose."""
     w, d, h = b.w, b.d, b.h
     r = min(w, d) * 0.42
-    b.lathe(
-        [(r * 0.9, 0), (r, 0.02), (r, h * 0.72), (r * 0.4, h * 0.82)], b.mat(), (0, 0), "bottle", 20
-    )
+    b.lathe([(r * 0.9, 0), (r, 0.02), (r, h * 0.72), (r * 0.4, h * 0.82)], b.mat(), (0, 0), "bottle", 20)
     b.cyl(0, 0, (h * 0.8, h * 0.9), 0.02, "metal_dark", "valve")
     b.box((-0.012, 0.012), (-0.02, d / 2), (h * 0.88, h), "plastic_black", "lever")
     b.path(
@@ -53,14 +51,7 @@ def extinguisher(b: Builder) -> None:
         "hose",
     )
     b.box((-w / 2, w * 0.1), (-d / 2, -r * 0.9), (h * 0.3, h * 0.5), "metal_steel", "bracket")
-    b.lathe(
-        [(r * 1.004, h * 0.3), (r * 1.004, h * 0.55)],
-        "paper_white",
-        (0, 0),
-        "label",
-        20,
-        solid=False,
-    )
+    b.lathe([(r * 1.004, h * 0.3), (r * 1.004, h * 0.55)], "paper_white", (0, 0), "label", 20, solid=False)
 
 
 @recipe("hoop")
@@ -68,20 +59,10 @@ def hoop(b: Builder) -> None:
     """Backboard with ring and net."""
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.05), (0.1, h), b.mat(), "board")
-    b.box(
-        (-w * 0.2, w * 0.2),
-        (-d / 2 + 0.05, -d / 2 + 0.055),
-        (h * 0.3, h * 0.62),
-        "paint_red",
-        "square",
-        False,
-    )
+    b.box((-w * 0.2, w * 0.2), (-d / 2 + 0.05, -d / 2 + 0.055), (h * 0.3, h * 0.62), "paint_red", "square", False)
     r = min(0.23, d * 0.3)
     y = d / 2 - r
-    points = [
-        (r * math.cos(a), y + r * math.sin(a), h * 0.22)
-        for a in [k * math.pi / 8 for k in range(17)]
-    ]
+    points = [(r * math.cos(a), y + r * math.sin(a), h * 0.22) for a in [k * math.pi / 8 for k in range(17)]]
     b.path(points, 0.01, "paint_orange", "ring")
     b.box((-0.04, 0.04), (-d / 2 + 0.05, y - r), (h * 0.2, h * 0.24), "paint_orange", "arm")
     for x, yy, z in points[:-1:2]:
@@ -132,14 +113,7 @@ def rug(b: Builder) -> None:
     other = "fabric_light" if main != "fabric_white" else "fabric_grey"
     if b.p.get("shape") == "round":
         b.lathe([(0.5, 0), (0.5, h * 0.8)], main, stretch=(w, d), n=36)
-        b.lathe(
-            [(0.42, h * 0.7), (0.42, h * 0.9)],
-            other,
-            stretch=(w, d),
-            part="border",
-            n=36,
-            solid=False,
-        )
+        b.lathe([(0.42, h * 0.7), (0.42, h * 0.9)], other, stretch=(w, d), part="border", n=36, solid=False)
         b.lathe([(0.38, h * 0.7), (0.38, h)], main, stretch=(w, d), part="field", n=36, solid=False)
     elif b.p.get("style") == "tiles":
         cols, rows = max(2, round(w / 0.5)), max(2, round(d / 0.5))
@@ -158,19 +132,7 @@ def rug(b: Builder) -> None:
     else:
         e = min(w, d) * 0.07
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.8), main, "base")
+        b.box((-w / 2 + e, w / 2 - e), (-d / 2 + e, d / 2 - e), (h * 0.7, h * 0.9), other, "border", False)
         b.box(
-            (-w / 2 + e, w / 2 - e),
-            (-d / 2 + e, d / 2 - e),
-            (h * 0.7, h * 0.9),
-            other,
-            "border",
-            False,
-        )
-        b.box(
-            (-w / 2 + 1.6 * e, w / 2 - 1.6 * e),
-            (-d / 2 + 1.6 * e, d / 2 - 1.6 * e),
-            (h * 0.7, h),
-            main,
-            "field",
-            False,
+            (-w / 2 + 1.6 * e, w / 2 - 1.6 * e), (-d / 2 + 1.6 * e, d / 2 - 1.6 * e), (h * 0.7, h), main, "field", False
         )

@@ -27,9 +27,7 @@ def conveyor(b: Builder) -> None:
                 "legs",
             )
         b.box((x - 0.02, x + 0.02), (-d / 2, d / 2), (0.2, 0.24), b.mat(), "legs", False)
-    b.box(
-        (w * 0.3, w * 0.42), (-d * 0.2, d * 0.2), (h - 0.32, h - 0.12), "paint_blue", "motor", False
-    )
+    b.box((w * 0.3, w * 0.42), (-d * 0.2, d * 0.2), (h - 0.32, h - 0.12), "paint_blue", "motor", False)
 
 
 @recipe("drill_press")
@@ -72,9 +70,7 @@ def sewing(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - 0.03, z), b.mat(), "top")
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.06)
-        b.box(
-            (x - 0.03, x + 0.03), (-d / 2 + 0.05, d / 2 - 0.05), (0, z - 0.03), "metal_dark", "legs"
-        )
+        b.box((x - 0.03, x + 0.03), (-d / 2 + 0.05, d / 2 - 0.05), (0, z - 0.03), "metal_dark", "legs")
     b.box((-0.22, 0.24), (-0.1, 0.08), (z, z + 0.05), "plastic_white", "machine")
     b.box((0.12, 0.24), (-0.08, 0.06), (z + 0.05, h), "plastic_white", "machine")
     b.box((-0.2, 0.24), (-0.07, 0.05), (h - 0.11, h), "plastic_white", "machine")
@@ -90,59 +86,18 @@ def forklift(b: Builder) -> None:
     m = b.mat()
     rear, mast = -d / 2, d * 0.08
     b.cushion((-w / 2, w / 2), (rear, mast - 0.3), (0.15, h * 0.5), m, "body", 0.2, 12)
-    b.box(
-        (-w * 0.3, w * 0.3), (rear + 0.3, mast - 0.5), (h * 0.5, h * 0.56), "leather_black", "seat"
-    )
-    b.box(
-        (-w * 0.3, w * 0.3),
-        (rear + 0.28, rear + 0.4),
-        (h * 0.54, h * 0.76),
-        "leather_black",
-        "seat",
-    )
+    b.box((-w * 0.3, w * 0.3), (rear + 0.3, mast - 0.5), (h * 0.5, h * 0.56), "leather_black", "seat")
+    b.box((-w * 0.3, w * 0.3), (rear + 0.28, rear + 0.4), (h * 0.54, h * 0.76), "leather_black", "seat")
     b.box((-w * 0.46, w * 0.46), (mast - 0.35, mast - 0.1), (0.2, h * 0.48), m, "front")
     for sx in (-1, 1):
-        b.rod(
-            (sx * w * 0.42, rear + 0.25, h * 0.45),
-            (sx * w * 0.4, rear + 0.35, h - 0.03),
-            0.03,
-            "metal_dark",
-            "cage",
-        )
-        b.rod(
-            (sx * w * 0.42, mast - 0.2, h * 0.45),
-            (sx * w * 0.4, mast - 0.35, h - 0.03),
-            0.03,
-            "metal_dark",
-            "cage",
-        )
-        b.box(
-            (sx * w * 0.28 - 0.05, sx * w * 0.28 + 0.05),
-            (mast, mast + 0.1),
-            (0.05, h),
-            "metal_dark",
-            "mast",
-        )
-        b.box(
-            (sx * w * 0.25 - 0.07, sx * w * 0.25 + 0.07),
-            (mast + 0.1, d / 2),
-            (0.03, 0.08),
-            "metal_dark",
-            "forks",
-        )
+        b.rod((sx * w * 0.42, rear + 0.25, h * 0.45), (sx * w * 0.4, rear + 0.35, h - 0.03), 0.03, "metal_dark", "cage")
+        b.rod((sx * w * 0.42, mast - 0.2, h * 0.45), (sx * w * 0.4, mast - 0.35, h - 0.03), 0.03, "metal_dark", "cage")
+        b.box((sx * w * 0.28 - 0.05, sx * w * 0.28 + 0.05), (mast, mast + 0.1), (0.05, h), "metal_dark", "mast")
+        b.box((sx * w * 0.25 - 0.07, sx * w * 0.25 + 0.07), (mast + 0.1, d / 2), (0.03, 0.08), "metal_dark", "forks")
         for y, r in ((rear + 0.45, 0.22), (mast - 0.18, 0.28)):
             b.rod((sx * w * 0.36, y, r), (sx * w * 0.5, y, r), r, "rubber_black", "wheels", 20)
-    b.box(
-        (-w * 0.42, w * 0.42),
-        (rear + 0.3, mast - 0.3),
-        (h - 0.06, h - 0.02),
-        "metal_dark",
-        "cage",
-        False,
-    )
-    b.box(
-        (-w * 0.4, w * 0.4), (mast + 0.1, mast + 0.15), (0.06, h * 0.35), "metal_dark", "carriage"
-    )
+    b.box((-w * 0.42, w * 0.42), (rear + 0.3, mast - 0.3), (h - 0.06, h - 0.02), "metal_dark", "cage", False)
+    b.box((-w * 0.4, w * 0.4), (mast + 0.1, mast + 0.15), (0.06, h * 0.35), "metal_dark", "carriage")
 
 
 @recipe("pallet_jack")
@@ -150,13 +105,7 @@ def pallet_jack(b: Builder) -> None:
     """Two forks and a drawbar."""
     w, d, h = b.w, b.d, b.h
     for sx in (-1, 1):
-        b.box(
-            (sx * w * 0.35 - 0.08, sx * w * 0.35 + 0.08),
-            (-d * 0.25, d / 2),
-            (0.06, 0.12),
-            b.mat(),
-            "forks",
-        )
+        b.box((sx * w * 0.35 - 0.08, sx * w * 0.35 + 0.08), (-d * 0.25, d / 2), (0.06, 0.12), b.mat(), "forks")
         b.rod(
             (sx * w * 0.35 - 0.05, d * 0.42, 0.04),
             (sx * w * 0.35 + 0.05, d * 0.42, 0.04),
@@ -189,30 +138,14 @@ def hand_truck(b: Builder) -> None:
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.06)
         b.path(
-            [(x, d * 0.1, 0.02), (x, -d * 0.2, h * 0.75), (x * 0.8, -d / 2 + 0.02, h - 0.02)],
-            0.018,
-            b.mat(),
-            "frame",
+            [(x, d * 0.1, 0.02), (x, -d * 0.2, h * 0.75), (x * 0.8, -d / 2 + 0.02, h - 0.02)], 0.018, b.mat(), "frame"
         )
-        b.rod(
-            (sx * (w / 2 - 0.05), -d * 0.1, 0.13),
-            (sx * w / 2, -d * 0.1, 0.13),
-            0.13,
-            "rubber_black",
-            "wheels",
-            18,
-        )
+        b.rod((sx * (w / 2 - 0.05), -d * 0.1, 0.13), (sx * w / 2, -d * 0.1, 0.13), 0.13, "rubber_black", "wheels", 18)
     for z in (0.3, 0.6, 0.9):
         y = d * 0.1 - 0.3 * d * z / (h * 0.75)
         b.box((-w / 2 + 0.06, w / 2 - 0.06), (y - 0.01, y + 0.01), (z, z + 0.03), b.mat(), "bars")
     b.box((-w * 0.4, w * 0.4), (0.02, d / 2), (0, 0.02), b.mat(), "plate")
-    b.rod(
-        (-w * 0.3, -d / 2 + 0.02, h - 0.02),
-        (w * 0.3, -d / 2 + 0.02, h - 0.02),
-        0.018,
-        "plastic_black",
-        "grip",
-    )
+    b.rod((-w * 0.3, -d / 2 + 0.02, h - 0.02), (w * 0.3, -d / 2 + 0.02, h - 0.02), 0.018, "plastic_black", "grip")
 
 
 @recipe("ladder")
@@ -241,13 +174,7 @@ def mop_bucket(b: Builder) -> None:
     """Bucket on castors with a wringer and a mop."""
     w, d, h = b.w, b.d, b.h
     b.wheels(0.035, 0.06)
-    b.lathe(
-        [(0.4, 0.06), (0.5, 0.4), (0.46, 0.4), (0.36, 0.1)],
-        b.mat(),
-        stretch=(w, d),
-        part="bucket",
-        n=22,
-    )
+    b.lathe([(0.4, 0.06), (0.5, 0.4), (0.46, 0.4), (0.36, 0.1)], b.mat(), stretch=(w, d), part="bucket", n=22)
     b.box((-w * 0.3, w * 0.3), (-d * 0.42, 0.0), (0.36, 0.55), b.mat(), "wringer")
     b.rod((0.05, 0.02, 0.15), (0.1, -d * 0.4, h - 0.02), 0.013, "wood_oak", "mop")
     b.ball((0.05, 0.04, 0.3), (0.1, 0.08, 0.12), "fabric_white", "mop", 8, False)
@@ -262,28 +189,10 @@ def mower(b: Builder) -> None:
     b.cyl(0, d * 0.25, (0.28, 0.45), 0.14, "plastic_black", "motor")
     b.cushion((-w * 0.4, w * 0.4), (-d * 0.36, 0.0), (0.08, 0.45), "fabric_dark", "box", 0.4)
     for sx in (-1, 1):
-        b.path(
-            [(sx * w * 0.4, 0.0, 0.25), (sx * w * 0.4, -d / 2 + 0.02, h - 0.02)],
-            0.015,
-            "metal_steel",
-            "handle",
-        )
+        b.path([(sx * w * 0.4, 0.0, 0.25), (sx * w * 0.4, -d / 2 + 0.02, h - 0.02)], 0.015, "metal_steel", "handle")
         for y in (0.12, d * 0.42):
-            b.rod(
-                (sx * (w / 2 - 0.05), y, 0.1),
-                (sx * w / 2, y, 0.1),
-                0.1,
-                "rubber_black",
-                "wheels",
-                16,
-            )
-    b.rod(
-        (-w * 0.4, -d / 2 + 0.02, h - 0.02),
-        (w * 0.4, -d / 2 + 0.02, h - 0.02),
-        0.016,
-        "rubber_black",
-        "handle",
-    )
+            b.rod((sx * (w / 2 - 0.05), y, 0.1), (sx * w / 2, y, 0.1), 0.1, "rubber_black", "wheels", 16)
+    b.rod((-w * 0.4, -d / 2 + 0.02, h - 0.02), (w * 0.4, -d / 2 + 0.02, h - 0.02), 0.016, "rubber_black", "handle")
 
 
 @recipe("grill")
@@ -295,13 +204,7 @@ def grill(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.04), (h * 0.74, h * 0.77), "metal_steel", "tables")
     b.box((-bw / 2, bw / 2), (-d / 2, d / 2 - 0.02), (h * 0.62, h * 0.76), "metal_steel", "panel")
     b.cushion((-bw / 2, bw / 2), (-d / 2, d / 2 - 0.05), (h * 0.74, h), b.mat(), "lid", 0.6, 14)
-    b.rod(
-        (-bw * 0.35, d / 2 - 0.02, h * 0.86),
-        (bw * 0.35, d / 2 - 0.02, h * 0.86),
-        0.015,
-        "metal_steel",
-        "handle",
-    )
+    b.rod((-bw * 0.35, d / 2 - 0.02, h * 0.86), (bw * 0.35, d / 2 - 0.02, h * 0.86), 0.015, "metal_steel", "handle")
     for k in range(4):
         b.rod(
             (-bw * 0.35 + k * bw * 0.23, d / 2 - 0.03, h * 0.69),

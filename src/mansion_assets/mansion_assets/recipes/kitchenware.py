@@ -13,14 +13,7 @@ def ball(b: Builder) -> None:
     style = b.p.get("style", "plain")
     if style == "dome":
         b.lathe(
-            [
-                (0.5, 0),
-                (0.5, h * 0.12),
-                (0.42, h * 0.16),
-                (0.36, h * 0.6),
-                (0.18, h * 0.95),
-                (0.02, h),
-            ],
+            [(0.5, 0), (0.5, h * 0.12), (0.42, h * 0.16), (0.36, h * 0.6), (0.18, h * 0.95), (0.02, h)],
             b.mat(),
             stretch=(w, d),
             n=20,
@@ -30,14 +23,7 @@ def ball(b: Builder) -> None:
         b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, h), b.mat(), "loaf", 0.8, 14)
         for k in range(3):
             y = -d * 0.25 + k * d * 0.25
-            b.box(
-                (-w * 0.25, w * 0.25),
-                (y - 0.006, y + 0.006),
-                (h * 0.97, h),
-                "food_beige",
-                "cuts",
-                False,
-            )
+            b.box((-w * 0.25, w * 0.25), (y - 0.006, y + 0.006), (h * 0.97, h), "food_beige", "cuts", False)
         return
     top = h * (0.93 if style == "apple" else 1.0)
     b.ball((0, 0, top / 2), (w / 2, d / 2, top / 2), b.mat(), "body", 16)
@@ -46,24 +32,10 @@ def ball(b: Builder) -> None:
     elif style == "leafy":
         for k in range(4):
             x, y = ((0.2, 0), (-0.2, 0.1), (0, 0.22), (0.05, -0.2))[k]
-            b.ball(
-                (x * w, y * d, h * 0.55),
-                (w * 0.28, d * 0.28, h * 0.42),
-                "leaf_green",
-                "leaves",
-                8,
-                False,
-            )
+            b.ball((x * w, y * d, h * 0.55), (w * 0.28, d * 0.28, h * 0.42), "leaf_green", "leaves", 8, False)
     elif style == "seams":
         for r in ((w * 0.502, 0.008, h * 0.5), (0.008, d * 0.502, h * 0.502)):
-            b.ball(
-                (0, 0, h / 2),
-                (max(r[0], 0.004), max(r[1], 0.004), r[2]),
-                "rubber_black",
-                "seams",
-                16,
-                False,
-            )
+            b.ball((0, 0, h / 2), (max(r[0], 0.004), max(r[1], 0.004), r[2]), "rubber_black", "seams", 16, False)
 
 
 @recipe("banana")
@@ -107,21 +79,9 @@ def _bladed(b: Builder, style: str) -> None:
     handle = "plastic_black" if style != "wrench" else main
     b.box((-w / 2, w / 2), (-d / 2, grip), (0, h), handle, "handle")
     left, right = (-w / 2, w / 2) if style != "knife" else (-w * 0.2, w * 0.2)
-    b.prism(
-        [(left, grip), (right, grip), (w * 0.2, d * 0.45), (0, d / 2)],
-        (h * 0.1, h * 0.9),
-        main,
-        "z",
-        "blade",
-    )
+    b.prism([(left, grip), (right, grip), (w * 0.2, d * 0.45), (0, d / 2)], (h * 0.1, h * 0.9), main, "z", "blade")
     if style == "scissors":
-        b.prism(
-            [(-w / 2, -d * 0.2), (-w * 0.2, -d * 0.2), (w / 2, d / 2 - 0.01)],
-            (0, h * 0.6),
-            main,
-            "z",
-            "blade",
-        )
+        b.prism([(-w / 2, -d * 0.2), (-w * 0.2, -d * 0.2), (w / 2, d / 2 - 0.01)], (0, h * 0.6), main, "z", "blade")
 
 
 def _headed(b: Builder, style: str) -> None:
@@ -145,14 +105,7 @@ def _headed(b: Builder, style: str) -> None:
             x = -w / 2 + (k + 0.5) * w / 4
             b.box((x - w * 0.07, x + w * 0.07), (d * 0.3, d / 2), (h * 0.1, h), main, "tines")
     elif style == "racket":
-        b.lathe(
-            [(0.5, 0), (0.5, h), (0.44, h), (0.44, h * 0.1)],
-            main,
-            (0, d * 0.26),
-            "frame",
-            24,
-            (w, d * 0.48),
-        )
+        b.lathe([(0.5, 0), (0.5, h), (0.44, h), (0.44, h * 0.1)], main, (0, d * 0.26), "frame", 24, (w, d * 0.48))
         b.cyl(0, -d * 0.36, (0, h), min(w * 0.08, 0.02), "leather_black", "grip")
     else:
         b.box((-w / 2, w / 2), (d * 0.15, d / 2), (0, h), main, "blade")
@@ -179,11 +132,7 @@ def _upright(b: Builder, style: str) -> None:
     w, d, h = b.w, b.d, b.h
     main = b.mat()
     if style == "umbrella":
-        b.lathe(
-            [(0.05, 0), (0.3, h * 0.2), (0.5, h * 0.7), (0.1, h * 0.74), (0.06, h * 0.9)],
-            main,
-            stretch=(w, d),
-        )
+        b.lathe([(0.05, 0), (0.3, h * 0.2), (0.5, h * 0.7), (0.1, h * 0.74), (0.06, h * 0.9)], main, stretch=(w, d))
         b.path(
             [(0, 0, h * 0.88), (0, 0, h - 0.02), (w * 0.35, 0, h - 0.012), (w * 0.4, 0, h * 0.93)],
             0.01,
@@ -195,14 +144,7 @@ def _upright(b: Builder, style: str) -> None:
         b.ball((0, 0, h * 0.84), (w / 2, d / 2, h * 0.16), "metal_steel", "head", 10)
     elif style == "bat":
         b.lathe(
-            [
-                (0.3, 0),
-                (0.3, h * 0.02),
-                (0.2, h * 0.05),
-                (0.22, h * 0.4),
-                (0.5, h * 0.85),
-                (0.3, h),
-            ],
+            [(0.3, 0), (0.3, h * 0.02), (0.2, h * 0.05), (0.22, h * 0.4), (0.5, h * 0.85), (0.3, h)],
             main,
             stretch=(w, d),
         )

@@ -34,13 +34,7 @@ def pool_table(b: Builder) -> None:
     """Cloth, rails, pockets and balls; air hockey has a white top and no balls."""
     w, d, h = b.w, b.d, b.h
     rail = 0.13
-    b.box(
-        (-w / 2 + 0.05, w / 2 - 0.05),
-        (-d / 2 + 0.05, d / 2 - 0.05),
-        (h - 0.3, h - 0.05),
-        "wood_walnut",
-        "body",
-    )
+    b.box((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.05, d / 2 - 0.05), (h - 0.3, h - 0.05), "wood_walnut", "body")
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - rail)))
         b.box((lo, hi), (-d / 2, d / 2), (h - 0.12, h), "wood_walnut", "rails")
@@ -65,13 +59,7 @@ def pool_table(b: Builder) -> None:
     for sy in (-1, 1):
         lo, hi = sorted((sy * d / 2, sy * (d / 2 - rail)))
         b.box((-w / 2, w / 2), (lo, hi), (h - 0.12, h), "wood_walnut", "rails")
-    b.box(
-        (-w / 2 + rail, w / 2 - rail),
-        (-d / 2 + rail, d / 2 - rail),
-        (h - 0.06, h - 0.035),
-        b.mat(),
-        "cloth",
-    )
+    b.box((-w / 2 + rail, w / 2 - rail), (-d / 2 + rail, d / 2 - rail), (h - 0.06, h - 0.035), b.mat(), "cloth")
     if b.mat().startswith("fabric"):
         for k in range(10):
             row = int((math.sqrt(8 * k + 1) - 1) / 2)
@@ -132,23 +120,16 @@ def pool(b: Builder) -> None:
         n = 8
         for i in range(n):
             for j in range(n):
-                x, y = (
-                    -w / 2 + t + (i + 0.5) * (w - 2 * t) / n,
-                    -d / 2 + t + (j + 0.5) * (d - 2 * t) / n,
-                )
+                x, y = (-w / 2 + t + (i + 0.5) * (w - 2 * t) / n, -d / 2 + t + (j + 0.5) * (d - 2 * t) / n)
                 b.ball(
                     (x, y, h * 0.6 + 0.02 * ((i + j) % 3)),
                     (0.07, 0.07, 0.07),
-                    ("plastic_red", "plastic_yellow", "plastic_blue", "plastic_green")[
-                        (i * 3 + j) % 4
-                    ],
+                    ("plastic_red", "plastic_yellow", "plastic_blue", "plastic_green")[(i * 3 + j) % 4],
                     "balls",
                     8,
                     False,
                 )
-        b.box(
-            (-w / 2 + t, w / 2 - t), (-d / 2 + t, d / 2 - t), (0, h * 0.55), "plastic_blue", "floor"
-        )
+        b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, d / 2 - t), (0, h * 0.55), "plastic_blue", "floor")
     else:
         b.box(
             (-w / 2 + t * 0.8, w / 2 - t * 0.8),
@@ -163,9 +144,7 @@ def pool(b: Builder) -> None:
 def fountain(b: Builder) -> None:
     """Two bowls and a spout."""
     w, d, h = b.w, b.d, b.h
-    b.lathe(
-        [(0.5, 0), (0.5, h * 0.3), (0.45, h * 0.3), (0.44, h * 0.22)], b.mat(), stretch=(w, d), n=32
-    )
+    b.lathe([(0.5, 0), (0.5, h * 0.3), (0.45, h * 0.3), (0.44, h * 0.22)], b.mat(), stretch=(w, d), n=32)
     b.cyl(0, 0, (h * 0.22, h * 0.25), w * 0.44, "glass_blue", "water", n=32, solid=False)
     b.lathe(
         [(0.08, h * 0.2), (0.05, h * 0.55), (0.24, h * 0.68), (0.22, h * 0.68), (0.04, h * 0.6)],

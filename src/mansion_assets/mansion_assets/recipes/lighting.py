@@ -17,12 +17,7 @@ def lamp(b: Builder) -> None:
     metal = "metal_black" if b.mat() != "metal_black" else "metal_steel"
     if style == "desk":
         b.lathe([(0.34, 0), (0.34, 0.015), (0.1, 0.03)], b.mat(), (0, -d * 0.2), "foot", 20, (w, w))
-        b.path(
-            [(0, -d * 0.2, 0.02), (0, -d * 0.42, h * 0.55), (0, d * 0.1, h - 0.03)],
-            0.009,
-            b.mat(),
-            "arm",
-        )
+        b.path([(0, -d * 0.2, 0.02), (0, -d * 0.42, h * 0.55), (0, d * 0.1, h - 0.03)], 0.009, b.mat(), "arm")
         b.lathe(
             [(0.5, h * 0.72), (0.2, h - 0.01), (0.12, h), (0.1, h)],
             b.mat(),
@@ -31,14 +26,7 @@ def lamp(b: Builder) -> None:
             20,
             (min(w, d), min(w, d)),
         )
-        b.ball(
-            (0, d / 2 - min(w, d) / 2, h * 0.75),
-            (r * 0.4, r * 0.4, h * 0.05),
-            "light_warm",
-            "bulb",
-            8,
-            False,
-        )
+        b.ball((0, d / 2 - min(w, d) / 2, h * 0.75), (r * 0.4, r * 0.4, h * 0.05), "light_warm", "bulb", 8, False)
         return
     shade = h * (0.82 if style == "floor" else 0.55)
     b.lathe([(0.6, 0), (0.6, 0.02), (0.1, 0.035)], metal, part="foot", n=20, stretch=(r, r))
@@ -51,13 +39,7 @@ def lamp(b: Builder) -> None:
             stretch=(r, r),
         )
     b.cyl(0, 0, (0.02, shade + 0.05), 0.012, metal, "stem", n=10)
-    b.lathe(
-        [(0.5, shade), (0.36, h), (0.34, h), (0.48, shade + 0.004)],
-        b.mat(),
-        part="shade",
-        n=24,
-        stretch=(w, d),
-    )
+    b.lathe([(0.5, shade), (0.36, h), (0.34, h), (0.48, shade + 0.004)], b.mat(), part="shade", n=24, stretch=(w, d))
     b.ball((0, 0, shade + (h - shade) * 0.4), (0.04, 0.04, 0.05), "light_warm", "bulb", 8, False)
 
 
@@ -116,14 +98,7 @@ def ceiling_panel(b: Builder) -> None:
             b.box((-w * 0.46, w * 0.46), (y, y + d * 0.07), (0, h * 0.3), b.mat(), "slats", False)
         return
     edge = min(0.02, d * 0.1)
-    b.box(
-        (-w / 2 + edge, w / 2 - edge),
-        (-d / 2 + edge, d / 2 - edge),
-        (0, h * 0.31),
-        "light_white",
-        "panel",
-        False,
-    )
+    b.box((-w / 2 + edge, w / 2 - edge), (-d / 2 + edge, d / 2 - edge), (0, h * 0.31), "light_white", "panel", False)
 
 
 @recipe("pendant")
@@ -143,12 +118,7 @@ def pendant(b: Builder) -> None:
         for k in range(8):
             a = k * math.pi / 4
             x, y = math.cos(a) * (w / 2 - 0.035), math.sin(a) * (d / 2 - 0.035)
-            b.path(
-                [(0, 0, h * 0.12), (x * 0.6, y * 0.6, h * 0.06), (x, y, h * 0.16)],
-                0.009,
-                b.mat(),
-                "arms",
-            )
+            b.path([(0, 0, h * 0.12), (x * 0.6, y * 0.6, h * 0.06), (x, y, h * 0.16)], 0.009, b.mat(), "arms")
             b.cyl(x, y, (h * 0.15, h * 0.17), 0.035, b.mat(), "cups", n=10, solid=False)
             b.ball((x, y, h * 0.22), (0.018, 0.018, 0.04), "light_warm", "bulbs", 8, False)
         return
@@ -171,23 +141,8 @@ def track(b: Builder) -> None:
     for k in range(3):
         x = -w * 0.35 + k * w * 0.35
         b.rod((x, 0, h - 0.03), (x, 0, h * 0.55), 0.008, b.mat(), "arms")
-        b.rod(
-            (x, -d / 2 + 0.03, h * 0.62),
-            (x, d / 2 - 0.02, h * 0.2),
-            min(0.035, h * 0.2),
-            b.mat(),
-            "spots",
-            14,
-            True,
-        )
-        b.rod(
-            (x, d / 2 - 0.02, h * 0.2),
-            (x, d / 2 - 0.012, h * 0.17),
-            min(0.03, h * 0.17),
-            "light_warm",
-            "lens",
-            14,
-        )
+        b.rod((x, -d / 2 + 0.03, h * 0.62), (x, d / 2 - 0.02, h * 0.2), min(0.035, h * 0.2), b.mat(), "spots", 14, True)
+        b.rod((x, d / 2 - 0.02, h * 0.2), (x, d / 2 - 0.012, h * 0.17), min(0.03, h * 0.17), "light_warm", "lens", 14)
 
 
 @recipe("fan")
@@ -196,10 +151,7 @@ def fan(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.cyl(0, 0, (h * 0.35, h), 0.015, "metal_steel", "rod")
     b.lathe(
-        [(0.03, 0), (0.09, h * 0.1), (0.1, h * 0.35), (0.04, h * 0.42)],
-        "metal_steel",
-        part="hub",
-        stretch=(1.0, 1.0),
+        [(0.03, 0), (0.09, h * 0.1), (0.1, h * 0.35), (0.04, h * 0.42)], "metal_steel", part="hub", stretch=(1.0, 1.0)
     )
     b.box((-w / 2, w / 2), (-0.07, 0.07), (h * 0.24, h * 0.27), b.mat(), "blades")
     b.box((-0.07, 0.07), (-d / 2, d / 2), (h * 0.24, h * 0.27), b.mat(), "blades")
@@ -212,21 +164,12 @@ def surgical_light(b: Builder) -> None:
     b.cyl(0, -d * 0.3, (h - 0.05, h), 0.12, b.mat(), "rose", n=20)
     b.rod((0, -d * 0.3, h), (0, -d * 0.3, h * 0.5), 0.035, b.mat(), "arm")
     b.rod((0, -d * 0.3, h * 0.5), (0, 0.1, h * 0.42), 0.03, b.mat(), "arm")
-    b.lathe(
-        [(0.46, 0.0), (0.5, 0.06), (0.36, 0.14), (0.1, 0.2)], b.mat(), (0, 0), "head", 32, (w, d)
-    )
+    b.lathe([(0.46, 0.0), (0.5, 0.06), (0.36, 0.14), (0.1, 0.2)], b.mat(), (0, 0), "head", 32, (w, d))
     for k in range(7):
         a = k * 2 * math.pi / 6
         r = 0.28 if k < 6 else 0.0
         b.cyl(
-            math.cos(a) * r * w,
-            math.sin(a) * r * d,
-            (-0.004, 0.004),
-            0.07,
-            "light_white",
-            "lamps",
-            n=14,
-            solid=False,
+            math.cos(a) * r * w, math.sin(a) * r * d, (-0.004, 0.004), 0.07, "light_white", "lamps", n=14, solid=False
         )
 
 
@@ -236,13 +179,7 @@ def studio_light(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     for k in range(3):
         a = math.pi / 2 + k * 2 * math.pi / 3
-        b.rod(
-            (0, 0, 0.25),
-            (math.cos(a) * w * 0.48, math.sin(a) * d * 0.48, 0.015),
-            0.012,
-            "metal_black",
-            "legs",
-        )
+        b.rod((0, 0, 0.25), (math.cos(a) * w * 0.48, math.sin(a) * d * 0.48, 0.015), 0.012, "metal_black", "legs")
     b.cyl(0, 0, (0.02, h - 0.2), 0.016, "metal_black", "pole")
     if b.p.get("style") == "hood":
         b.ball((0, 0.04, h - 0.18), (w * 0.4, d * 0.44, 0.18), b.mat(), "hood", 14)

@@ -9,9 +9,7 @@ from mansion_assets.registry import recipe
 __all__: list[str] = []
 
 
-def _figure(
-    b: Builder, x: float, z: float, height: float, wide: float, deep: float, main: str
-) -> None:
+def _figure(b: Builder, x: float, z: float, height: float, wide: float, deep: float, main: str) -> None:
     """A standing human figure."""
     h = height
     b.ball((x, 0, z + h * 0.93), (wide * 0.16, deep * 0.26, h * 0.07), main, "head", 12)
@@ -37,13 +35,7 @@ def _figure(
             "arms",
         )
         b.rod(
-            (x + sx * wide * 0.15, 0, z),
-            (x + sx * wide * 0.14, 0, z + h * 0.52),
-            wide * 0.12,
-            main,
-            "legs",
-            10,
-            True,
+            (x + sx * wide * 0.15, 0, z), (x + sx * wide * 0.14, 0, z + h * 0.52), wide * 0.12, main, "legs", 10, True
         )
         b.box(
             (x + sx * wide * 0.15 - wide * 0.08, x + sx * wide * 0.15 + wide * 0.08),
@@ -76,12 +68,7 @@ def _vase(b: Builder) -> None:
     """Floor vase with twigs."""
     w, d, h = b.w, b.d, b.h
     main = b.mat()
-    b.lathe(
-        [(0.3, 0), (0.5, h * 0.3), (0.4, h * 0.6), (0.2, h * 0.75), (0.26, h * 0.8)],
-        main,
-        stretch=(w, d),
-        n=20,
-    )
+    b.lathe([(0.3, 0), (0.5, h * 0.3), (0.4, h * 0.6), (0.2, h * 0.75), (0.26, h * 0.8)], main, stretch=(w, d), n=20)
     for k in range(5):
         a = k * 1.257
         b.rod(
@@ -106,13 +93,7 @@ def _sculpture(b: Builder) -> None:
     for p, q in itertools.pairwise(points):
         b.rod(p, q, 0.07, main, "coil", 10, True)
     b.ball((0, 0, h * 0.55), (w * 0.2, d * 0.2, h * 0.16), main, "core", 16)
-    b.ball(
-        (points[-1][0] * 0.9, points[-1][1] * 0.9, h - 0.1),
-        (0.1, 0.1, 0.1),
-        "metal_brass",
-        "tip",
-        12,
-    )
+    b.ball((points[-1][0] * 0.9, points[-1][1] * 0.9, h - 0.1), (0.1, 0.1, 0.1), "metal_brass", "tip", 12)
 
 
 def _exhibit(b: Builder) -> None:
@@ -120,14 +101,7 @@ def _exhibit(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     base = h * 0.55
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base), "stone_white", "base")
-    b.box(
-        (-w * 0.2, w * 0.2),
-        (d / 2 - 0.002, d / 2 + 0.0),
-        (base * 0.6, base * 0.7),
-        "metal_brass",
-        "label",
-        False,
-    )
+    b.box((-w * 0.2, w * 0.2), (d / 2 - 0.002, d / 2 + 0.0), (base * 0.6, base * 0.7), "metal_brass", "label", False)
     if round(w * 1000) % 2:
         _bust(b, base)
     else:
@@ -137,44 +111,16 @@ def _exhibit(b: Builder) -> None:
 def _bust(b: Builder, base: float) -> None:
     """Shoulders, neck and head."""
     w, d, h = b.w, b.d, b.h
-    b.cushion(
-        (-w * 0.3, w * 0.3),
-        (-d * 0.2, d * 0.2),
-        (base, base + (h - base) * 0.5),
-        "stone_light",
-        "bust",
-        0.7,
-        12,
-    )
-    b.cyl(
-        0,
-        0,
-        (base + (h - base) * 0.4, base + (h - base) * 0.65),
-        w * 0.09,
-        "stone_light",
-        "bust",
-        n=12,
-        solid=False,
-    )
-    b.ball(
-        (0, 0, h - (h - base) * 0.24),
-        (w * 0.16, d * 0.2, (h - base) * 0.24),
-        "stone_light",
-        "bust",
-        14,
-    )
+    b.cushion((-w * 0.3, w * 0.3), (-d * 0.2, d * 0.2), (base, base + (h - base) * 0.5), "stone_light", "bust", 0.7, 12)
+    b.cyl(0, 0, (base + (h - base) * 0.4, base + (h - base) * 0.65), w * 0.09, "stone_light", "bust", n=12, solid=False)
+    b.ball((0, 0, h - (h - base) * 0.24), (w * 0.16, d * 0.2, (h - base) * 0.24), "stone_light", "bust", 14)
 
 
 def _urn(b: Builder, base: float) -> None:
     """Blue vase."""
     w, d, h = b.w, b.d, b.h
     b.lathe(
-        [
-            (0.14, base),
-            (0.3, base + (h - base) * 0.4),
-            (0.12, base + (h - base) * 0.8),
-            (0.18, h),
-        ],
+        [(0.14, base), (0.3, base + (h - base) * 0.4), (0.12, base + (h - base) * 0.8), (0.18, h)],
         "ceramic_blue",
         stretch=(w, d),
         part="vase",
@@ -238,11 +184,7 @@ def _spine(b: Builder) -> None:
         y = -d * 0.14 + k * d * 0.035
         for sx in (-1, 1):
             b.path(
-                [
-                    (0, y, h * 0.64),
-                    (sx * w * 0.24, y + 0.03, h * 0.52),
-                    (sx * w * 0.1, y + 0.05, h * 0.38),
-                ],
+                [(0, y, h * 0.64), (sx * w * 0.24, y + 0.03, h * 0.52), (sx * w * 0.1, y + 0.05, h * 0.38)],
                 0.018,
                 m,
                 "ribs",
@@ -283,11 +225,7 @@ def _limbs(b: Builder, side: int) -> None:
         "legs",
     )
     b.path(
-        [
-            (side * 0.08, d * 0.14, h * 0.58),
-            (side * w * 0.18, d * 0.2, h * 0.44),
-            (side * w * 0.14, d * 0.27, h * 0.4),
-        ],
+        [(side * 0.08, d * 0.14, h * 0.58), (side * w * 0.18, d * 0.2, h * 0.44), (side * w * 0.14, d * 0.27, h * 0.4)],
         0.025,
         m,
         "arms",

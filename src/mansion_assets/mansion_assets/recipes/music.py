@@ -18,20 +18,11 @@ def piano(b: Builder) -> None:
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.05)))
         b.box((lo, hi), (-d / 2 + d * 0.5, d / 2), (0, 0.74), m, "arms")
-    b.box(
-        (-w / 2 + 0.06, w / 2 - 0.06),
-        (d * 0.12, d * 0.46),
-        (0.66, 0.69),
-        "plastic_white",
-        "keys",
-        False,
-    )
+    b.box((-w / 2 + 0.06, w / 2 - 0.06), (d * 0.12, d * 0.46), (0.66, 0.69), "plastic_white", "keys", False)
     for k in range(30):
         if k % 7 not in (2, 6):
             x = -w / 2 + 0.1 + k * (w - 0.2) / 30
-            b.box(
-                (x, x + 0.012), (d * 0.12, d * 0.32), (0.69, 0.702), "plastic_black", "keys", False
-            )
+            b.box((x, x + 0.012), (d * 0.12, d * 0.32), (0.69, 0.702), "plastic_black", "keys", False)
     b.box((-w * 0.3, w * 0.3), (0.0, 0.02), (0.74, 0.96), m, "desk", False)
     for x in (-0.05, 0.05):
         b.box((x - 0.015, x + 0.015), (0.0, 0.12), (0.05, 0.07), "metal_brass", "pedals", False)
@@ -55,14 +46,7 @@ def grand_piano(b: Builder) -> None:
     b.prism([(x, min(y, d * 0.3)) for x, y in outline], (h - 0.32, h - 0.03), m, "z", "case")
     b.prism([(x, min(y, d * 0.3)) for x, y in outline], (h - 0.03, h), m, "z", "lid")
     b.box((-w / 2, w / 2), (d * 0.28, d / 2), (h - 0.32, h - 0.2), m, "keybed")
-    b.box(
-        (-w / 2 + 0.1, w / 2 - 0.1),
-        (d * 0.31, d * 0.46),
-        (h - 0.2, h - 0.18),
-        "plastic_white",
-        "keys",
-        False,
-    )
+    b.box((-w / 2 + 0.1, w / 2 - 0.1), (d * 0.31, d * 0.46), (h - 0.2, h - 0.18), "plastic_white", "keys", False)
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.08)))
         b.box((lo, hi), (d * 0.28, d / 2), (h - 0.32, h - 0.12), m, "arms")
@@ -76,9 +60,7 @@ def drums(b: Builder) -> None:
     """Bass drum, toms, snare, cymbals, stool."""
     w, d, h = b.w, b.d, b.h
     b.rod((-0.02, d * 0.1, 0.3), (-0.02, d / 2, 0.3), 0.29, b.mat(), "bass", 28, True)
-    b.rod(
-        (-0.02, d / 2 - 0.02, 0.3), (-0.02, d / 2 - 0.002, 0.3), 0.26, "plastic_white", "bass", 28
-    )
+    b.rod((-0.02, d / 2 - 0.02, 0.3), (-0.02, d / 2 - 0.002, 0.3), 0.26, "plastic_white", "bass", 28)
     for x, y, z, r in (
         (-0.22, 0.18, 0.62, 0.15),
         (0.18, 0.18, 0.62, 0.15),
@@ -93,13 +75,7 @@ def drums(b: Builder) -> None:
         b.cyl(x, y, (h - 0.03, h), r, "metal_brass", "cymbals", 0.02, 24)
         for k in range(3):
             a = k * 2.094
-            b.rod(
-                (x, y, 0.2),
-                (x + 0.18 * math.cos(a), y + 0.18 * math.sin(a), 0.01),
-                0.008,
-                "metal_steel",
-                "stands",
-            )
+            b.rod((x, y, 0.2), (x + 0.18 * math.cos(a), y + 0.18 * math.sin(a), 0.01), 0.008, "metal_steel", "stands")
     b.cyl(0, -d / 2 + 0.17, (0.42, 0.5), 0.17, "leather_black", "stool", n=20)
     b.cyl(0, -d / 2 + 0.17, (0, 0.42), 0.03, "metal_steel", "stool")
 
@@ -110,32 +86,14 @@ def guitar(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     if b.p.get("style") == "stand":
         r = w / 2
-        b.rod(
-            (0, 0.0, r * 0.9 + 0.08), (0, 0.09, r * 0.9 + 0.08), r * 0.98, b.mat(), "body", 24, True
-        )
-        b.rod(
-            (0, 0.0, r * 1.9 + 0.1), (0, 0.09, r * 1.9 + 0.1), r * 0.74, b.mat(), "body", 24, True
-        )
-        b.rod(
-            (0, 0.085, r * 1.6 + 0.1), (0, 0.093, r * 1.6 + 0.1), 0.05, "plastic_black", "hole", 16
-        )
+        b.rod((0, 0.0, r * 0.9 + 0.08), (0, 0.09, r * 0.9 + 0.08), r * 0.98, b.mat(), "body", 24, True)
+        b.rod((0, 0.0, r * 1.9 + 0.1), (0, 0.09, r * 1.9 + 0.1), r * 0.74, b.mat(), "body", 24, True)
+        b.rod((0, 0.085, r * 1.6 + 0.1), (0, 0.093, r * 1.6 + 0.1), 0.05, "plastic_black", "hole", 16)
         b.box((-0.028, 0.028), (0.04, 0.075), (r * 2.2, h - 0.12), "wood_brown", "neck")
         b.box((-0.04, 0.04), (0.03, 0.06), (h - 0.13, h), "wood_brown", "head")
         for sx in (-1, 1):
-            b.rod(
-                (sx * 0.1, -d / 2 + 0.02, 0.0),
-                (sx * 0.04, -0.03, h * 0.5),
-                0.012,
-                "metal_black",
-                "stand",
-            )
-            b.rod(
-                (sx * 0.1, -0.05, 0.08),
-                (sx * 0.12, d / 2 - 0.01, 0.06),
-                0.012,
-                "metal_black",
-                "stand",
-            )
+            b.rod((sx * 0.1, -d / 2 + 0.02, 0.0), (sx * 0.04, -0.03, h * 0.5), 0.012, "metal_black", "stand")
+            b.rod((sx * 0.1, -0.05, 0.08), (sx * 0.12, d / 2 - 0.01, 0.06), 0.012, "metal_black", "stand")
         return
     b.cushion((-w / 2, w / 2), (-d / 2, -d * 0.18), (0, h * 0.6), b.mat(), "body", 0.9, 14)
     b.cushion((-w * 0.42, w * 0.42), (-d * 0.24, d * 0.06), (0, h * 0.6), b.mat(), "body", 0.9, 14)
@@ -149,13 +107,7 @@ def music_stand(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     for k in range(3):
         a = -math.pi / 2 + k * 2 * math.pi / 3
-        b.rod(
-            (0, 0, 0.18),
-            (math.cos(a) * w * 0.48, math.sin(a) * d * 0.48, 0.01),
-            0.009,
-            b.mat(),
-            "legs",
-        )
+        b.rod((0, 0, 0.18), (math.cos(a) * w * 0.48, math.sin(a) * d * 0.48, 0.01), 0.009, b.mat(), "legs")
     b.cyl(0, 0, (0.05, h * 0.78), 0.012, b.mat(), "pole")
     b.prism(
         [(d * 0.2, h * 0.72), (d * 0.26, h * 0.73), (-d * 0.1, h), (-d * 0.14, h)],
@@ -164,12 +116,7 @@ def music_stand(b: Builder) -> None:
         part="desk",
     )
     b.prism(
-        [
-            (d * 0.25, h * 0.76),
-            (d * 0.26, h * 0.765),
-            (-d * 0.06, h * 0.985),
-            (-d * 0.07, h * 0.98),
-        ],
+        [(d * 0.25, h * 0.76), (d * 0.26, h * 0.765), (-d * 0.06, h * 0.985), (-d * 0.07, h * 0.98)],
         (-w * 0.4, w * 0.4),
         "paper_white",
         part="sheets",

@@ -14,13 +14,7 @@ def partition(b: Builder) -> None:
         for k in range(3):
             x0, x1 = -w / 2 + k * w / 3, -w / 2 + (k + 1) * w / 3
             y0, y1 = (-d / 2, d / 2 - 0.03) if k % 2 == 0 else (d / 2 - 0.03, -d / 2)
-            b.prism(
-                [(x0, y0), (x1, y1), (x1, y1 + 0.03), (x0, y0 + 0.03)],
-                (0.06, h),
-                b.mat(),
-                "z",
-                "panels",
-            )
+            b.prism([(x0, y0), (x1, y1), (x1, y1 + 0.03), (x0, y0 + 0.03)], (0.06, h), b.mat(), "z", "panels")
             b.cyl(x0 + 0.02, y0 + 0.015, (0, h), 0.014, "metal_steel", "posts", n=8, solid=False)
         return
     t = min(0.05, d * 0.9)
@@ -41,14 +35,7 @@ def booth(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + t), (0, h), b.mat(), "back")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - t, h), b.mat(), "roof")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.05), "fabric_dark", "floor")
-    b.box(
-        (-w / 2 + t, w / 2 - t),
-        (d / 2 - 0.03, d / 2 - 0.01),
-        (0.05, h - t),
-        "glass_clear",
-        "door",
-        False,
-    )
+    b.box((-w / 2 + t, w / 2 - t), (d / 2 - 0.03, d / 2 - 0.01), (0.05, h - t), "glass_clear", "door", False)
     b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, -d / 2 + t + 0.3), (1.0, 1.03), "wood_oak", "shelf")
     b.box((w * 0.3, w * 0.33), (d / 2 - 0.012, d / 2), (0.9, 1.2), "metal_steel", "handle", False)
     b.box((-0.1, 0.1), (-0.05, 0.05), (h - t - 0.01, h - t), "light_white", "lamp", False)
@@ -80,9 +67,7 @@ def turnstile(b: Builder) -> None:
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * w * 0.3))
         b.box((lo, hi), (-0.006, 0.006), (h * 0.25, h * 0.9), "glass_clear", "wings", False)
-    b.box(
-        (-w * 0.15, w * 0.15), (d * 0.3, d * 0.42), (h - 0.001, h), "light_green", "reader", False
-    )
+    b.box((-w * 0.15, w * 0.15), (d * 0.3, d * 0.42), (h - 0.001, h), "light_green", "reader", False)
 
 
 @recipe("barrier")
@@ -100,8 +85,7 @@ def barrier(b: Builder) -> None:
             18,
         )
     points = [
-        ((t - 0.5) * (w - 2 * r), 0.0, h - 0.12 - 0.25 * (1 - (2 * t - 1) ** 2))
-        for t in [k / 8 for k in range(9)]
+        ((t - 0.5) * (w - 2 * r), 0.0, h - 0.12 - 0.25 * (1 - (2 * t - 1) ** 2)) for t in [k / 8 for k in range(9)]
     ]
     b.path(points, 0.018, "fabric_red", "rope")
 
@@ -113,28 +97,12 @@ def arch(b: Builder) -> None:
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.1)))
         b.box((lo, hi), (-d / 2, d / 2), (0, h), b.mat(), "posts")
-        b.box(
-            (lo + 0.04, hi - 0.04),
-            (d / 2 - 0.002, d / 2),
-            (h * 0.3, h * 0.8),
-            "light_green",
-            "lights",
-            False,
-        )
+        b.box((lo + 0.04, hi - 0.04), (d / 2 - 0.002, d / 2), (h * 0.3, h * 0.8), "light_green", "lights", False)
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.22, h), b.mat(), "head")
-    b.box(
-        (-0.12, 0.12), (d / 2 - 0.002, d / 2), (h - 0.16, h - 0.06), "screen_blue", "display", False
-    )
+    b.box((-0.12, 0.12), (d / 2 - 0.002, d / 2), (h - 0.16, h - 0.06), "screen_blue", "display", False)
 
 
-_GARMENTS = (
-    "fabric_blue",
-    "fabric_red",
-    "fabric_dark",
-    "fabric_beige",
-    "fabric_green",
-    "fabric_white",
-)
+_GARMENTS = ("fabric_blue", "fabric_red", "fabric_dark", "fabric_beige", "fabric_green", "fabric_white")
 
 
 @recipe("rail")

@@ -11,40 +11,15 @@ def _copier(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     m = b.mat()
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.04), (0.04, h * 0.78), m, "case")
-    b.box(
-        (-w / 2 + 0.04, w / 2 - 0.04),
-        (-d / 2 + 0.04, d / 2 - 0.1),
-        (0, 0.04),
-        "plastic_dark",
-        "feet",
-    )
+    b.box((-w / 2 + 0.04, w / 2 - 0.04), (-d / 2 + 0.04, d / 2 - 0.1), (0, 0.04), "plastic_dark", "feet")
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.08), (h * 0.86, h), m, "scanner")
     b.box((-w * 0.3, w / 2), (-d / 2, d / 2 - 0.2), (h * 0.78, h * 0.86), "plastic_dark", "gap")
     for k in range(3):
         z = 0.1 + k * h * 0.19
-        b.box(
-            (-w * 0.46, w * 0.46),
-            (d / 2 - 0.04, d / 2 - 0.02),
-            (z, z + h * 0.16),
-            "plastic_light",
-            "trays",
-            False,
-        )
-        b.box(
-            (-0.08, 0.08),
-            (d / 2 - 0.02, d / 2 - 0.01),
-            (z + h * 0.1, z + h * 0.12),
-            "plastic_dark",
-            "trays",
-            False,
-        )
+        b.box((-w * 0.46, w * 0.46), (d / 2 - 0.04, d / 2 - 0.02), (z, z + h * 0.16), "plastic_light", "trays", False)
+        b.box((-0.08, 0.08), (d / 2 - 0.02, d / 2 - 0.01), (z + h * 0.1, z + h * 0.12), "plastic_dark", "trays", False)
     b.prism(
-        [
-            (d / 2 - 0.12, h * 0.86),
-            (d / 2, h * 0.84),
-            (d / 2, h * 0.87),
-            (d / 2 - 0.1, h * 0.93),
-        ],
+        [(d / 2 - 0.12, h * 0.86), (d / 2, h * 0.84), (d / 2, h * 0.87), (d / 2 - 0.1, h * 0.93)],
         (w * 0.05, w / 2),
         "screen_blue",
         part="panel",
@@ -56,29 +31,9 @@ def _printer(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     m = b.mat()
     b.cushion((-w / 2, w / 2), (-d / 2, d / 2 - 0.05), (0, h), m, "case", 0.25, 12)
-    b.box(
-        (-w * 0.34, w * 0.34),
-        (d / 2 - 0.12, d / 2),
-        (h * 0.25, h * 0.3),
-        "paper_white",
-        "paper",
-    )
-    b.box(
-        (-w * 0.36, w * 0.36),
-        (d / 2 - 0.07, d / 2 - 0.045),
-        (h * 0.3, h * 0.5),
-        "plastic_dark",
-        "slot",
-        False,
-    )
-    b.box(
-        (w * 0.15, w * 0.4),
-        (d / 2 - 0.06, d / 2 - 0.045),
-        (h * 0.68, h * 0.84),
-        "screen_blue",
-        "panel",
-        False,
-    )
+    b.box((-w * 0.34, w * 0.34), (d / 2 - 0.12, d / 2), (h * 0.25, h * 0.3), "paper_white", "paper")
+    b.box((-w * 0.36, w * 0.36), (d / 2 - 0.07, d / 2 - 0.045), (h * 0.3, h * 0.5), "plastic_dark", "slot", False)
+    b.box((w * 0.15, w * 0.4), (d / 2 - 0.06, d / 2 - 0.045), (h * 0.68, h * 0.84), "screen_blue", "panel", False)
 
 
 def _plotter(b: Builder) -> None:
@@ -99,9 +54,5 @@ def _plotter(b: Builder) -> None:
     )
 
 
-OFFICE_MACHINES: dict[str, Recipe] = {
-    "copier": _copier,
-    "plotter": _plotter,
-    "printer": _printer,
-}
+OFFICE_MACHINES: dict[str, Recipe] = {"copier": _copier, "plotter": _plotter, "printer": _printer}
 """From a style of the recipe ``machine`` to its shape."""

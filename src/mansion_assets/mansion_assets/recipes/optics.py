@@ -15,18 +15,8 @@ def camera(b: Builder) -> None:
     if b.p.get("style") == "cctv":
         b.box((-w * 0.3, w * 0.3), (-d / 2, -d / 2 + 0.015), (h * 0.3, h), b.mat(), "plate")
         b.box((-0.012, 0.012), (-d / 2, 0), (h * 0.7, h * 0.85), b.mat(), "arm", False)
-    b.box(
-        (-w / 2, w / 2), (-d * 0.3, d * 0.15), (0, h * (0.8 if h > 0.07 else 1.0)), b.mat(), "body"
-    )
-    b.rod(
-        (0, d * 0.1, h * 0.4),
-        (0, d / 2, h * 0.4),
-        min(w, h) * 0.32,
-        "plastic_black",
-        "lens",
-        14,
-        True,
-    )
+    b.box((-w / 2, w / 2), (-d * 0.3, d * 0.15), (0, h * (0.8 if h > 0.07 else 1.0)), b.mat(), "body")
+    b.rod((0, d * 0.1, h * 0.4), (0, d / 2, h * 0.4), min(w, h) * 0.32, "plastic_black", "lens", 14, True)
     b.box((-w * 0.2, w * 0.2), (-d / 2, d * 0.05), (h * 0.8, h), b.mat(), "finder", False)
 
 
@@ -36,14 +26,7 @@ def projector(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     low = min(0.12, h * 0.4)
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.03), (0, low), b.mat(), "case")
-    b.rod(
-        (-w * 0.25, d / 2 - 0.04, low / 2),
-        (-w * 0.25, d / 2, low / 2),
-        low * 0.35,
-        "glass_black",
-        "lens",
-        16,
-    )
+    b.rod((-w * 0.25, d / 2 - 0.04, low / 2), (-w * 0.25, d / 2, low / 2), low * 0.35, "glass_black", "lens", 16)
     b.cyl(0, 0, (low, h), 0.02, "metal_white", "mount")
     b.cyl(0, 0, (h - 0.015, h), 0.07, "metal_white", "mount")
 
@@ -54,28 +37,11 @@ def microscope(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.08), b.mat(), "foot")
     b.box((-w * 0.16, w * 0.16), (-d / 2, -d * 0.25), (h * 0.08, h * 0.75), b.mat(), "arm")
-    b.box(
-        (-w * 0.36, w * 0.36), (-d * 0.25, d * 0.3), (h * 0.36, h * 0.4), "plastic_black", "stage"
-    )
+    b.box((-w * 0.36, w * 0.36), (-d * 0.25, d * 0.3), (h * 0.36, h * 0.4), "plastic_black", "stage")
     b.box((-w * 0.16, w * 0.16), (-d / 2, d * 0.15), (h * 0.66, h * 0.78), b.mat(), "head")
     b.cyl(0, d * 0.05, (h * 0.44, h * 0.66), w * 0.09, "metal_steel", "objective", n=12)
-    b.rod(
-        (0, -d * 0.05, h * 0.75),
-        (0, d * 0.3, h - w * 0.05),
-        w * 0.08,
-        "plastic_black",
-        "tube",
-        12,
-        True,
-    )
-    b.rod(
-        (-w * 0.3, -d * 0.38, h * 0.25),
-        (w * 0.3, -d * 0.38, h * 0.25),
-        h * 0.06,
-        "plastic_black",
-        "knobs",
-        14,
-    )
+    b.rod((0, -d * 0.05, h * 0.75), (0, d * 0.3, h - w * 0.05), w * 0.08, "plastic_black", "tube", 12, True)
+    b.rod((-w * 0.3, -d * 0.38, h * 0.25), (w * 0.3, -d * 0.38, h * 0.25), h * 0.06, "plastic_black", "knobs", 14)
 
 
 def _tripod(b: Builder, top: float) -> None:

@@ -21,27 +21,13 @@ def _face(b: Builder, face: str, x: tuple[float, float], z: tuple[float, float],
         b.box(x, (y - thin, y), z, face, "face", False)
         return
     key = sum(ord(c) for c in b.mat()) + round(1000 * (b.w + b.h))
-    colors = (
-        _ART[key % 3]
-        if face == "art"
-        else ("paper_blue", "paper_green", "paper_beige", "paper_green")
-    )
+    colors = _ART[key % 3] if face == "art" else ("paper_blue", "paper_green", "paper_beige", "paper_green")
     b.box(x, (y - 2 * thin, y - thin), z, colors[0], "face", False)
     for k in range(5):
         u, v = ((key * (k + 3)) % 17) / 17 * 0.6, ((key * (k + 5)) % 13) / 13 * 0.6
         bw, bh = (0.15 + 0.25 * ((key + k) % 3) / 2), (0.12 + 0.2 * ((key + 2 * k) % 3) / 2)
-        patch = (
-            (x[0] + u * w, x[0] + min(0.96, u + bw) * w),
-            (z[0] + v * h, z[0] + min(0.96, v + bh) * h),
-        )
-        b.box(
-            patch[0],
-            (y - thin, y - thin * 0.5 + 0.0001 * k),
-            patch[1],
-            colors[1 + k % 3],
-            "face",
-            False,
-        )
+        patch = ((x[0] + u * w, x[0] + min(0.96, u + bw) * w), (z[0] + v * h, z[0] + min(0.96, v + bh) * h))
+        b.box(patch[0], (y - thin, y - thin * 0.5 + 0.0001 * k), patch[1], colors[1 + k % 3], "face", False)
 
 
 @recipe("panel")
@@ -96,14 +82,7 @@ def _easel(b: Builder) -> None:
             b.mat(),
             part="frame",
         )
-    b.rod(
-        (0, -d / 2 + 0.01, 0.0),
-        (0, d / 2 - lean, h * 0.92),
-        0.012 if h > 0.4 else 0.005,
-        b.mat(),
-        "leg",
-        solid=True,
-    )
+    b.rod((0, -d / 2 + 0.01, 0.0), (0, d / 2 - lean, h * 0.92), 0.012 if h > 0.4 else 0.005, b.mat(), "leg", solid=True)
     _leaning_face(b, lean)
 
 
@@ -148,14 +127,7 @@ def _roller_screen(b: Builder) -> None:
     face = str(b.p.get("face", "paper_white"))
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.1, h), b.mat(), "case")
     b.box((-w / 2 + 0.04, w / 2 - 0.04), (-0.004, 0.004), (0, h - 0.1), face, "screen")
-    b.box(
-        (-w / 2 + 0.03, w / 2 - 0.03),
-        (-0.012, 0.012),
-        (0, 0.025),
-        "plastic_black",
-        "bar",
-        False,
-    )
+    b.box((-w / 2 + 0.03, w / 2 - 0.03), (-0.012, 0.012), (0, 0.025), "plastic_black", "bar", False)
 
 
 def _framed(b: Builder, y: tuple[float, float], from_z: float) -> None:
@@ -169,13 +141,7 @@ def _framed(b: Builder, y: tuple[float, float], from_z: float) -> None:
         b.box(side, (y0, y1), (z0, z1), b.mat(), "frame", False)
     for level in ((z0, z0 + rim), (z1 - rim, z1)):
         b.box((-w / 2, w / 2), (y0, y1), level, b.mat(), "frame", False)
-    _face(
-        b,
-        face,
-        (-w / 2 + rim, w / 2 - rim),
-        (z0 + rim, z1 - rim),
-        y1 - (0.004 if d > 0.02 else 0.001),
-    )
+    _face(b, face, (-w / 2 + rim, w / 2 - rim), (z0 + rim, z1 - rim), y1 - (0.004 if d > 0.02 else 0.001))
     if b.p.get("tray"):
         b.box((-w * 0.3, w * 0.3), (y1 - 0.03, y1), (0, 0.015), "metal_steel", "tray", False)
     if b.p.get("notes"):

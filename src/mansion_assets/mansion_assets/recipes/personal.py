@@ -31,14 +31,7 @@ def book(b: Builder) -> None:
         return
     if style == "upright":
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h), b.mat(), "cover")
-        b.box(
-            (-w * 0.3, w * 0.3),
-            (d / 2 - 0.001, d / 2),
-            (h * 0.4, h * 0.7),
-            "paper_white",
-            "label",
-            False,
-        )
+        b.box((-w * 0.3, w * 0.3), (d / 2 - 0.001, d / 2), (h * 0.4, h * 0.7), "paper_white", "label", False)
         return
     count = int(b.p.get("stack", 1))
     for k in range(count):
@@ -51,12 +44,7 @@ def book(b: Builder) -> None:
         b.box(x, y, (z1 - t, z1), cover, "cover", False)
         b.box((x[0], x[0] + 0.004), y, (z0, z1), cover, "cover", False)
         b.box(
-            (x[0] + 0.003, x[1] - 0.004),
-            (y[0] + 0.004, y[1] - 0.004),
-            (z0 + t, z1 - t),
-            "paper_light",
-            "pages",
-            False,
+            (x[0] + 0.003, x[1] - 0.004), (y[0] + 0.004, y[1] - 0.004), (z0 + t, z1 - t), "paper_light", "pages", False
         )
     b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))
 
@@ -69,9 +57,7 @@ def shoes(b: Builder) -> None:
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * w * 0.04))
         b.box((lo, hi), (-d / 2, d / 2), (0, h * (0.12 if low else 0.05)), "rubber_black", "soles")
-        b.cushion(
-            (lo, hi), (-d / 2, d / 2), (0, h * (0.7 if low else 0.25)), b.mat(), "uppers", 0.8
-        )
+        b.cushion((lo, hi), (-d / 2, d / 2), (0, h * (0.7 if low else 0.25)), b.mat(), "uppers", 0.8)
         b.cushion((lo + 0.004, hi - 0.004), (-d / 2, -d * 0.02), (0, h), b.mat(), "shafts", 0.6)
 
 
@@ -80,10 +66,7 @@ def keys(b: Builder) -> None:
     """Ring with keys."""
     w, d, h = b.w, b.d, b.h
     r = min(w, d) * 0.3
-    points = [
-        (-w / 2 + r + r * math.cos(a), r * math.sin(a), h / 2)
-        for a in [k * math.pi / 6 for k in range(13)]
-    ]
+    points = [(-w / 2 + r + r * math.cos(a), r * math.sin(a), h / 2) for a in [k * math.pi / 6 for k in range(13)]]
     b.path(points, h * 0.3, b.mat(), "ring")
     for y, color in ((-d * 0.3, "metal_steel"), (d * 0.3, "metal_brass")):
         b.box((-w * 0.1, w / 2), (y - d * 0.1, y + d * 0.1), (0, h), color, "keys")
@@ -96,9 +79,7 @@ def ring(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     r = h / 2
     rx, ry = w / 2 - r, d / 2 - r
-    points = [
-        (rx * math.cos(a), ry * math.sin(a), r) for a in [k * math.pi / 10 for k in range(21)]
-    ]
+    points = [(rx * math.cos(a), ry * math.sin(a), r) for a in [k * math.pi / 10 for k in range(21)]]
     b.path(points, r * 0.7, b.mat(), "band")
     b.cyl(0, d / 2 - r * 1.2, (0, h), r * 1.1, "metal_steel", "face", n=16)
 
@@ -130,13 +111,7 @@ def coat_rack(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     for k in range(4):
         a = math.pi / 4 + k * math.pi / 2
-        b.rod(
-            (0, 0, 0.12),
-            (math.cos(a) * w * 0.66, math.sin(a) * d * 0.66, 0.015),
-            0.016,
-            b.mat(),
-            "feet",
-        )
+        b.rod((0, 0, 0.12), (math.cos(a) * w * 0.66, math.sin(a) * d * 0.66, 0.015), 0.016, b.mat(), "feet")
     b.cyl(0, 0, (0.05, h), 0.022, b.mat(), "pole")
     for k in range(6):
         a = k * math.pi / 3
@@ -150,16 +125,7 @@ def coat_rack(b: Builder) -> None:
             b.mat(),
             "hooks",
         )
-    b.cushion(
-        (w * 0.12, w * 0.44),
-        (-d * 0.18, d * 0.18),
-        (h * 0.42, h - 0.2),
-        "fabric_blue",
-        "coat",
-        0.6,
-        10,
-        False,
-    )
+    b.cushion((w * 0.12, w * 0.44), (-d * 0.18, d * 0.18), (h * 0.42, h - 0.2), "fabric_blue", "coat", 0.6, 10, False)
 
 
 @recipe("toy_car")
@@ -168,16 +134,7 @@ def toy_car(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     r = h * 0.22
     b.cushion((-w * 0.42, w * 0.42), (-d / 2, d / 2), (r * 0.7, h * 0.62), b.mat(), "body", 0.4)
-    b.cushion(
-        (-w * 0.36, w * 0.36), (-d * 0.25, d * 0.15), (h * 0.55, h), "glass_black", "cabin", 0.4
-    )
+    b.cushion((-w * 0.36, w * 0.36), (-d * 0.25, d * 0.15), (h * 0.55, h), "glass_black", "cabin", 0.4)
     for sx in (-1, 1):
         for sy in (-1, 1):
-            b.rod(
-                (sx * w * 0.34, sy * d * 0.3, r),
-                (sx * w / 2, sy * d * 0.3, r),
-                r,
-                "rubber_black",
-                "wheels",
-                12,
-            )
+            b.rod((sx * w * 0.34, sy * d * 0.3, r), (sx * w / 2, sy * d * 0.3, r), r, "rubber_black", "wheels", 12)

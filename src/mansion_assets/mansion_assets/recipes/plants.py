@@ -11,11 +11,7 @@ __all__: list[str] = []
 
 
 def _leaf(
-    b: Builder,
-    base: tuple[float, float, float],
-    tip: tuple[float, float, float],
-    width: float,
-    color: str,
+    b: Builder, base: tuple[float, float, float], tip: tuple[float, float, float], width: float, color: str
 ) -> None:
     """A flat leaf between two points, seen from both sides."""
     p, q = np.array(base), np.array(tip)
@@ -28,9 +24,7 @@ def _leaf(
     b.raw(vertices, faces, color, "leaves")
 
 
-def _crown(
-    b: Builder, z: float, spread: tuple[float, float], count: int, low: float, width: float
-) -> None:
+def _crown(b: Builder, z: float, spread: tuple[float, float], count: int, low: float, width: float) -> None:
     for k in range(count):
         a = k * 2.399963
         level = (k + 0.5) / count
@@ -122,12 +116,7 @@ def _fir(b: Builder) -> None:
 def _pot(b: Builder, low: float, rim: float) -> None:
     """Pot with soil, up to the height `low`."""
     pot = b.mat()
-    b.lathe(
-        [(rim * 0.72, 0), (rim, low), (rim * 0.9, low), (rim * 0.85, low * 0.88)],
-        pot,
-        n=20,
-        part="pot",
-    )
+    b.lathe([(rim * 0.72, 0), (rim, low), (rim * 0.9, low), (rim * 0.85, low * 0.88)], pot, n=20, part="pot")
     b.cyl(0, 0, (low * 0.8, low * 0.9), rim * 0.86, "leaf_soil", "soil", solid=False)
 
 
@@ -145,10 +134,7 @@ def _flowers(b: Builder, low: float) -> None:
     w, d, h = b.w, b.d, b.h
     for k in range(9):
         a = k * 2.4
-        x, y = (
-            math.cos(a) * w * 0.36 * math.sqrt((k + 1) / 9),
-            math.sin(a) * d * 0.36 * math.sqrt((k + 1) / 9),
-        )
+        x, y = (math.cos(a) * w * 0.36 * math.sqrt((k + 1) / 9), math.sin(a) * d * 0.36 * math.sqrt((k + 1) / 9))
         z = h * (0.96 - 0.02 * k)
         b.rod((x * 0.2, y * 0.2, low * 0.5), (x, y, z), 0.004, "leaf_green", "stems", 5)
         b.ball(

@@ -32,13 +32,7 @@ def pallet_rack(b: Builder) -> None:
     for n, z in enumerate(levels):
         for sy in (-1, 1):
             y = sy * (d / 2 - 0.05)
-            b.box(
-                (-w / 2 + 0.1, w / 2 - 0.1),
-                (y - 0.03, y + 0.03),
-                (z - 0.12, z),
-                "metal_orange",
-                "beams",
-            )
+            b.box((-w / 2 + 0.1, w / 2 - 0.1), (y - 0.03, y + 0.03), (z - 0.12, z), "metal_orange", "beams")
         count = 2 if w > 2.0 else 1
         for k in range(count):
             x0 = -w / 2 + 0.12 + k * (w - 0.24) / count
@@ -131,13 +125,7 @@ def server_rack(b: Builder) -> None:
     """Server cabinet with a perforated door and lit units."""
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.03), (0.05, h), b.mat(), "case")
-    b.box(
-        (-w / 2 + 0.02, w / 2 - 0.02),
-        (-d / 2 + 0.05, d / 2 - 0.06),
-        (0, 0.05),
-        "metal_dark",
-        "feet",
-    )
+    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.05, d / 2 - 0.06), (0, 0.05), "metal_dark", "feet")
     count = int((h - 0.3) / 0.09)
     for k in range(count):
         z = 0.15 + k * 0.09
@@ -168,9 +156,7 @@ def luggage_rack(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.02)
-        b.rod(
-            (x, -d / 2 + 0.02, 0.0), (x, d / 2 - 0.02, h - 0.02), 0.018, b.mat(), "legs", solid=True
-        )
+        b.rod((x, -d / 2 + 0.02, 0.0), (x, d / 2 - 0.02, h - 0.02), 0.018, b.mat(), "legs", solid=True)
         b.rod((x, d / 2 - 0.02, 0.0), (x, -d / 2 + 0.02, h - 0.02), 0.018, b.mat(), "legs")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.012, h), "fabric_dark", "straps")
     for sy in (-1, 1):
@@ -185,13 +171,7 @@ def vitrine(b: Builder) -> None:
     base = float(b.p.get("base", min(0.9, h * 0.55)))
     fill, main = b.p.get("fill", "none"), b.mat()
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base - 0.02), main, "base")
-    b.box(
-        (-w / 2, w / 2),
-        (-d / 2, d / 2),
-        (h - 0.03, h),
-        main if fill != "exhibit" else "metal_dark",
-        "lid",
-    )
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.03, h), main if fill != "exhibit" else "metal_dark", "lid")
     glass = "glass_clear"
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.01)))
@@ -236,14 +216,7 @@ def _exhibits(b: Builder, fill: str, z: float, room: float) -> None:
                 False,
             )
     elif fill == "cradle":
-        b.cushion(
-            (-w * 0.4, w * 0.4),
-            (-d * 0.38, d * 0.38),
-            (z, z + 0.06),
-            "fabric_white",
-            "mattress",
-            solid=False,
-        )
+        b.cushion((-w * 0.4, w * 0.4), (-d * 0.38, d * 0.38), (z, z + 0.06), "fabric_white", "mattress", solid=False)
     elif fill == "bread":
         for k in range(max(2, int(w / 0.22))):
             x = -w / 2 + 0.13 + k * 0.22

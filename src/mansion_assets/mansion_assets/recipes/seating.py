@@ -28,30 +28,13 @@ def chair(b: Builder) -> None:
                 b.box((x - r, x + r), (y - r, y + r), (0, low), frame, "legs")
         b.box((x - r, x + r), (-d / 2, -d / 2 + 2 * r), (seat - 0.05, h - 0.03), frame, "frame")
     if soft:
-        b.cushion(
-            (-w / 2 + 0.015, w / 2 - 0.015), (-d / 2 + 0.05, d / 2), (low, seat), b.mat(), "seat"
-        )
-        b.cushion(
-            (-w / 2 + 0.02, w / 2 - 0.02), (-d / 2, -d / 2 + 0.07), (seat + 0.1, h), b.mat(), "back"
-        )
+        b.cushion((-w / 2 + 0.015, w / 2 - 0.015), (-d / 2 + 0.05, d / 2), (low, seat), b.mat(), "seat")
+        b.cushion((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2, -d / 2 + 0.07), (seat + 0.1, h), b.mat(), "back")
     else:
         b.box((-w / 2, w / 2), (-d / 2 + 0.04, d / 2), (low, seat), b.mat(), "seat")
-        b.box(
-            (-w / 2 + 0.02, w / 2 - 0.02),
-            (-d / 2, -d / 2 + 0.025),
-            (h - (h - seat) * 0.55, h),
-            b.mat(),
-            "back",
-        )
+        b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2, -d / 2 + 0.025), (h - (h - seat) * 0.55, h), b.mat(), "back")
     if b.p.get("tablet"):
-        b.box(
-            (w / 2 - 0.28, w / 2),
-            (0.0, d / 2),
-            (seat + 0.22, seat + 0.24),
-            "wood_birch",
-            "tablet",
-            False,
-        )
+        b.box((w / 2 - 0.28, w / 2), (0.0, d / 2), (seat + 0.22, seat + 0.24), "wood_birch", "tablet", False)
 
 
 @recipe("swivel_chair")
@@ -67,9 +50,7 @@ def swivel_chair(b: Builder) -> None:
         b.rod((x - 0.012, y, 0.03), (x + 0.012, y, 0.03), 0.03, dark, "wheels", n=10)
     b.cyl(0, 0, (0.07, seat - 0.09), 0.03, "metal_chrome", "column")
     b.boxes.append(Box((0.0, 0.0, 0.05), (w * 0.8, d * 0.8, 0.09)))
-    b.cushion(
-        (-w * 0.42, w * 0.42), (-d * 0.32, d * 0.44), (seat - 0.09, seat), b.mat(), "seat", n=12
-    )
+    b.cushion((-w * 0.42, w * 0.42), (-d * 0.32, d * 0.44), (seat - 0.09, seat), b.mat(), "seat", n=12)
     b.box((-0.04, 0.04), (-d * 0.4, -d * 0.34), (seat - 0.06, seat + 0.16), dark, "bracket", False)
     b.cushion((-w * 0.38, w * 0.38), (-d / 2, -d * 0.36), (seat + 0.1, h), b.mat(), "back", n=12)
     for sx in (-1, 1):
@@ -111,13 +92,7 @@ def stool(b: Builder) -> None:
         if b.p.get("shape") == "rect":
             b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - thick, h), main, "seat")
         else:
-            b.lathe(
-                [(0.48, h - thick), (0.5, h - thick / 2), (0.49, h)],
-                main,
-                stretch=(w, d),
-                part="seat",
-                n=24,
-            )
+            b.lathe([(0.48, h - thick), (0.5, h - thick / 2), (0.49, h)], main, stretch=(w, d), part="seat", n=24)
 
 
 def _leg_box(b: Builder, high: float) -> Box:
@@ -143,34 +118,16 @@ def recliner(b: Builder) -> None:
     )
     b.cushion((-0.14, 0.14), (-d / 2, -d / 2 + 0.2), (h - 0.18, h), main, "head")
     b.prism(
-        [
-            (d * 0.26, seat - 0.1),
-            (d * 0.28, seat - 0.02),
-            (d / 2, seat * 0.45),
-            (d / 2 - 0.06, seat * 0.4),
-        ],
+        [(d * 0.26, seat - 0.1), (d * 0.28, seat - 0.02), (d / 2, seat * 0.45), (d / 2 - 0.06, seat * 0.4)],
         (-cw * 0.36, cw * 0.36),
         main,
         part="foot",
     )
     for sx in (-1, 1):
         x = sx * (cw / 2 - 0.03)
-        b.box(
-            (x - 0.03, x + 0.03),
-            (-d * 0.12, d * 0.2),
-            (seat + 0.14, seat + 0.18),
-            "plastic_black",
-            "arms",
-        )
+        b.box((x - 0.03, x + 0.03), (-d * 0.12, d * 0.2), (seat + 0.14, seat + 0.18), "plastic_black", "arms")
     if style == "dental":
-        b.rod(
-            (w / 2 - 0.06, -0.1, 0.0),
-            (w / 2 - 0.06, -0.1, h - 0.12),
-            0.03,
-            "metal_white",
-            "arm",
-            solid=True,
-        )
+        b.rod((w / 2 - 0.06, -0.1, 0.0), (w / 2 - 0.06, -0.1, h - 0.12), 0.03, "metal_white", "arm", solid=True)
         b.rod((w / 2 - 0.06, -0.1, h - 0.12), (0.1, 0.15, h - 0.05), 0.018, "metal_white", "arm")
         b.ball((0.08, 0.16, h - 0.06), (0.1, 0.07, 0.05), "light_white", "lamp")
         b.box((-w / 2, -w / 2 + 0.3), (0, 0.35), (seat + 0.2, seat + 0.23), "metal_steel", "tray")

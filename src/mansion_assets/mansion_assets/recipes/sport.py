@@ -27,12 +27,7 @@ def treadmill(b: Builder) -> None:
         part="console",
     )
     b.prism(
-        [
-            (-d * 0.24, h * 0.82),
-            (-d * 0.235, h * 0.82),
-            (-d * 0.295, h * 0.98),
-            (-d * 0.3, h * 0.98),
-        ],
+        [(-d * 0.24, h * 0.82), (-d * 0.235, h * 0.82), (-d * 0.295, h * 0.98), (-d * 0.3, h * 0.98)],
         (-w * 0.28, w * 0.28),
         "screen_blue",
         part="screen",
@@ -49,17 +44,10 @@ def exercise_bike(b: Builder) -> None:
     b.rod((0, -d / 2 + 0.04, 0.06), (0, d / 2 - 0.04, 0.1), 0.04, b.mat(), "beam", 10, True)
     b.rod((-0.05, d * 0.22, 0.36), (0.05, d * 0.22, 0.36), 0.25, "metal_steel", "wheel", 24, True)
     b.rod((0, -d * 0.1, 0.15), (0, -d * 0.24, h * 0.72), 0.03, b.mat(), "post", solid=True)
-    b.cushion(
-        (-0.12, 0.12), (-d * 0.38, -d * 0.14), (h * 0.72, h * 0.78), "leather_black", "saddle", 0.7
-    )
+    b.cushion((-0.12, 0.12), (-d * 0.38, -d * 0.14), (h * 0.72, h * 0.78), "leather_black", "saddle", 0.7)
     b.rod((0, d * 0.16, 0.3), (0, d * 0.3, h * 0.85), 0.03, b.mat(), "post", solid=True)
     b.path(
-        [
-            (-0.2, d * 0.14, h * 0.88),
-            (-0.2, d * 0.3, h * 0.84),
-            (0.2, d * 0.3, h * 0.84),
-            (0.2, d * 0.14, h * 0.88),
-        ],
+        [(-0.2, d * 0.14, h * 0.88), (-0.2, d * 0.3, h * 0.84), (0.2, d * 0.3, h * 0.84), (0.2, d * 0.14, h * 0.88)],
         0.018,
         "rubber_black",
         "bar",
@@ -82,11 +70,7 @@ def elliptical(b: Builder) -> None:
         b.rod((x, -d * 0.34, 0.34 + 0.1 * sx), (x, d * 0.3, 0.22), 0.025, b.mat(), "levers")
         b.box((x - 0.08, x + 0.08), (-d * 0.05, d * 0.12), (0.28, 0.33), "rubber_black", "pedals")
         b.path(
-            [
-                (x, d * 0.3, 0.25),
-                (sx * w * 0.44, d * 0.22, h * 0.6),
-                (sx * w * 0.48, d * 0.1, h - 0.02),
-            ],
+            [(x, d * 0.3, 0.25), (sx * w * 0.44, d * 0.22, h * 0.6), (sx * w * 0.48, d * 0.1, h - 0.02)],
             0.02,
             b.mat(),
             "bars",
@@ -105,13 +89,7 @@ def rower(b: Builder) -> None:
     b.box((-w * 0.3, w * 0.3), (d * 0.44, d / 2), (0, 0.06), b.mat(), "feet")
     b.box((-0.03, 0.03), (d * 0.44, d * 0.48), (0.05, 0.3), b.mat(), "feet")
     for sx in (-1, 1):
-        b.box(
-            (sx * 0.16 - 0.06, sx * 0.16 + 0.06),
-            (-d * 0.22, -d * 0.12),
-            (0.18, 0.42),
-            "plastic_black",
-            "footrests",
-        )
+        b.box((sx * 0.16 - 0.06, sx * 0.16 + 0.06), (-d * 0.22, -d * 0.12), (0.18, 0.42), "plastic_black", "footrests")
     b.rod((0, -d * 0.36, 0.5), (0, -d * 0.28, h - 0.05), 0.02, b.mat(), "arm")
     b.box((-0.12, 0.12), (-d * 0.3, -d * 0.27), (h - 0.2, h), "plastic_black", "monitor")
     b.rod((-0.25, -d * 0.18, 0.55), (0.25, -d * 0.18, 0.55), 0.016, "rubber_black", "handle")
@@ -121,42 +99,16 @@ def rower(b: Builder) -> None:
 def punching_bag(b: Builder) -> None:
     """Standing bag on a weighted foot."""
     w, d, h = b.w, b.d, b.h
-    b.lathe(
-        [(0.5, 0), (0.5, 0.1), (0.35, 0.35), (0.12, 0.45)],
-        "plastic_black",
-        stretch=(w, d),
-        part="foot",
-        n=24,
-    )
-    b.lathe(
-        [(0.2, h * 0.3), (0.3, h * 0.34), (0.3, h * 0.96), (0.22, h)],
-        b.mat(),
-        stretch=(w, d),
-        part="bag",
-        n=24,
-    )
+    b.lathe([(0.5, 0), (0.5, 0.1), (0.35, 0.35), (0.12, 0.45)], "plastic_black", stretch=(w, d), part="foot", n=24)
+    b.lathe([(0.2, h * 0.3), (0.3, h * 0.34), (0.3, h * 0.96), (0.22, h)], b.mat(), stretch=(w, d), part="bag", n=24)
 
 
 @recipe("trampoline")
 def trampoline(b: Builder) -> None:
     """Round mat in a padded ring on legs."""
     w, d, h = b.w, b.d, b.h
-    b.lathe(
-        [(0.42, h - 0.03), (0.5, h - 0.05), (0.5, h), (0.42, h)],
-        "plastic_blue",
-        stretch=(w, d),
-        part="ring",
-        n=32,
-    )
+    b.lathe([(0.42, h - 0.03), (0.5, h - 0.05), (0.5, h), (0.42, h)], "plastic_blue", stretch=(w, d), part="ring", n=32)
     b.lathe([(0.42, h - 0.035), (0.42, h - 0.02)], b.mat(), stretch=(w, d), part="mat", n=32)
     for k in range(6):
         a = k * math.pi / 3
-        b.cyl(
-            math.cos(a) * w * 0.46,
-            math.sin(a) * d * 0.46,
-            (0, h - 0.05),
-            0.016,
-            "metal_steel",
-            "legs",
-            n=8,
-        )
+        b.cyl(math.cos(a) * w * 0.46, math.sin(a) * d * 0.46, (0, h - 0.05), 0.016, "metal_steel", "legs", n=8)

@@ -7,26 +7,10 @@ from mansion_assets.registry import recipe
 __all__: list[str] = []
 
 
-_BOOKS = (
-    "paper_red",
-    "paper_blue",
-    "paper_green",
-    "paper_brown",
-    "paper_beige",
-    "paper_dark",
-    "paper_orange",
-)
+_BOOKS = ("paper_red", "paper_blue", "paper_green", "paper_brown", "paper_beige", "paper_dark", "paper_orange")
 
 
-_GOODS = (
-    "paper_red",
-    "paper_yellow",
-    "paper_blue",
-    "paper_green",
-    "paper_orange",
-    "plastic_white",
-    "paper_purple",
-)
+_GOODS = ("paper_red", "paper_yellow", "paper_blue", "paper_green", "paper_orange", "plastic_white", "paper_purple")
 
 
 def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
@@ -49,9 +33,7 @@ def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
     }.get(fill, (0.2, _GOODS))
     count = max(1, int((cell.x1 - cell.x0) / step))
     step = (cell.x1 - cell.x0) / count
-    tall = {"books": 0.78, "folders": 0.85, "magazines": 0.9, "shoes": 0.4, "boxes": 0.72}.get(
-        fill, 0.66
-    )
+    tall = {"books": 0.78, "folders": 0.85, "magazines": 0.9, "shoes": 0.4, "boxes": 0.72}.get(fill, 0.66)
     mid = (cell.y0 + cell.y1) / 2
     for k in range(count):
         mark = (k * 7 + key * 13 + k * k * 3) % 11
@@ -61,27 +43,11 @@ def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
         back = cell.y0 + 0.01 + 0.002 * mark
         front = min(cell.y1 - 0.01, back + depth * (0.8 if fill != "magazines" else 0.3))
         if fill in ("bottles", "plants"):
-            b.cyl(
-                x0 + step / 2,
-                mid,
-                (cell.z, cell.z + height),
-                step * 0.4,
-                color,
-                "goods",
-                n=8,
-                solid=False,
-            )
+            b.cyl(x0 + step / 2, mid, (cell.z, cell.z + height), step * 0.4, color, "goods", n=8, solid=False)
         elif fill == "books" and mark == 3:
             continue
         else:
-            b.box(
-                (x0 + 0.002, x0 + step - 0.002),
-                (back, front),
-                (cell.z, cell.z + height),
-                color,
-                "goods",
-                False,
-            )
+            b.box((x0 + 0.002, x0 + step - 0.002), (back, front), (cell.z, cell.z + height), color, "goods", False)
 
 
 @recipe("shelf")
@@ -105,19 +71,13 @@ def shelf(b: Builder) -> None:
     for z in (*heights, h):
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - BOARD, z), main, "boards")
     if base > 0.05 and not posts:
-        b.box(
-            (-w / 2, w / 2), (-d / 2 + 0.01, d / 2 - 0.02), (0, base - BOARD), main, "plinth", False
-        )
+        b.box((-w / 2, w / 2), (-d / 2 + 0.01, d / 2 - 0.02), (0, base - BOARD), main, "plinth", False)
     free = {round(t.z, 2) for t in b.tops}
     fill = str(b.p.get("fill", "none"))
     if fill == "none":
         return
     gap = (h - base) / count - BOARD
-    sides = (
-        [(0.014, d / 2 - 0.01), (-d / 2 + 0.01, -0.014)]
-        if double
-        else [(-d / 2 + 0.012, d / 2 - 0.01)]
-    )
+    sides = [(0.014, d / 2 - 0.01), (-d / 2 + 0.01, -0.014)] if double else [(-d / 2 + 0.012, d / 2 - 0.01)]
     for level, z in enumerate(heights):
         if round(z, 2) in free:
             continue
@@ -140,13 +100,7 @@ def cabinet(b: Builder) -> None:
     if front == "wheels":
         b.wheels(0.045)
     elif plinth > 0.01:
-        b.box(
-            (-w / 2 + 0.015, w / 2 - 0.015),
-            (-d / 2 + 0.01, face - 0.03),
-            (0, plinth),
-            "plastic_dark",
-            "plinth",
-        )
+        b.box((-w / 2 + 0.015, w / 2 - 0.015), (-d / 2 + 0.01, face - 0.03), (0, plinth), "plastic_dark", "plinth")
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - BOARD)))
         b.box((lo, hi), (-d / 2, face), (plinth, z1), main, "sides")
@@ -161,14 +115,7 @@ def cabinet(b: Builder) -> None:
     for row in range(rows):
         for col in range(cols):
             x0, z0 = -w / 2 + BOARD / 2 + col * width, plinth + BOARD / 2 + row * height
-            _front(
-                b,
-                front,
-                (x0 + 0.002, x0 + width - 0.002),
-                (z0 + 0.002, z0 + height - 0.002),
-                face,
-                (row, col),
-            )
+            _front(b, front, (x0 + 0.002, x0 + width - 0.002), (z0 + 0.002, z0 + height - 0.002), face, (row, col))
 
 
 Span = tuple[float, float]
@@ -202,12 +149,7 @@ def _slots(b: Builder, style: str, x: Span, top: float, y: Span, column: int) ->
     b.box((x[0] + 0.03, x[1] - 0.03), y, (top - 0.22, top - 0.06), color, "labels", False)
     middle = (x[0] + x[1]) / 2
     b.box(
-        (middle - 0.07, middle + 0.07),
-        (y[0], y[1] - 0.001),
-        (top - 0.36, top - 0.27),
-        "plastic_black",
-        "slots",
-        False,
+        (middle - 0.07, middle + 0.07), (y[0], y[1] - 0.001), (top - 0.36, top - 0.27), "plastic_black", "slots", False
     )
 
 

@@ -34,13 +34,7 @@ def _panels(b: Builder, z: float, frame: str) -> None:
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.06)
         b.box((x - 0.02, x + 0.02), (-d / 2 + 0.06, d / 2 - 0.06), (0, z), frame, "legs")
-    b.box(
-        (-w / 2 + 0.08, w / 2 - 0.08),
-        (-d / 2 + 0.12, -d / 2 + 0.14),
-        (z * 0.35, z),
-        frame,
-        "modesty",
-    )
+    b.box((-w / 2 + 0.08, w / 2 - 0.08), (-d / 2 + 0.12, -d / 2 + 0.14), (z * 0.35, z), frame, "modesty")
 
 
 def _end_frame(b: Builder, side: int, z: float, frame: str, posts: tuple[float, ...]) -> None:
@@ -112,13 +106,7 @@ _SUPPORTS: dict[str, Callable[[Builder, float, str], None]] = {
 def _top(b: Builder, z: float, thick: float, round_: bool) -> None:
     w, d = b.w, b.d
     if round_:
-        b.lathe(
-            [(0.485, z - thick), (0.5, z - thick * 0.5), (0.5, z)],
-            b.mat(),
-            stretch=(w, d),
-            part="top",
-            n=32,
-        )
+        b.lathe([(0.485, z - thick), (0.5, z - thick * 0.5), (0.5, z)], b.mat(), stretch=(w, d), part="top", n=32)
     else:
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - thick, z), b.mat(), "top")
 
@@ -134,13 +122,7 @@ def table(b: Builder) -> None:
     _supports(b, style, h - thick, frame)
     if b.p.get("shelf") or (h < 0.6 and style == "four" and b.w * 1000 % 2 < 1):
         z = h * 0.3
-        b.box(
-            (-b.w / 2 + 0.04, b.w / 2 - 0.04),
-            (-b.d / 2 + 0.04, b.d / 2 - 0.04),
-            (z - 0.02, z),
-            frame,
-            "shelf",
-        )
+        b.box((-b.w / 2 + 0.04, b.w / 2 - 0.04), (-b.d / 2 + 0.04, b.d / 2 - 0.04), (z - 0.02, z), frame, "shelf")
 
 
 @recipe("desk")
@@ -181,6 +163,4 @@ def desk(b: Builder) -> None:
             b.box((x - 0.012, x + 0.012), (-d / 2, shelf.y1 + 0.02), (z, b.h), b.mat(), "hutch")
         b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.012), (z, b.h), b.mat(), "hutch")
         for level in (b.h, z + (b.h - z) * 0.55):
-            b.box(
-                (-w / 2, w / 2), (-d / 2, shelf.y1 + 0.02), (level - 0.022, level), b.mat(), "hutch"
-            )
+            b.box((-w / 2, w / 2), (-d / 2, shelf.y1 + 0.02), (level - 0.022, level), b.mat(), "hutch")

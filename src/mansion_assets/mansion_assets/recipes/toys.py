@@ -19,36 +19,11 @@ def teddy(b: Builder) -> None:
         12,
     )
     for sx in (-1, 1):
-        b.ball(
-            (sx * w * 0.2, -d * 0.1, h * 0.93),
-            (w * 0.08, d * 0.1, h * 0.07),
-            b.mat(),
-            "ears",
-            8,
-            False,
-        )
-        b.ball(
-            (sx * w * 0.36, 0, h * 0.42), (w * 0.14, d * 0.18, h * 0.12), b.mat(), "arms", 8, False
-        )
-        b.ball(
-            (sx * w * 0.24, d * 0.28, h * 0.12),
-            (w * 0.13, d * 0.22, h * 0.12),
-            b.mat(),
-            "legs",
-            8,
-            False,
-        )
-        b.ball(
-            (sx * w * 0.08, d * 0.2, h * 0.78),
-            (w * 0.025, d * 0.04, h * 0.025),
-            "plastic_black",
-            "eyes",
-            6,
-            False,
-        )
-    b.ball(
-        (0, d * 0.22, h * 0.7), (w * 0.07, d * 0.08, h * 0.05), "fabric_beige", "snout", 8, False
-    )
+        b.ball((sx * w * 0.2, -d * 0.1, h * 0.93), (w * 0.08, d * 0.1, h * 0.07), b.mat(), "ears", 8, False)
+        b.ball((sx * w * 0.36, 0, h * 0.42), (w * 0.14, d * 0.18, h * 0.12), b.mat(), "arms", 8, False)
+        b.ball((sx * w * 0.24, d * 0.28, h * 0.12), (w * 0.13, d * 0.22, h * 0.12), b.mat(), "legs", 8, False)
+        b.ball((sx * w * 0.08, d * 0.2, h * 0.78), (w * 0.025, d * 0.04, h * 0.025), "plastic_black", "eyes", 6, False)
+    b.ball((0, d * 0.22, h * 0.7), (w * 0.07, d * 0.08, h * 0.05), "fabric_beige", "snout", 8, False)
 
 
 @recipe("toy_blocks")
@@ -89,19 +64,10 @@ def rocking_horse(b: Builder) -> None:
         b.path(points, 0.02, b.mat(), "rockers")
         for y in (-d * 0.22, d * 0.2):
             b.rod((x, y, 0.05), (x * 0.5, y * 0.8, h * 0.5), 0.02, b.mat(), "legs")
-    b.cushion(
-        (-w * 0.28, w * 0.28), (-d * 0.3, d * 0.26), (h * 0.42, h * 0.66), b.mat(), "body", 0.7
-    )
+    b.cushion((-w * 0.28, w * 0.28), (-d * 0.3, d * 0.26), (h * 0.42, h * 0.66), b.mat(), "body", 0.7)
     b.rod((0, d * 0.2, h * 0.55), (0, d * 0.36, h * 0.88), 0.06, b.mat(), "neck", solid=True)
     b.cushion((-0.05, 0.05), (d * 0.28, d * 0.5), (h * 0.8, h), b.mat(), "head", 0.6)
-    b.box(
-        (-w * 0.24, w * 0.24),
-        (-d * 0.12, d * 0.1),
-        (h * 0.64, h * 0.68),
-        "fabric_red",
-        "saddle",
-        False,
-    )
+    b.box((-w * 0.24, w * 0.24), (-d * 0.12, d * 0.1), (h * 0.64, h * 0.68), "fabric_red", "saddle", False)
 
 
 @recipe("slide")
@@ -126,12 +92,7 @@ def slide(b: Builder) -> None:
     )
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * w * 0.42))
-        b.prism(
-            [(d / 2, 0.0), (d / 2, 0.14), (y, top + 0.14), (y, top - 0.06)],
-            (lo, hi),
-            b.mat(),
-            part="sides",
-        )
+        b.prism([(d / 2, 0.0), (d / 2, 0.14), (y, top + 0.14), (y, top - 0.06)], (lo, hi), b.mat(), part="sides")
         b.rod(
             (sx * (w / 2 - 0.02), -d / 2 + 0.02, 0),
             (sx * (w / 2 - 0.02), -d * 0.34, h - 0.02),
@@ -140,13 +101,7 @@ def slide(b: Builder) -> None:
             "posts",
             solid=True,
         )
-        b.rod(
-            (sx * (w / 2 - 0.02), -d * 0.34, h - 0.02),
-            (sx * (w / 2 - 0.02), y, top + 0.1),
-            0.02,
-            b.mat(),
-            "rails",
-        )
+        b.rod((sx * (w / 2 - 0.02), -d * 0.34, h - 0.02), (sx * (w / 2 - 0.02), y, top + 0.1), 0.02, b.mat(), "rails")
     for k in range(4):
         z = 0.15 + k * top / 4.4
         b.box(
@@ -184,18 +139,9 @@ def chess(b: Builder) -> None:
             if (i + j) % 2:
                 b.box((x, x + s), (y, y + s), (low, low + 0.001), "wood_birch", "squares", False)
             if j in (0, 1, 6, 7):
-                high = (
-                    h - low
-                    if (i, j) in ((4, 0), (4, 7))
-                    else (h - low) * (0.75 if j in (0, 7) else 0.5)
-                )
+                high = h - low if (i, j) in ((4, 0), (4, 7)) else (h - low) * (0.75 if j in (0, 7) else 0.5)
                 b.lathe(
-                    [
-                        (0.36, low),
-                        (0.16, low + high * 0.4),
-                        (0.26, low + high * 0.8),
-                        (0.05, low + high),
-                    ],
+                    [(0.36, low), (0.16, low + high * 0.4), (0.26, low + high * 0.8), (0.05, low + high)],
                     "wood_birch" if j < 4 else "wood_black",
                     (x + s / 2, y + s / 2),
                     "men",

@@ -73,12 +73,7 @@ def _car_pillar(b: Builder, side: int) -> None:
     w, d, h = b.w, b.d, b.h
     low, high = sorted((side * w * 0.41, side * w * 0.425))
     b.prism(
-        [
-            (d * 0.02, h * 0.6),
-            (d * 0.035, h * 0.6),
-            (-d * 0.02, h - 0.05),
-            (-d * 0.035, h - 0.05),
-        ],
+        [(d * 0.02, h * 0.6), (d * 0.035, h * 0.6), (-d * 0.02, h - 0.05), (-d * 0.035, h - 0.05)],
         (low, high),
         b.mat(),
         part="pillars",
@@ -87,10 +82,7 @@ def _car_pillar(b: Builder, side: int) -> None:
 
 
 def _wheel(b: Builder, x: float, y: float, r: float, tyre: float = 0.02) -> None:
-    points = [
-        (x, y + r * math.cos(a), r + tyre + r * math.sin(a))
-        for a in [k * math.pi / 12 for k in range(25)]
-    ]
+    points = [(x, y + r * math.cos(a), r + tyre + r * math.sin(a)) for a in [k * math.pi / 12 for k in range(25)]]
     b.path(points, tyre, "rubber_black", "wheels")
     for k in range(6):
         a = k * math.pi / 6
@@ -117,28 +109,13 @@ def bicycle(b: Builder) -> None:
     hub, crank = r + tyre, (0.0, -d * 0.04, r * 0.95)
     seat, head = (0.0, -d * 0.12, h * 0.8), (0.0, d * 0.24, h * 0.78)
     if motor:
-        b.cushion(
-            (-0.16, 0.16), (-d * 0.18, d * 0.14), (0.22, h * 0.62), "metal_dark", "engine", 0.3
-        )
+        b.cushion((-0.16, 0.16), (-d * 0.18, d * 0.14), (0.22, h * 0.62), "metal_dark", "engine", 0.3)
         b.cushion((-0.17, 0.17), (-d * 0.02, d * 0.22), (h * 0.55, h * 0.85), m, "tank", 0.6)
         b.cushion((-0.14, 0.14), (-d * 0.4, 0.0), (h * 0.6, h * 0.72), "leather_black", "seat", 0.6)
     else:
-        for p, q in (
-            (crank, seat),
-            (seat, head),
-            (crank, head),
-            (crank, (0.0, rear, hub)),
-            (seat, (0.0, rear, hub)),
-        ):
+        for p, q in ((crank, seat), (seat, head), (crank, head), (crank, (0.0, rear, hub)), (seat, (0.0, rear, hub))):
             b.rod(p, q, 0.016, m, "frame")
-        b.cushion(
-            (-0.07, 0.07),
-            (seat[1] - 0.13, seat[1] + 0.12),
-            (h * 0.86, h * 0.92),
-            "leather_black",
-            "saddle",
-            0.7,
-        )
+        b.cushion((-0.07, 0.07), (seat[1] - 0.13, seat[1] + 0.12), (h * 0.86, h * 0.92), "leather_black", "saddle", 0.7)
         b.rod(seat, (0.0, seat[1], h * 0.88), 0.012, "metal_steel", "post")
         b.rod((-0.12, crank[1], crank[2]), (0.12, crank[1], crank[2]), 0.02, "metal_dark", "pedals")
     b.rod(head, (0.0, front, hub), 0.018, m, "fork")
@@ -152,23 +129,12 @@ def bike_rack(b: Builder) -> None:
     """Row of hoops."""
     w, d, h = b.w, b.d, b.h
     for sy in (-1, 1):
-        b.box(
-            (-w / 2, w / 2),
-            (sy * (d / 2 - 0.03) - 0.03, sy * (d / 2 - 0.03) + 0.03),
-            (0, 0.03),
-            b.mat(),
-            "rails",
-        )
+        b.box((-w / 2, w / 2), (sy * (d / 2 - 0.03) - 0.03, sy * (d / 2 - 0.03) + 0.03), (0, 0.03), b.mat(), "rails")
     count = max(3, round(w / 0.35))
     for k in range(count):
         x = -w / 2 + 0.03 + k * (w - 0.06) / (count - 1)
         b.path(
-            [
-                (x, -d / 2 + 0.04, 0.02),
-                (x, -d * 0.3, h - 0.022),
-                (x, d * 0.3, h - 0.022),
-                (x, d / 2 - 0.04, 0.02),
-            ],
+            [(x, -d / 2 + 0.04, 0.02), (x, -d * 0.3, h - 0.022), (x, d * 0.3, h - 0.022), (x, d / 2 - 0.04, 0.02)],
             0.02,
             b.mat(),
             "hoops",
@@ -207,13 +173,7 @@ def wheelchair(b: Builder) -> None:
         )
         b.box((xi - 0.02, xi + 0.02), (-d * 0.25, d * 0.15), (0.68, 0.71), "plastic_black", "arms")
         b.rod((xi, d * 0.12, 0.48), (xi, d * 0.12, 0.7), 0.012, "metal_steel", "frame")
-        b.box(
-            (xi * 0.5 - 0.07, xi * 0.5 + 0.07),
-            (d * 0.36, d / 2),
-            (0.1, 0.12),
-            "plastic_black",
-            "footrests",
-        )
+        b.box((xi * 0.5 - 0.07, xi * 0.5 + 0.07), (d * 0.36, d / 2), (0.1, 0.12), "plastic_black", "footrests")
         b.rod((xi, d * 0.24, 0.46), (xi * 0.5, d * 0.4, 0.12), 0.012, "metal_steel", "frame")
     b.box((-w / 2 + 0.09, w / 2 - 0.09), (-d * 0.28, d * 0.2), (0.46, 0.5), b.mat(), "seat")
     b.box((-w / 2 + 0.09, w / 2 - 0.09), (-d * 0.31, -d * 0.28), (0.5, h - 0.05), b.mat(), "back")
@@ -226,24 +186,12 @@ def walker(b: Builder) -> None:
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.016)
         b.path(
-            [
-                (x, -d / 2 + 0.016, 0.0),
-                (x, -d * 0.3, h - 0.016),
-                (x, d * 0.2, h - 0.016),
-                (x, d / 2 - 0.016, 0.06),
-            ],
+            [(x, -d / 2 + 0.016, 0.0), (x, -d * 0.3, h - 0.016), (x, d * 0.2, h - 0.016), (x, d / 2 - 0.016, 0.06)],
             0.015,
             b.mat(),
             "frame",
         )
-        b.rod(
-            (x - 0.012, d / 2 - 0.06, 0.06),
-            (x + 0.012, d / 2 - 0.06, 0.06),
-            0.06,
-            "rubber_black",
-            "wheels",
-            14,
-        )
+        b.rod((x - 0.012, d / 2 - 0.06, 0.06), (x + 0.012, d / 2 - 0.06, 0.06), 0.06, "rubber_black", "wheels", 14)
     for z in (0.35, 0.65):
         b.rod((-w / 2 + 0.016, d * 0.35, z), (w / 2 - 0.016, d * 0.35, z), 0.014, b.mat(), "frame")
     b.boxes.append(Box((0.0, d * 0.3, h / 2), (w, d * 0.3, h)))
@@ -258,18 +206,7 @@ def stroller(b: Builder) -> None:
     b.ball((0, -d * 0.12, 0.78), (w * 0.4, d * 0.24, 0.2), b.mat(), "hood", 12)
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.03)
-        b.path(
-            [(x, d * 0.42, 0.12), (x, -d * 0.3, 0.7), (x, -d / 2 + 0.02, h - 0.02)],
-            0.013,
-            "metal_dark",
-            "frame",
-        )
+        b.path([(x, d * 0.42, 0.12), (x, -d * 0.3, 0.7), (x, -d / 2 + 0.02, h - 0.02)], 0.013, "metal_dark", "frame")
         b.rod((x, -d * 0.42, 0.12), (x, d * 0.1, 0.5), 0.013, "metal_dark", "frame")
-    b.rod(
-        (-w / 2, -d / 2 + 0.02, h - 0.02),
-        (w / 2, -d / 2 + 0.02, h - 0.02),
-        0.016,
-        "rubber_black",
-        "handle",
-    )
+    b.rod((-w / 2, -d / 2 + 0.02, h - 0.02), (w / 2, -d / 2 + 0.02, h - 0.02), 0.016, "rubber_black", "handle")
     b.box((-w * 0.35, w * 0.35), (-d * 0.3, d * 0.3), (0.18, 0.28), "fabric_dark", "basket")

@@ -30,14 +30,7 @@ def _nozzle(b: Builder) -> None:
     main = b.mat()
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.015), (h * 0.15, h), main, "case")
     b.box((-w * 0.15, w * 0.15), (-0.02, d / 2), (0, h * 0.2), "plastic_grey", "nozzle")
-    b.box(
-        (-w * 0.4, w * 0.4),
-        (d / 2 - 0.016, d / 2 - 0.01),
-        (h * 0.45, h * 0.85),
-        "plastic_grey",
-        "window",
-        False,
-    )
+    b.box((-w * 0.4, w * 0.4), (d / 2 - 0.016, d / 2 - 0.01), (h * 0.45, h * 0.85), "plastic_grey", "window", False)
 
 
 def _folding_table(b: Builder) -> None:
@@ -46,14 +39,7 @@ def _folding_table(b: Builder) -> None:
     main = b.mat()
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.1), (0, h), main, "back")
     b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.1, d / 2), (0, 0.06), main, "table")
-    b.box(
-        (-w / 2 + 0.1, w / 2 - 0.1),
-        (-d / 2 + 0.1, d / 2 - 0.05),
-        (0.06, 0.075),
-        "rubber_grey",
-        "pad",
-        False,
-    )
+    b.box((-w / 2 + 0.1, w / 2 - 0.1), (-d / 2 + 0.1, d / 2 - 0.05), (0.06, 0.075), "rubber_grey", "pad", False)
 
 
 def _button(b: Builder, y: tuple[float, float]) -> None:
@@ -85,14 +71,7 @@ def _sockets(b: Builder, y: tuple[float, float]) -> None:
             (x - 0.04, x + 0.04),
             y,
             (h * 0.3, h * 0.7),
-            (
-                "plastic_blue",
-                "plastic_green",
-                "plastic_grey",
-                "light_white",
-                "plastic_grey",
-                "plastic_red",
-            )[k],
+            ("plastic_blue", "plastic_green", "plastic_grey", "light_white", "plastic_grey", "plastic_red")[k],
             "sockets",
             False,
         )
@@ -111,23 +90,9 @@ def _door_front(b: Builder, y: tuple[float, float]) -> None:
     """Door with a handle and a label."""
     w, h = b.w, b.h
     main = b.mat()
-    b.box(
-        (-w * 0.44, w * 0.44),
-        (y[0], y[0] + 0.4 * (y[1] - y[0])),
-        (h * 0.05, h * 0.95),
-        main,
-        "door",
-        False,
-    )
+    b.box((-w * 0.44, w * 0.44), (y[0], y[0] + 0.4 * (y[1] - y[0])), (h * 0.05, h * 0.95), main, "door", False)
     b.box((w * 0.32, w * 0.36), y, (h * 0.4, h * 0.6), "metal_steel", "handle", False)
-    b.box(
-        (-w * 0.2, w * 0.1),
-        (y[0], y[0] + 0.5 * (y[1] - y[0])),
-        (h * 0.6, h * 0.8),
-        "paper_white",
-        "label",
-        False,
-    )
+    b.box((-w * 0.2, w * 0.1), (y[0], y[0] + 0.5 * (y[1] - y[0])), (h * 0.6, h * 0.8), "paper_white", "label", False)
 
 
 def _slot(b: Builder, y: tuple[float, float]) -> None:
@@ -141,22 +106,8 @@ def _slats(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     for k in range(4):
         z = h * (0.08 + 0.07 * k)
-        b.box(
-            (-w * 0.42, w * 0.42),
-            (d / 2 - 0.003, d / 2),
-            (z, z + h * 0.03),
-            "plastic_dark",
-            "slats",
-            False,
-        )
-    b.box(
-        (w * 0.3, w * 0.4),
-        (d / 2 - 0.003, d / 2),
-        (h * 0.75, h * 0.82),
-        "light_green",
-        "led",
-        False,
-    )
+        b.box((-w * 0.42, w * 0.42), (d / 2 - 0.003, d / 2), (z, z + h * 0.03), "plastic_dark", "slats", False)
+    b.box((w * 0.3, w * 0.4), (d / 2 - 0.003, d / 2), (h * 0.75, h * 0.82), "light_green", "led", False)
 
 
 _FRONTS = {
@@ -177,16 +128,8 @@ def wall_shelf(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.025, h), b.mat(), "board")
     for sx in (-1, 1):
         x = sx * w * 0.36
-        b.box(
-            (x - 0.01, x + 0.01),
-            (-d / 2, -d / 2 + 0.012),
-            (0, h - 0.025),
-            "metal_black",
-            "brackets",
-        )
-        b.rod(
-            (x, -d / 2 + 0.01, 0.01), (x, d / 2 - 0.03, h - 0.03), 0.007, "metal_black", "brackets"
-        )
+        b.box((x - 0.01, x + 0.01), (-d / 2, -d / 2 + 0.012), (0, h - 0.025), "metal_black", "brackets")
+        b.rod((x, -d / 2 + 0.01, 0.01), (x, d / 2 - 0.03, h - 0.03), 0.007, "metal_black", "brackets")
 
 
 @recipe("sign")
@@ -207,9 +150,5 @@ def sign(b: Builder) -> None:
         "arrow",
         False,
     )
-    b.box(
-        (w * 0.25, w * 0.42), (d / 2 - 0.002, d / 2), (z1 * 0.42, z1 * 0.58), light, "arrow", False
-    )
-    b.box(
-        (-w * 0.4, -w * 0.1), (d / 2 - 0.002, d / 2), (z1 * 0.2, z1 * 0.8), light, "symbol", False
-    )
+    b.box((w * 0.25, w * 0.42), (d / 2 - 0.002, d / 2), (z1 * 0.42, z1 * 0.58), light, "arrow", False)
+    b.box((-w * 0.4, -w * 0.1), (d / 2 - 0.002, d / 2), (z1 * 0.2, z1 * 0.8), light, "symbol", False)

@@ -83,12 +83,7 @@ def dumbbell_rack(b: Builder) -> None:
                     False,
                 )
                 b.path(
-                    [
-                        (x - 0.04, y, z + 0.13),
-                        (x - 0.03, y, z + 0.2),
-                        (x + 0.03, y, z + 0.2),
-                        (x + 0.04, y, z + 0.13),
-                    ],
+                    [(x - 0.04, y, z + 0.13), (x - 0.03, y, z + 0.2), (x + 0.03, y, z + 0.2), (x + 0.04, y, z + 0.13)],
                     0.012,
                     "metal_dark",
                     "weights",
@@ -103,13 +98,7 @@ def dumbbell_rack(b: Builder) -> None:
                         "weights",
                         12,
                     )
-                b.rod(
-                    (x, y - 0.06, z + 0.065),
-                    (x, y + 0.06, z + 0.065),
-                    0.016,
-                    "metal_chrome",
-                    "weights",
-                )
+                b.rod((x, y - 0.06, z + 0.065), (x, y + 0.06, z + 0.065), 0.016, "metal_chrome", "weights")
 
 
 @recipe("gym_frame")
@@ -147,12 +136,7 @@ def _leg_press(b: Builder) -> None:
         b.rod((x, d * 0.2, 0.05), (x, -d / 2 + 0.05, h - 0.04), 0.035, m, "rails", 10, True)
         b.rod((sx * w * 0.34, *plate), (sx * w / 2, *plate), 0.2, "rubber_black", "plates", 24)
     b.prism(
-        [
-            (-d * 0.3, h * 0.5),
-            (-d * 0.24, h * 0.46),
-            (-d * 0.12, h * 0.78),
-            (-d * 0.2, h * 0.82),
-        ],
+        [(-d * 0.3, h * 0.5), (-d * 0.24, h * 0.46), (-d * 0.12, h * 0.78), (-d * 0.2, h * 0.82)],
         (-w * 0.3, w * 0.3),
         "metal_dark",
         part="sled",

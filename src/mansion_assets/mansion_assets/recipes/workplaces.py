@@ -25,14 +25,7 @@ def lab_bench(b: Builder) -> None:
             continue
         b.box((x0, x1 - 0.01), (-d / 2 + 0.05, d / 2 - 0.06), (0.08, h - 0.03), b.mat(), "cabinets")
         for z0, z1 in ((0.1, h * 0.6), (h * 0.62, h - 0.05)):
-            b.box(
-                (x0 + 0.01, x1 - 0.02),
-                (d / 2 - 0.06, d / 2 - 0.045),
-                (z0, z1),
-                b.mat(),
-                "fronts",
-                False,
-            )
+            b.box((x0 + 0.01, x1 - 0.02), (d / 2 - 0.06, d / 2 - 0.045), (z0, z1), b.mat(), "fronts", False)
             b.box(
                 ((x0 + x1) / 2 - 0.06, (x0 + x1) / 2 + 0.06),
                 (d / 2 - 0.045, d / 2 - 0.03),
@@ -43,13 +36,7 @@ def lab_bench(b: Builder) -> None:
             )
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.02)
-        b.box(
-            (x - 0.02, x + 0.02),
-            (-d / 2 + 0.02, d / 2 - 0.05),
-            (0, h - 0.03),
-            "metal_grey",
-            "frame",
-        )
+        b.box((x - 0.02, x + 0.02), (-d / 2 + 0.02, d / 2 - 0.05), (0, h - 0.03), "metal_grey", "frame")
 
 
 @recipe("workbench")
@@ -60,26 +47,10 @@ def workbench(b: Builder) -> None:
     for sx in (-1, 1):
         for sy in (-1, 1):
             x, y = sx * (w / 2 - 0.1), sy * (d / 2 - 0.12)
-            b.box(
-                (x - 0.045, x + 0.045), (y - 0.045, y + 0.045), (0, h - 0.07), "metal_blue", "legs"
-            )
-    b.box(
-        (-w / 2 + 0.06, w / 2 - 0.06), (-d / 2 + 0.08, d / 2 - 0.14), (0.16, 0.19), b.mat(), "shelf"
-    )
-    b.box(
-        (-w / 2 + 0.1, -w / 2 + 0.3),
-        (d / 2 - 0.06, d / 2),
-        (h - 0.16, h - 0.02),
-        "metal_dark",
-        "vise",
-    )
-    b.rod(
-        (-w / 2 + 0.1, d / 2 - 0.01, h - 0.1),
-        (-w / 2 + 0.3, d / 2 - 0.01, h - 0.1),
-        0.01,
-        "metal_steel",
-        "vise",
-    )
+            b.box((x - 0.045, x + 0.045), (y - 0.045, y + 0.045), (0, h - 0.07), "metal_blue", "legs")
+    b.box((-w / 2 + 0.06, w / 2 - 0.06), (-d / 2 + 0.08, d / 2 - 0.14), (0.16, 0.19), b.mat(), "shelf")
+    b.box((-w / 2 + 0.1, -w / 2 + 0.3), (d / 2 - 0.06, d / 2), (h - 0.16, h - 0.02), "metal_dark", "vise")
+    b.rod((-w / 2 + 0.1, d / 2 - 0.01, h - 0.1), (-w / 2 + 0.3, d / 2 - 0.01, h - 0.1), 0.01, "metal_steel", "vise")
     for k, color in enumerate(("plastic_red", "plastic_blue", "metal_grey")):
         x = -w / 2 + 0.35 + k * 0.3
         if x + 0.12 < w / 2:
@@ -95,19 +66,9 @@ def cubicle(b: Builder) -> None:
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
         b.box((lo, hi), (-d / 2 + t, d / 2), (0, h), b.mat(), "screen")
+    b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, -d / 2 + min(0.75, d * 0.8)), (0.71, 0.74), "wood_white", "top")
     b.box(
-        (-w / 2 + t, w / 2 - t),
-        (-d / 2 + t, -d / 2 + min(0.75, d * 0.8)),
-        (0.71, 0.74),
-        "wood_white",
-        "top",
-    )
-    b.box(
-        (-w / 2 + t, -w / 2 + t + 0.35),
-        (-d / 2 + t, -d / 2 + min(0.6, d * 0.7)),
-        (0.05, 0.6),
-        "metal_grey",
-        "drawers",
+        (-w / 2 + t, -w / 2 + t + 0.35), (-d / 2 + t, -d / 2 + min(0.6, d * 0.7)), (0.05, 0.6), "metal_grey", "drawers"
     )
 
 
@@ -116,23 +77,11 @@ def lectern(b: Builder) -> None:
     """Standing desk for a speaker, its sloped top towards the back."""
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2 + 0.04, w / 2 - 0.04), (-d / 2 + 0.03, d / 2 - 0.03), (0, 0.05), b.mat(), "foot")
-    b.box(
-        (-w / 2 + 0.07, w / 2 - 0.07), (-d * 0.15, d / 2 - 0.04), (0.04, h - 0.16), b.mat(), "body"
-    )
+    b.box((-w / 2 + 0.07, w / 2 - 0.07), (-d * 0.15, d / 2 - 0.04), (0.04, h - 0.16), b.mat(), "body")
     b.prism(
-        [(-d / 2, h - 0.18), (-d / 2, h - 0.13), (d / 2, h), (d / 2, h - 0.05)],
-        (-w / 2, w / 2),
-        b.mat(),
-        part="top",
+        [(-d / 2, h - 0.18), (-d / 2, h - 0.13), (d / 2, h), (d / 2, h - 0.05)], (-w / 2, w / 2), b.mat(), part="top"
     )
-    b.box(
-        (-0.1, 0.1),
-        (d / 2 - 0.045, d / 2 - 0.035),
-        (h * 0.5, h * 0.7),
-        "metal_steel",
-        "plate",
-        False,
-    )
+    b.box((-0.1, 0.1), (d / 2 - 0.045, d / 2 - 0.035), (h * 0.5, h * 0.7), "metal_steel", "plate", False)
 
 
 @recipe("salon_station")
@@ -141,32 +90,14 @@ def salon_station(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.04), (0, h), b.mat(), "panel")
     b.box((-w / 2, w / 2), (-d / 2 + 0.04, d / 2), (0.78, 0.82), b.mat(), "shelf")
+    b.box((-w / 2 + 0.03, -w / 2 + 0.4), (-d / 2 + 0.04, d / 2 - 0.05), (0.35, 0.78), b.mat(), "drawers")
     b.box(
-        (-w / 2 + 0.03, -w / 2 + 0.4),
-        (-d / 2 + 0.04, d / 2 - 0.05),
-        (0.35, 0.78),
-        b.mat(),
-        "drawers",
-    )
-    b.box(
-        (-w / 2 + 0.12, w / 2 - 0.12),
-        (-d / 2 + 0.04, -d / 2 + 0.055),
-        (0.95, h - 0.1),
-        "glass_mirror",
-        "mirror",
-        False,
+        (-w / 2 + 0.12, w / 2 - 0.12), (-d / 2 + 0.04, -d / 2 + 0.055), (0.95, h - 0.1), "glass_mirror", "mirror", False
     )
     for sx in (-1, 1):
         for k in range(4):
             z = 1.0 + k * (h - 1.2) / 3
-            b.ball(
-                (sx * (w / 2 - 0.06), -d / 2 + 0.06, z),
-                (0.03, 0.03, 0.03),
-                "light_warm",
-                "bulbs",
-                8,
-                False,
-            )
+            b.ball((sx * (w / 2 - 0.06), -d / 2 + 0.06, z), (0.03, 0.03, 0.03), "light_warm", "bulbs", 8, False)
 
 
 @recipe("control_desk")
@@ -178,24 +109,12 @@ def control_desk(b: Builder) -> None:
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.04)
         b.box((x - 0.04, x + 0.04), (-d / 2 + 0.02, d / 2 - 0.1), (0, z - 0.04), b.mat(), "legs")
-    b.box(
-        (-w / 2 + 0.08, w / 2 - 0.08),
-        (-d / 2 + 0.05, -d / 2 + 0.1),
-        (0.1, z - 0.04),
-        b.mat(),
-        "back",
-    )
+    b.box((-w / 2 + 0.08, w / 2 - 0.08), (-d / 2 + 0.05, -d / 2 + 0.1), (0.1, z - 0.04), b.mat(), "back")
     count = max(2, round(w / 0.62))
     for k in range(count):
         x = -w / 2 + (k + 0.5) * w / count
         half = w / count / 2 - 0.02
-        b.box(
-            (x - half, x + half),
-            (-d / 2 + 0.1, -d / 2 + 0.13),
-            (z + 0.12, h),
-            "plastic_black",
-            "screens",
-        )
+        b.box((x - half, x + half), (-d / 2 + 0.1, -d / 2 + 0.13), (z + 0.12, h), "plastic_black", "screens")
         b.box(
             (x - half + 0.012, x + half - 0.012),
             (-d / 2 + 0.13, -d / 2 + 0.133),
@@ -204,12 +123,5 @@ def control_desk(b: Builder) -> None:
             "screens",
             False,
         )
-        b.box(
-            (x - 0.03, x + 0.03),
-            (-d / 2 + 0.09, -d / 2 + 0.12),
-            (z, z + 0.14),
-            "plastic_black",
-            "stands",
-            False,
-        )
+        b.box((x - 0.03, x + 0.03), (-d / 2 + 0.09, -d / 2 + 0.12), (z, z + 0.14), "plastic_black", "stands", False)
         b.box((x - 0.2, x + 0.2), (0.05, 0.19), (z, z + 0.02), "plastic_dark", "keyboards", False)

@@ -40,8 +40,7 @@ def configured_retriever(environment: Mapping[str, str] | None = None) -> Retrie
     if not model:
         if file:
             raise MansionError(
-                ErrorCode.INVALID_PAYLOAD,
-                f"{_PICTURES} needs a model that embeds the query: set {_MODEL}",
+                ErrorCode.INVALID_PAYLOAD, f"{_PICTURES} needs a model that embeds the query: set {_MODEL}"
             )
         return TextRetriever()
     other = environment.get(_PICTURES + "_MODEL", "").strip()
@@ -62,7 +61,6 @@ def _encoder(model: str, environment: Mapping[str, str], variable: str) -> TextE
     if settings is None:
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD,
-            f"{variable} names no folder; for a model of an endpoint set "
-            "MANSION_EMBEDDINGS_BASE_URL",
+            f"{variable} names no folder; for a model of an endpoint set MANSION_EMBEDDINGS_BASE_URL",
         )
     return EndpointEncoder(EmbeddingsClient(replace(settings, model=model)))

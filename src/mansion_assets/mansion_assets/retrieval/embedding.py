@@ -62,9 +62,7 @@ class EmbeddingRetriever:
         self._picture_encoder = picture_encoder
         self._words = words
 
-    def retrieve(
-        self, catalogue: Catalogue, query: str, top_k: int, properties: Sequence[str]
-    ) -> Retrieval:
+    def retrieve(self, catalogue: Catalogue, query: str, top_k: int, properties: Sequence[str]) -> Retrieval:
         """See `mansion_assets.retrieval.retriever.Retriever.retrieve`."""
         candidates = having(catalogue, properties)
         if not query.strip() or not candidates:

@@ -51,13 +51,9 @@ def unit_rows(rows: object, count: int, source: str) -> Vectors:
     try:
         array = np.asarray(rows, dtype=np.float64)
     except (ValueError, TypeError):
-        raise MansionError(
-            ErrorCode.UNAVAILABLE, f"{source}: vectors of different lengths, or no numbers"
-        ) from None
+        raise MansionError(ErrorCode.UNAVAILABLE, f"{source}: vectors of different lengths, or no numbers") from None
     if array.ndim != 2 or array.shape[0] != count or not array.shape[1]:
-        raise MansionError(
-            ErrorCode.UNAVAILABLE, f"{source}: vectors of shape {array.shape} for {count} texts"
-        )
+        raise MansionError(ErrorCode.UNAVAILABLE, f"{source}: vectors of shape {array.shape} for {count} texts")
     lengths = np.linalg.norm(array, axis=1, keepdims=True)
     if not np.isfinite(lengths).all() or not (lengths > 0.0).all():
         raise MansionError(ErrorCode.UNAVAILABLE, f"{source}: a vector is zero or not finite")
@@ -110,16 +106,14 @@ def _load(folder: Path) -> Any:
     except ImportError:
         raise MansionError(
             ErrorCode.UNAVAILABLE,
-            f"the model {folder.name} needs the extra `embeddings`: "
-            "pip install sentence-transformers",
+            f"the model {folder.name} needs the extra `embeddings`: pip install sentence-transformers",
             details={"extra": "embeddings", "package": "sentence-transformers"},
         ) from None
     try:
         return package.SentenceTransformer(str(folder), local_files_only=True)
     except (OSError, ValueError, KeyError, RuntimeError, TypeError) as error:
         raise MansionError(
-            ErrorCode.UNAVAILABLE,
-            f"{folder} holds no sentence-transformers model: {str(error)[:200]}",
+            ErrorCode.UNAVAILABLE, f"{folder} holds no sentence-transformers model: {str(error)[:200]}"
         ) from None
 
 

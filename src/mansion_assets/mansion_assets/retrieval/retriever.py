@@ -21,9 +21,7 @@ class Retrieval:
 class Retriever(Protocol):
     """Finds assets by words."""
 
-    def retrieve(
-        self, catalogue: Catalogue, query: str, top_k: int, properties: Sequence[str]
-    ) -> Retrieval:
+    def retrieve(self, catalogue: Catalogue, query: str, top_k: int, properties: Sequence[str]) -> Retrieval:
         """Return at most `top_k` assets that have all the properties.
 
         Raises
@@ -36,8 +34,6 @@ class Retriever(Protocol):
 class TextRetriever:
     """`Retriever` by BM25 over names, synonyms and tags (`mansion_assets.catalogue.search`)."""
 
-    def retrieve(
-        self, catalogue: Catalogue, query: str, top_k: int, properties: Sequence[str]
-    ) -> Retrieval:
+    def retrieve(self, catalogue: Catalogue, query: str, top_k: int, properties: Sequence[str]) -> Retrieval:
         """See `Retriever.retrieve`."""
         return Retrieval(search_assets(catalogue, query, top_k, properties))

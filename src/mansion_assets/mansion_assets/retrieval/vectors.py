@@ -120,8 +120,7 @@ class CatalogueVectors:
             if kept.shape[1] != dimension:
                 raise MansionError(
                     ErrorCode.UNAVAILABLE,
-                    f"{self._encoder.name} gave {dimension} numbers for the query and "
-                    f"{kept.shape[1]} for an asset",
+                    f"{self._encoder.name} gave {dimension} numbers for the query and {kept.shape[1]} for an asset",
                 )
             self._write(texts.digest, kept)
         self._kept[texts.digest] = kept

@@ -44,9 +44,7 @@ def scene_files(scene: FloorScene) -> dict[str, bytes]:
     return files
 
 
-def floor_files(
-    topology: FloorTopology, layout: FloorLayout, scene: FloorScene
-) -> dict[str, bytes]:
+def floor_files(topology: FloorTopology, layout: FloorLayout, scene: FloorScene) -> dict[str, bytes]:
     """Return all files of a floor, by path relative to the building's folder."""
     folder = floor_directory(scene.floor)
     return {

@@ -17,9 +17,7 @@ from mansion_msgs_py.usage import total_usage
 __all__ = ["building_index", "building_report"]
 
 
-def building_index(
-    request: BuildRequest, plan: PlanReply, scenes: Sequence[FloorScene]
-) -> Building:
+def building_index(request: BuildRequest, plan: PlanReply, scenes: Sequence[FloorScene]) -> Building:
     """Return the content of ``building.json``."""
     program = plan.program
     return Building(
@@ -59,15 +57,11 @@ def _entry(scene: FloorScene) -> FloorEntry:
 
 
 def building_report(
-    plan: PlanReply,
-    layouts: Sequence[FloorLayout],
-    scenes: Sequence[FloorScene],
-    seconds: dict[str, float],
+    plan: PlanReply, layouts: Sequence[FloorLayout], scenes: Sequence[FloorScene], seconds: dict[str, float]
 ) -> BuildingReport:
     """Return the content of ``report.json``: what was asked, what was met, what was downgraded."""
     floors = [
-        _floor_report(topology, layout, scene)
-        for topology, layout, scene in zip(plan.topologies, layouts, scenes)
+        _floor_report(topology, layout, scene) for topology, layout, scene in zip(plan.topologies, layouts, scenes)
     ]
     downgrades = [*plan.program.downgrades]
     for layout, scene in zip(layouts, scenes):
@@ -92,11 +86,7 @@ def _sources(plan: PlanReply, scenes: Sequence[FloorScene]) -> dict[str, str]:
 
 
 def _floor_report(topology: FloorTopology, layout: FloorLayout, scene: FloorScene) -> FloorReport:
-    asked = {
-        node.id: node.area * layout.area_scale
-        for node in topology.nodes
-        if node.type in ("main", "Entities")
-    }
+    asked = {node.id: node.area * layout.area_scale for node in topology.nodes if node.type in ("main", "Entities")}
     prefix = f"F{scene.floor}/"
     got = {room.id.removeprefix(prefix): room.area for room in scene.rooms}
     errors = [abs(got.get(name, 0.0) - area) / area for name, area in asked.items()]

@@ -51,16 +51,12 @@ class Workspace:
             self.partial.mkdir(parents=True, exist_ok=True)
             self._lock = (self.partial / "lock").open("w")
         except OSError as error:
-            raise MansionError(
-                ErrorCode.UNAVAILABLE, f"cannot write to {self.partial}: {error.strerror}"
-            ) from None
+            raise MansionError(ErrorCode.UNAVAILABLE, f"cannot write to {self.partial}: {error.strerror}") from None
         try:
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             self._lock.close()
-            raise MansionError(
-                ErrorCode.CONFLICT, f"another build is writing {self.target}"
-            ) from None
+            raise MansionError(ErrorCode.CONFLICT, f"another build is writing {self.target}") from None
         self._adopt()
         return self
 
@@ -74,10 +70,7 @@ class Workspace:
         write_atomic(key, self._key)
 
     def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self._lock.close()
 
@@ -138,11 +131,9 @@ def _check_target(target: Path, *, force: bool) -> None:
     entries = {entry.name for entry in target.iterdir()}
     if entries and "building.json" not in entries:
         raise MansionError(
-            ErrorCode.CONFLICT,
-            f"{target} holds other files; name a new or empty folder, or one that holds a building",
+            ErrorCode.CONFLICT, f"{target} holds other files; name a new or empty folder, or one that holds a building"
         )
     if "state" in entries and not force:
         raise MansionError(
-            ErrorCode.CONFLICT,
-            f"{target} holds the state of running worlds; use --force to replace it all the same",
+            ErrorCode.CONFLICT, f"{target} holds the state of running worlds; use --force to replace it all the same"
         )

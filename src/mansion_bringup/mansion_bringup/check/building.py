@@ -43,8 +43,7 @@ def check_building(path: Path | str, further: Sequence[FileCheck] = ()) -> list[
     folder = Path(path)
     if not (folder / "building.json").is_file():
         raise MansionError(
-            ErrorCode.NOT_FOUND,
-            f"{folder} has no building.json; name a folder that `mansion build` wrote",
+            ErrorCode.NOT_FOUND, f"{folder} has no building.json; name a folder that `mansion build` wrote"
         )
     try:
         read = BuildingFolder(folder)
@@ -87,15 +86,8 @@ def _wished_doors(scene: FloorScene, topology: FloorTopology) -> list[tuple[str,
     given_up = {frozenset(wish.wish.split(" access ")) for wish in scene.downgrades}
     wished = []
     for edge in topology.edges:
-        names = [
-            name if name in cores else f"F{scene.floor}/{name}"
-            for name in (edge.source, edge.target)
-        ]
+        names = [name if name in cores else f"F{scene.floor}/{name}" for name in (edge.source, edge.target)]
         known = all(name in cores or name in rooms for name in names)
-        if (
-            edge.kind == "access"
-            and known
-            and frozenset((edge.source, edge.target)) not in given_up
-        ):
+        if edge.kind == "access" and known and frozenset((edge.source, edge.target)) not in given_up:
             wished.append((names[0], names[1]))
     return wished

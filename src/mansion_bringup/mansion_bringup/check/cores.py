@@ -48,11 +48,7 @@ def _on_floor(scene: FloorScene, core: SceneCore) -> Iterator[Fault]:
         yield Fault("CORE_FLOORS", where, f"says that it serves {core.floors} only")
     details = core.details
     riser = getattr(details, "riser", None)
-    if (
-        core.type == "stair"
-        and riser is not None
-        and not (RISERS[0] - 1e-6 <= riser <= RISERS[1] + 1e-6)
-    ):
+    if core.type == "stair" and riser is not None and not (RISERS[0] - 1e-6 <= riser <= RISERS[1] + 1e-6):
         yield Fault("STAIR_RISER", where, f"{riser * 100:.1f} cm; 15 to 19 cm are allowed")
 
 

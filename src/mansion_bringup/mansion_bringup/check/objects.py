@@ -108,9 +108,7 @@ def _before_doors(scene: FloorScene) -> Iterator[Fault]:
     standing = [
         thing
         for thing in scene.objects
-        if thing.mount in ("floor", "wall")
-        and vertical(thing)[0] < 1.9
-        and thing.size[2] > WALKABLE_HEIGHT
+        if thing.mount in ("floor", "wall") and vertical(thing)[0] < 1.9 and thing.size[2] > WALKABLE_HEIGHT
     ]
     if not standing:
         return

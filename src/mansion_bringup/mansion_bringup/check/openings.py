@@ -44,9 +44,7 @@ def check_openings(scene: FloorScene, edges: list[tuple[str, str]]) -> Iterator[
     joined = {frozenset(name for name in door.rooms if name) for door in scene.doors}
     for source, target in edges:
         if frozenset((source, target)) not in joined:
-            yield Fault(
-                "DOOR_MISSING", f"{source} and {target}", "are to be joined and have no door"
-            )
+            yield Fault("DOOR_MISSING", f"{source} and {target}", "are to be joined and have no door")
 
 
 def _places(scene: FloorScene) -> dict[str, BaseGeometry]:
@@ -63,9 +61,7 @@ def _door(door: Door, places: dict[str, BaseGeometry], walls: dict[str, Wall]) -
     if door.kind == "garage" and None not in door.rooms:
         yield Fault("DOOR_ROOMS", door.id, "is a garage door and does not lead outside")
     if abs(length - door.width) > 0.02:
-        yield Fault(
-            "DOOR_WIDTH", door.id, f"states {door.width:.2f} m, its opening has {length:.2f}"
-        )
+        yield Fault("DOOR_WIDTH", door.id, f"states {door.width:.2f} m, its opening has {length:.2f}")
     if door.kind != "open":
         yield from _in_wall(door, walls)
     line = LineString(door.segment)
@@ -95,9 +91,7 @@ def _in_wall(opening: Door | Window, walls: dict[str, Wall]) -> Iterator[Fault]:
         yield Fault(kind, opening.id, f"is higher than wall {wall.id}")
 
 
-def _window(
-    window: Window, places: dict[str, BaseGeometry], walls: dict[str, Wall]
-) -> Iterator[Fault]:
+def _window(window: Window, places: dict[str, BaseGeometry], walls: dict[str, Wall]) -> Iterator[Fault]:
     yield from _in_wall(window, walls)
     wall = walls.get(window.wall)
     if wall is not None and not wall.exterior:

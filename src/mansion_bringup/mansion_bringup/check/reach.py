@@ -58,9 +58,7 @@ def check_reach(scenes: Sequence[FloorScene]) -> Iterator[Fault]:
         return
     reached = set().union(*(nx.node_connected_component(graph, start) for start in starts))
     for scene in scenes:
-        pieces = {
-            node[1] for node in reached if not isinstance(node, str) and node[0] == scene.floor
-        }
+        pieces = {node[1] for node in reached if not isinstance(node, str) and node[0] == scene.floor}
         yield from _floor(scene, walks[scene.floor], pieces)
 
 

@@ -17,9 +17,7 @@ AREA_TOLERANCE = 0.10
 FOOTPRINT_TOLERANCE = 1e-3
 
 
-def check_request(
-    building: Building, layouts: Sequence[FloorLayout], scenes: Sequence[FloorScene]
-) -> Iterator[Fault]:
+def check_request(building: Building, layouts: Sequence[FloorLayout], scenes: Sequence[FloorScene]) -> Iterator[Fault]:
     """Yield what differs between the request, the program and the floors."""
     yield from _numbers(building, scenes)
     yield from _footprint(building, scenes)
@@ -47,9 +45,7 @@ def _numbers(building: Building, scenes: Sequence[FloorScene]) -> Iterator[Fault
     if request.floor_area is not None:
         mean = total / max(1, len(areas))
         if abs(mean - request.floor_area) > AREA_TOLERANCE * request.floor_area:
-            yield Fault(
-                "AREA", "building", f"{mean:.0f} m2 a floor, asked {request.floor_area:.0f}"
-            )
+            yield Fault("AREA", "building", f"{mean:.0f} m2 a floor, asked {request.floor_area:.0f}")
 
 
 def _footprint(building: Building, scenes: Sequence[FloorScene]) -> Iterator[Fault]:

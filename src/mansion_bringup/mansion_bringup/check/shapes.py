@@ -10,14 +10,7 @@ from shapely.ops import unary_union
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point, Ring, Segment
 
-__all__ = [
-    "along",
-    "free_region",
-    "net_area",
-    "room_area",
-    "segment_length",
-    "vertical",
-]
+__all__ = ["along", "free_region", "net_area", "room_area", "segment_length", "vertical"]
 
 
 def room_area(room: SceneRoom) -> Polygon:

@@ -34,9 +34,7 @@ def main() -> NoReturn:
         print(f"error: {error}", file=sys.stderr)
         trace = error.info.details.get("traceback")
         if error.code == ErrorCode.INTERNAL and trace:
-            print(
-                f"This is a fault of Mansion; please report it with this:\n{trace}", file=sys.stderr
-            )
+            print(f"This is a fault of Mansion; please report it with this:\n{trace}", file=sys.stderr)
         infeasible = (ErrorCode.INFEASIBLE, ErrorCode.CONTRADICTION)
         sys.exit(EXIT_INFEASIBLE if error.code in infeasible else EXIT_FAILURE)
     except BrokenPipeError:

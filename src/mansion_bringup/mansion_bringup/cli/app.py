@@ -2,20 +2,7 @@
 
 import typer
 
-from mansion_bringup.cli import (
-    bench,
-    build,
-    edit,
-    export,
-    files,
-    graph,
-    look,
-    plan,
-    quality,
-    schema,
-    skill,
-    task,
-)
+from mansion_bringup.cli import bench, build, edit, export, files, graph, look, plan, quality, schema, skill, task
 
 __all__ = ["app"]
 

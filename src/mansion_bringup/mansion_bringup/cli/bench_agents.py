@@ -22,28 +22,20 @@ __all__ = ["agents"]
 
 def agents(
     tasks: Annotated[
-        list[Path] | None,
-        typer.Option("--tasks", "-t", help="Task set, or a folder of them; may be repeated."),
+        list[Path] | None, typer.Option("--tasks", "-t", help="Task set, or a folder of them; may be repeated.")
     ] = None,
     names: Annotated[
         str, typer.Option("--agents", "-a", help="Names with commas between them.")
     ] = "random,oracle,explorer",
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Folder of logs and results.")
-    ] = None,
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Folder of logs and results.")] = None,
     seed: Annotated[int, typer.Option(min=0)] = 0,
     jobs: Annotated[int, typer.Option(min=1, help="Processes; the result is the same.")] = 1,
     graph: Annotated[bool, typer.Option(help="Call skills over services of a node graph.")] = False,
     sheets: Annotated[
-        int,
-        typer.Option(min=0, help="Contact sheets and animations for so many episodes an agent."),
+        int, typer.Option(min=0, help="Contact sheets and animations for so many episodes an agent.")
     ] = 0,
-    replay: Annotated[
-        Path | None, typer.Option(help="Repeat the episode of a log instead, and compare.")
-    ] = None,
-    building: Annotated[
-        Path | None, typer.Option(help="With --replay: the building, where it has moved.")
-    ] = None,
+    replay: Annotated[Path | None, typer.Option(help="Repeat the episode of a log instead, and compare.")] = None,
+    building: Annotated[Path | None, typer.Option(help="With --replay: the building, where it has moved.")] = None,
 ) -> None:
     """Let agents do tasks and print success and progress per number of floors, with 95% intervals.
 
@@ -60,22 +52,11 @@ def agents(
         _repeat(replay, building, graph, output)
         return
     if not tasks or output is None:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, "--tasks and --output are needed (or --replay LOG)"
-        )
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "--tasks and --output are needed (or --replay LOG)")
     _run(tasks, names, output, seed=seed, jobs=jobs, graph=graph, sheets=sheets)
 
 
-def _run(
-    tasks: list[Path],
-    names: str,
-    output: Path,
-    *,
-    seed: int,
-    jobs: int,
-    graph: bool,
-    sheets: int,
-) -> None:
+def _run(tasks: list[Path], names: str, output: Path, *, seed: int, jobs: int, graph: bool, sheets: int) -> None:
     """Run the bench, print its table, and draw what was asked for."""
     from mansion_tasks.agents.registry import AGENTS
     from mansion_tasks.episodes.benching import Bench, local_port
@@ -160,11 +141,7 @@ def _graph_port() -> "Ports":
 
 def _task_files(given: list[Path]) -> list[Path]:
     """Return the task sets: files as given, and those of folders by name."""
-    files = [
-        file
-        for path in given
-        for file in (sorted(path.glob("*.json")) if path.is_dir() else [path])
-    ]
+    files = [file for path in given for file in (sorted(path.glob("*.json")) if path.is_dir() else [path])]
     if not files:
         raise MansionError(ErrorCode.NOT_FOUND, f"no *.json in {', '.join(map(str, given))}")
     return files

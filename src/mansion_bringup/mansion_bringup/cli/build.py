@@ -67,12 +67,8 @@ def build(
     description: Annotated[str, typer.Argument(help="The brief, in English.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder to write.")],
     floors: Annotated[int | None, typer.Option(min=1, max=100, help="Number of floors.")] = None,
-    area: Annotated[
-        float | None, typer.Option(min=1, help="Gross area of the building, m2.")
-    ] = None,
-    floor_area: Annotated[
-        float | None, typer.Option(min=1, help="Gross area of a floor, m2.")
-    ] = None,
+    area: Annotated[float | None, typer.Option(min=1, help="Gross area of the building, m2.")] = None,
+    floor_area: Annotated[float | None, typer.Option(min=1, help="Gross area of a floor, m2.")] = None,
     footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same building.")] = 0,
     planner: Annotated[str, typer.Option(help="rules or llm.")] = "rules",
@@ -80,8 +76,7 @@ def build(
     jobs: Annotated[int, typer.Option(min=0, help="Floors in work at once; 0: all cores.")] = 0,
     timeout: Annotated[float, typer.Option(min=1, help="Seconds, for --graph.")] = 900.0,
     force: Annotated[
-        bool,
-        typer.Option("--force", help="Replace a building even if robots have left state in it."),
+        bool, typer.Option("--force", help="Replace a building even if robots have left state in it.")
     ] = False,
 ) -> None:
     """Build a furnished building from one sentence.
@@ -96,9 +91,7 @@ def build(
 
       mansion build "a library" --floors 3 --floor-area 400 --graph -o out/library
     """
-    request = request_from_options(
-        description, floors, area, floor_area, footprint, seed, planner_name(planner)
-    )
+    request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner))
     if (output / "building.json").is_file():
         err.print(f"{output} holds a building: it is replaced when this one is done")
     try:
@@ -127,9 +120,7 @@ def planner_name(name: str) -> Literal["rules", "llm"]:
         return "rules"
     if name == "llm":
         return "llm"
-    raise MansionError(
-        ErrorCode.INVALID_PAYLOAD, f"unknown planner {name!r}; use rules or llm", path="$.planner"
-    )
+    raise MansionError(ErrorCode.INVALID_PAYLOAD, f"unknown planner {name!r}; use rules or llm", path="$.planner")
 
 
 def prepare_planner(request: BuildRequest) -> None:
@@ -151,9 +142,7 @@ def prepare_planner(request: BuildRequest) -> None:
         ensure_extra("llm")
 
 
-def _through_graph(
-    request: BuildRequest, output: Path, timeout: float, force: bool
-) -> "BuildResult":
+def _through_graph(request: BuildRequest, output: Path, timeout: float, force: bool) -> "BuildResult":
     from mansion_bringup.graph.session import graph_client
     from mansion_bringup.pipeline.build import BuildResult
     from mansion_msgs_py.stages import BuildJob, BuildReply
@@ -197,6 +186,4 @@ def _print_summary(result: "BuildResult") -> None:
         met = counted(len(wishes), "wish", "wishes")
         out.print(f"{met} met in part or not at all (report.json):", highlight=False)
         for entry in wishes[:5]:
-            out.print(
-                f"  {entry.wish}: {entry.got} ({entry.reason})", markup=False, highlight=False
-            )
+            out.print(f"  {entry.wish}: {entry.got} ({entry.reason})", markup=False, highlight=False)

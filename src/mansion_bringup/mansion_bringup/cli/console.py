@@ -34,9 +34,7 @@ def progress_bar() -> Iterator[Callable[[ProgressPayload], None]]:
     The bar's thread starts with the first payload, so that a command can fork its workers before.
     """
     if not err.is_terminal:
-        yield lambda p: err.print(
-            f"[{p.done}/{p.total}] {p.message}", markup=False, highlight=False
-        )
+        yield lambda p: err.print(f"[{p.done}/{p.total}] {p.message}", markup=False, highlight=False)
         return
     from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 

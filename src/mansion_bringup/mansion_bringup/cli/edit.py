@@ -35,16 +35,10 @@ def edit(
     building: Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")],
     what: Annotated[str, typer.Argument(help="An instruction, or the name of a tool.")] = "",
     arguments: Annotated[str | None, typer.Argument(help="The tool's arguments as JSON.")] = None,
-    task: Annotated[
-        Path | None, typer.Option(help="Make a task possible: its JSON, or a set of tasks.")
-    ] = None,
-    task_id: Annotated[
-        str, typer.Option("--id", help="Which task of a set; all when absent.")
-    ] = "",
+    task: Annotated[Path | None, typer.Option(help="Make a task possible: its JSON, or a set of tasks.")] = None,
+    task_id: Annotated[str, typer.Option("--id", help="Which task of a set; all when absent.")] = "",
     planner: Annotated[str, typer.Option(help="Who plans an instruction: rules or llm.")] = "rules",
-    physics: Annotated[
-        str, typer.Option(help="What settles objects: mujoco, static or thor.")
-    ] = "mujoco",
+    physics: Annotated[str, typer.Option(help="What settles objects: mujoco, static or thor.")] = "mujoco",
     who: Annotated[str, typer.Option(help="Name for the log; yours when absent.")] = "",
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Show it, change nothing.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="The agent's report as JSON.")] = False,
@@ -66,17 +60,11 @@ def edit(
     from mansion_editing.editor import TOOLS
 
     if (task is None) == (not what):
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, "give an instruction, a tool's name, or --task TASK.json"
-        )
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "give an instruction, a tool's name, or --task TASK.json")
     is_tool = what in TOOLS
     if arguments is not None and not is_tool:
-        raise MansionError(
-            ErrorCode.NOT_FOUND, f"there is no tool {what!r}; tools are {', '.join(TOOLS)}"
-        )
-    editor = open_editor(
-        building, physics=physics if not is_tool or what in _WRITES else "static", who=who
-    )
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no tool {what!r}; tools are {', '.join(TOOLS)}")
+    editor = open_editor(building, physics=physics if not is_tool or what in _WRITES else "static", who=who)
     editor.autosave = not dry_run
     reports: list[AgentReport] = []
     if is_tool:
@@ -112,11 +100,7 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "S
         ensure_extra(_EXTRAS[physics])
     store = BuildingStore(building, validator=new_faults, clock=_now)
     return SceneEditor(
-        store,
-        load_catalogue(),
-        engine_named(physics),
-        who=who or getpass.getuser(),
-        retriever=configured_retriever(),
+        store, load_catalogue(), engine_named(physics), who=who or getpass.getuser(), retriever=configured_retriever()
     )
 
 

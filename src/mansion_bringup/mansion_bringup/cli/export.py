@@ -27,10 +27,7 @@ def register(app: typer.Typer) -> None:
 def _thor(building: BuildingFolder) -> dict[str, bytes]:
     from mansion_export.thor import house
 
-    return {
-        f"{floor_directory(scene.floor)}/house.json": encode_bytes(house(scene))
-        for scene in building.scenes()
-    }
+    return {f"{floor_directory(scene.floor)}/house.json": encode_bytes(house(scene)) for scene in building.scenes()}
 
 
 def _glb(building: BuildingFolder) -> dict[str, bytes]:
@@ -74,10 +71,7 @@ def _sdf(building: BuildingFolder) -> dict[str, bytes]:
     from mansion_export.sdf import world_sdf
 
     world = world_sdf(building.scenes())
-    return {
-        "building.sdf": world.xml.encode(),
-        **{f"meshes/{name}": data for name, data in world.meshes.items()},
-    }
+    return {"building.sdf": world.xml.encode(), **{f"meshes/{name}": data for name, data in world.meshes.items()}}
 
 
 def _rmf(building: BuildingFolder) -> dict[str, bytes]:
@@ -114,9 +108,7 @@ def export(
     """
     if to not in EXPORTS:
         known = ", ".join(EXPORTS)
-        raise MansionError(
-            ErrorCode.NOT_FOUND, f"no format {to!r}; use one of {known}", path="$.to"
-        )
+        raise MansionError(ErrorCode.NOT_FOUND, f"no format {to!r}; use one of {known}", path="$.to")
     read, target = BuildingFolder(building), output or building
     check_output_folder(target)
     files = EXPORTS[to](read)

@@ -17,15 +17,11 @@ __all__ = ["gallery"]
 
 def gallery(
     rooms: Annotated[Path, typer.Argument(help="JSON list of rooms with their objects.")],
-    systems: Annotated[
-        list[str], typer.Argument(help="NAME=PLACEMENTS.json for each system; may be repeated.")
-    ],
+    systems: Annotated[list[str], typer.Argument(help="NAME=PLACEMENTS.json for each system; may be repeated.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder for pages, form and key.")],
     seed: Annotated[int, typer.Option(min=0, help="Decides the order of panels.")] = 0,
     runs: Annotated[int, typer.Option(min=1, help="Runs of a room shown for a system.")] = 2,
-    answers: Annotated[
-        list[Path] | None, typer.Option(help="Saved answers: print their tally instead.")
-    ] = None,
+    answers: Annotated[list[Path] | None, typer.Option(help="Saved answers: print their tally instead.")] = None,
 ) -> None:
     """Lay the same rooms of several systems side by side, unlabelled, with a key file.
 
@@ -53,9 +49,7 @@ def gallery(
         name, separator, file = entry.partition("=")
         if not name or not separator:
             raise MansionError(
-                ErrorCode.INVALID_PAYLOAD,
-                f"{entry!r} does not read NAME=PLACEMENTS.json",
-                path="$.systems",
+                ErrorCode.INVALID_PAYLOAD, f"{entry!r} does not read NAME=PLACEMENTS.json", path="$.systems"
             )
         results.setdefault(name, []).extend(read_payload(list[PlacementResult], Path(file)))
     files = gallery_files(load_rooms(rooms), results, seed=seed, runs=runs)

@@ -36,17 +36,12 @@ def register(app: typer.Typer) -> None:
 def up(
     namespace: Namespace = DEFAULT_NAMESPACE,
     log_level: Annotated[str, typer.Option(help="debug, info, warn, error or fatal.")] = "info",
-    params_file: Annotated[
-        Path | None, typer.Option(exists=True, dir_okay=False, help="ROS parameter file.")
-    ] = None,
-    processes: Annotated[
-        bool, typer.Option("--processes", help="Plain processes even where ros2 launch is.")
-    ] = False,
+    params_file: Annotated[Path | None, typer.Option(exists=True, dir_okay=False, help="ROS parameter file.")] = None,
+    processes: Annotated[bool, typer.Option("--processes", help="Plain processes even where ros2 launch is.")] = False,
     with_tf: Annotated[
         bool,
         typer.Option(
-            "--with-tf",
-            help="Build tf2_msgs first where it is missing, so that there is /tf (needs a C++ compiler).",
+            "--with-tf", help="Build tf2_msgs first where it is missing, so that there is /tf (needs a C++ compiler)."
         ),
     ] = False,
 ) -> None:
@@ -69,9 +64,7 @@ def up(
 
     if with_tf and not has_tf2():
         build_tf2_msgs(lambda text: err.print(text, highlight=False))
-    options = GraphOptions(
-        namespace=_namespace(namespace), log_level=log_level, params_file=params_file
-    )
+    options = GraphOptions(namespace=_namespace(namespace), log_level=log_level, params_file=params_file)
     with GraphProcesses(options) as running:
         running.wait_ready()
         names = ", ".join(f"{node.executable}" for node in running.nodes)
@@ -93,9 +86,7 @@ def _namespace(text: str) -> str:
 def _has_launch() -> bool:
     share = Path("share/ament_index/resource_index/packages/mansion_bringup")
     prefixes = os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
-    return shutil.which("ros2") is not None and any(
-        prefix and (Path(prefix) / share).exists() for prefix in prefixes
-    )
+    return shutil.which("ros2") is not None and any(prefix and (Path(prefix) / share).exists() for prefix in prefixes)
 
 
 def _exec_launch(namespace: str, log_level: str, params_file: Path | None) -> None:
@@ -146,9 +137,7 @@ def echo(
     topic: Annotated[str, typer.Argument(help="Name below the namespace, or absolute.")],
     namespace: Namespace = DEFAULT_NAMESPACE,
     count: Annotated[int, typer.Option("--count", "-c", min=0, help="0: until Ctrl-C.")] = 0,
-    timeout: Annotated[
-        float, typer.Option(min=0, help="Seconds without a message; 0: for ever.")
-    ] = 0,
+    timeout: Annotated[float, typer.Option(min=0, help="Seconds without a message; 0: for ever.")] = 0,
 ) -> None:
     """Print the messages of a topic: text as it is, a line each; other types as YAML. Latched ones come at once.
 
@@ -203,9 +192,7 @@ def _listen(node: Any, topic: str, received: Any) -> bool:
         return False
 
     def show(message: Any) -> None:
-        received.put(
-            f"{message.data}\n" if found.type == STRING else f"{message_yaml(message)}---\n"
-        )
+        received.put(f"{message.data}\n" if found.type == STRING else f"{message_yaml(message)}---\n")
 
     node.create_subscription(message_class(found), found.name, show, qos_profile(found.qos))
     return True

@@ -43,12 +43,8 @@ def look(
     building: Annotated[Path, typer.Argument(help="Building folder.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="PNG file.")] = Path("look.png"),
     what: Annotated[Sight, typer.Option(help="What to draw.")] = Sight.VIEW,
-    room: Annotated[
-        str, typer.Option(help="Look from this room, stair or lift, of any floor.")
-    ] = "",
-    floor: Annotated[
-        int | None, typer.Option(help="Of the landmarks, or of the place to look from.")
-    ] = None,
+    room: Annotated[str, typer.Option(help="Look from this room, stair or lift, of any floor.")] = "",
+    floor: Annotated[int | None, typer.Option(help="Of the landmarks, or of the place to look from.")] = None,
     turn: Annotated[float, typer.Option(help="Degrees to the left of where it looks.")] = 0.0,
     width: Annotated[int, typer.Option(help="Pixels.", min=16, max=4096)] = 640,
     height: Annotated[int, typer.Option(help="Pixels.", min=16, max=4096)] = 480,
@@ -115,9 +111,7 @@ def _place(world: "World", body: "RobotBody", room: str, floors: list[int]) -> "
     raise MansionError(ErrorCode.NOT_FOUND, f"there is no {room!r} {where}; {near}")
 
 
-def _pictures(
-    robot: "Robot", camera: "Camera", what: Sight, room: str, floor: int | None, per_page: int
-) -> list[Any]:
+def _pictures(robot: "Robot", camera: "Camera", what: Sight, room: str, floor: int | None, per_page: int) -> list[Any]:
     import numpy as np
 
     if what is Sight.PANORAMA:

@@ -22,12 +22,8 @@ def register(app: typer.Typer) -> None:
 def plan(
     description: Annotated[str, typer.Argument(help="The brief, in English.")],
     floors: Annotated[int | None, typer.Option(min=1, max=100)] = None,
-    area: Annotated[
-        float | None, typer.Option(min=1, help="Gross area of the building, m2.")
-    ] = None,
-    floor_area: Annotated[
-        float | None, typer.Option(min=1, help="Gross area of a floor, m2.")
-    ] = None,
+    area: Annotated[float | None, typer.Option(min=1, help="Gross area of the building, m2.")] = None,
+    floor_area: Annotated[float | None, typer.Option(min=1, help="Gross area of a floor, m2.")] = None,
     footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
     seed: Annotated[int, typer.Option(min=0)] = 0,
     planner: Annotated[str, typer.Option(help="rules or llm.")] = "rules",
@@ -43,9 +39,7 @@ def plan(
     """
     from mansion_bringup.pipeline.stages import LocalStages
 
-    request = request_from_options(
-        description, floors, area, floor_area, footprint, seed, planner_name(planner)
-    )
+    request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner))
     prepare_planner(request)
     reply = LocalStages().plan(identified(request))
     if as_json:
@@ -100,11 +94,5 @@ def _print_floor(floor: FloorProgram) -> None:
     table = Table("room", "type", "net m2", "floor", "walls", title=title, title_justify="left")
     table.columns[2].justify = "right"
     for room in floor.rooms:
-        table.add_row(
-            room.id,
-            room.room_type,
-            f"{room.area_estimate:.1f}",
-            room.floor_material,
-            room.wall_material,
-        )
+        table.add_row(room.id, room.room_type, f"{room.area_estimate:.1f}", room.floor_material, room.wall_material)
     out.print(table)

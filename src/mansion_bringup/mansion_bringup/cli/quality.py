@@ -14,10 +14,7 @@ __all__ = ["register"]
 def register(app: typer.Typer) -> None:
     """Add the commands to `app`."""
     app.command("check", no_args_is_help=True)(check)
-    app.command(
-        "test",
-        context_settings={"allow_extra_args": True, "ignore_unknown_options": True},
-    )(test)
+    app.command("test", context_settings={"allow_extra_args": True, "ignore_unknown_options": True})(test)
 
 
 def check(

@@ -16,9 +16,7 @@ def register(app: typer.Typer) -> None:
     app.command("schema")(schema)
 
 
-def schema(
-    name: Annotated[str | None, typer.Argument(help="Payload type; all names when absent.")] = None,
-) -> None:
+def schema(name: Annotated[str | None, typer.Argument(help="Payload type; all names when absent.")] = None) -> None:
     """Print the JSON Schema of a payload.
 
     Examples:

@@ -24,8 +24,7 @@ def skill(
     name: Annotated[str, typer.Argument(help="CallElevator or call_elevator; `list` lists them.")],
     arguments: Annotated[str, typer.Argument(help="JSON object.")] = "{}",
     building: Annotated[
-        Path | None,
-        typer.Option("--building", "-b", help="Run in this process, on this building folder."),
+        Path | None, typer.Option("--building", "-b", help="Run in this process, on this building folder.")
     ] = None,
     session: Annotated[str, typer.Option("--session", "-s", help="Which robot.")] = "",
     reset: Annotated[bool, typer.Option(help="With --building: begin anew.")] = False,
@@ -49,10 +48,7 @@ def skill(
     found = skill_named(name)
     if found is None:
         known = choices(name, (entry.name for entry in SKILLS.values()), "skills")
-        raise MansionError(
-            ErrorCode.NOT_FOUND,
-            f"there is no skill {name!r}; {known}; `mansion skill list` has all",
-        )
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no skill {name!r}; {known}; `mansion skill list` has all")
     fields: dict[str, Any] = decode(dict[str, Any], arguments)
     if session:
         fields["session"] = session

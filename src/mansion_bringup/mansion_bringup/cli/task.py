@@ -24,9 +24,7 @@ __all__ = ["register"]
 group = typer.Typer(no_args_is_help=True, help="Tasks for a robot in a building.")
 
 Building = Annotated[Path, typer.Argument(help="Folder that `mansion build` wrote.")]
-Output = Annotated[
-    Path | None, typer.Option("--output", "-o", help="File to write; else standard output.")
-]
+Output = Annotated[Path | None, typer.Option("--output", "-o", help="File to write; else standard output.")]
 
 
 def register(app: typer.Typer) -> None:
@@ -92,9 +90,7 @@ def _in_words(name: str) -> Task:
     file = Path(name)
     if not file.is_file():
         known = choices(name, PAPER_TASKS, "the paper's tasks")
-        raise MansionError(
-            ErrorCode.NOT_FOUND, f"{name!r} is neither a file nor a task of the paper; {known}"
-        )
+        raise MansionError(ErrorCode.NOT_FOUND, f"{name!r} is neither a file nor a task of the paper; {known}")
     data = read_bytes(file)
     if "tasks" in decode_from(dict[str, Any], data, file):
         raise MansionError(
@@ -190,8 +186,7 @@ def show(
 
 @group.command()
 def paper(
-    name: Annotated[str, typer.Argument(help="A task's id; all are listed when absent.")] = "",
-    output: Output = None,
+    name: Annotated[str, typer.Argument(help="A task's id; all are listed when absent.")] = "", output: Output = None
 ) -> None:
     """List the paper's tasks with the sentence that builds a building for each, or print one in words.
 
@@ -248,9 +243,7 @@ def ground(
 def run(
     tasks: Annotated[Path, typer.Argument(help="A task set.")],
     name: Annotated[str, typer.Argument(help="A task's id; all when absent.")] = "",
-    building: Annotated[
-        Path | None, typer.Option("--building", "-b", help="Instead of the set's building.")
-    ] = None,
+    building: Annotated[Path | None, typer.Option("--building", "-b", help="Instead of the set's building.")] = None,
     plan: Annotated[bool, typer.Option(help="Run the plans of the file, else plan anew.")] = False,
 ) -> None:
     """Let the oracle do tasks in this process, and print how each went; exit status 1 when one fails.
@@ -273,8 +266,6 @@ def run(
         score = replay(task, steps, sandbox)
         failed += not score.success
         word = "done" if score.success else "failed"
-        out.print(
-            f"{task.id}: {word}, {len(steps)} skills, {sandbox.world.time:.0f} s", highlight=False
-        )
+        out.print(f"{task.id}: {word}, {len(steps)} skills, {sandbox.world.time:.0f} s", highlight=False)
     if failed:
         raise typer.Exit(1)

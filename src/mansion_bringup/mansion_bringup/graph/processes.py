@@ -54,11 +54,7 @@ class GraphProcesses:
     nodes : sequence of NodeProcess
     """
 
-    def __init__(
-        self,
-        options: GraphOptions | None = None,
-        nodes: Sequence[NodeProcess] = GRAPH_NODES,
-    ) -> None:
+    def __init__(self, options: GraphOptions | None = None, nodes: Sequence[NodeProcess] = GRAPH_NODES) -> None:
         self.options = options or GraphOptions()
         self.nodes = tuple(nodes)
         self.running: dict[str, subprocess.Popen[bytes]] = {}
@@ -79,10 +75,7 @@ class GraphProcesses:
         return self
 
     def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.stop()
 
@@ -120,11 +113,7 @@ class GraphProcesses:
     def ended(self) -> dict[str, int]:
         """Return the exit status of each node that is no longer running."""
         self.note_segments(interval=1.0)
-        return {
-            name: process.returncode
-            for name, process in self.running.items()
-            if process.poll() is not None
-        }
+        return {name: process.returncode for name, process in self.running.items() if process.poll() is not None}
 
     def wait_ready(self, timeout: float = 180.0) -> None:
         """Wait until every node serves its service.
@@ -142,16 +131,12 @@ class GraphProcesses:
             missing = {node.service: node.executable for node in self.nodes}
             while missing:
                 for name, status in self.ended().items():
-                    raise MansionError(
-                        ErrorCode.UNAVAILABLE, f"node {name} ended with status {status} at start"
-                    )
+                    raise MansionError(ErrorCode.UNAVAILABLE, f"node {name} ended with status {status} at start")
                 for service in [name for name in missing if client.is_served(name)]:
                     del missing[service]
                 if missing and time.monotonic() > deadline:
                     names = ", ".join(sorted(missing.values()))
-                    raise MansionError(
-                        ErrorCode.UNAVAILABLE, f"not up after {timeout:g} s: {names}"
-                    )
+                    raise MansionError(ErrorCode.UNAVAILABLE, f"not up after {timeout:g} s: {names}")
                 time.sleep(0.02)
         self.note_segments()
 

@@ -123,9 +123,7 @@ class SegmentLedger:
                 found.update(_written(pid, new))
         self._seen = {port for port in unread if _is_settled(port)}
         if not found <= self._noted or (found and not self._is_saved()):
-            self._noted = {
-                segment for segment in self._noted | found if _remains(segment, self._shm)
-            }
+            self._noted = {segment for segment in self._noted | found if _remains(segment, self._shm)}
             self._save()
 
     def remove_dead(self) -> list[str]:
@@ -226,9 +224,7 @@ def _locked_by(pid: int, descriptor: str, shm: Path) -> Segment | None:
         # Linux lists the locks of this very open file, not all those of the inode.
         lines = Path(f"/proc/{pid}/fdinfo/{descriptor}").read_text().splitlines()
         lock = _file_id(os.stat(entry))
-        if lock is not None and any(
-            line.startswith("lock:") and " FLOCK " in line for line in lines
-        ):
+        if lock is not None and any(line.startswith("lock:") and " FLOCK " in line for line in lines):
             return Segment(match[1], _id_at(shm / match[1]), lock, match[2])
     return None
 
@@ -238,11 +234,7 @@ def _unread_ports(names: set[str], shm: Path) -> set[Segment]:
 
     Fast DDS makes the port of a peer that was killed anew, without a lock, while it still sends to that peer.
     """
-    ports = [
-        name
-        for name in names
-        if PORT.fullmatch(name) and not names & {name + suffix for suffix in SUFFIXES}
-    ]
+    ports = [name for name in names if PORT.fullmatch(name) and not names & {name + suffix for suffix in SUFFIXES}]
     return {Segment(name, memory) for name in ports if (memory := _id_at(shm / name)) is not None}
 
 
@@ -253,11 +245,7 @@ def _is_settled(port: Segment) -> bool:
 def _written(pid: int, ports: set[Segment]) -> Iterator[Segment]:
     """Yield the ports that the process has in its memory."""
     mapped = _mapped(pid)
-    return (
-        port
-        for port in ports
-        if port.memory is not None and (port.name, port.memory.inode) in mapped
-    )
+    return (port for port in ports if port.memory is not None and (port.name, port.memory.inode) in mapped)
 
 
 def _mapped(pid: int) -> set[tuple[str, int]]:
@@ -273,9 +261,7 @@ def _mapped(pid: int) -> set[tuple[str, int]]:
 def _remains(segment: Segment, shm: Path) -> bool:
     """Whether the noted segment or its lock file is still there, rather than another of that name."""
     memory, lock = _id_at(shm / segment.name), _id_at(shm / (segment.name + segment.suffix))
-    return (memory is not None and memory == segment.memory) or (
-        lock is not None and lock == segment.lock
-    )
+    return (memory is not None and memory == segment.memory) or (lock is not None and lock == segment.lock)
 
 
 def _remove_unused(segments: set[Segment], shm: Path) -> tuple[list[str], set[Segment]]:
@@ -372,20 +358,14 @@ def _is_private(folder: Path, make: bool = False) -> bool:
         status = folder.lstat()
     except OSError:
         return False
-    return (
-        stat.S_ISDIR(status.st_mode)
-        and status.st_uid == os.geteuid()
-        and not status.st_mode & 0o077
-    )
+    return stat.S_ISDIR(status.st_mode) and status.st_uid == os.geteuid() and not status.st_mode & 0o077
 
 
 def _ledgers_of_the_dead(folder: Path) -> list[Path]:
     """Return the ledgers in the folder whose supervisors no longer run."""
     files = sorted(folder.iterdir()) if _is_private(folder) else []
     matches = [(file, LEDGER.fullmatch(file.name)) for file in files]
-    return [
-        file for file, match in matches if match and _start_time(int(match[1])) != int(match[2])
-    ]
+    return [file for file, match in matches if match and _start_time(int(match[1])) != int(match[2])]
 
 
 def _read(file: Path) -> set[Segment]:

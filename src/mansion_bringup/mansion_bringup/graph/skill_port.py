@@ -44,9 +44,7 @@ class GraphPort(SkillPort):
 
     def load(self, folder: Path) -> None:
         """See `SkillPort.load`."""
-        self._client.call(
-            "load_building", LoadBuilding(path=str(folder), session=SESSION, world=WORLD)
-        )
+        self._client.call("load_building", LoadBuilding(path=str(folder), session=SESSION, world=WORLD))
         self._mirror = Mirror(folder)
 
     def call(self, call: SkillCall) -> SkillResult:
@@ -80,9 +78,7 @@ class GraphPort(SkillPort):
     def visible(self) -> VisibleObjects:
         """See `SkillPort.visible`."""
         asked = VisibleArgs(session=SESSION)
-        found: VisibleObjects = self._client.call(
-            "skills/list_visible", asked, reply=VisibleObjects
-        )
+        found: VisibleObjects = self._client.call("skills/list_visible", asked, reply=VisibleObjects)
         return found
 
     def landmarks(self) -> Landmarks:
@@ -107,9 +103,7 @@ def _reply(question: bool) -> Any:
 def graph_port() -> Iterator[SkillPort]:
     """Start a private skill server in a domain of its own, yield the way to it, and end it."""
     options = GraphOptions(
-        domain_id=free_domain(),
-        parameters={"skill_server": {"robot_stack": "false", "durable": "false"}},
-        quiet=True,
+        domain_id=free_domain(), parameters={"skill_server": {"robot_stack": "false", "durable": "false"}}, quiet=True
     )
     with kept_to_this_machine(), GraphProcesses(options, [SERVER]) as graph:
         graph.wait_ready(180.0)

@@ -32,12 +32,7 @@ __all__ = ["build_tf2_msgs", "has_tf2", "missing_tools"]
 
 _PACKAGE: Final = "tf2_msgs"
 _DEFINITIONS: Final = Path(__file__).resolve().with_name(_PACKAGE)
-_INTERFACES: Final = (
-    "msg/TF2Error.msg",
-    "msg/TFMessage.msg",
-    "srv/FrameGraph.srv",
-    "action/LookupTransform.action",
-)
+_INTERFACES: Final = ("msg/TF2Error.msg", "msg/TFMessage.msg", "srv/FrameGraph.srv", "action/LookupTransform.action")
 _REQUIREMENTS: Final = Path(__file__).resolve().parents[4] / "requirements"
 _VERSION: Final = f"{sys.version_info.major}.{sys.version_info.minor}"
 
@@ -52,12 +47,7 @@ _DEPENDENCIES: Final = (
 """Packages whose types are part of the definitions."""
 
 _TYPE_SUPPORTS: Final = ("rosidl_typesupport_fastrtps_c", "rosidl_typesupport_introspection_c")
-_LIBRARIES: Final = (
-    "rosidl_generator_c",
-    *_TYPE_SUPPORTS,
-    "rosidl_typesupport_c",
-    "rosidl_generator_py",
-)
+_LIBRARIES: Final = ("rosidl_generator_c", *_TYPE_SUPPORTS, "rosidl_typesupport_c", "rosidl_generator_py")
 """The shared libraries, named by the generator of their sources, each after those that it needs."""
 
 _GENERATORS: Final[dict[str, tuple[str, ...]]] = {
@@ -184,36 +174,24 @@ def _check_environment() -> None:
         raise _unavailable(
             f"a ROS 2 is sourced, which has a package of tf2_msgs: sudo apt install ros-{distribution}-tf2-msgs"
         )
-    wheels = (
-        "lib/libgeometry_msgs__rosidl_generator_c.so",
-        "include/geometry_msgs",
-        "share/geometry_msgs",
-    )
+    wheels = ("lib/libgeometry_msgs__rosidl_generator_c.so", "include/geometry_msgs", "share/geometry_msgs")
     if not all(Path(sys.prefix, name).exists() for name in wheels):
-        raise _unavailable(
-            f"tf2_msgs is built for the wheels of rclpy, which are not installed in {sys.prefix}"
-        )
+        raise _unavailable(f"tf2_msgs is built for the wheels of rclpy, which are not installed in {sys.prefix}")
     missing = missing_tools()
     if missing:
-        packages = {
-            f"python{_VERSION}-dev" if "Python" in tool else "build-essential" for tool in missing
-        }
+        packages = {f"python{_VERSION}-dev" if "Python" in tool else "build-essential" for tool in missing}
         raise _unavailable(
             f"building tf2_msgs needs {' and '.join(missing)}: sudo apt install {' '.join(sorted(packages))}",
             missing=missing,
         )
     if not _lock_file().exists():
-        raise _unavailable(
-            f"building tf2_msgs needs requirements/{_lock_file().name} of a checkout of Mansion"
-        )
+        raise _unavailable(f"building tf2_msgs needs requirements/{_lock_file().name} of a checkout of Mansion")
 
 
 def _build(places: _Places, report: Callable[[str], None]) -> None:
     start = time.monotonic()
     places.log.unlink(missing_ok=True)
-    report(
-        f"installing the code generators for the time of the build, from requirements/{_lock_file().name}"
-    )
+    report(f"installing the code generators for the time of the build, from requirements/{_lock_file().name}")
     _install_generators(places)
     report("generating the code of tf2_msgs")
     _generate(places)
@@ -241,9 +219,7 @@ def _generate(places: _Places) -> None:
     command += ["--output-dir", str(output[0]), "--output-file", str(output[1])]
     _run(places, "translating the definitions", [*_python(places), *command])
     for generator, options in _GENERATORS.items():
-        arguments = _write_json(
-            places.folder / f"{generator}.json", _generator_arguments(places, generator)
-        )
+        arguments = _write_json(places.folder / f"{generator}.json", _generator_arguments(places, generator))
         script = str(places.generators / "lib" / generator / generator)
         command = [*_python(places), script, "--generator-arguments-file", arguments, *options]
         _run(places, f"generating code with {generator}", command)
@@ -259,12 +235,9 @@ def _generator_arguments(places: _Places, generator: str) -> dict[str, str | lis
         "package_name": _PACKAGE,
         "output_dir": str(places.generated(generator)),
         "template_dir": str(places.generators / "share" / generator / "resource"),
-        "idl_tuples": [
-            f"{places.generated('idl')}:{name.with_suffix('.idl')}" for name in interfaces
-        ],
+        "idl_tuples": [f"{places.generated('idl')}:{name.with_suffix('.idl')}" for name in interfaces],
         "type_description_tuples": [
-            f"{name.with_suffix('.idl')}:{descriptions / name.with_suffix('.json')}"
-            for name in interfaces
+            f"{name.with_suffix('.idl')}:{descriptions / name.with_suffix('.json')}" for name in interfaces
         ],
         "ros_interface_files": [str(_DEFINITIONS / name) for name in interfaces],
         "include_paths": [f"{name}:{share / name}" for name in _DEPENDENCIES],
@@ -370,9 +343,7 @@ def _run(places: _Places, step: str, command: Sequence[str], **environment: str)
         lines = [line.strip() for line in done.stdout.splitlines() if line.strip()]
         errors = [line for line in lines if "error" in line.lower()] or lines
         said = " / ".join(errors[-3:]) or f"exit status {done.returncode}"
-        raise _unavailable(
-            f"tf2_msgs is not built, {step} failed: {said}; the full log is {places.log}", step=step
-        )
+        raise _unavailable(f"tf2_msgs is not built, {step} failed: {said}; the full log is {places.log}", step=step)
 
 
 @contextmanager
@@ -380,9 +351,7 @@ def _temporary_folder(prefix: Path) -> Iterator[Path]:
     """Make a folder beside the place of installation and remove it, with those that killed builds have left."""
     for left in prefix.glob(f"{_FOLDER_PREFIX}*"):
         shutil.rmtree(left, ignore_errors=True)
-    with TemporaryDirectory(
-        prefix=_FOLDER_PREFIX, dir=prefix, ignore_cleanup_errors=True
-    ) as folder:
+    with TemporaryDirectory(prefix=_FOLDER_PREFIX, dir=prefix, ignore_cleanup_errors=True) as folder:
         yield Path(folder)
 
 

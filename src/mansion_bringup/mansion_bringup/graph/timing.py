@@ -55,11 +55,7 @@ def compare_builds(
     options = GraphOptions(domain_id=free_domain(), quiet=True)
     local: list[float] = []
     remote: list[float] = []
-    with (
-        tempfile.TemporaryDirectory() as folder,
-        kept_to_this_machine(),
-        GraphProcesses(options) as graph,
-    ):
+    with tempfile.TemporaryDirectory() as folder, kept_to_this_machine(), GraphProcesses(options) as graph:
         root = Path(folder)
         graph.wait_ready(180.0)
         with MansionClient(domain_id=options.domain_id) as client:

@@ -16,12 +16,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
-from mansion_msgs_py.nodes.shell import (
-    JsonPublisher,
-    add_json_service,
-    add_json_subscription,
-    run_handler,
-)
+from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service, add_json_subscription, run_handler
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.stages import BuildJob, BuildReply
 
@@ -36,9 +31,7 @@ class BuildingDirector(MansionNode):
     def __init__(self) -> None:
         super().__init__("building_director")
         self.declare_parameter(
-            "output_root",
-            "buildings",
-            ParameterDescriptor(description="folder for buildings whose request names none"),
+            "output_root", "buildings", ParameterDescriptor(description="folder for buildings whose request names none")
         )
         self.declare_parameter(
             "stage_timeout",
@@ -59,29 +52,21 @@ class BuildingDirector(MansionNode):
         self._progress = JsonPublisher(self, topic("progress"))
         self._exporter = export_pool(min(os.cpu_count() or 1, MAX_BUILDS))
         self._slots = threading.BoundedSemaphore(MAX_BUILDS)
-        self._stages = MansionClient(
-            domain_id=self.context.get_domain_id(), namespace=self.get_namespace()
-        )
+        self._stages = MansionClient(domain_id=self.context.get_domain_id(), namespace=self.get_namespace())
         group = ReentrantCallbackGroup()
         add_json_service(self, service("build_building"), self.build, callback_group=group)
-        add_json_subscription(
-            self, topic("build_requests"), self._build_from_topic, callback_group=group
-        )
+        add_json_subscription(self, topic("build_requests"), self._build_from_topic, callback_group=group)
 
     def build(self, job: BuildJob) -> BuildReply:
         """Build one building; at most `MAX_BUILDS` at the same time."""
         if not self._slots.acquire(blocking=False):
-            raise MansionError(
-                ErrorCode.CONFLICT, f"{MAX_BUILDS} builds are running; ask again when one is done"
-            )
+            raise MansionError(ErrorCode.CONFLICT, f"{MAX_BUILDS} builds are running; ask again when one is done")
         try:
             request = identified(job.request())
             result = build_building(
                 request,
                 self._output(job, request),
-                stages=RemoteStages(
-                    self._stages, self.get_parameter("stage_timeout").value or 120.0
-                ),
+                stages=RemoteStages(self._stages, self.get_parameter("stage_timeout").value or 120.0),
                 exporter=self._exporter,
                 jobs=self.get_parameter("floors_at_once").value or 1,
                 report=self._progress.publish,

@@ -134,9 +134,7 @@ def _plan(job: _Job, workspace: Workspace) -> PlanReply:
     job.timed("plan_program", time.perf_counter() - started)
     floors = plan.program.floors
     job.total = 2 + len(steps.distinct_floors(plan)) + len(floors)
-    rooms = sum(
-        node.type in ("main", "Entities") for graph in plan.topologies for node in graph.nodes
-    )
+    rooms = sum(node.type in ("main", "Entities") for graph in plan.topologies for node in graph.nodes)
     storeys = f"{len(floors)} floor{'s' if len(floors) != 1 else ''}"
     job.step("plan_program", f"{storeys}, {rooms} rooms", done=1)
     return plan
@@ -170,11 +168,7 @@ def _solve_task(stages: Stages | None, plan: PlanReply, index: int) -> tuple[byt
 
 
 def _furnish(
-    job: _Job,
-    workspace: Workspace,
-    crew: Crew,
-    plan: PlanReply,
-    layouts: list[FloorLayout],
+    job: _Job, workspace: Workspace, crew: Crew, plan: PlanReply, layouts: list[FloorLayout]
 ) -> list[FloorScene]:
     waiting: dict[int, Future[tuple[dict[str, bytes], float, float]]] = {}
     for index, floor in enumerate(plan.program.floors):
@@ -196,26 +190,19 @@ def _furnish(
 
 
 def _furnish_task(
-    stages: Stages | None,
-    exporter: Executor | None,
-    plan: PlanReply,
-    layout: FloorLayout,
-    index: int,
+    stages: Stages | None, exporter: Executor | None, plan: PlanReply, layout: FloorLayout, index: int
 ) -> tuple[dict[str, bytes], float, float]:
     started = time.perf_counter()
     layout = msgspec.structs.replace(layout, floor=plan.program.floors[index].index)
     scene = steps.furnish(stages or LocalStages(), plan, layout, index)
     furnished = time.perf_counter()
     files = steps.at_stage(
-        f"export (floor {scene.floor})",
-        lambda: _call(exporter, floor_files, plan.topologies[index], layout, scene),
+        f"export (floor {scene.floor})", lambda: _call(exporter, floor_files, plan.topologies[index], layout, scene)
     )
     return files, furnished - started, time.perf_counter() - furnished
 
 
-def _call(
-    exporter: Executor | None, export: Callable[..., dict[str, bytes]], *arguments: object
-) -> dict[str, bytes]:
+def _call(exporter: Executor | None, export: Callable[..., dict[str, bytes]], *arguments: object) -> dict[str, bytes]:
     if not isinstance(exporter, ProcessPoolExecutor):
         return export(*arguments)
     return exporter.submit(export, *arguments).result()
@@ -230,9 +217,7 @@ def _result(waiting: dict[int, Future[T]], index: int) -> T:
         raise
 
 
-def _write_building(
-    job: _Job, workspace: Workspace, crew: Crew, index: Building, scenes: list[FloorScene]
-) -> None:
+def _write_building(job: _Job, workspace: Workspace, crew: Crew, index: Building, scenes: list[FloorScene]) -> None:
     job.step("export", "writing the 3D building")
     started = time.perf_counter()
     waiting = [crew.exporter.submit(_model, scenes), crew.exporter.submit(_picture, scenes)]

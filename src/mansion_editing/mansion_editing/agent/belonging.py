@@ -45,9 +45,7 @@ def usual_carriers(catalogue: Catalogue, categories: tuple[str, ...]) -> frozens
     return frozenset(out)
 
 
-def rooms_for(
-    where: Scope, state: SceneState, category: str, size: tuple[float, float, float]
-) -> list[str]:
+def rooms_for(where: Scope, state: SceneState, category: str, size: tuple[float, float, float]) -> list[str]:
     """Return the rooms of a scope that may take a piece of furniture, the best first.
 
     Those where it belongs go before others, those that are not full yet before full ones, and those with much free
@@ -66,9 +64,7 @@ def rooms_for(
             if not (belongs or where.rooms) and card.room_type in PASSAGES:
                 continue
             covered = sum(
-                item.size[0] * item.size[1]
-                for item in index.objects
-                if item.room == room.id and item.mount == "floor"
+                item.size[0] * item.size[1] for item in index.objects if item.room == room.id and item.mount == "floor"
             )
             share = (covered + size[0] * size[1]) / max(room.area, 0.1)
             free = max((part.area for part in index.passages.parts.get(room.id, ())), default=0.0)

@@ -25,9 +25,7 @@ MOST_ASSETS: Final = 4
 def assets_of(thing: Thing, state: SceneState) -> Assets:
     """Return assets of a thing: the best first, then the small ones; those of its colour before others."""
     words = " ".join(word for word in (thing.colour, thing.noun) if word)
-    answer = yield Action(
-        f"Which asset is {with_article(words)}?", "SearchAssets", {"query": words, "top_k": 50}
-    )
+    answer = yield Action(f"Which asset is {with_article(words)}?", "SearchAssets", {"query": words, "top_k": 50})
     if answer.error is not None:
         return str(answer.error)
     hits: AssetHits = answer.value
@@ -36,12 +34,7 @@ def assets_of(thing: Thing, state: SceneState) -> Assets:
     known = {a.asset_id for a in mine}
     mine += [
         AssetInfo(
-            asset_id=asset.key,
-            category=category,
-            name=asset.name,
-            size=asset.size,
-            score=0.0,
-            material=asset.material,
+            asset_id=asset.key, category=category, name=asset.name, size=asset.size, score=0.0, material=asset.material
         )
         for category in categories
         for asset in state.catalogue.by_category(category)
@@ -63,13 +56,7 @@ def assets_of(thing: Thing, state: SceneState) -> Assets:
 
 
 def place_any(
-    assets: list[AssetInfo],
-    carrier: str,
-    relation: str,
-    *,
-    colour: str = "",
-    near: str = "",
-    most: int = MOST_ASSETS,
+    assets: list[AssetInfo], carrier: str, relation: str, *, colour: str = "", near: str = "", most: int = MOST_ASSETS
 ) -> Placed:
     """Try variants of an asset on one receptacle.
 

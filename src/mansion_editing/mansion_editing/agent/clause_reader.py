@@ -6,13 +6,7 @@ from dataclasses import replace
 from typing import Final
 
 from mansion_editing.agent.clauses import Clause
-from mansion_editing.agent.facts import (
-    AbsentFact,
-    MoveFact,
-    ObjectFact,
-    Scope,
-    Thing,
-)
+from mansion_editing.agent.facts import AbsentFact, MoveFact, ObjectFact, Scope, Thing
 from mansion_editing.agent.phrases import Phrase, read_phrase, read_place, rooms_named
 from mansion_editing.agent.scopes import merged, moved, on_that_of, parted
 from mansion_editing.agent.spoken import OPPOSITES, STATES, Spoken, not_understood

@@ -146,7 +146,5 @@ def _checked(action: Action) -> Any:
             path="$.tool",
         )
     if "editor" in action.arguments:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, "an agent works in its own building alone", path="$.editor"
-        )
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "an agent works in its own building alone", path="$.editor")
     return decode(kind, encode(action.arguments))

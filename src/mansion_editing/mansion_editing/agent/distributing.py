@@ -27,17 +27,13 @@ def distributed(state: SceneState, where: Scope, each: str) -> list[Scope]:
     if each == "receptacle" and where.receptacle:
         found = [
             Scope(where.relation, item.id, (item.room,), floor, where.colour)
-            for floor, item in matching_objects(
-                state, where.receptacle, list(where.rooms) or None, where.floor
-            )
+            for floor, item in matching_objects(state, where.receptacle, list(where.rooms) or None, where.floor)
             if where.colour in ("", colour_of(item.material))
         ]
     elif each == "room":
         found = [replace(where, rooms=(room,)) for room in where.rooms]
     elif each == "floor":
-        found = [
-            replace(where, floor=floor, rooms=_on(where.rooms, floor)) for floor in state.floors
-        ]
+        found = [replace(where, floor=floor, rooms=_on(where.rooms, floor)) for floor in state.floors]
         found = [scope for scope in found if scope.rooms or not where.rooms]
     else:
         return [where]

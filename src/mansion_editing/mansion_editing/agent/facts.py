@@ -3,16 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-__all__ = [
-    "AbsentFact",
-    "Fact",
-    "MoveFact",
-    "ObjectFact",
-    "PathFact",
-    "Scope",
-    "StateFact",
-    "Thing",
-]
+__all__ = ["AbsentFact", "Fact", "MoveFact", "ObjectFact", "PathFact", "Scope", "StateFact", "Thing"]
 
 Relation: TypeAlias = Literal["on", "in", "room"]
 

@@ -51,6 +51,4 @@ def _policy(editor: SceneEditor, instruction: str, planner: str) -> Policy:
         from mansion_llm import LlmClient
 
         return model_policy(LlmClient.from_environment(), editor, instruction)
-    raise MansionError(
-        ErrorCode.INVALID_PAYLOAD, f"no planner {planner!r}; use rules or llm", path="$.planner"
-    )
+    raise MansionError(ErrorCode.INVALID_PAYLOAD, f"no planner {planner!r}; use rules or llm", path="$.planner")

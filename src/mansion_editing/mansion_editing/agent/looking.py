@@ -20,9 +20,7 @@ def fits(thing: Thing, item: ObjectInfo, state: SceneState) -> bool:
     if thing.noun and thing.noun != item.id:
         scene_object = state.find(item.id)
         ends = "_" in thing.noun and item.id.endswith(f"/{thing.noun}")
-        if not ends and (
-            scene_object is None or state.vocabulary.rank(scene_object[1], thing.noun) < 2
-        ):
+        if not ends and (scene_object is None or state.vocabulary.rank(scene_object[1], thing.noun) < 2):
             return False
     if thing.colour:
         material = state.find(item.id)

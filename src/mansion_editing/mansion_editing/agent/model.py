@@ -52,9 +52,7 @@ def model_policy(client: LlmClient, editor: SceneEditor, instruction: str) -> Po
     opening = f"{quoted_data('instruction', instruction)}\n{_building(editor)}"
     talk: list[str] = []
     while True:
-        prompt = Prompt(
-            "edit_turn", system, "\n".join([opening, *talk[-RECENT:], "Your next turn:"])
-        )
+        prompt = Prompt("edit_turn", system, "\n".join([opening, *talk[-RECENT:], "Your next turn:"]))
         answer = client.ask(prompt, Turn, _faults)
         turn = answer.value
         if turn is None or answer.faults:
@@ -92,6 +90,4 @@ def _told(turn: Turn, outcome: Outcome) -> str:
     seen: Any = outcome.error.reply() if outcome.error is not None else outcome.value
     text = json.dumps(to_builtins(seen), separators=(",", ":"), ensure_ascii=False)
     action = json.dumps({"tool": turn.tool, "arguments": turn.arguments}, ensure_ascii=False)
-    return f"thought: {turn.thought}\naction: {action}\n" + quoted_data(
-        "observation", text[:LONGEST_OBSERVATION]
-    )
+    return f"thought: {turn.thought}\naction: {action}\n" + quoted_data("observation", text[:LONGEST_OBSERVATION])

@@ -34,11 +34,7 @@ def task_policy(editor: SceneEditor, task: Task) -> Policy:
             path="$.building_id",
         )
     if not task.needs:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD,
-            f"task {task.id} says nothing of what it needs",
-            path="$.needs",
-        )
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"task {task.id} says nothing of what it needs", path="$.needs")
     facts = facts_of_needs(state, task.needs)
     things = yield from satisfy(facts, state)
     if things.failed:
@@ -70,9 +66,7 @@ def _fact(state: SceneState, need: Need, path: str) -> Fact:
     if floor is not None and floor not in state.scenes:
         known = ", ".join(map(str, state.floors))
         raise MansionError(
-            ErrorCode.NOT_FOUND,
-            f"there is no floor {floor}; the building has floors {known}",
-            path=f"{path}.floor",
+            ErrorCode.NOT_FOUND, f"there is no floor {floor}; the building has floors {known}", path=f"{path}.floor"
         )
     rooms = _rooms(state, need.room, floor, f"{path}.room") if need.room else ()
     if not need.noun:
@@ -120,9 +114,7 @@ def _unknown(words: str, path: str) -> MansionError:
 def _colour(word: str, path: str) -> str:
     if word and word.lower() not in COLOUR_WORDS:
         known = ", ".join(sorted(set(COLOUR_WORDS.values())))
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"unknown colour {word[:40]!r}; known are {known}", path=path
-        )
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"unknown colour {word[:40]!r}; known are {known}", path=path)
     return COLOUR_WORDS[word.lower()] if word else ""
 
 

@@ -3,14 +3,7 @@
 from collections.abc import Generator
 from dataclasses import replace
 
-from mansion_editing.agent.facts import (
-    AbsentFact,
-    Fact,
-    MoveFact,
-    ObjectFact,
-    PathFact,
-    StateFact,
-)
+from mansion_editing.agent.facts import AbsentFact, Fact, MoveFact, ObjectFact, PathFact, StateFact
 from mansion_editing.agent.looking import find_things, named_so
 from mansion_editing.agent.parse import parse_instruction
 from mansion_editing.agent.protocol import Action, Outcome, Policy, Verdict
@@ -46,8 +39,7 @@ def offline_policy(editor: SceneEditor, instruction: str) -> Policy:
     untold = passed_over(instruction)
     if untold:
         verdict = replace(
-            verdict,
-            summary=f"{verdict.summary} (passed over, for nothing tells it: {', '.join(untold)})",
+            verdict, summary=f"{verdict.summary} (passed over, for nothing tells it: {', '.join(untold)})"
         )
     return verdict
 
@@ -60,9 +52,7 @@ def satisfy(facts: list[Fact], state: SceneState) -> Policy:
         if reason:
             failed.append(f"{fact}: {reason}")
     words = [str(fact) for fact in facts]
-    summary = f"{len(facts) - len(failed)} of {len(facts)} facts hold" + (
-        f"; {'; '.join(failed)}" if failed else ""
-    )
+    summary = f"{len(facts) - len(failed)} of {len(facts)} facts hold" + (f"; {'; '.join(failed)}" if failed else "")
     return Verdict(summary, words, failed)
 
 
@@ -94,9 +84,7 @@ def _switch(fact: StateFact, state: SceneState) -> Work:
         return "say in which room, or on which floor"
     if not found:
         return f"there is no {fact.thing.noun} {fact.where}"
-    able = [
-        i for i in found if ("openable" if fact.state == "open" else "toggleable") in i.properties
-    ]
+    able = [i for i in found if ("openable" if fact.state == "open" else "toggleable") in i.properties]
     if not able:
         what = "opens" if fact.state == "open" else "switches"
         return f"no {fact.thing.noun} {fact.where} {what}"
@@ -111,11 +99,7 @@ def _switch(fact: StateFact, state: SceneState) -> Work:
     for item in wanted:
         if bool(item.states.get(fact.state, False)) == fact.value:
             continue
-        answer = yield Action(
-            f"{item.id} is not as asked.",
-            "SetState",
-            {"object_id": item.id, fact.state: fact.value},
-        )
+        answer = yield Action(f"{item.id} is not as asked.", "SetState", {"object_id": item.id, fact.state: fact.value})
         if answer.error is not None:
             return str(answer.error)
     return ""

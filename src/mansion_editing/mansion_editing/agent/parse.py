@@ -37,8 +37,7 @@ def parse_instruction(state: SceneState, instruction: str) -> list[Fact]:
         raise not_understood(instruction)
     if number > MOST_CLAUSES:
         raise MansionError(
-            ErrorCode.INFEASIBLE,
-            f"the instruction asks for {number} things; at most {MOST_CLAUSES} in one go",
+            ErrorCode.INFEASIBLE, f"the instruction asks for {number} things; at most {MOST_CLAUSES} in one go"
         )
     reader = ClauseReader(state)
     asked = [clauses for clauses in said if not _is_talk(state, clauses)] or said
@@ -48,8 +47,7 @@ def parse_instruction(state: SceneState, instruction: str) -> list[Fact]:
         raise not_understood(instruction)
     if len(reader.facts) > MOST_FACTS:
         raise MansionError(
-            ErrorCode.INFEASIBLE,
-            f"the instruction asks for {len(reader.facts)} facts; at most {MOST_FACTS} in one go",
+            ErrorCode.INFEASIBLE, f"the instruction asks for {len(reader.facts)} facts; at most {MOST_FACTS} in one go"
         )
     return list(dict.fromkeys(reader.facts))
 

@@ -5,15 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from mansion_editing.agent.facts import Scope, Thing
-from mansion_editing.agent.things import (
-    MOST_THINGS,
-    ThingWords,
-    is_known,
-    known_noun,
-    read_thing,
-    unknown,
-    untold,
-)
+from mansion_editing.agent.things import MOST_THINGS, ThingWords, is_known, known_noun, read_thing, unknown, untold
 from mansion_editing.references import find_floor, find_rooms
 from mansion_editing.state import SceneState
 from mansion_editing.vocabulary import COLOUR_WORDS, stems
@@ -35,9 +27,7 @@ _EACH_FLOOR: Final = re.compile(
     re.IGNORECASE,
 )
 _PRONOUNS: Final = frozenset(["it", "them", "there", "this", "that", "these", "those", "here"])
-_PARTS: Final = frozenset(
-    ["floor", "ground", "building", "door", "top", "surface", "table top", "area", "place"]
-)
+_PARTS: Final = frozenset(["floor", "ground", "building", "door", "top", "surface", "table top", "area", "place"])
 
 
 @dataclass(frozen=True)
@@ -229,9 +219,7 @@ def _bare(words: str) -> str:
     return out.strip(" ,.;!?\"'")
 
 
-def rooms_named(
-    state: SceneState, name: str, floor: int | None, every: bool = False
-) -> tuple[str, ...] | None:
+def rooms_named(state: SceneState, name: str, floor: int | None, every: bool = False) -> tuple[str, ...] | None:
     """Return the rooms that a name means, None for none; a thing of that name goes before a part of a room's.
 
     Parameters

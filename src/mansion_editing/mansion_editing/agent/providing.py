@@ -102,9 +102,7 @@ def _fill(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], state: Scene
     return "; ".join(dict.fromkeys(reasons)) or "no receptacle takes it"
 
 
-def _provide_carrier(
-    fact: ObjectFact, state: SceneState
-) -> Generator[Action, Outcome, ObjectInfo | str]:
+def _provide_carrier(fact: ObjectFact, state: SceneState) -> Generator[Action, Outcome, ObjectInfo | str]:
     """Furnish a room of the scope with the receptacle that is missing."""
     where = fact.where
     if "/" in where.receptacle or "_" in where.receptacle:
@@ -203,8 +201,7 @@ def _provide_beside(fact: ObjectFact, state: SceneState) -> Work:
     if isinstance(found, str):
         return found
     counts = [
-        (sum(item.id != anchor.id and beside(item, anchor, state) for item in found), anchor)
-        for anchor in anchors
+        (sum(item.id != anchor.id and beside(item, anchor, state) for item in found), anchor) for anchor in anchors
     ]
     if any(count >= fact.thing.count for count, _ in counts):
         return ""
@@ -216,9 +213,7 @@ def _provide_beside(fact: ObjectFact, state: SceneState) -> Work:
         added: list[str] = []
         for _ in range(fact.thing.count - count):
             target = anchor.room if _stands(assets, state) else anchor.parent or anchor.id
-            placed = yield from place_any(
-                assets, target, "on", colour=fact.thing.colour, near=anchor.id
-            )
+            placed = yield from place_any(assets, target, "on", colour=fact.thing.colour, near=anchor.id)
             if placed[0]:
                 added.append(placed[0])
             listed = yield Action("Is it near?", "ListObjects", {"id": placed[0] or anchor.id})

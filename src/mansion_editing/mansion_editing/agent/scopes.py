@@ -65,13 +65,7 @@ def moved(thing: Thing) -> Thing:
 
 def on_that_of(own: Scope, other: Scope) -> Scope:
     """Return a place with the receptacle of another."""
-    return replace(
-        own,
-        relation=other.relation,
-        receptacle=other.receptacle,
-        colour=other.colour,
-        base=other.base,
-    )
+    return replace(own, relation=other.relation, receptacle=other.receptacle, colour=other.colour, base=other.base)
 
 
 def merged(own: Scope, other: Scope | None) -> Scope:

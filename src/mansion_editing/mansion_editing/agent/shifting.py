@@ -79,11 +79,7 @@ def transfer(fact: MoveFact, state: SceneState) -> Work:
             if carrier is not None:
                 relation = relation_of("in", carrier, state)
                 seen = yield from look_at(carrier, relation)
-                there += (
-                    []
-                    if isinstance(seen, str)
-                    else [i.id for i in seen if fits(fact.thing, i, state)]
-                )
+                there += [] if isinstance(seen, str) else [i.id for i in seen if fits(fact.thing, i, state)]
     if len(there) >= fact.thing.count and not fact.source.receptacle and not fact.source.rooms:
         return ""
     movable = [i for i in loose if i.id not in there]
@@ -93,9 +89,7 @@ def transfer(fact: MoveFact, state: SceneState) -> Work:
         reason = "no place for it"
         for target in targets[:6]:
             answer = yield Action(
-                f"{item.id} belongs to {target}.",
-                "MoveObject",
-                {"object_id": item.id, "receptacle_id": target},
+                f"{item.id} belongs to {target}.", "MoveObject", {"object_id": item.id, "receptacle_id": target}
             )
             if answer.error is None:
                 reason = ""
@@ -118,9 +112,7 @@ def _squeeze(item: ObjectInfo, target: str, reason: str, state: SceneState) -> W
     if freed is None:
         return reason
     answer = yield Action(
-        f"{target} has room for {item.id} now.",
-        "MoveObject",
-        {"object_id": item.id, "receptacle_id": target},
+        f"{target} has room for {item.id} now.", "MoveObject", {"object_id": item.id, "receptacle_id": target}
     )
     return "" if answer.error is None else answer.error.info.message
 
@@ -144,8 +136,6 @@ def _targets(fact: MoveFact, state: SceneState) -> Generator[Action, Outcome, li
     if isinstance(surfaces, str):
         return surfaces
     standing = any(
-        a.mount == "floor"
-        for c in state.vocabulary.nouns(fact.thing.noun)
-        for a in state.catalogue.by_category(c)
+        a.mount == "floor" for c in state.vocabulary.nouns(fact.thing.noun) for a in state.catalogue.by_category(c)
     )
     return [*fact.target.rooms] if standing else surfaces

@@ -19,28 +19,17 @@ STATES: Final = {
     **dict.fromkeys(["on", "switched on", "turned on", "running", "lit", "activate", "start", "light"], ("on", True)),
     **dict.fromkeys(["off", "switched off", "turned off", "deactivate", "stop"], ("on", False)),
 }  # fmt: skip
-OPPOSITES: Final = {
-    ("open", True): "closed",
-    ("open", False): "open",
-    ("on", True): "off",
-    ("on", False): "on",
-}
+OPPOSITES: Final = {("open", True): "closed", ("open", False): "open", ("on", True): "off", ("on", False): "on"}
 
 
 def not_understood(text: str) -> MansionError:
-    return MansionError(
-        ErrorCode.INVALID_PAYLOAD,
-        f"not understood: {text[:120]!r}; {EXAMPLES}",
-        path="$.instruction",
-    )
+    return MansionError(ErrorCode.INVALID_PAYLOAD, f"not understood: {text[:120]!r}; {EXAMPLES}", path="$.instruction")
 
 
 def _able(state: SceneState, noun: str, word: str) -> bool:
     """Whether things of a noun can be open, or on."""
     assets = [
-        asset
-        for category in state.vocabulary.nouns(noun)[:1]
-        for asset in state.catalogue.by_category(category)[:1]
+        asset for category in state.vocabulary.nouns(noun)[:1] for asset in state.catalogue.by_category(category)[:1]
     ]
     name = STATES[word][0]
     return any(asset.openable if name == "open" else asset.toggleable for asset in assets)
@@ -154,6 +143,4 @@ class Spoken:
         if not carries or (carrier.where.receptacle and noun in ("", carrier.where.receptacle)):
             return carrier.where
         own = carrier.where
-        return Scope(
-            "in" if relation == "in" else "on", noun, own.rooms, own.floor, carrier.thing.colour
-        )
+        return Scope("in" if relation == "in" else "on", noun, own.rooms, own.floor, carrier.thing.colour)

@@ -12,17 +12,7 @@ from mansion_msgs_py.editing import ObjectInfo
 __all__ = ["furnishable", "relation_of", "surfaces_of"]
 
 ENOUGH: Final = 6
-_EASY: Final = (
-    "desk",
-    "table",
-    "counter",
-    "shelf",
-    "shelving_unit",
-    "sideboard",
-    "dresser",
-    "nightstand",
-    "bench",
-)
+_EASY: Final = ("desk", "table", "counter", "shelf", "shelving_unit", "sideboard", "dresser", "nightstand", "bench")
 """Ends of categories on which things are put when an instruction names only a room."""
 
 
@@ -51,9 +41,7 @@ def furnishable(where: Scope, state: SceneState) -> list[str]:
     return [name for _, name in sorted(rooms)]
 
 
-def surfaces_of(
-    where: Scope, state: SceneState, noun: str = ""
-) -> Generator[Action, Outcome, list[str] | str]:
+def surfaces_of(where: Scope, state: SceneState, noun: str = "") -> Generator[Action, Outcome, list[str] | str]:
     """Return receptacles of a scope with a surface: what usually carries a thing first, then tables and the like."""
     found: list[tuple[int, str]] = []
     kinds = tuple(state.vocabulary.nouns(noun)[:1]) if noun else ()
@@ -61,9 +49,7 @@ def surfaces_of(
     having = {item.room for _, item in state.objects() if item.category in usual}
     rooms = sorted(furnishable(where, state), key=lambda name: name not in having)
     for room in rooms[:40]:
-        answer = yield Action(
-            f"What stands in {room}?", "ListObjects", {"room": room, "limit": 500}
-        )
+        answer = yield Action(f"What stands in {room}?", "ListObjects", {"room": room, "limit": 500})
         if answer.error is not None:
             return str(answer.error)
         for item in answer.value.objects:

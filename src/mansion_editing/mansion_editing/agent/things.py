@@ -14,16 +14,7 @@ from mansion_editing.state import SceneState
 from mansion_editing.vocabulary import COLOUR_WORDS, stems
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = [
-    "MOST_THINGS",
-    "NUMBERS",
-    "ThingWords",
-    "is_known",
-    "known_noun",
-    "read_thing",
-    "unknown",
-    "untold",
-]
+__all__ = ["MOST_THINGS", "NUMBERS", "ThingWords", "is_known", "known_noun", "read_thing", "unknown", "untold"]
 
 MOST_THINGS: Final = 20
 """Most copies of one thing that an instruction may ask for."""
@@ -103,11 +94,7 @@ def untold(state: SceneState, words: str, noun: str) -> MansionError | None:
     words : str
         What stands before the noun and names no room (``slightly dented``).
     """
-    assets = [
-        asset
-        for kind in state.vocabulary.nouns(noun)
-        for asset in state.catalogue.by_category(kind)
-    ]
+    assets = [asset for kind in state.vocabulary.nouns(noun) for asset in state.catalogue.by_category(kind)]
     for word in words.split():
         own = [word, word.removesuffix("en"), *stems(word)]
         if not assets or any(not _described(asset, own) for asset in assets):
@@ -189,13 +176,8 @@ def _alike(state: SceneState, words: list[str]) -> str:
         return ""
     asset = hits[0].asset
     wanted = stems(" ".join(words))
-    names = [
-        stems(text) for text in (asset.name, asset.category.replace("_", " "), *asset.synonyms)
-    ]
-    close = any(
-        wanted and name and _like(wanted[-1], name[-1]) and all(_in(w, name) for w in wanted)
-        for name in names
-    )
+    names = [stems(text) for text in (asset.name, asset.category.replace("_", " "), *asset.synonyms)]
+    close = any(wanted and name and _like(wanted[-1], name[-1]) and all(_in(w, name) for w in wanted) for name in names)
     return asset.category.replace("_", " ") if close else ""
 
 
@@ -269,8 +251,7 @@ def _object_id(state: SceneState, name: str) -> str:
         for part in (*fixed, *(core.id for core in scene.cores)):
             if part == name:
                 raise MansionError(
-                    ErrorCode.INFEASIBLE,
-                    f"{name} is part of the building itself; the editor changes objects alone",
+                    ErrorCode.INFEASIBLE, f"{name} is part of the building itself; the editor changes objects alone"
                 )
     if state.room(name.rsplit("/", 1)[0]) is None:
         raise unknown(name)

@@ -5,9 +5,7 @@ from typing import Final
 
 __all__ = ["rephrased"]
 
-_WHO: Final = (
-    r"(?:the |my |our |a |an )?(?:subject|participant|robot|agent|user|person|policy|model)"
-)
+_WHO: Final = r"(?:the |my |our |a |an )?(?:subject|participant|robot|agent|user|person|policy|model)"
 _RUN: Final = r"(?:experiment|trial|episode|test|task|run|study|demo|session|evaluation|recording|benchmark|rollout)s?"
 _ON: Final = r"(?:on|onto|in|into|inside|at|next to|from|off|out of)"
 _INSIDE: Final = re.compile(
@@ -233,14 +231,8 @@ def _moved_after(before: list[str], text: str) -> list[str]:
     if rest and cleared:
         before.pop()
         return [f"remove everything from {cleared['place']} except {rest['kept']}"]
-    match = re.match(
-        r"^(?:bring|take|carry|put|move) (?:it|them) (?:over )?(?:to|on|onto|in|into) (.+)$",
-        text,
-        re.I,
-    )
-    had = (
-        re.match(r"^there is (?:an?|the|one) (.+)$", before[-1], re.I) if before and match else None
-    )
+    match = re.match(r"^(?:bring|take|carry|put|move) (?:it|them) (?:over )?(?:to|on|onto|in|into) (.+)$", text, re.I)
+    had = re.match(r"^there is (?:an?|the|one) (.+)$", before[-1], re.I) if before and match else None
     if match is None or had is None or not re.search(rf" {_ON} ", had[1]):
         return [text]
     before.pop()

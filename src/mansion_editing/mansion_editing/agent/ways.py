@@ -34,9 +34,7 @@ def read_way(state: SceneState, text: str, start: str = "") -> list[PathFact]:
     MansionError
         ``NOT_FOUND`` for words that name no place.
     """
-    words = re.sub(
-        r"^(?:around|through|over|up|down|inside)\s+(?=to\b|from\b)", "", text.strip(" .")
-    )
+    words = re.sub(r"^(?:around|through|over|up|down|inside)\s+(?=to\b|from\b)", "", text.strip(" ."))
     end = words
     patterns = (
         r"^(?:over |up |down )?(?:to|into|towards|in) (?P<end>.+?) (?:starting )?(?:from|coming from) (?P<start>.+)$",

@@ -74,13 +74,8 @@ def whole_of(sentence: str) -> tuple[str, dict[str, str]] | None:
 def only_things(state: SceneState, words: str, place: str) -> tuple[list[Fact], Phrase]:
     """Return the facts of ``a mug and two books`` being all that is on a receptacle, and what `it` is then."""
     where = read_place(state, f"on {place}").where
-    things = [
-        read_phrase(state, part).thing
-        for part in re.split(r",? and |, ", re.sub(r"^(?:only|just) ", "", words))
-    ]
-    facts: list[Fact] = [
-        AbsentFact(Thing("", 0), where, tuple(replace(t, count=0) for t in things))
-    ]
+    things = [read_phrase(state, part).thing for part in re.split(r",? and |, ", re.sub(r"^(?:only|just) ", "", words))]
+    facts: list[Fact] = [AbsentFact(Thing("", 0), where, tuple(replace(t, count=0) for t in things))]
     for thing in things:
         exact = thing.count > 0
         one = replace(thing, count=max(1, thing.count), every=False)

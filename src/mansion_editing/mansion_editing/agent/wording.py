@@ -127,9 +127,7 @@ def passed_over(text: str) -> list[str]:
 def _plain(text: str) -> str:
     for pattern, plain in _CONTRACTIONS:
         text = re.sub(pattern, plain, text, flags=re.IGNORECASE)
-    text = _QUESTION.sub(
-        lambda m: f"there is{m[2]}" if m[1] else f"{m[3]} can {m[4]}", text.strip(" ,.?!")
-    )
+    text = _QUESTION.sub(lambda m: f"there is{m[2]}" if m[1] else f"{m[3]} can {m[4]}", text.strip(" ,.?!"))
     text = _REASONS.sub("", _COURTESIES.sub("", text))
     for pattern, turn in _TURNS:
         text = re.sub(pattern, turn, text, flags=re.IGNORECASE)

@@ -19,13 +19,7 @@ from mansion_editing.agent.instruct import instruct, provision
 from mansion_editing.editor import TOOLS, SceneEditor
 from mansion_editing.physics.engines import engine_named
 from mansion_editing.storage import BuildingStore
-from mansion_msgs_py.editing import (
-    AgentReport,
-    EditorInfo,
-    InstructArgs,
-    OpenEditorArgs,
-    ProvisionArgs,
-)
+from mansion_msgs_py.editing import AgentReport, EditorInfo, InstructArgs, OpenEditorArgs, ProvisionArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.node import MansionNode
@@ -184,8 +178,7 @@ def _load_hooks(name: str) -> ModuleType:
         return import_module(name)
     except ImportError as error:
         raise MansionError(
-            ErrorCode.UNAVAILABLE,
-            f"the parameter hooks names {name!r}, which cannot be imported: {error}",
+            ErrorCode.UNAVAILABLE, f"the parameter hooks names {name!r}, which cannot be imported: {error}"
         ) from None
 
 

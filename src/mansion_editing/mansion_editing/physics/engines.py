@@ -30,6 +30,4 @@ def engine_named(name: str) -> PhysicsEngine:
         from mansion_editing.physics.thor_engine import ThorEngine
 
         return ThorEngine()
-    raise MansionError(
-        ErrorCode.NOT_FOUND, f"no physics engine {name!r}; engines are {', '.join(ENGINES)}"
-    )
+    raise MansionError(ErrorCode.NOT_FOUND, f"no physics engine {name!r}; engines are {', '.join(ENGINES)}")

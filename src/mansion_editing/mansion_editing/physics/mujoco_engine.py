@@ -6,14 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from mansion_editing.physics.problem import (
-    SLOW,
-    SLOW_TURN,
-    PosedBox,
-    SettleProblem,
-    SettleResult,
-    mass,
-)
+from mansion_editing.physics.problem import SLOW, SLOW_TURN, PosedBox, SettleProblem, SettleResult, mass
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["MujocoEngine"]
@@ -81,10 +74,7 @@ def _is_slow(speeds: Any) -> bool:
 def _world(problem: SettleProblem) -> str:
     fixed = [
         _geom(box, f'pos="{_numbers(box.center)}" {_turn(box)}', kind, touches)
-        for boxes, kind, touches in (
-            (problem.support, SUPPORT, BODY | NEIGHBOUR),
-            (problem.shell, SHELL, BODY),
-        )
+        for boxes, kind, touches in ((problem.support, SUPPORT, BODY | NEIGHBOUR), (problem.shell, SHELL, BODY))
         for box in boxes
     ]
     free = [_free("body", problem.body, BODY, BODY | NEIGHBOUR | SUPPORT | SHELL)]
@@ -97,9 +87,7 @@ def _world(problem: SettleProblem) -> str:
 
 def _free(name: str, box: PosedBox, kind: int, touches: int) -> str:
     geom = _geom(box, f'mass="{mass(box):.5g}"', kind, touches)
-    return (
-        f'<body name="{name}" pos="{_numbers(box.center)}" {_turn(box)}><freejoint/>{geom}</body>'
-    )
+    return f'<body name="{name}" pos="{_numbers(box.center)}" {_turn(box)}><freejoint/>{geom}</body>'
 
 
 def _geom(box: PosedBox, rest: str, kind: int, touches: int) -> str:
@@ -115,9 +103,7 @@ def _numbers(values: Any) -> str:
     return " ".join(f"{float(value):.7g}" for value in values)
 
 
-def _result(
-    problem: SettleProblem, mujoco: Any, model: Any, data: Any, at_rest: bool
-) -> SettleResult:
+def _result(problem: SettleProblem, mujoco: Any, model: Any, data: Any, at_rest: bool) -> SettleResult:
     body = model.body("body").id
     matrix = np.array(data.xmat[body]).reshape(3, 3)
     own = model.body_geomadr[body]

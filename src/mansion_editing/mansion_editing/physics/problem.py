@@ -6,15 +6,7 @@ from typing import Final, NamedTuple, Protocol
 
 from mansion_msgs_py.shapes import Point3
 
-__all__ = [
-    "SLOW",
-    "SLOW_TURN",
-    "PhysicsEngine",
-    "PosedBox",
-    "SettleProblem",
-    "SettleResult",
-    "mass",
-]
+__all__ = ["SLOW", "SLOW_TURN", "PhysicsEngine", "PosedBox", "SettleProblem", "SettleResult", "mass"]
 
 SLOW: Final = 0.01
 SLOW_TURN: Final = 0.1

@@ -50,9 +50,7 @@ def support_boxes(
     return boxes
 
 
-def _swell(
-    item: SceneObject, asset: Asset, ledge: Ledge, spot: tuple[float, float], reach: float
-) -> float:
+def _swell(item: SceneObject, asset: Asset, ledge: Ledge, spot: tuple[float, float], reach: float) -> float:
     """Height of the mesh above a ledge below an object, so that it lies on the cushion and not in it."""
     steps = np.linspace(-0.7 * reach, 0.7 * reach, 5)
     xs = np.clip(spot[0] + steps, ledge.x - ledge.w / 2, ledge.x + ledge.w / 2)
@@ -62,9 +60,7 @@ def _swell(
     return float(max(0.0, heights.max() - ledge.z)) if heights.size else 0.0
 
 
-def _heights(
-    asset: Asset, points: npt.NDArray[np.float64], low: float, high: float
-) -> npt.NDArray[np.float64]:
+def _heights(asset: Asset, points: npt.NDArray[np.float64], low: float, high: float) -> npt.NDArray[np.float64]:
     """Heights within [low, high] at which verticals through the points meet the mesh."""
     found = []
     for part in mesh(asset):
@@ -127,9 +123,7 @@ def _fills(box: Box, ledge: Ledge) -> bool:
 def _posed(item: SceneObject, box: Box) -> PosedBox:
     x, y = to_floor(item, (box.center[0], box.center[1]))
     sizes = tuple(max(float(value), 1e-3) for value in box.size)
-    return PosedBox(
-        (x, y, item.position[2] + box.center[2]), (sizes[0], sizes[1], sizes[2]), item.rotation
-    )
+    return PosedBox((x, y, item.position[2] + box.center[2]), (sizes[0], sizes[1], sizes[2]), item.rotation)
 
 
 def half_diagonal(size: Point3) -> float:

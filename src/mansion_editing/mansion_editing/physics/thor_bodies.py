@@ -146,12 +146,7 @@ def _room() -> FloorScene:
         for number in range(4)
     ]
     room = SceneRoom(
-        id="room",
-        room_type="living_room",
-        kind="main",
-        polygon=ring,
-        net_polygon=ring,
-        area=4 * side * side,
+        id="room", room_type="living_room", kind="main", polygon=ring, net_polygon=ring, area=4 * side * side
     )
     return FloorScene(
         building_id="placement",

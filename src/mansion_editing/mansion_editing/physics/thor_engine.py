@@ -10,14 +10,7 @@ import numpy as np
 
 from mansion_editing.physics.overlap import OrientedBox, depth
 from mansion_editing.physics.problem import SLOW, SLOW_TURN, SettleProblem, SettleResult
-from mansion_editing.physics.thor_bodies import (
-    BODY,
-    Body,
-    house_of,
-    runtime_asset,
-    thor_bodies,
-    thor_shift,
-)
+from mansion_editing.physics.thor_bodies import BODY, Body, house_of, runtime_asset, thor_bodies, thor_shift
 from mansion_geometry.thor.axes import from_point, matrix
 from mansion_geometry.thor.controller import Controller, act, first_line, start_controller
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -101,13 +94,7 @@ def _settle(controller: Controller, problem: SettleProblem) -> SettleResult:
     free = [body.name for body in bodies if not body.fixed]
     quiet = 0
     for count in range(1, MOST_ADVANCES + 1):
-        _do(
-            controller,
-            "AdvancePhysicsStep",
-            timeStep=TIMESTEP,
-            simSeconds=ADVANCE,
-            allowAutoSimulation=True,
-        )
+        _do(controller, "AdvancePhysicsStep", timeStep=TIMESTEP, simSeconds=ADVANCE, allowAutoSimulation=True)
         now = _poses(controller, bodies, shift)
         quiet = quiet + 1 if all(_is_slow(before[name], now[name]) for name in free) else 0
         before = now

@@ -33,9 +33,7 @@ def remove_object(state: SceneState, args: RemoveObjectArgs) -> list[str]:
         ``INVALID_PAYLOAD`` without an id, ``NOT_FOUND`` for an unknown one.
     """
     if not args.object_id and not args.receptacle_id:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, "give object_id or receptacle_id", path="$.object_id"
-        )
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "give object_id or receptacle_id", path="$.object_id")
     if args.object_id:
         floor, item = state.get(args.object_id, "$.object_id")
         roots = [item]
@@ -59,10 +57,7 @@ def _carried(state: SceneState, floor: int, receptacle: SceneObject) -> list[Sce
     index = state.index(floor)
     asset = state.asset(receptacle)
     found = list(index.children.get(receptacle.id, []))
-    for item in (
-        *geometry.on_top(index, receptacle, asset),
-        *geometry.contents(index, receptacle, asset),
-    ):
+    for item in (*geometry.on_top(index, receptacle, asset), *geometry.contents(index, receptacle, asset)):
         loose = item.mount in ("surface", "inside") or item.pickupable
         if loose and item.parent in (None, receptacle.id):
             found.append(item)
@@ -127,39 +122,24 @@ def move_object(state: SceneState, args: MoveObjectArgs, engine: PhysicsEngine) 
 
 
 def _target(
-    state: SceneState,
-    args: MoveObjectArgs,
-    floor: int,
-    item: SceneObject,
-    engine: PhysicsEngine,
+    state: SceneState, args: MoveObjectArgs, floor: int, item: SceneObject, engine: PhysicsEngine
 ) -> tuple[int, SceneObject]:
     if not args.receptacle_id:
         if args.x is None or args.y is None:
-            raise MansionError(
-                ErrorCode.INVALID_PAYLOAD, "give receptacle_id, or x and y", path="$.receptacle_id"
-            )
+            raise MansionError(ErrorCode.INVALID_PAYLOAD, "give receptacle_id, or x and y", path="$.receptacle_id")
         return floor, _at_point(state, args.x, args.y, args.rotation, floor, item)
     room = state.room(args.receptacle_id)
     if room is not None:
         for x, y, rotation in free_floor_places(state, *room, item):
             position = (round(x, 4), round(y, 4), item.size[2] / 2)
             return room[0], msgspec.structs.replace(
-                item,
-                room=room[1].id,
-                position=position,
-                rotation=rotation,
-                parent=None,
-                mount="floor",
+                item, room=room[1].id, position=position, rotation=rotation, parent=None, mount="floor"
             )
         raise MansionError(ErrorCode.INFEASIBLE, f"no free place for {item.id} in {room[1].id}")
     target, receptacle = object_named(state, args.receptacle_id, "$.receptacle_id")
     own = [member.id for member in state.subtree(floor, item)]
     if receptacle.id in own:
-        raise MansionError(
-            ErrorCode.INFEASIBLE,
-            f"{receptacle.id} stands on {item.id} itself",
-            path="$.receptacle_id",
-        )
+        raise MansionError(ErrorCode.INFEASIBLE, f"{receptacle.id} stands on {item.id} itself", path="$.receptacle_id")
     if item.mount in ("wall", "ceiling"):
         raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} hangs on {with_article(item.mount)}")
     asset = state.asset(receptacle)
@@ -182,9 +162,7 @@ def _at_point(
     shape = footprint((x, y), item.size, turn)
     area = room_polygon(room.net_polygon, room.net_holes)
     if shape.difference(area.buffer(2e-3)).area > OVERLAP:
-        raise MansionError(
-            ErrorCode.INFEASIBLE, f"{item.id} would stand out of {room.id} at ({x:g}, {y:g})"
-        )
+        raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} would stand out of {room.id} at ({x:g}, {y:g})")
     own = {member.id for member in state.subtree(floor, item)}
     parent, mount = item.parent, item.mount
     if parent is not None:
@@ -202,18 +180,13 @@ def _at_point(
         if other.id not in own
         and other.id != parent
         and other.size[2] > LOW
-        and min(high, other.position[2] + other.size[2] / 2)
-        - max(low, other.position[2] - other.size[2] / 2)
-        > 5e-3
+        and min(high, other.position[2] + other.size[2] / 2) - max(low, other.position[2] - other.size[2] / 2) > 5e-3
         and math.dist(other.position[:2], (x, y)) < 10.0
     ]
     shapes = [footprint(other.position, other.size, other.rotation) for other in others]
     for number in sorted(STRtree(shapes).query(shape).tolist()):
         if shapes[number].intersection(shape).area > OVERLAP and item.size[2] > LOW:
-            raise MansionError(
-                ErrorCode.INFEASIBLE,
-                f"{item.id} would stand in {others[number].id} at ({x:g}, {y:g})",
-            )
+            raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} would stand in {others[number].id} at ({x:g}, {y:g})")
     position = (round(x, 4), round(y, 4), item.position[2])
     return msgspec.structs.replace(
         item, room=room.id, position=position, rotation=round(turn, 4), parent=parent, mount=mount

@@ -68,9 +68,7 @@ def check_path(state: SceneState, args: CheckPathArgs) -> PathReport:
         report.message = way or f"no way leads from {start} to {end[1]}"
     elif lost:
         names = ", ".join(lost[:8])
-        report.message = (
-            f"{len(lost)} of {len(rooms)} rooms cannot be reached from {start}: {names}"
-        )
+        report.message = f"{len(lost)} of {len(rooms)} rooms cannot be reached from {start}: {names}"
     else:
         report.message = f"all {len(rooms)} rooms can be reached from {start}"
     if cuts and not (args.end and report.reachable):
@@ -175,9 +173,7 @@ def _is_blocked(door: Door, obstacles: npt.NDArray[np.float64]) -> bool:
         gap = across * side
         near = (gap - half_across < APPROACH) & (gap + half_across > 0.02)
         near &= (along + half_along > 0) & (along - half_along < length)
-        spans = sorted(
-            zip((along - half_along)[near].tolist(), (along + half_along)[near].tolist())
-        )
+        spans = sorted(zip((along - half_along)[near].tolist(), (along + half_along)[near].tolist()))
         free, reach = 0.0, 0.0
         for first, last in spans:
             free = max(free, first - reach)

@@ -146,11 +146,7 @@ def object_info(state: SceneState, floor: int, item: SceneObject) -> ObjectInfo:
 
 
 def _properties(asset: Asset | None, item: SceneObject | None) -> list[str]:
-    return [
-        name
-        for name in _PROPERTIES
-        if getattr(asset, name, False) or (item is not None and getattr(item, name))
-    ]
+    return [name for name in _PROPERTIES if getattr(asset, name, False) or (item is not None and getattr(item, name))]
 
 
 def _count(number: int, noun: str) -> str:

@@ -8,12 +8,7 @@ import msgspec
 from mansion_assets.catalogue import Asset
 from mansion_editing.colouring import recoloured
 from mansion_editing.packing import Ledge, Place, free_places, ledges_of
-from mansion_editing.physics.problem import (
-    PhysicsEngine,
-    PosedBox,
-    SettleProblem,
-    SettleResult,
-)
+from mansion_editing.physics.problem import PhysicsEngine, PosedBox, SettleProblem, SettleResult
 from mansion_editing.physics.shell import half_diagonal, receptacle_shell, support_boxes
 from mansion_editing.references import object_named
 from mansion_editing.state import SceneState
@@ -44,10 +39,7 @@ COOLING = ("fridge", "freezer", "minibar", "display_fridge", "freezer_chest")
 
 
 def place_on_surface(
-    state: SceneState,
-    args: PlaceOnSurfaceArgs,
-    engine: PhysicsEngine,
-    accept: Accept | None = None,
+    state: SceneState, args: PlaceOnSurfaceArgs, engine: PhysicsEngine, accept: Accept | None = None
 ) -> SceneObject:
     """Put a new object on a receptacle, or furniture on the floor of a room.
 
@@ -72,9 +64,7 @@ def place_on_surface(
     return _place(state, asset, floor, receptacle, False, engine, args.color, beside)
 
 
-def place_in_container(
-    state: SceneState, args: PlaceInContainerArgs, engine: PhysicsEngine
-) -> SceneObject:
+def place_in_container(state: SceneState, args: PlaceInContainerArgs, engine: PhysicsEngine) -> SceneObject:
     """Put a new object into a container, its door open while it is placed.
 
     Raises
@@ -145,12 +135,7 @@ def rest_on(
         raise _refusal(f"{receptacle.id} ({receptacle.name}) {what}")
     moving = {thing.id, *skip}
     places = free_places(
-        state.index(floor),
-        receptacle,
-        ledges,
-        thing.size,
-        moving,
-        near=None if near is None else near.position[:2],
+        state.index(floor), receptacle, ledges, thing.size, moving, near=None if near is None else near.position[:2]
     )
     if not places:
         raise _refusal(_no_room(thing, receptacle, ledges, inside))
@@ -177,9 +162,7 @@ def _no_room(thing: SceneObject, receptacle: SceneObject, ledges: list[Ledge], i
     fitting = [
         ledge
         for ledge in ledges
-        if h < ledge.headroom
-        and max(w, d) <= max(ledge.w, ledge.d)
-        and min(w, d) <= min(ledge.w, ledge.d)
+        if h < ledge.headroom and max(w, d) <= max(ledge.w, ledge.d) and min(w, d) <= min(ledge.w, ledge.d)
     ]
     where = f"{'in' if inside else 'on'} {receptacle.id}"
     if fitting:
@@ -204,9 +187,7 @@ def _problem(
     support = support_boxes(receptacle, asset, ledge, (place.x, place.y), half_diagonal(thing.size))
     top = max(box.center[2] + box.size[2] / 2 for box in support)
     x, y = to_floor(receptacle, (place.x, place.y))
-    start = PosedBox(
-        (x, y, top + DROP + thing.size[2] / 2), thing.size, receptacle.rotation + place.turn
-    )
+    start = PosedBox((x, y, top + DROP + thing.size[2] / 2), thing.size, receptacle.rotation + place.turn)
     near = {}
     level = receptacle.position[2] + ledge.z
     for item in state.index(floor).objects:
@@ -224,9 +205,7 @@ def _problem(
     )
 
 
-def _fault(
-    result: SettleResult, problem: SettleProblem, receptacle: SceneObject, place: Place
-) -> str:
+def _fault(result: SettleResult, problem: SettleProblem, receptacle: SceneObject, place: Place) -> str:
     """Return why a pose is refused, empty for a good one."""
     if not result.at_rest:
         return "it does not come to rest"
@@ -246,9 +225,7 @@ def _fault(
     return "it slides or falls off" if fell or slid or not on else ""
 
 
-def _settled(
-    thing: SceneObject, receptacle: SceneObject, place: Place, result: SettleResult
-) -> SceneObject:
+def _settled(thing: SceneObject, receptacle: SceneObject, place: Place, result: SettleResult) -> SceneObject:
     states = dict(thing.states)
     states.pop("temperature", None)
     if place.ledge.inside and receptacle.category in COOLING:

@@ -62,24 +62,16 @@ def place_on_floor(
     """
     if asset.mount in ("wall", "ceiling"):
         raise MansionError(
-            ErrorCode.INFEASIBLE,
-            f"{with_article(asset.name)} hangs on {with_article(asset.mount)}, not on the floor",
+            ErrorCode.INFEASIBLE, f"{with_article(asset.name)} hangs on {with_article(asset.mount)}, not on the floor"
         )
     new = scene_object(
-        asset,
-        state.new_id(floor, room.id, asset.category),
-        room.id,
-        (0.0, 0.0, asset.size[2] / 2),
-        0.0,
-        mount="floor",
+        asset, state.new_id(floor, room.id, asset.category), room.id, (0.0, 0.0, asset.size[2] / 2), 0.0, mount="floor"
     )
     refused: list[Point] = []
     for x, y, rotation in free_floor_places(state, floor, room, new, near):
         if any(math.dist((x, y), other) < APART for other in refused):
             continue
-        placed = scene_object(
-            asset, new.id, room.id, (x, y, asset.size[2] / 2), rotation, mount="floor"
-        )
+        placed = scene_object(asset, new.id, room.id, (x, y, asset.size[2] / 2), rotation, mount="floor")
         placed = recoloured(placed, color)
         if accept is None or accept(floor, placed):
             return placed
@@ -95,11 +87,7 @@ def place_on_floor(
 
 
 def free_floor_places(
-    state: SceneState,
-    floor: int,
-    room: SceneRoom,
-    thing: SceneObject,
-    near: SceneObject | None = None,
+    state: SceneState, floor: int, room: SceneRoom, thing: SceneObject, near: SceneObject | None = None
 ) -> Iterator[tuple[float, float, float]]:
     """Yield places (x, y, rotation) on the floor of a room: with the back to a wall first, then amid the room.
 
@@ -118,9 +106,7 @@ def free_floor_places(
         and item.position[2] - item.size[2] / 2 < thing.size[2] + 0.02
     ]
     doors = [
-        LineString(door.segment).buffer(DOOR_DEPTH, cap_style="flat")
-        for door in scene.doors
-        if room.id in door.rooms
+        LineString(door.segment).buffer(DOOR_DEPTH, cap_style="flat") for door in scene.doors if room.id in door.rooms
     ]
     furniture = STRtree(others)
     kept_clear = STRtree(doors)
@@ -134,9 +120,7 @@ def free_floor_places(
             continue
         turn = math.radians(rotation)
         ahead = (d + FRONT) / 2
-        before = footprint(
-            (x - math.sin(turn) * ahead, y + math.cos(turn) * ahead), (w, FRONT), rotation
-        )
+        before = footprint((x - math.sin(turn) * ahead, y + math.cos(turn) * ahead), (w, FRONT), rotation)
         if furniture.query(body, predicate="intersects").size:
             continue
         if kept_clear.query(body, predicate="intersects").size:
@@ -146,9 +130,7 @@ def free_floor_places(
         yield x, y, rotation
 
 
-def _poses(
-    room: SceneRoom, area: Polygon, w: float, d: float
-) -> Iterator[tuple[float, float, float]]:
+def _poses(room: SceneRoom, area: Polygon, w: float, d: float) -> Iterator[tuple[float, float, float]]:
     for wall in wall_edges(room.net_polygon, room.net_holes):
         if wall.length < w:
             continue

@@ -100,24 +100,13 @@ def _unit(width: float, height: float) -> float:
 def _heading(scene: FloorScene, x0: float, x1: float, y1: float, unit: float) -> list[Shape]:
     area = sum(room.area for room in scene.rooms if room.kind not in ("stair", "elevator"))
     rooms = sum(room.kind not in ("stair", "elevator") for room in scene.rooms)
-    facts = (
-        f"{area:.0f} m² in {rooms} rooms, {len(scene.objects)} objects, "
-        f"level {scene.elevation:+.2f} m"
-    )
+    facts = f"{area:.0f} m² in {rooms} rooms, {len(scene.objects)} objects, level {scene.elevation:+.2f} m"
     # Both lines end before the north arrow.
     width = x1 - x0 - 1.8 * unit
     title = min(0.72 * unit, width / (0.68 * len(floor_title(scene))))
     small = min(0.4 * unit, width / (0.56 * len(facts)))
     return [
-        Label(
-            (x0, y1 + 1.55 * unit),
-            floor_title(scene),
-            title,
-            INK["text"],
-            "start",
-            bold=True,
-            halo=False,
-        ),
+        Label((x0, y1 + 1.55 * unit), floor_title(scene), title, INK["text"], "start", bold=True, halo=False),
         Label((x0, y1 + 0.8 * unit), facts, small, INK["muted"], "start", halo=False),
     ]
 
@@ -133,14 +122,7 @@ def _dimensions(x0: float, y0: float, x1: float, y1: float, unit: float) -> list
         Label(((x0 + x1) / 2, y - 0.36 * unit), f"{x1 - x0:.2f} m", 0.4 * unit, ink, halo=False),
         Line([(x, y0), (x, y1)], ink, width),
         *(Line([(x - tick, p - tick), (x + tick, p + tick)], ink, 2 * width) for p in (y0, y1)),
-        Label(
-            (x - 0.36 * unit, (y0 + y1) / 2),
-            f"{y1 - y0:.2f} m",
-            0.4 * unit,
-            ink,
-            angle=90.0,
-            halo=False,
-        ),
+        Label((x - 0.36 * unit, (y0 + y1) / 2), f"{y1 - y0:.2f} m", 0.4 * unit, ink, angle=90.0, halo=False),
     ]
 
 

@@ -46,9 +46,7 @@ def _object(item: SceneObject) -> Canvas:
     a, b = item.size[0] / 2, item.size[1] / 2
     title = item.id if item.name in ("", item.category) else f"{item.id}: {item.name}"
     if _is_flat(item):
-        shapes: list[Shape] = [
-            Area(frame.place(rectangle(-a, -b, a, b)), INK["rug"], INK["furniture_detail"], 0.012)
-        ]
+        shapes: list[Shape] = [Area(frame.place(rectangle(-a, -b, a, b)), INK["rug"], INK["furniture_detail"], 0.012)]
         return Canvas("furniture", tuple(shapes), item.id, title)
     if item.mount == "surface":
         body = Area(frame.place(rectangle(-a, -b, a, b)), "#eef0f2", INK["furniture_detail"], 0.008)
@@ -86,9 +84,7 @@ def _bed(frame: Frame, a: float, b: float) -> list[Shape]:
 def _seat(frame: Frame, a: float, b: float) -> list[Shape]:
     """A back rest, and arms where it is wide enough."""
     back = min(0.18, b * 0.5)
-    shapes: list[Shape] = [
-        Area(frame.place(rectangle(-a, -b, a, -b + back)), "#e3e6ea", INK["furniture_line"], 0.012)
-    ]
+    shapes: list[Shape] = [Area(frame.place(rectangle(-a, -b, a, -b + back)), "#e3e6ea", INK["furniture_line"], 0.012)]
     if a > 0.34:
         arm = min(0.14, a * 0.25)
         for x0, x1 in ((-a, -a + arm), (a - arm, a)):
@@ -96,8 +92,7 @@ def _seat(frame: Frame, a: float, b: float) -> list[Shape]:
         seats = max(1, round(2 * a / 0.75))
         step = (2 * a - 2 * arm) / seats
         shapes += [
-            _detail(frame, [(-a + arm + i * step, -b + back), (-a + arm + i * step, b)])
-            for i in range(1, seats)
+            _detail(frame, [(-a + arm + i * step, -b + back), (-a + arm + i * step, b)]) for i in range(1, seats)
         ]
     return shapes
 
@@ -166,12 +161,7 @@ def _tub(frame: Frame, a: float, b: float) -> list[Shape]:
 
 def _stove(frame: Frame, a: float, b: float) -> list[Shape]:
     return [
-        Area(
-            frame.place(circle((x * a * 0.45, y * b * 0.45), min(a, b) * 0.28)),
-            None,
-            INK["furniture_line"],
-            0.012,
-        )
+        Area(frame.place(circle((x * a * 0.45, y * b * 0.45), min(a, b) * 0.28)), None, INK["furniture_line"], 0.012)
         for x in (-1, 1)
         for y in (-1, 1)
     ]

@@ -65,8 +65,7 @@ def place_label(scene: FloorScene, room: SceneRoom, boxes: Sequence[LabelBox]) -
     clear = _clear_of_walls(room, xs, ys)
     outside_sums, covered_sums = _sums(~clear), _sums(covered & inside)
     aside = np.hypot(
-        (xs[None, :] - xs[inside.any(0)].mean()) / np.ptp(xs),
-        (ys[:, None] - ys[inside.any(1)].mean()) / np.ptp(ys),
+        (xs[None, :] - xs[inside.any(0)].mean()) / np.ptp(xs), (ys[:, None] - ys[inside.any(1)].mean()) / np.ptp(ys)
     )
     best, found = -np.inf, LabelPlace(0, (float(xs[0]), float(ys[0])), False)
     for option, box in enumerate(boxes):
@@ -94,9 +93,7 @@ def _covered(scene: FloorScene, room: SceneRoom, xs: Floats, ys: Floats) -> Bool
             continue
         c, s = np.cos(np.radians(item.rotation)), np.sin(np.radians(item.rotation))
         dx, dy = xs[None, :] - item.position[0], ys[:, None] - item.position[1]
-        taken |= (np.abs(dx * c + dy * s) < item.size[0] / 2) & (
-            np.abs(dy * c - dx * s) < item.size[1] / 2
-        )
+        taken |= (np.abs(dx * c + dy * s) < item.size[0] / 2) & (np.abs(dy * c - dx * s) < item.size[1] / 2)
     for door in scene.doors:
         if room.id in door.rooms and door.kind not in ("open", "frame", "doorway", "sliding"):
             (ax, ay), (bx, by) = door.segment
@@ -159,8 +156,6 @@ def _share(sums: Floats, width: float, height: float, xs: Floats, ys: Floats) ->
     ry = max(1, ceil(height / 2 / float(ys[1] - ys[0]) - 0.5))
     i0, i1 = np.clip(np.arange(nx) - rx, 0, nx), np.clip(np.arange(nx) + rx + 1, 0, nx)
     j0, j1 = np.clip(np.arange(ny) - ry, 0, ny), np.clip(np.arange(ny) + ry + 1, 0, ny)
-    total = (
-        sums[np.ix_(j1, i1)] - sums[np.ix_(j0, i1)] - sums[np.ix_(j1, i0)] + sums[np.ix_(j0, i0)]
-    )
+    total = sums[np.ix_(j1, i1)] - sums[np.ix_(j0, i1)] - sums[np.ix_(j1, i0)] + sums[np.ix_(j0, i0)]
     share: Floats = total / ((2 * ry + 1) * (2 * rx + 1))
     return share

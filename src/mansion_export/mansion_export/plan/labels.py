@@ -30,14 +30,7 @@ def draw_rooms(scene: FloorScene) -> list[Canvas]:
     return [
         Canvas(
             "rooms",
-            (
-                Area(
-                    room.polygon,
-                    room_tint(room.room_type, room.kind),
-                    width=0.0,
-                    holes=tuple(room.holes),
-                ),
-            ),
+            (Area(room.polygon, room_tint(room.room_type, room.kind), width=0.0, holes=tuple(room.holes)),),
             room.id,
             f"{room_title(room)}, {room.area:.1f} m²",
         )

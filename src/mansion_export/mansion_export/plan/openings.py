@@ -28,8 +28,7 @@ def draw_walls(scene: FloorScene) -> list[Canvas]:
         frame = segment_frame(wall.segment)
         half = wall.thickness / 2
         shapes = tuple(
-            Area(frame.place(rectangle(low, -half, high, half)), ink, width=0.0)
-            for low, high in bodies.pieces(wall)
+            Area(frame.place(rectangle(low, -half, high, half)), ink, width=0.0) for low, high in bodies.pieces(wall)
         )
         canvases.append(Canvas("walls", shapes, wall.id))
     return canvases
@@ -79,21 +78,15 @@ def _door(door: Door, wall: Wall | None, rooms: Mapping[str, Sequence[Point]]) -
     title = f"{door.id}: {door.kind}, {door.width:.2f} m"
     shapes: list[Shape]
     if door.kind == "open":
-        shapes = [
-            Line(frame.place([(0.0, 0.0), (length, 0.0)]), INK["furniture_detail"], 0.02, 0.12)
-        ]
+        shapes = [Line(frame.place([(0.0, 0.0), (length, 0.0)]), INK["furniture_detail"], 0.02, 0.12)]
         return Canvas("doors", tuple(shapes), door.id, title)
     shapes = [
         Area(frame.place(rectangle(0.0, -half, length, half)), INK["paper"], width=0.0),
-        *(
-            Line(frame.place([(x, -half), (x, half)]), INK["outer_wall"], 0.03)
-            for x in (0.0, length)
-        ),
+        *(Line(frame.place([(x, -half), (x, half)]), INK["outer_wall"], 0.03) for x in (0.0, length)),
     ]
     if door.kind in ("doorway", "frame"):
         shapes += [
-            Line(frame.place([(0.0, y), (length, y)]), INK["furniture_detail"], 0.015, 0.08)
-            for y in (-half, half)
+            Line(frame.place([(0.0, y), (length, y)]), INK["furniture_detail"], 0.015, 0.08) for y in (-half, half)
         ]
     elif door.kind == "garage":
         shapes += _slats(frame, length, half)
@@ -109,18 +102,13 @@ def _sliding(frame: Frame, length: float) -> list[Shape]:
     middle = length / 2
     return [
         Area(frame.place(rectangle(0.0, -0.035, middle, -0.005)), INK["furniture_line"], width=0.0),
-        Area(
-            frame.place(rectangle(middle, 0.005, length, 0.035)), INK["furniture_line"], width=0.0
-        ),
+        Area(frame.place(rectangle(middle, 0.005, length, 0.035)), INK["furniture_line"], width=0.0),
     ]
 
 
 def _slats(frame: Frame, length: float, half: float) -> list[Shape]:
     """A garage door's slats in the wall, and the edges of its opening above them."""
-    edges = [
-        Line(frame.place([(0.0, y), (length, y)]), INK["furniture_detail"], 0.015, 0.08)
-        for y in (-half, half)
-    ]
+    edges = [Line(frame.place([(0.0, y), (length, y)]), INK["furniture_detail"], 0.015, 0.08) for y in (-half, half)]
     slats = rectangle(0.0, -0.03, length, 0.03)
     return [*edges, Area(frame.place(slats), INK["furniture_line"], width=0.0)]
 

@@ -134,9 +134,7 @@ class _Painter:
         picture.paste(tile, (round(x - tile.width / 2), round(y - tile.height / 2)), tile)
 
 
-def _keyhole(
-    ring: list[tuple[float, float]], holes: list[list[tuple[float, float]]]
-) -> list[tuple[float, float]]:
+def _keyhole(ring: list[tuple[float, float]], holes: list[list[tuple[float, float]]]) -> list[tuple[float, float]]:
     """Join holes to a ring by a doubled line, which Pillow's even-odd filling leaves out."""
     joined = [*ring, ring[0]]
     for hole in holes:

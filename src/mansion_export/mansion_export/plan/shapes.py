@@ -98,9 +98,7 @@ def arc(center: Point, radius: float, start: float, end: float, steps: int = 14)
     return list(zip(xs.tolist(), ys.tolist()))
 
 
-def circle(
-    center: Point, radius: float, radius_y: float | None = None, steps: int = 18
-) -> list[Point]:
+def circle(center: Point, radius: float, radius_y: float | None = None, steps: int = 18) -> list[Point]:
     """Points of a circle or, with `radius_y`, of an ellipse."""
     angles: npt.NDArray[np.float64] = np.linspace(0.0, 2.0 * np.pi, steps, endpoint=False)
     xs = center[0] + radius * np.cos(angles)

@@ -62,11 +62,7 @@ def _way(path: list[Point], word: str) -> list[Shape]:
         return []
     tip, ahead = np.array(path[-1]), _unit(path[-2], path[-1])
     aside = np.array([-ahead[1], ahead[0]])
-    arrow = [
-        tip + 0.14 * ahead,
-        tip - 0.14 * ahead + 0.13 * aside,
-        tip - 0.14 * ahead - 0.13 * aside,
-    ]
+    arrow = [tip + 0.14 * ahead, tip - 0.14 * ahead + 0.13 * aside, tip - 0.14 * ahead - 0.13 * aside]
     label = np.array(path[0]) - ASIDE * _unit(path[0], path[1])
     return [
         Line(path, INK["text"], 0.03),
@@ -129,20 +125,11 @@ def _flights_below(details: StairDetails) -> list[Shape]:
     shapes: list[Shape] = [Area(details.floor_opening, "#ffffff", INK["core_line"], 0.03)]
     for side in ((0.0, flight), (width - flight, width)):
         shapes += [
-            Line([at(k * going, side[0]), at(k * going, side[1])], INK["core_line"], 0.015)
-            for k in range(steps + 1)
+            Line([at(k * going, side[0]), at(k * going, side[1])], INK["core_line"], 0.015) for k in range(steps + 1)
         ]
     far, turn = steps * going, steps * going + 0.5
     well = [at(0.0, flight), at(far, flight), at(far, width - flight), at(0.0, width - flight)]
-    shapes += [
-        Line(well, INK["core_line"], 0.04),
-        Line([at(0.0, 0.0), at(0.0, flight)], INK["core_line"], 0.06),
-    ]
+    shapes += [Line(well, INK["core_line"], 0.04), Line([at(0.0, 0.0), at(0.0, flight)], INK["core_line"], 0.06)]
     lanes = (width - flight / 2, flight / 2)
-    path = [
-        at(0.5 * going, lanes[0]),
-        at(turn, lanes[0]),
-        at(turn, lanes[1]),
-        at(0.5 * going, lanes[1]),
-    ]
+    path = [at(0.5 * going, lanes[0]), at(turn, lanes[0]), at(turn, lanes[1]), at(0.5 * going, lanes[1])]
     return shapes + _way(path, "DN")

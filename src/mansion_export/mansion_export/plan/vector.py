@@ -74,8 +74,7 @@ def _text(label: Label, drawing: Drawing) -> str:
     anchor = f' text-anchor="{label.anchor}"' if label.anchor != "start" else ""
     weight = ' font-weight="600"' if label.bold else ""
     halo = (
-        f' stroke="#ffffff" stroke-opacity="0.8" stroke-width="{_cm(0.22 * label.size)}" '
-        'paint-order="stroke"'
+        f' stroke="#ffffff" stroke-opacity="0.8" stroke-width="{_cm(0.22 * label.size)}" paint-order="stroke"'
         if label.halo
         else ""
     )

@@ -43,9 +43,7 @@ class Crossing:
 
 def crossings(scene: FloorScene, pieces: Sequence[FloorPiece]) -> list[Crossing]:
     """Return a way through every door between rooms, or into a lift, that the robot fits through."""
-    shapes = {
-        room.id: Polygon(room.polygon, room.holes) for room in scene.rooms if room.kind != "stair"
-    }
+    shapes = {room.id: Polygon(room.polygon, room.holes) for room in scene.rooms if room.kind != "stair"}
     lifts = {core.door: core for core in scene.cores if core.type == "elevator"}
     found = []
     for door in scene.doors:
@@ -84,9 +82,7 @@ def _into_lift(
     return None
 
 
-def _between(
-    door: Door, shapes: dict[str, Polygon], pieces: Sequence[FloorPiece]
-) -> Crossing | None:
+def _between(door: Door, shapes: dict[str, Polygon], pieces: Sequence[FloorPiece]) -> Crossing | None:
     a, b = door.rooms
     if b is None or a not in shapes or b not in shapes:
         return None
@@ -113,12 +109,7 @@ def _fractions(length: float) -> list[float]:
 
 
 def _end(
-    x: float,
-    y: float,
-    normal: Point,
-    sign: float,
-    rooms: dict[str, Polygon],
-    pieces: Sequence[FloorPiece],
+    x: float, y: float, normal: Point, sign: float, rooms: dict[str, Polygon], pieces: Sequence[FloorPiece]
 ) -> tuple[Point, str] | None:
     """Return the first good place on one side of a door and the room that it lies in."""
     middle = (x, y)

@@ -25,12 +25,7 @@ FLAT = 0.05
 CABIN_GAP, CABIN_WALL = 0.08, 0.05
 """Between shaft and cabin, and of the cabin's walls; metres. The gap is for lifts without details."""
 
-FACINGS: dict[float, Point] = {
-    0.0: (0.0, 1.0),
-    90.0: (-1.0, 0.0),
-    180.0: (0.0, -1.0),
-    -90.0: (1.0, 0.0),
-}
+FACINGS: dict[float, Point] = {0.0: (0.0, 1.0), 90.0: (-1.0, 0.0), 180.0: (0.0, -1.0), -90.0: (1.0, 0.0)}
 """The y axis of a frame that is turned by so many degrees."""
 
 
@@ -121,9 +116,7 @@ def _cabins(scene: FloorScene) -> list[Polygon]:
         (ax, ay), (bx, by) = door.segment
         fx, fy = frame.facing
         deep = abs((ax - frame.x) * fx + (ay - frame.y) * fy)
-        sill = Polygon(
-            [(ax, ay), (bx, by), (bx - fx * deep, by - fy * deep), (ax - fx * deep, ay - fy * deep)]
-        )
+        sill = Polygon([(ax, ay), (bx, by), (bx - fx * deep, by - fy * deep), (ax - fx * deep, ay - fy * deep)])
         inside = frame.outer.buffer(-CABIN_WALL, join_style="mitre")
         found += [inside, sill]
     return found

@@ -103,9 +103,7 @@ def building_graph(scenes: Sequence[FloorScene], radius: float = ROBOT_RADIUS) -
         Ascending; on each the largest piece that lanes and lifts join. Every such piece of the building has a
         charger.
     """
-    levels = [
-        _level_graph(scene, radius) for scene in sorted(scenes, key=lambda scene: scene.floor)
-    ]
+    levels = [_level_graph(scene, radius) for scene in sorted(scenes, key=lambda scene: scene.floor)]
     pieces = _pieces(levels)
     kept = [_largest(level, numbers) for level, numbers in zip(levels, pieces)]
     _add_chargers(kept, _pieces(kept))
@@ -136,9 +134,7 @@ def _is_lift(scene: FloorScene, way: Crossing) -> bool:
     return any(core.door == way.door.id and core.type == "elevator" for core in scene.cores)
 
 
-def _fill_room(
-    level: LevelGraph, room: str, shape: Polygon, ends: list[Point], floor: Iterable[Polygon]
-) -> None:
+def _fill_room(level: LevelGraph, room: str, shape: Polygon, ends: list[Point], floor: Iterable[Polygon]) -> None:
     """Join the places beside a room's doors; the part of the room with most of them has the room's waypoint."""
     parts = [part for piece in floor for part in polygon_parts(piece.intersection(shape))]
     pieces = [FloorPiece(part) for part in parts]
@@ -189,10 +185,7 @@ def _pieces(levels: Sequence[LevelGraph]) -> list[list[int]]:
         for i, waypoint in enumerate(level.waypoints):
             if waypoint.lift:
                 join(offset + i, lifts.setdefault(waypoint.lift, offset + i))
-    return [
-        [top(offset + i) for i in range(len(level.waypoints))]
-        for level, offset in zip(levels, offsets)
-    ]
+    return [[top(offset + i) for i in range(len(level.waypoints))] for level, offset in zip(levels, offsets)]
 
 
 def _largest(level: LevelGraph, pieces: Sequence[int]) -> LevelGraph:
@@ -203,11 +196,7 @@ def _largest(level: LevelGraph, pieces: Sequence[int]) -> LevelGraph:
     main = min(size, key=lambda piece: (-size[piece], piece))
     kept = [i for i, piece in enumerate(pieces) if piece == main]
     number = {old: new for new, old in enumerate(kept)}
-    lanes = [
-        Lane(number[lane.start], number[lane.end], lane.door)
-        for lane in level.lanes
-        if lane.start in number
-    ]
+    lanes = [Lane(number[lane.start], number[lane.end], lane.door) for lane in level.lanes if lane.start in number]
     return LevelGraph(level.scene, [level.waypoints[i] for i in kept], lanes)
 
 

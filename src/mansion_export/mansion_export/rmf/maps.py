@@ -58,10 +58,7 @@ def building_map(name: str, levels: Sequence[LevelGraph]) -> dict[str, Value]:
 def nav_graph(name: str, levels: Sequence[LevelGraph]) -> dict[str, Value]:
     """Return a navigation graph (``rmf_fleet_adapter``'s ``parse_graph``): every lane twice, once each way."""
     lifts = {
-        lift: {
-            "position": [entry["x"], entry["y"], entry["yaw"]],
-            "dims": [entry["width"], entry["depth"]],
-        }
+        lift: {"position": [entry["x"], entry["y"], entry["yaw"]], "dims": [entry["width"], entry["depth"]]}
         for lift, entry in cast("dict[str, dict[str, Value]]", lift_entries(levels)).items()
     }
     doors: dict[str, Value] = {
@@ -83,20 +80,15 @@ def _level(level: LevelGraph) -> dict[str, Value]:
     scene = level.scene
     walls: list[Value] = [[corners.at(a), corners.at(b), {}] for a, b in wall_pieces(scene)]
     doors: list[Value] = [
-        [corners.at(a), corners.at(b), door_params(door, a, b, scene)]
-        for door, a, b in operated_doors(scene)
+        [corners.at(a), corners.at(b), door_params(door, a, b, scene)] for door, a, b in operated_doors(scene)
     ]
     outlines, wells = slab_rings(scene)
     floors: list[Value] = [
-        {"parameters": _texture(), "vertices": [corners.at(point) for point in ring]}
-        for ring in outlines
+        {"parameters": _texture(), "vertices": [corners.at(point) for point in ring]} for ring in outlines
     ]
-    holes: list[Value] = [
-        {"parameters": {}, "vertices": [corners.at(point) for point in ring]} for ring in wells
-    ]
+    holes: list[Value] = [{"parameters": {}, "vertices": [corners.at(point) for point in ring]} for ring in wells]
     points: list[Value] = [
-        [*point.place, 0.0, point.name, {key: [BOOL, True] for key in _marks(point)}]
-        for point in level.waypoints
+        [*point.place, 0.0, point.name, {key: [BOOL, True] for key in _marks(point)}] for point in level.waypoints
     ]
     points += [[x, y, 0.0, "", {}] for x, y in corners.places()]
     x_meters, y_meters = (max(point[k] for point in scene.outline) for k in (0, 1))

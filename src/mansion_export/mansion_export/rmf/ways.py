@@ -139,9 +139,7 @@ def _lattice(shape: Polygon, step: float) -> np.ndarray[tuple[int, ...], np.dtyp
     ys = np.arange(math.ceil(y0 / step), math.floor(y1 / step) + 1) * step
     grid = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2).round(3)
     shapely.prepare(shape)
-    inside: np.ndarray[tuple[int, ...], np.dtype[np.float64]] = grid[
-        shapely.contains_xy(shape, grid[:, 0], grid[:, 1])
-    ]
+    inside: np.ndarray[tuple[int, ...], np.dtype[np.float64]] = grid[shapely.contains_xy(shape, grid[:, 0], grid[:, 1])]
     return inside
 
 

@@ -10,12 +10,7 @@ from shapely.geometry import Polygon, box
 
 from mansion_export.frames import thor_heading, thor_point, thor_ring
 from mansion_export.thor.layers import COLOURS, four_colours, layer_name
-from mansion_export.thor.materials import (
-    SKYBOXES,
-    ceiling_material,
-    floor_material,
-    room_type,
-)
+from mansion_export.thor.materials import SKYBOXES, ceiling_material, floor_material, room_type
 from mansion_export.thor.objects import build_objects
 from mansion_export.thor.reachability import GRID, reachable
 from mansion_export.thor.walls import build_structure
@@ -112,21 +107,15 @@ def _without_holes(ring: Sequence[Point], holes: Sequence[Sequence[Point]]) -> S
     polygon = Polygon(ring, holes)
     for hole in holes:
         x, y = max(hole)
-        ray = shapely.intersection(
-            shapely.LineString([(x, y), (polygon.bounds[2] + 1.0, y)]), Polygon(ring)
-        )
-        first = min(
-            (part for part in shapely.get_parts(ray)), key=lambda part: float(part.bounds[0])
-        )
+        ray = shapely.intersection(shapely.LineString([(x, y), (polygon.bounds[2] + 1.0, y)]), Polygon(ring))
+        first = min((part for part in shapely.get_parts(ray)), key=lambda part: float(part.bounds[0]))
         slit = box(x - SLIT, y - SLIT, float(first.bounds[2]) + SLIT, y)
         polygon = polygon.difference(slit)
     outer = polygon.exterior if polygon.geom_type == "Polygon" else polygon.geoms[0].exterior
     return list(shapely.geometry.polygon.orient(Polygon(outer)).exterior.coords)[:-1]
 
 
-def _parameters(
-    scene: FloorScene, rooms: list[SceneRoom], layers: dict[str, int], height: float
-) -> Json:
+def _parameters(scene: FloorScene, rooms: list[SceneRoom], layers: dict[str, int], height: float) -> Json:
     _, time, skybox = next(entry for entry in SKYBOXES if entry[0] in scene.sky.name)
     (pitch, yaw), intensity, (r, g, b) = SUNS[time]
     sun: Json = {

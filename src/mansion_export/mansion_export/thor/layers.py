@@ -18,9 +18,7 @@ def layer_name(colour: int) -> str:
 
 
 def four_colours(
-    rooms: Sequence[str],
-    neighbours: Iterable[tuple[str, str]],
-    merged: Iterable[tuple[str, str]] = (),
+    rooms: Sequence[str], neighbours: Iterable[tuple[str, str]], merged: Iterable[tuple[str, str]] = ()
 ) -> dict[str, int]:
     """Colour rooms so that neighbours differ and merged ones agree.
 
@@ -65,12 +63,7 @@ def four_colours(
     return {room: colours[find(room)] for room in rooms}
 
 
-def _colour(
-    groups: list[str],
-    links: dict[str, dict[str, None]],
-    colours: dict[str, int],
-    tries: list[int],
-) -> bool:
+def _colour(groups: list[str], links: dict[str, dict[str, None]], colours: dict[str, int], tries: list[int]) -> bool:
     open_groups = [group for group in groups if group not in colours]
     if not open_groups:
         return True

@@ -24,9 +24,7 @@ AGENT_TOP = 1.8
 STEP_OVER = 0.05
 
 
-def reachable(
-    house: Json, start: tuple[float, float], everywhere: bool = False
-) -> list[list[tuple[float, float]]]:
+def reachable(house: Json, start: tuple[float, float], everywhere: bool = False) -> list[list[tuple[float, float]]]:
     """Return the grid points (x, z) where the agent fits, connected by steps of `GRID` in four directions.
 
     Parameters
@@ -59,22 +57,15 @@ def reachable(
     found = []
     for label in wanted:
         rows, columns = np.nonzero(labels == label)
-        found.append(
-            [(round(float(xs[j]), 4), round(float(zs[i]), 4)) for i, j in zip(rows, columns)]
-        )
+        found.append([(round(float(xs[j]), 4), round(float(zs[i]), 4)) for i, j in zip(rows, columns)])
     return found
 
 
-def _axes(
-    house: Json, start: tuple[float, float]
-) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+def _axes(house: Json, start: tuple[float, float]) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
     points = np.array([[p["x"], p["z"]] for room in house["rooms"] for p in room["floorPolygon"]])
     low = np.floor((points.min(0) - start) / GRID).astype(int)
     high = np.ceil((points.max(0) - start) / GRID).astype(int)
-    return (
-        start[0] + GRID * np.arange(low[0], high[0] + 1),
-        start[1] + GRID * np.arange(low[1], high[1] + 1),
-    )
+    return (start[0] + GRID * np.arange(low[0], high[0] + 1), start[1] + GRID * np.arange(low[1], high[1] + 1))
 
 
 def _inside(house: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]) -> Bools:
@@ -109,20 +100,11 @@ def _solid_parts(house: Json) -> list[tuple[float, float, float, float]]:
         for s, t in ((0.0, low), (high, length)):
             if t - s > 1e-6:
                 u, v = s / length, t / length
-                parts.append(
-                    (
-                        ax + (bx - ax) * u,
-                        az + (bz - az) * u,
-                        ax + (bx - ax) * v,
-                        az + (bz - az) * v,
-                    )
-                )
+                parts.append((ax + (bx - ax) * u, az + (bz - az) * u, ax + (bx - ax) * v, az + (bz - az) * v))
     return parts
 
 
-def _steps(
-    house: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]
-) -> tuple[Bools, Bools, Bools]:
+def _steps(house: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]) -> tuple[Bools, Bools, Bools]:
     """Points too near to a wall, and steps to the right and upwards that cross one."""
     near = np.zeros((len(zs), len(xs)), dtype=bool)
     right = np.zeros_like(near)
@@ -197,9 +179,7 @@ def _label(free: Bools, go_right: Bools, go_up: Bools, labels: npt.NDArray[np.in
                     size += 1
 
 
-def _block(
-    free: Bools, item: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]
-) -> None:
+def _block(free: Bools, item: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]) -> None:
     """Take the points that an object's box is too near to."""
     angle = np.radians(item["rotation"]["y"])
     c, s = float(np.cos(angle)), float(np.sin(angle))

@@ -90,9 +90,7 @@ def _concerns(opening: Door | Window, rooms: dict[str, SceneRoom]) -> bool:
     return any(name in rooms for name in opening.rooms)
 
 
-def _holes_on(
-    stretch: Stretch, waiting: Sequence[Door | Window], rooms: dict[str, SceneRoom]
-) -> list[_Hole]:
+def _holes_on(stretch: Stretch, waiting: Sequence[Door | Window], rooms: dict[str, SceneRoom]) -> list[_Hole]:
     """Openings that lie on a stretch and join what it divides, along its direction."""
     holes = []
     for opening in waiting:
@@ -166,15 +164,7 @@ def _add_piece(
     # The owner's interior lies to the left of start -> end; AI2-THOR shows the right side of p0 -> p1.
     faces = [
         _face(near, owner.id, b, a, height, owner.wall_material, gone),
-        _face(
-            far,
-            other.id if other else owner.id,
-            a,
-            b,
-            height,
-            other.wall_material if other else made.facade,
-            gone,
-        ),
+        _face(far, other.id if other else owner.id, a, b, height, other.wall_material if other else made.facade, gone),
     ]
     made.walls += faces
     if hole is None:
@@ -202,9 +192,7 @@ def _point(stretch: Stretch, along: float) -> Point:
     return (round(ax + (bx - ax) * t, 4), round(ay + (by - ay) * t, 4))
 
 
-def _face(
-    name: str, room: str, p0: Point, p1: Point, height: float, material: str, empty: bool
-) -> Json:
+def _face(name: str, room: str, p0: Point, p1: Point, height: float, material: str, empty: bool) -> Json:
     wall: Json = {
         "id": name,
         "roomId": room,
@@ -224,20 +212,12 @@ def _rectangle(interval: tuple[float, float], bottom: float, top: float) -> Json
             {"x": round(low, 4), "y": round(bottom, 4), "z": 0},
             {"x": round(high, 4), "y": round(top, 4), "z": 0},
         ],
-        "assetPosition": {
-            "x": round((low + high) / 2, 4),
-            "y": round((bottom + top) / 2, 4),
-            "z": 0,
-        },
+        "assetPosition": {"x": round((low + high) / 2, 4), "y": round((bottom + top) / 2, 4), "z": 0},
     }
 
 
 def _door(
-    door: Door,
-    walls: tuple[str, str],
-    rooms: tuple[str, str],
-    interval: tuple[float, float],
-    inside: bool,
+    door: Door, walls: tuple[str, str], rooms: tuple[str, str], interval: tuple[float, float], inside: bool
 ) -> Json:
     """A door opens away from `room0`. Those to cores and the outside stay closed: AI2-THOR has no ground there."""
     frame = door.kind in ("doorway", "frame") and inside

@@ -27,9 +27,7 @@ def check_metadata(house: Json) -> list[HouseFault]:
             faults.append(HouseFault("form", f"metadata.{name}", "the pose is missing"))
             continue
         if vector(pose.get("position")) is None or vector(pose.get("rotation")) is None:
-            faults.append(
-                HouseFault("form", f"metadata.{name}", "position and rotation are x, y, z")
-            )
+            faults.append(HouseFault("form", f"metadata.{name}", "position and rotation are x, y, z"))
         if pose.get("horizon") not in HORIZONS:
             faults.append(HouseFault("form", f"metadata.{name}", f"horizon is one of {HORIZONS}"))
         if ("standing" in pose) == name.endswith("locobot"):
@@ -80,25 +78,19 @@ def check_parameters(house: Json) -> list[HouseFault]:
     parameters = house["proceduralParameters"]
     keys = ("ceilingMaterial", "floorColliderThickness", "receptacleHeight", "lights", "skyboxId")
     faults = [
-        HouseFault("form", f"proceduralParameters.{key}", "the key is missing")
-        for key in keys
-        if key not in parameters
+        HouseFault("form", f"proceduralParameters.{key}", "the key is missing") for key in keys if key not in parameters
     ]
     lights = parameters.get("lights", [])
     if not any(light.get("type") == "directional" for light in lights):
         faults.append(HouseFault("light", "proceduralParameters.lights", "there is no sun"))
     counts = Counter(light.get("id") for light in lights)
     faults += [
-        HouseFault("id", str(name), f"{count} lights have this id")
-        for name, count in counts.items()
-        if count > 1
+        HouseFault("id", str(name), f"{count} lights have this id") for name, count in counts.items() if count > 1
     ]
     for light in lights:
         name = str(light.get("id"))
         if light.get("type") not in LIGHTS or vector(light.get("position")) is None:
-            faults.append(
-                HouseFault("light", name, f"a type of {sorted(LIGHTS)} and a position are needed")
-            )
+            faults.append(HouseFault("light", name, f"a type of {sorted(LIGHTS)} and a position are needed"))
         rgb = light.get("rgb") or {}
         if not all(isinstance(rgb.get(c), (int, float)) and 0 <= rgb[c] <= 1 for c in "rgb"):
             faults.append(HouseFault("light", name, "rgb runs from 0 to 1"))

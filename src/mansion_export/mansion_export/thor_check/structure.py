@@ -27,9 +27,7 @@ def check_rooms(house: Json) -> list[HouseFault]:
         if not (room.get("floorMaterial") or {}).get("name"):
             faults.append(HouseFault("form", name, "floorMaterial needs a name"))
         if room.get("layer") not in LAYERS:
-            faults.append(
-                HouseFault("layer", name, f"layer {room.get('layer')} is none of the four")
-            )
+            faults.append(HouseFault("layer", name, f"layer {room.get('layer')} is none of the four"))
         points = [vector(point) for point in room.get("floorPolygon", [])]
         if len(points) < 3 or any(point is None for point in points):
             faults.append(HouseFault("form", name, "floorPolygon needs three points with x, y, z"))
@@ -67,9 +65,7 @@ def check_walls(house: Json) -> list[HouseFault]:
             faults.append(HouseFault("layer", name, "its layer is not that of its room"))
         p0, p1, q0, q1 = corners
         if not (p0[::2] == q0[::2] and p1[::2] == q1[::2] and p0[1] == p1[1] < q0[1] == q1[1]):
-            faults.append(
-                HouseFault("wall", name, "its points must be two at the bottom and two above them")
-            )
+            faults.append(HouseFault("wall", name, "its points must be two at the bottom and two above them"))
             continue
         key = (p0[0], p0[2], p1[0], p1[2])
         bases[key] += 1
@@ -79,9 +75,7 @@ def check_walls(house: Json) -> list[HouseFault]:
 
 
 def _check_twins(
-    bases: Counter[tuple[float, ...]],
-    owners: dict[tuple[float, ...], Json],
-    rooms: dict[str, str | None],
+    bases: Counter[tuple[float, ...]], owners: dict[tuple[float, ...], Json], rooms: dict[str, str | None]
 ) -> list[HouseFault]:
     faults = []
     for key, wall in owners.items():
@@ -89,19 +83,12 @@ def _check_twins(
             faults.append(HouseFault("wall", wall["id"], "two walls have the same two end points"))
         twin = owners.get((key[2], key[3], key[0], key[1]))
         if twin is None:
-            faults.append(
-                HouseFault("wall", wall["id"], "no twin runs the other way between its ends")
-            )
+            faults.append(HouseFault("wall", wall["id"], "no twin runs the other way between its ends"))
             continue
         a, b = wall["roomId"], twin["roomId"]
         if bool(wall.get("empty")) != bool(twin.get("empty")):
             faults.append(HouseFault("wall", wall["id"], "it is empty and its twin is not"))
-        if (
-            a < b
-            and not wall.get("empty")
-            and rooms.get(a) == rooms.get(b)
-            and not _merged(a, b, owners)
-        ):
+        if a < b and not wall.get("empty") and rooms.get(a) == rooms.get(b) and not _merged(a, b, owners):
             faults.append(HouseFault("layer", a, f"it has the layer of its neighbour {b}"))
     return faults
 

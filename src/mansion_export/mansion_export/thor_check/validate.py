@@ -35,9 +35,7 @@ def validate_house(house: Json, known_assets: Container[str] | None = None) -> l
         have different layers, that objects stand in their rooms, and, as ``House.validate`` does in Unity, that the
         agent reaches at least five grid points in every room and none outside.
     """
-    missing = [
-        HouseFault("form", key, "the key is missing") for key in TOP_LEVEL if key not in house
-    ]
+    missing = [HouseFault("form", key, "the key is missing") for key in TOP_LEVEL if key not in house]
     if missing:
         return missing
     faults = [
@@ -66,9 +64,7 @@ def _check_reachability(house: Json) -> list[HouseFault]:
         return [HouseFault("agent", "metadata.agent", f"the agent does not fit at {start}")]
     found: list[HouseFault] = []
     counts = {room["id"]: 0 for room in house["rooms"]}
-    rings = {
-        room["id"]: [(p["x"], p["z"]) for p in room["floorPolygon"]] for room in house["rooms"]
-    }
+    rings = {room["id"]: [(p["x"], p["z"]) for p in room["floorPolygon"]] for room in house["rooms"]}
     for x, z in components[0]:
         home = next((name for name, ring in rings.items() if contains(ring, x, z)), None)
         if home is None:

@@ -13,15 +13,7 @@ import numpy.typing as npt
 
 from mansion_msgs_py.shapes import Point3
 
-__all__ = [
-    "from_point",
-    "heading",
-    "matrix",
-    "rotation",
-    "thor_euler",
-    "thor_heading",
-    "thor_point",
-]
+__all__ = ["from_point", "heading", "matrix", "rotation", "thor_euler", "thor_heading", "thor_point"]
 
 TENTH_OF_A_MILLIMETRE: Final = 4
 
@@ -29,20 +21,14 @@ _SWAP: Final = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]])
 """Swaps y and z; its own inverse."""
 
 
-def thor_point(
-    x: float, y: float, z: float, digits: int = TENTH_OF_A_MILLIMETRE
-) -> dict[str, float]:
+def thor_point(x: float, y: float, z: float, digits: int = TENTH_OF_A_MILLIMETRE) -> dict[str, float]:
     """Return a point of a floor in AI2-THOR's axes, rounded to some digits of a metre."""
     return {"x": round(x, digits), "y": round(z, digits), "z": round(y, digits)}
 
 
 def from_point(point: Mapping[str, Any], digits: int = TENTH_OF_A_MILLIMETRE) -> Point3:
     """Return AI2-THOR's point in the floor's frame, rounded to some digits of a metre."""
-    return (
-        round(float(point["x"]), digits),
-        round(float(point["z"]), digits),
-        round(float(point["y"]), digits),
-    )
+    return (round(float(point["x"]), digits), round(float(point["z"]), digits), round(float(point["y"]), digits))
 
 
 def thor_heading(yaw: float) -> float:

@@ -35,9 +35,7 @@ class Interrupts:
     """
 
     def __init__(
-        self,
-        clock: Callable[[], float] = time.monotonic,
-        kill: Callable[[], None] = lambda: os._exit(0),
+        self, clock: Callable[[], float] = time.monotonic, kill: Callable[[], None] = lambda: os._exit(0)
     ) -> None:
         self.spinning = False
         self._clock = clock

@@ -22,9 +22,7 @@ LOOK = 0.5
 """Seconds after which a node with nothing to do looks whether it shall end."""
 
 
-def run_node(
-    make: Callable[[], Node], args: Sequence[str] | None = None, *, threads: int = 4
-) -> None:
+def run_node(make: Callable[[], Node], args: Sequence[str] | None = None, *, threads: int = 4) -> None:
     """Make a node and spin it until the process is told to end, which leaves no traceback.
 
     Parameters

@@ -38,15 +38,9 @@ def qos_profile(qos: Qos) -> QoSProfile:
     """Return the ROS profile of `qos`."""
     return QoSProfile(
         depth=qos.depth,
-        reliability=(
-            ReliabilityPolicy.RELIABLE
-            if qos.reliability == "reliable"
-            else ReliabilityPolicy.BEST_EFFORT
-        ),
+        reliability=(ReliabilityPolicy.RELIABLE if qos.reliability == "reliable" else ReliabilityPolicy.BEST_EFFORT),
         durability=(
-            DurabilityPolicy.TRANSIENT_LOCAL
-            if qos.durability == "transient_local"
-            else DurabilityPolicy.VOLATILE
+            DurabilityPolicy.TRANSIENT_LOCAL if qos.durability == "transient_local" else DurabilityPolicy.VOLATILE
         ),
     )
 
@@ -55,9 +49,7 @@ class JsonPublisher:
     """Publishes payloads on a topic of the table."""
 
     def __init__(self, node: Node, interface: TopicInterface) -> None:
-        self.publisher: Publisher = node.create_publisher(
-            String, interface.name, qos_profile(interface.qos)
-        )
+        self.publisher: Publisher = node.create_publisher(String, interface.name, qos_profile(interface.qos))
 
     def publish(self, payload: Any) -> None:
         """Encode and publish."""

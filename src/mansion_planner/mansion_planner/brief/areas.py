@@ -87,11 +87,7 @@ def _per_floor(reading: Reading, first: int, last: int) -> bool:
             follows = after[offset + 1]
             if word in ("footprint", "plate") or follows in FLOOR_WORDS or follows == "footprint":
                 return True
-        if (
-            offset == 0
-            and word in ("floor", "storey", "level")
-            and after[1] in ("plate", "area", "plan")
-        ):
+        if offset == 0 and word in ("floor", "storey", "level") and after[1] in ("plate", "area", "plan"):
             return True
     before = [reading.word(i) for i in range(first - 6, first)]
     text = f" {' '.join(before)} "

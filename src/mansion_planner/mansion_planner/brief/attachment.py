@@ -10,9 +10,7 @@ _AS_USE = {"flat": "apartment_building", "studio_flat": "apartment_building", "s
            "house": "apartment_building", "penthouse": "apartment_building"}  # fmt: skip
 
 
-def attach_places(
-    reading: Reading, places: list[Place], found: list[tuple[int, int, RoomFact]]
-) -> None:
+def attach_places(reading: Reading, places: list[Place], found: list[tuple[int, int, RoomFact]]) -> None:
     """Give each room the storeys that the brief names for it.
 
     A floor reference right before a room ("ground-floor cafeteria") is the room's; one after it ("a gym and a sauna on
@@ -25,10 +23,7 @@ def attach_places(
         rooms = _rooms_of(reading, place, places, found, set(assigned))
         for number in rooms:
             assigned[number] = place.refs
-            several = (
-                place.refs[0].kind in ("every", "range", "upper", "middle", "lower")
-                or len(place.refs) > 1
-            )
+            several = place.refs[0].kind in ("every", "range", "upper", "middle", "lower") or len(place.refs) > 1
             if several and not _shared_out(reading, found[number][0], place):
                 each.add(number)
     for number, (first, _, fact) in enumerate(found):
@@ -64,10 +59,8 @@ def _said_before(reading: Reading, room: RoomFact) -> bool:
     if numbered or (before and before[-1] in _MORE):
         return False
     return any(
-        (other.name, other.count, other.area, other.each)
-        == (room.name, room.count, room.area, room.each)
-        and [(r.kind, r.first, r.last) for r in other.floors]
-        == [(r.kind, r.first, r.last) for r in room.floors]
+        (other.name, other.count, other.area, other.each) == (room.name, room.count, room.area, room.each)
+        and [(r.kind, r.first, r.last) for r in other.floors] == [(r.kind, r.first, r.last) for r in room.floors]
         for other in reading.facts.rooms
     )
 
@@ -83,11 +76,7 @@ def _use_of(reading: Reading, entry: tuple[int, int, RoomFact]) -> str:
 
 
 def _rooms_of(
-    reading: Reading,
-    place: Place,
-    places: list[Place],
-    found: list[tuple[int, int, RoomFact]],
-    done: set[int],
+    reading: Reading, place: Place, places: list[Place], found: list[tuple[int, int, RoomFact]], done: set[int]
 ) -> list[int]:
     after = [n for n, entry in enumerate(found) if entry[0] >= place.last and n not in done]
     before = [n for n, entry in enumerate(found) if entry[1] <= place.first and n not in done]
@@ -109,20 +98,7 @@ def _rooms_of(
 
 def _opens_clause(reading: Reading, place: Place) -> bool:
     before = reading.word(place.first - 1)
-    opens = place.first == 0 or before in (
-        ".",
-        ";",
-        ":",
-        "\n",
-        "and",
-        ",",
-        "while",
-        "but",
-        "!",
-        "–",
-        "where",
-        "then",
-    )
+    opens = place.first == 0 or before in (".", ";", ":", "\n", "and", ",", "while", "but", "!", "–", "where", "then")
     after = reading.word(place.last)
     verbs = ("has", "have", "contain", "hold", "house", "include", ":", "host", "feature", "is", "are", "with",
              "comprise", "offer", "should", "must", "provide", "accommodate", "consist", "there", "will", "–",
@@ -153,8 +129,7 @@ def _touches(reading: Reading, begin: int, end: int) -> bool:
         end >= begin
         and end - begin <= 3
         and all(
-            reading.kind(i) in ("word", "number", "unit")
-            and reading.word(i) not in ("and", "with", "or")
+            reading.kind(i) in ("word", "number", "unit") and reading.word(i) not in ("and", "with", "or")
             for i in range(begin, end)
         )
     )
@@ -162,22 +137,17 @@ def _touches(reading: Reading, begin: int, end: int) -> bool:
 
 def _no_break(reading: Reading, begin: int, end: int) -> bool:
     return end - begin <= 6 and not any(
-        reading.word(i) in (".", ";", ":", "\n", ",", "with", "and", "but")
-        for i in range(begin, end)
+        reading.word(i) in (".", ";", ":", "\n", ",", "with", "and", "but") for i in range(begin, end)
     )
 
 
-def _conjuncts(
-    reading: Reading, found: list[tuple[int, int, RoomFact]], before: list[int], place: Place
-) -> list[int]:
+def _conjuncts(reading: Reading, found: list[tuple[int, int, RoomFact]], before: list[int], place: Place) -> list[int]:
     """The rooms listed just before a floor reference, as far back as the list goes and the storey suits them."""
     chosen = [before[-1]]
     for number in reversed(before[:-1]):
         _first, last, fact = found[number]
         between = [reading.word(i) for i in range(last, found[chosen[-1]][0])]
-        linked = all(
-            word in ("and", "a", "an", "the", ",", "&", "one", "large", "small") for word in between
-        )
+        linked = all(word in ("and", "a", "an", "the", ",", "&", "one", "large", "small") for word in between)
         joined = "and" in between or "&" in between or (len(chosen) > 1 and "," in between)
         if not linked or not joined or not _suits(reading, fact, place):
             break

@@ -5,15 +5,9 @@ from mansion_planner.brief.reading import Reading
 
 __all__ = ["read_building"]
 
-_OPENERS = frozenset(
-    {"with", "containing", "including", "featuring", "contain", "include", "featur", "housing"}
-)
-_INNER = frozenset(
-    {"with", "and", "or", "next", "no", "without", "beside", "one", "plus", "near", "above", "over"}
-)
-_GENERIC = frozenset(
-    {"building", "block", "tower", "complex", "center", "centre", "facility", "centr"}
-)
+_OPENERS = frozenset({"with", "containing", "including", "featuring", "contain", "include", "featur", "housing"})
+_INNER = frozenset({"with", "and", "or", "next", "no", "without", "beside", "one", "plus", "near", "above", "over"})
+_GENERIC = frozenset({"building", "block", "tower", "complex", "center", "centre", "facility", "centr"})
 
 
 def read_building(reading: Reading, places: list[Place]) -> None:
@@ -43,18 +37,12 @@ def read_building(reading: Reading, places: list[Place]) -> None:
 def _headness(reading: Reading, places: list[Place], first: int, last: int, is_room: bool) -> int:
     """How likely the mention is the building: 0 for a part of it."""
     begin = first
-    while (
-        begin > 0
-        and reading.word(begin - 1) not in _OPENERS | {".", ";", ":", "\n"}
-        and first - begin < 14
-    ):
+    while begin > 0 and reading.word(begin - 1) not in _OPENERS | {".", ";", ":", "\n"} and first - begin < 14:
         begin -= 1
     opened = any(reading.word(i) in _OPENERS for i in range(first))
     score = 6 if not opened else 3
     stated = any(reading.word(i) in ("has", "have", "contain", "hold") for i in range(first))
-    if _in_section(reading, places, first) or "there" in [
-        reading.word(first - k) for k in (2, 3, 4)
-    ]:
+    if _in_section(reading, places, first) or "there" in [reading.word(first - k) for k in (2, 3, 4)]:
         return 0
     score -= 3 if stated and is_room else 0
     lead = first - 1
@@ -67,9 +55,7 @@ def _headness(reading: Reading, places: list[Place], first: int, last: int, is_r
         score -= 2 if not opened else 3
     if any(place.last == first and not place.led for place in places):
         return 0
-    following = next(
-        (place for place in places if place.first in (last, last + 1) and place.led), None
-    )
+    following = next((place for place in places if place.first in (last, last + 1) and place.led), None)
     if following is not None and not any(r.kind in ("every",) for r in following.refs):
         score -= 2 if first > 4 else 0
         if is_room or reading.tokens[last - 1].plural:

@@ -28,9 +28,7 @@ def read_style(reading: Reading) -> None:
             if (
                 mention.room
                 or mention.building
-                or (
-                    following is not None and following.room and following.room in ("roof_terrace",)
-                )
+                or (following is not None and following.room and following.room in ("roof_terrace",))
             ):
                 continue
             reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
@@ -62,9 +60,7 @@ def _material_ending(reading: Reading, end: int) -> int:
     """Return one more than the first token of the material words that end before `end`, or 0."""
     first = end
     while (
-        first > 0
-        and (reading.word(first - 1) in _MATERIALS or reading.word(first - 1) in _COLOURS)
-        and end - first < 4
+        first > 0 and (reading.word(first - 1) in _MATERIALS or reading.word(first - 1) in _COLOURS) and end - first < 4
     ):
         first -= 1
     return first + 1 if first < end else 0

@@ -82,9 +82,7 @@ def lexicon_of(knowledge: KnowledgeBase) -> Lexicon:
 
 @cache
 def _key(phrase: str) -> tuple[str, ...]:
-    return tuple(
-        singular(singular(word)) for word in phrase.replace("_", " ").replace("-", " ").split()
-    )
+    return tuple(singular(singular(word)) for word in phrase.replace("_", " ").replace("-", " ").split())
 
 
 def _make(knowledge: KnowledgeBase) -> Lexicon:
@@ -104,7 +102,5 @@ def _make(knowledge: KnowledgeBase) -> Lexicon:
         add("style", style.name, style.synonyms)
     table = {key: _Meaning(**meaning) for key, meaning in phrases.items()}
     return Lexicon(
-        phrases=table,
-        longest=max(len(key) for key in table),
-        words=frozenset(word for key in table for word in key),
+        phrases=table, longest=max(len(key) for key in table), words=frozenset(word for key in table for word in key)
     )

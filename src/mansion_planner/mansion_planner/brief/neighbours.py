@@ -12,21 +12,13 @@ _BESIDE = (("next", "to"), ("adjacent", "to"), ("beside",), ("adjoining",), ("ne
            ("open", "to"), ("bordering",), ("connecting", "to"), ("directly", "off"), ("besides",),
            ("adjacent",), ("neighboring",), ("neighbouring",), ("by", "the"), ("touching",))  # fmt: skip
 
-_BESIDE_STARTS = frozenset(phrase[0] for phrase in _BESIDE) | {
-    "should",
-    "must",
-    "is",
-    "are",
-    "opens",
-}
+_BESIDE_STARTS = frozenset(phrase[0] for phrase in _BESIDE) | {"should", "must", "is", "are", "opens"}
 
 
 def read_adjacency(reading: Reading) -> None:
     """Read pairs that are to be side by side: "kitchen next to the dining room"."""
     for i in range(len(reading.tokens)):
-        phrase = next(
-            (p for p in _BESIDE if all(reading.word(i + k) == w for k, w in enumerate(p))), None
-        )
+        phrase = next((p for p in _BESIDE if all(reading.word(i + k) == w for k, w in enumerate(p))), None)
         if phrase is None:
             continue
         left = _room_before(reading, i)
@@ -36,9 +28,7 @@ def read_adjacency(reading: Reading) -> None:
         if left is not None and right is not None:
             first, second = room_name(left), room_name(right)
             if first and second:
-                reading.facts.adjacent.append(
-                    AdjacencyFact(first, second, reading.span(left.first, right.last))
-                )
+                reading.facts.adjacent.append(AdjacencyFact(first, second, reading.span(left.first, right.last)))
 
 
 def room_name(mention: Mention) -> str:
@@ -96,11 +86,7 @@ def repeated_mentions(reading: Reading) -> set[int]:
             and reading.kind(mention.first - 1) not in ("number",)
             and reading.word(mention.first - 1) not in ("a", "an")
         )
-        sized = (
-            reading.word(mention.last)
-            in ("should", "must", "is", "has", "to", "shall", "will", "of")
-            and definite
-        )
+        sized = reading.word(mention.last) in ("should", "must", "is", "has", "to", "shall", "will", "of") and definite
         if name in seen and (definite or restated or sized):
             repeated.add(mention.first)
         else:

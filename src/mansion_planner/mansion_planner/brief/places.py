@@ -168,8 +168,7 @@ def _numbered(reading: Reading, index: int) -> tuple[tuple[FloorRef, ...], int]:
     if (
         adjoining is not None
         and adjoining > first
-        and reading.text[reading.tokens[index + 1].end : reading.tokens[last].start]
-        in ("-", "‑", "−")
+        and reading.text[reading.tokens[index + 1].end : reading.tokens[last].start] in ("-", "‑", "−")
     ):
         return (FloorRef("range", first, adjoining, reading.span(index, last + 1)),), last + 1
     numbers = [first]
@@ -178,14 +177,7 @@ def _numbered(reading: Reading, index: int) -> tuple[tuple[FloorRef, ...], int]:
         more = _number(reading, last + step, "number")
         if more is None or reading.tokens[index].plural is False:
             break
-        if more <= numbers[-1] or reading.word(last + step + 1) not in (
-            ",",
-            "and",
-            "&",
-            ".",
-            "",
-            ":",
-        ):
+        if more <= numbers[-1] or reading.word(last + step + 1) not in (",", "and", "&", ".", "", ":"):
             break
         numbers.append(more)
         last += step + 1
@@ -193,9 +185,7 @@ def _numbered(reading: Reading, index: int) -> tuple[tuple[FloorRef, ...], int]:
     return tuple(FloorRef("number", number, number, span) for number in numbers), last
 
 
-def _ordinals(
-    reading: Reading, index: int, number: int, british: bool
-) -> tuple[tuple[FloorRef, ...], int]:
+def _ordinals(reading: Reading, index: int, number: int, british: bool) -> tuple[tuple[FloorRef, ...], int]:
     """Read "third floor", "second and third floors", "third to eighth floors"."""
     numbers, last, ranged = [number], index + 1, False
     while reading.word(last) in ("and", ",", "&", "to", "through", "–", "floor"):

@@ -41,16 +41,7 @@ def _negated(reading: Reading, index: int) -> bool:
 def _floor_count_at(reading: Reading, index: int) -> None:
     if reading.kind(index) != "number" or index in reading.taken:
         return
-    if reading.word(index - 1) in (
-        "top",
-        "first",
-        "last",
-        "bottom",
-        "lower",
-        "upper",
-        "remaining",
-        "other",
-    ):
+    if reading.word(index - 1) in ("top", "first", "last", "bottom", "lower", "upper", "remaining", "other"):
         return
     value = reading.tokens[index].value
     last = index + 1
@@ -92,17 +83,12 @@ def _range(low: float, high: float) -> float:
 
 def _use_of_storeys(reading: Reading, index: int, last: int, count: int) -> bool:
     """Read "three floors of apartments" as a use of storeys, whatever the building's total is."""
-    mention = next(
-        (reading.mention_at[i] for i in (last + 1, last + 2) if i in reading.mention_at), None
-    )
+    mention = next((reading.mention_at[i] for i in (last + 1, last + 2) if i in reading.mention_at), None)
     if mention is None or not mention.building:
         return mention is not None
     name = "apartment_building" if mention.building == "flat" else mention.building
     floors: tuple[FloorRef, ...] = ()
-    if any(
-        reading.word(i) in ("above", "over", "on", "atop")
-        for i in range(mention.last, mention.last + 2)
-    ):
+    if any(reading.word(i) in ("above", "over", "on", "atop") for i in range(mention.last, mention.last + 2)):
         floors = (FloorRef("range", 2, count + 1, reading.span(index, mention.last)),)
     reading.facts.uses.append(UseFact(name, floors, reading.span(index, mention.last), count))
     reading.take(index, mention.last)
@@ -121,11 +107,7 @@ def _named_count_at(reading: Reading, index: int) -> None:
         reading.facts.size.append((f"{word[:-4]}_rise", span))
     elif word in ("skyscraper", "tower"):
         reading.facts.size.append(("high_rise", span))
-    elif (
-        word == "g"
-        and reading.word(index + 1) in ("+", "plus")
-        and reading.kind(index + 2) == "number"
-    ):
+    elif word == "g" and reading.word(index + 1) in ("+", "plus") and reading.kind(index + 2) == "number":
         value = reading.tokens[index + 2].value + 1
         reading.facts.floors.append(Quantity(value, reading.span(index, index + 3)))
         reading.take(index, index + 3)
@@ -155,12 +137,8 @@ def read_occupants(reading: Reading) -> None:
             "hotel",
         ):
             last += 1
-        if reading.word(last) in _PEOPLE and (
-            last not in reading.mention_at or reading.word(last) in ("bed",)
-        ):
-            if reading.word(last) == "desk" or (
-                reading.word(last) == "bed" and reading.word(last + 1) == "room"
-            ):
+        if reading.word(last) in _PEOPLE and (last not in reading.mention_at or reading.word(last) in ("bed",)):
+            if reading.word(last) == "desk" or (reading.word(last) == "bed" and reading.word(last + 1) == "room"):
                 continue
             if (
                 reading.word(last) in ("guest", "patient", "staff", "student", "kid", "child")
@@ -174,12 +152,7 @@ def read_occupants(reading: Reading) -> None:
             span = reading.span(index, last + 1)
             reading.facts.occupants.append(OccupantFact(int(token.value), reading.word(last), span))
             reading.take(index, last + 1)
-        elif reading.word(index - 1) == "of" and reading.word(index - 2) in (
-            "family",
-            "household",
-            "couple",
-            "group",
-        ):
+        elif reading.word(index - 1) == "of" and reading.word(index - 2) in ("family", "household", "couple", "group"):
             span = reading.span(index - 2, index + 1)
             reading.facts.occupants.append(OccupantFact(int(token.value), "family", span))
             reading.take(index - 2, index + 1)

@@ -11,13 +11,7 @@ from mansion_planner.brief.quantities import read_floor_counts, read_occupants
 from mansion_planner.brief.reading import start_reading
 from mansion_planner.brief.rooms import read_rooms
 from mansion_planner.brief.stacking import read_stacking
-from mansion_planner.brief.wishes import (
-    read_copies,
-    read_exclusions,
-    read_massing,
-    read_shape,
-    read_vertical,
-)
+from mansion_planner.brief.wishes import read_copies, read_exclusions, read_massing, read_shape, read_vertical
 
 __all__ = ["read_brief"]
 

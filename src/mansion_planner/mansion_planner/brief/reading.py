@@ -10,9 +10,7 @@ from mansion_planner.brief.tokens import Token, tokenize
 
 __all__ = ["FLOOR_WORDS", "Reading", "start_reading"]
 
-FLOOR_WORDS = frozenset(
-    {"floor", "storey", "story", "level", "storied", "storeyed", "floored", "leveled", "levelled"}
-)
+FLOOR_WORDS = frozenset({"floor", "storey", "story", "level", "storied", "storeyed", "floored", "leveled", "levelled"})
 
 
 @dataclass

@@ -34,9 +34,7 @@ _STOP = frozenset(
     }
 )  # fmt: skip
 
-_SOFT_PLURAL = frozenset(
-    {"several", "multiple", "various", "many", "few", "some", "numerous", "more"}
-)
+_SOFT_PLURAL = frozenset({"several", "multiple", "various", "many", "few", "some", "numerous", "more"})
 
 
 def read_rooms(reading: Reading, places: list[Place], repeated: set[int]) -> None:
@@ -76,9 +74,7 @@ def _restate(found: list[tuple[int, int, RoomFact]], fact: RoomFact) -> None:
             return
 
 
-def _fact(
-    reading: Reading, first: int, last: int, room_type: str, name: str
-) -> tuple[int, int, RoomFact]:
+def _fact(reading: Reading, first: int, last: int, room_type: str, name: str) -> tuple[int, int, RoomFact]:
     """Read what stands before and after a room phrase: its count and its area."""
     plural = reading.tokens[last - 1].plural
     count: int | None = None if plural else 1
@@ -97,16 +93,7 @@ def _fact(
                 count = int(token.value)
                 first = index
                 break
-        elif token.kind != "word" or token.text in (
-            "and",
-            "or",
-            "with",
-            "a",
-            "an",
-            "the",
-            "of",
-            "no",
-        ):
+        elif token.kind != "word" or token.text in ("and", "or", "with", "a", "an", "the", "of", "no"):
             if token.text == "of" and reading.kind(index - 1) == "number":
                 index -= 1
                 continue
@@ -138,22 +125,9 @@ def _plain_rooms(reading: Reading) -> list[tuple[int, int, RoomFact]]:
     found = []
     for index, token in enumerate(reading.tokens):
         first = index - 1
-        while reading.word(first) in (
-            "guest",
-            "patient",
-            "comfortable",
-            "private",
-            "single",
-            "double",
-            "standard",
-        ):
+        while reading.word(first) in ("guest", "patient", "comfortable", "private", "single", "double", "standard"):
             first -= 1
-        if (
-            token.text == "room"
-            and token.plural
-            and index not in reading.taken
-            and reading.kind(first) == "number"
-        ):
+        if token.text == "room" and token.plural and index not in reading.taken and reading.kind(first) == "number":
             reading.take(first + 1, index + 1)
             found.append(_fact(reading, first + 1, index + 1, name, name))
     return found

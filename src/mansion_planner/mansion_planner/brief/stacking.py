@@ -26,15 +26,11 @@ def read_stacking(reading: Reading) -> None:
         ground = (FloorRef("number", 1, 1, reading.span(below[0].first, below[-1].last)),)
         upper = (FloorRef("upper", 0, 0, reading.span(above.first, above.last)),)
         name = "apartment_building" if above.building == "flat" else above.building
-        reading.facts.uses.append(
-            UseFact(name, upper, reading.span(above.first, above.last), count=1)
-        )
+        reading.facts.uses.append(UseFact(name, upper, reading.span(above.first, above.last), count=1))
         for mention in below:
             span = reading.span(mention.first, mention.last)
             if mention.room:
-                room = RoomFact(
-                    mention.room, mention.room, span, None if mention.plural else 1, floors=ground
-                )
+                room = RoomFact(mention.room, mention.room, span, None if mention.plural else 1, floors=ground)
                 reading.facts.rooms.append(room)
             else:
                 reading.facts.uses.append(UseFact(mention.building, ground, span))

@@ -128,9 +128,7 @@ def _token(match: "re.Match[str]") -> Token:
     if word in ORDINALS:
         return Token("ordinal", word, start, end, value=float(ORDINALS[word]))
     if word in _UNITS:
-        return Token(
-            "number", word, start, end, value=float(_UNITS[word]), soft=word in _SOFT_NUMBERS
-        )
+        return Token("number", word, start, end, value=float(_UNITS[word]), soft=word in _SOFT_NUMBERS)
     base = singular(word)
     return Token("word", base, start, end, plural=base != word)
 
@@ -154,9 +152,7 @@ def _join_number_words(tokens: list[Token]) -> list[Token]:
         if token.kind == "word" and token.text in _SCALES:
             scale = _SCALES[token.text]
             if last is not None and last.kind == "number" and last.value < 1000:
-                joined[-1] = Token(
-                    "number", f"{last.text} {token.text}", last.start, token.end, last.value * scale
-                )
+                joined[-1] = Token("number", f"{last.text} {token.text}", last.start, token.end, last.value * scale)
             else:
                 joined.append(Token("number", token.text, token.start, token.end, float(scale)))
         elif (
@@ -169,9 +165,7 @@ def _join_number_words(tokens: list[Token]) -> list[Token]:
             and not token.soft
         ):
             value = last.value + token.value
-            joined[-1] = Token(
-                token.kind, f"{last.text} {token.text}", last.start, token.end, value
-            )
+            joined[-1] = Token(token.kind, f"{last.text} {token.text}", last.start, token.end, value)
         elif (
             last is not None
             and last.kind == "number"
@@ -180,13 +174,7 @@ def _join_number_words(tokens: list[Token]) -> list[Token]:
             and token.text.isalpha()
             and token.value < 100
         ):
-            joined[-1] = Token(
-                "number",
-                f"{last.text} {token.text}",
-                last.start,
-                token.end,
-                last.value + token.value,
-            )
+            joined[-1] = Token("number", f"{last.text} {token.text}", last.start, token.end, last.value + token.value)
         else:
             joined.append(token)
     return joined

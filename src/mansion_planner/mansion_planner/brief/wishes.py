@@ -24,9 +24,7 @@ def read_shape(reading: Reading) -> None:
             or " ".join(reading.word(i - k) for k in (3, 2, 1))
             in ("shape of a", "form of a", "shape of an", "form of an")
         ):
-            reading.facts.shapes.append(
-                (_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped")))
-            )
+            reading.facts.shapes.append((_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped"))))
             reading.take(i, i + 2)
         elif word == "courtyard" and reading.word(i - 1) not in _NEGATIONS:
             reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
@@ -66,8 +64,7 @@ def read_exclusions(reading: Reading) -> None:
     """Read what must not be there: "no basement", "without a kitchen or a gym"."""
     for i in range(len(reading.tokens)):
         if reading.word(i) not in _NEGATIONS or (
-            reading.word(i) == "no"
-            and reading.word(i + 1) in ("more", "less", "fewer", "bigger", "larger")
+            reading.word(i) == "no" and reading.word(i + 1) in ("more", "less", "fewer", "bigger", "larger")
         ):
             continue
         index, steps, listed = i + 1, 0, False
@@ -100,14 +97,9 @@ def read_exclusions(reading: Reading) -> None:
 def read_copies(reading: Reading, places: list[Place]) -> None:
     """Read storeys that are to be identical: "floors 3 to 8 identical", "identical upper floors"."""
     for i in range(len(reading.tokens)):
-        if reading.word(i) not in (
-            "identical",
-            "same",
-            "repeated",
-            "repeat",
-            "alike",
-            "equal",
-        ) and not (reading.word(i) == "typical" and reading.word(i + 1) in FLOOR_WORDS):
+        if reading.word(i) not in ("identical", "same", "repeated", "repeat", "alike", "equal") and not (
+            reading.word(i) == "typical" and reading.word(i + 1) in FLOOR_WORDS
+        ):
             continue
         pair = _same_as(places, i)
         if pair is not None:
@@ -143,15 +135,9 @@ def read_massing(reading: Reading) -> None:
     """Read setbacks and terraces, protruding ground floors and garages."""
     for i in range(len(reading.tokens)):
         word, following = reading.word(i), reading.word(i + 1)
-        if (
-            word == "setback"
-            or (word == "set" and following == "back")
-            or word in ("stepped", "recessed", "terraced")
-        ):
+        if word == "setback" or (word == "set" and following == "back") or word in ("stepped", "recessed", "terraced"):
             if word == "terraced" and following == "house":
                 continue
             reading.facts.setback.append(reading.span(i, i + 1 + (following == "back")))
-        elif word in ("protruding", "projecting", "podium", "wider") or (
-            word == "larger" and following == "ground"
-        ):
+        elif word in ("protruding", "projecting", "podium", "wider") or (word == "larger" and following == "ground"):
             reading.facts.protruding.append(reading.span(i, i + 1))

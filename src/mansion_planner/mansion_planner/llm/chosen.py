@@ -47,8 +47,6 @@ def chosen_of_storey(storey: Storey, hub_area: float) -> ChosenFloor:
     for top in storey.rooms:
         for room in top.each():
             owner = next((r.id for r in top.each() if any(c is room for c in r.suite)), "")
-            rooms.append(
-                ChosenRoom(room.id, room.kind, room.area, room.fixed, owner, notes=room.notes)
-            )
+            rooms.append(ChosenRoom(room.id, room.kind, room.area, room.fixed, owner, notes=room.notes))
     hub = ChosenRoom(storey.hub.name, storey.hub, hub_area)
     return ChosenFloor(storey.index, hub, tuple(rooms), copy=storey.copy)

@@ -11,24 +11,10 @@ __all__ = ["clean_id", "clean_text", "is_core_name", "material_fault", "room_kin
 _ID = re.compile(r"^[a-z][a-z0-9_]{0,47}$")
 _NUMBER = re.compile(r"(_\d+)+$")
 _MATERIAL = re.compile(r"^[A-Za-z][A-Za-z0-9 ,.'()/%+-]{2,79}$")
-_DRY_ONLY = re.compile(
-    r"(?i)\b(carpet|hardwood|parquet|oak|walnut|maple|pine|timber|wood|wooden|cork)\b"
-)
-_WATERPROOF = re.compile(
-    r"(?i)\b(tiles?|tiled|vinyl|ceramic|porcelain|stone|resin|epoxy|rubber|-look|look)\b"
-)
+_DRY_ONLY = re.compile(r"(?i)\b(carpet|hardwood|parquet|oak|walnut|maple|pine|timber|wood|wooden|cork)\b")
+_WATERPROOF = re.compile(r"(?i)\b(tiles?|tiled|vinyl|ceramic|porcelain|stone|resin|epoxy|rubber|-look|look)\b")
 _PASSAGES = frozenset(
-    {
-        "corridor",
-        "hallway",
-        "passage",
-        "passageway",
-        "landing",
-        "vestibule",
-        "foyer",
-        "wing",
-        "circulation",
-    }
+    {"corridor", "hallway", "passage", "passageway", "landing", "vestibule", "foyer", "wing", "circulation"}
 )
 _CORE = re.compile(r"^(stair|stairs|staircase|stairwell|elevator|lift|core|shaft)(_|$)")
 

@@ -23,9 +23,7 @@ def core_sizes(given: VerticalConnectivity) -> dict[str, list[tuple[float, float
         size = (core.x[1] - core.x[0], core.y[1] - core.y[0])
         if size not in sizes[core.type]:
             sizes[core.type].append(size)
-    return {
-        kind: sorted({s for w, d in all_ for s in ((w, d), (d, w))}) for kind, all_ in sizes.items()
-    }
+    return {kind: sorted({s for w, d in all_ for s in ((w, d), (d, w))}) for kind, all_ in sizes.items()}
 
 
 def _common_outline(planned: PlannedBuilding) -> Polygon:
@@ -84,9 +82,7 @@ def _place_faults(cores: list[CoreAnswer], planned: PlannedBuilding) -> list[str
     for core, box in zip(cores, boxes):
         others = shapely.union_all([other for other in boxes if other is not box])
         if not _in_corner(box, outline, others):
-            out.append(
-                f"the {core.type} at x={list(core.x)}, y={list(core.y)} is in no corner of two exterior walls"
-            )
+            out.append(f"the {core.type} at x={list(core.x)}, y={list(core.y)} is in no corner of two exterior walls")
     free = outline.difference(shapely.union_all(boxes)).buffer(-_PASSAGE, join_style="mitre")
     if not isinstance(free, Polygon):
         out.append("the cores cut the floor apart")
@@ -104,9 +100,7 @@ def _in_corner(box: Polygon, outline: Polygon, others: Polygon) -> bool:
 
 
 def _covered(line: shapely.LineString, boundary: shapely.Geometry | None) -> bool:
-    return boundary is not None and bool(
-        line.intersection(boundary.buffer(1e-6)).length >= 0.95 * line.length
-    )
+    return boundary is not None and bool(line.intersection(boundary.buffer(1e-6)).length >= 0.95 * line.length)
 
 
 def same_cores(cores: list[CoreAnswer], given: list[CorePlan]) -> bool:

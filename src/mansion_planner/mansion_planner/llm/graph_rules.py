@@ -11,15 +11,7 @@ MOST_CHILDREN = 18
 """Most doors of one circulation space."""
 
 _SLEEPING = frozenset(
-    {
-        "bedroom",
-        "master_bedroom",
-        "guest_room",
-        "childrens_room",
-        "hotel_room",
-        "patient_room",
-        "dorm_room",
-    }
+    {"bedroom", "master_bedroom", "guest_room", "childrens_room", "hotel_room", "patient_room", "dorm_room"}
 )
 _TOILETS = frozenset({"toilet", "restroom", "bathroom", "shower_room", "accessible_toilet"})
 _FOOD = frozenset({"kitchen", "commercial_kitchen", "open_kitchen", "kitchen_diner", "pantry"})
@@ -50,15 +42,11 @@ def access_promoted(topology: FloorTopology) -> FloorTopology:
         if step is None:
             break
         k, edge = step
-        inner, outer = (
-            (edge.source, edge.target) if edge.source in reached else (edge.target, edge.source)
-        )
+        inner, outer = (edge.source, edge.target) if edge.source in reached else (edge.target, edge.source)
         edges[k] = type(edge)(source=inner, target=outer, kind="access")
         graph = _graph(FloorTopology(nodes=topology.nodes, edges=edges), access_only=True)
         reached = _reached(graph, hub.id, cores)
-    return FloorTopology(
-        nodes=topology.nodes, edges=edges, building_id=topology.building_id, floor=topology.floor
-    )
+    return FloorTopology(nodes=topology.nodes, edges=edges, building_id=topology.building_id, floor=topology.floor)
 
 
 def _hub(topology: FloorTopology) -> TopologyNode | None:
@@ -96,9 +84,7 @@ def graph_faults(topology: FloorTopology, knowledge: KnowledgeBase) -> list[str]
     """
     nodes = {node.id: node for node in topology.nodes}
     faults = []
-    repeated = sorted(
-        {n.id for n in topology.nodes if sum(m.id == n.id for m in topology.nodes) > 1}
-    )
+    repeated = sorted({n.id for n in topology.nodes if sum(m.id == n.id for m in topology.nodes) > 1})
     faults += [f"the node id {name} is used more than once" for name in repeated]
     mains = [node.id for node in topology.nodes if node.type == "main"]
     if len(mains) != 1:
@@ -131,10 +117,7 @@ def _walking_faults(
     sleeping = {name for name, kind in kinds.items() if kind in _SLEEPING and name != hub}
     toilets = {name for name, kind in kinds.items() if kind in _TOILETS and name != hub}
     ways = _reached(access, hub, cores | toilets)
-    faults += [
-        f"{name} is reached only through a toilet or bathroom"
-        for name in sorted(set(nodes) - ways - set(lost))
-    ]
+    faults += [f"{name} is reached only through a toilet or bathroom" for name in sorted(set(nodes) - ways - set(lost))]
     for name in sorted(sleeping & ways):
         if name not in _reached(access, hub, cores | toilets | (sleeping - {name})):
             faults.append(f"{name} is reached only through another bedroom")
@@ -145,9 +128,7 @@ def _walking_faults(
     for name in access:
         doors = access.degree(name)
         if doors > MOST_CHILDREN:
-            faults.append(
-                f"{name} has {doors} access edges; at most {MOST_CHILDREN}: use sub-hubs or area zones"
-            )
+            faults.append(f"{name} has {doors} access edges; at most {MOST_CHILDREN}: use sub-hubs or area zones")
     for core in sorted(cores):
         if not any(knowledge.room(kinds[n]).zone in ("circulation", "public") or n == hub or nodes[n].type == "area"
                    for n in access[core]):  # fmt: skip

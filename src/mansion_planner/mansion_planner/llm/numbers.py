@@ -39,9 +39,7 @@ class _Open:
 
 
 def _open(request: BuildRequest, facts: BriefFacts) -> _Open:
-    area = not (
-        request.area or request.floor_area or request.footprint or facts.area or facts.floor_area
-    )
+    area = not (request.area or request.floor_area or request.footprint or facts.area or facts.floor_area)
     return _Open(
         floors=request.floors is None and not facts.floors,
         area=area,
@@ -50,9 +48,7 @@ def _open(request: BuildRequest, facts: BriefFacts) -> _Open:
     )
 
 
-def plan_reference(
-    context: Context, request: BuildRequest, facts: BriefFacts, building_id: str
-) -> PlannedBuilding:
+def plan_reference(context: Context, request: BuildRequest, facts: BriefFacts, building_id: str) -> PlannedBuilding:
     """Plan by rules with the model's numbers where the brief states none.
 
     Returns
@@ -84,9 +80,7 @@ def plan_reference(
             try:
                 plan(_with_answer(facts, answer, left))
             except MansionError as error:
-                faults.append(
-                    Fault(f"the offline rules refuse these numbers: {error.info.message}")
-                )
+                faults.append(Fault(f"the offline rules refuse these numbers: {error.info.message}"))
         return faults
 
     answer = context.client.ask(prompt, NumbersAnswer, check)
@@ -99,9 +93,7 @@ def plan_reference(
     return planned
 
 
-def numbers_prompt(
-    context: Context, request: BuildRequest, facts: BriefFacts, reference: PlannedBuilding
-) -> Prompt:
+def numbers_prompt(context: Context, request: BuildRequest, facts: BriefFacts, reference: PlannedBuilding) -> Prompt:
     """Return the question for type, style and numbers."""
     decisions = reference.decisions
     known = []
@@ -169,8 +161,6 @@ def _retell(trace: list[TraceEntry], answer: NumbersAnswer, left: _Open) -> None
         )
         if is_open
     ]
-    kept = [
-        entry for entry in trace if not (entry.start == 0 and entry.end == 0 and not entry.words)
-    ]
+    kept = [entry for entry in trace if not (entry.start == 0 and entry.end == 0 and not entry.words)]
     why = clean_text(answer.reasoning, 240)
     trace[:] = [TraceEntry(words="", effect=f"language model: {', '.join(chosen)} ({why})"), *kept]

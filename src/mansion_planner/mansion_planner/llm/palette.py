@@ -24,9 +24,7 @@ class Palette:
         By room type; the rest follows the style's rules.
     """
 
-    def __init__(
-        self, context: Context, decisions: Decisions, chosen: dict[str, tuple[str, str]]
-    ) -> None:
+    def __init__(self, context: Context, decisions: Decisions, chosen: dict[str, tuple[str, str]]) -> None:
         self._context, self._decisions, self._chosen = context, decisions, chosen
 
     def materials(self, room_type: str, floor: str = "", wall: str = "") -> tuple[str, str]:
@@ -50,9 +48,7 @@ class Palette:
     def hints(self) -> str:
         """Return the palette as lines for a prompt."""
         names = sorted(self._chosen) or [self._decisions.building.hub]
-        rows = (
-            f"- {name}: floor {f}; walls {w}" for name in names for f, w in [self.materials(name)]
-        )
+        rows = (f"- {name}: floor {f}; walls {w}" for name in names for f, w in [self.materials(name)])
         return "\n".join(rows)
 
 
@@ -112,9 +108,7 @@ def choose_palette(context: Context, reference: PlannedBuilding) -> Palette:
         if entry.room_type in types and entry.room_type not in faulty
     }
     if faulty:
-        context.sources["materials"] = (
-            f"llm for {len(chosen)} of {len(types)} room types: {answer.reason}"
-        )
+        context.sources["materials"] = f"llm for {len(chosen)} of {len(types)} room types: {answer.reason}"
     else:
         context.from_model("materials")
     return Palette(context, decisions, chosen)

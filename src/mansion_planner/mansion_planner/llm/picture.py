@@ -32,12 +32,7 @@ def outline_picture(outline: Polygon, cores: list[CorePlan]) -> bytes:
     pixels = np.full((rows, columns, 3), 170, np.uint8)
     pixels[inside] = 255
     for core in cores:
-        box = (
-            (grid_x > core.x[0])
-            & (grid_x < core.x[1])
-            & (grid_y > core.y[0])
-            & (grid_y < core.y[1])
-        )
+        box = (grid_x > core.x[0]) & (grid_x < core.x[1]) & (grid_y > core.y[0]) & (grid_y < core.y[1])
         pixels[box & inside] = (205, 70, 60) if core.type == "stair" else (60, 90, 205)
     edge = np.zeros_like(inside)
     edge[1:] |= inside[1:] != inside[:-1]

@@ -33,10 +33,7 @@ WORST_AREAS = 0.3
 
 
 def plan_with_model(
-    request: BuildRequest,
-    knowledge: KnowledgeBase,
-    building_id: str,
-    client: LlmClient | None = None,
+    request: BuildRequest, knowledge: KnowledgeBase, building_id: str, client: LlmClient | None = None
 ) -> PlanReply:
     """Plan a building with a language model.
 
@@ -96,11 +93,7 @@ def _put_hubs_first(planned: PlannedBuilding, topologies: dict[int, FloorTopolog
 
 
 def _kept_cores(
-    context: Context,
-    reference: PlannedBuilding,
-    moved: PlannedBuilding,
-    palette: Palette,
-    seed: int,
+    context: Context, reference: PlannedBuilding, moved: PlannedBuilding, palette: Palette, seed: int
 ) -> tuple[PlannedBuilding, bool]:
     """Return the plan with the model's cores if every floor can be laid out around them, else with the rules' cores.
 
@@ -113,12 +106,9 @@ def _kept_cores(
         problem = floor_problem(moved, storey, topology, seed)
         why = _shortcoming(problem, _solved(problem))
         if why:
-            context.from_rules(
-                "cores", f"floor {storey.index} cannot be laid out around the model's: {why}"
-            )
+            context.from_rules("cores", f"floor {storey.index} cannot be laid out around the model's: {why}")
             floors = [
-                chosen_of_storey(s, f.rooms[0].area_estimate)
-                for s, f in zip(moved.storeys, moved.program.floors)
+                chosen_of_storey(s, f.rooms[0].area_estimate) for s, f in zip(moved.storeys, moved.program.floors)
             ]
             return refit(reference, floors, palette), False
     return moved, True
@@ -160,12 +150,7 @@ def _parents(graph: FloorTopology) -> dict[str, str]:
 
 
 def _floor(
-    context: Context,
-    planned: PlannedBuilding,
-    storey: Storey,
-    palette: Palette,
-    seed: int,
-    moved: bool,
+    context: Context, planned: PlannedBuilding, storey: Storey, palette: Palette, seed: int, moved: bool
 ) -> tuple[FloorTopology, FloorProblem]:
     """Return a floor's graph and problem: the model's where the solver can realise them."""
     offline = floor_topology(planned, storey, context.knowledge)
@@ -193,13 +178,9 @@ def _floor(
     assert best is not None
     _, graph, problem, seeded = best
     if own is not None and graph is offline:
-        context.from_rules(
-            f"topology/F{storey.index}", f"the solver cannot realise the model's: {first_why}"
-        )
+        context.from_rules(f"topology/F{storey.index}", f"the solver cannot realise the model's: {first_why}")
     if boxes and not seeded:
-        context.from_rules(
-            f"seeds/F{storey.index}", f"the solver cannot use the model's: {first_why}"
-        )
+        context.from_rules(f"seeds/F{storey.index}", f"the solver cannot use the model's: {first_why}")
     return graph, problem
 
 
@@ -214,9 +195,7 @@ def _solved(problem: FloorProblem) -> FloorLayout | None:
 
 
 def _open_links(layout: FloorLayout | None) -> int:
-    return (
-        sum(edge.kind == "access" for edge in layout.unmet_edges) if layout is not None else 10_000
-    )
+    return sum(edge.kind == "access" for edge in layout.unmet_edges) if layout is not None else 10_000
 
 
 def _area_error(problem: FloorProblem, layout: FloorLayout | None) -> float:
@@ -224,9 +203,7 @@ def _area_error(problem: FloorProblem, layout: FloorLayout | None) -> float:
 
     if layout is None:
         return 1e6
-    got: dict[str, float] = {
-        room.id: float(Polygon(room.polygon, room.holes).area) for room in layout.rooms
-    }
+    got: dict[str, float] = {room.id: float(Polygon(room.polygon, room.holes).area) for room in layout.rooms}
     errors: list[float] = [
         abs(got.get(node.id, 0.0) - node.area) / node.area
         for node in problem.nodes

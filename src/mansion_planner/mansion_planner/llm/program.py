@@ -27,9 +27,7 @@ _KIN = (
 )
 
 
-def plan_model_program(
-    context: Context, reference: PlannedBuilding, palette: Palette
-) -> tuple[PlannedBuilding, bool]:
+def plan_model_program(context: Context, reference: PlannedBuilding, palette: Palette) -> tuple[PlannedBuilding, bool]:
     """Return the plan of the model's rooms and cores in the reference's outline, and whether its cores moved."""
     offline = [
         chosen_of_storey(storey, floor.rooms[0].area_estimate)
@@ -50,10 +48,7 @@ def plan_model_program(
     for floor in floors:
         piece = floor_piece(floor.index)
         if floor.index in reader.replaced:
-            context.from_rules(
-                piece,
-                reasons.get(piece, reasons.get("program", "the building lacks a stated room")),
-            )
+            context.from_rules(piece, reasons.get(piece, reasons.get("program", "the building lacks a stated room")))
         else:
             context.from_model(piece)
     planned, moved = reference, False
@@ -63,9 +58,7 @@ def plan_model_program(
     else:
         context.from_model("cores")
         if not same_cores(cores.cores, reference.program.vertical_connectivity.cores):
-            planned = with_cores(
-                reference, cores_of(cores), cores.method, cores.justification[:240]
-            )
+            planned = with_cores(reference, cores_of(cores), cores.method, cores.justification[:240])
             moved = True
     fitted = refit(planned, floors, palette, placed=not moved)
     if len(reader.replaced) < len(floors):
@@ -77,11 +70,7 @@ class _Reader:
     """Reads answers to the program's prompt and finds their faults."""
 
     def __init__(
-        self,
-        context: Context,
-        reference: PlannedBuilding,
-        palette: Palette,
-        offline: list[ChosenFloor],
+        self, context: Context, reference: PlannedBuilding, palette: Palette, offline: list[ChosenFloor]
     ) -> None:
         self.context, self.reference, self.palette = context, reference, palette
         self.offline = {floor.index: floor for floor in offline}
@@ -117,9 +106,7 @@ class _Reader:
         for index, floor in sorted(floors.items()):
             if floor.copy in self.replaced:
                 self.replaced.add(index)
-        return [
-            self._own(index) if index in self.replaced else floors[index] for index in self.offline
-        ]
+        return [self._own(index) if index in self.replaced else floors[index] for index in self.offline]
 
     def _own(self, index: int) -> ChosenFloor:
         """Return the offline floor; one that repeats a floor of the model gets rooms of its own."""
@@ -183,11 +170,7 @@ class _Reader:
         rooms = []
         for room in floor.rooms:
             fact = next((f for f in left if _is_of(room, f)), None)
-            if (
-                fact is not None
-                and fact.area is not None
-                and abs(room.area - fact.area) <= 0.05 * fact.area
-            ):
+            if fact is not None and fact.area is not None and abs(room.area - fact.area) <= 0.05 * fact.area:
                 left.remove(fact)
                 room = dataclasses.replace(room, area=fact.area, fixed=True)
             rooms.append(room)
@@ -197,46 +180,32 @@ class _Reader:
         """Return what a floor lacks that the brief puts there, and what it has that the brief excludes."""
         piece, out = floor_piece(floor.index), []
         excluded = dict(self.reference.decisions.facts.excluded)
-        out += [
-            f"{room.id} is not wanted by the brief"
-            for room in floor.rooms
-            if room.kind.name in excluded
-        ]
+        out += [f"{room.id} is not wanted by the brief" for room in floor.rooms if room.kind.name in excluded]
         pinned = [fact for fact in self.wanted[floor.index] if fact.floors or fact.each]
         for fact in _distinct(pinned):
             need = pinned.count(fact)
             have = [room for room in (floor.hub, *floor.rooms) if _is_of(room, fact)]
             if len(have) < need:
                 out.append(f"the brief puts {need} x {fact.name} here, and there are {len(have)}")
-            elif fact.area is not None and not any(
-                abs(r.area - fact.area) <= 0.05 * fact.area for r in have
-            ):
+            elif fact.area is not None and not any(abs(r.area - fact.area) <= 0.05 * fact.area for r in have):
                 out.append(f"{fact.name} must have {fact.area:g} m2, as the brief states")
         return [Fault(f"floor {floor.index}: {text}", piece) for text in out]
 
     def _building_faults(self, floors: dict[int, ChosenFloor]) -> list[Fault]:
         """Return what the whole building lacks, and floors that the brief wants identical and are not."""
         facts, out = self.reference.decisions.facts, []
-        loose = [
-            fact
-            for rooms in self.wanted.values()
-            for fact in rooms
-            if not (fact.floors or fact.each)
-        ]
+        loose = [fact for rooms in self.wanted.values() for fact in rooms if not (fact.floors or fact.each)]
         for fact in _distinct(loose):
             need = loose.count(fact)
             have = sum(
-                _is_of(room, fact)
-                and (fact.area is None or abs(room.area - fact.area) <= 0.05 * fact.area)
+                _is_of(room, fact) and (fact.area is None or abs(room.area - fact.area) <= 0.05 * fact.area)
                 for floor in floors.values()
                 for room in (floor.hub, *floor.rooms)
             )
             exact = fact.count is not None and fact.count > 1 and fact.area is None
             if have < need or (exact and have > need and fact.room_type == fact.name):
                 size = f" of {fact.area:g} m2" if fact.area is not None else ""
-                out.append(
-                    f"the brief asks for {need} x {fact.name}{size}; the building has {have}"
-                )
+                out.append(f"the brief asks for {need} x {fact.name}{size}; the building has {have}")
         for repeat in facts.copies:
             group = [i for i in floors_of((repeat.first,), self.reference.decisions) if i in floors]
             if any(floors[i].copy != group[0] for i in group[1:]):
@@ -254,18 +223,12 @@ class _Reader:
             placed = {p.room.id: p.area for p in fitted.sketches[storey.index].rooms}
             room_for = sum(placed.values())
             missing = [room.id for room in floor.rooms if room.id not in placed]
-            small = [
-                r.id
-                for r in floor.rooms
-                if placed.get(r.id, 99.0) < 0.75 * min(r.kind.least, r.area)
-            ]
+            small = [r.id for r in floor.rooms if placed.get(r.id, 99.0) < 0.75 * min(r.kind.least, r.area)]
             text = ""
             if asked > 1.25 * room_for or small or missing:
                 text = f"the rooms ask for {asked:.0f} m2, and there is place for {room_for:.0f} m2"
             elif asked < 0.6 * room_for:
-                text = (
-                    f"the rooms take {asked:.0f} m2 of {room_for:.0f} m2; add rooms or enlarge them"
-                )
+                text = f"the rooms take {asked:.0f} m2 of {room_for:.0f} m2; add rooms or enlarge them"
             if text:
                 out.append(Fault(f"floor {floor.index}: {text}", floor_piece(floor.index)))
         return out

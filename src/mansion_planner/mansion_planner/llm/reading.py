@@ -6,13 +6,7 @@ from mansion_llm import Fault
 from mansion_msgs_py.wording import with_article
 from mansion_planner.llm.answers import FloorAnswer, RoomAnswer
 from mansion_planner.llm.chosen import ChosenFloor, ChosenRoom
-from mansion_planner.llm.cleaning import (
-    clean_id,
-    clean_text,
-    is_core_name,
-    material_fault,
-    room_kind,
-)
+from mansion_planner.llm.cleaning import clean_id, clean_text, is_core_name, material_fault, room_kind
 from mansion_planner.llm.context import Context
 from mansion_planner.program.building import PlannedBuilding
 
@@ -55,9 +49,7 @@ def read_floor(
         faults.append(f"the id {', '.join(repeated)} is used more than once")
     hub = rooms[0]
     if hub.kind.wet or (hub.kind.zone in ("private", "service") and hub.kind.name != "living_room"):
-        faults.append(
-            f"{hub.id} cannot be the circulation hub; use a lobby, hall, corridor or main room"
-        )
+        faults.append(f"{hub.id} cannot be the circulation hub; use a lobby, hall, corridor or main room")
     floor = ChosenFloor(
         index=answer.index,
         hub=dataclasses.replace(hub, id=hub.kind.name),
@@ -72,9 +64,7 @@ def _room(
 ) -> ChosenRoom | None:
     name = clean_id(entry.id)
     if not name:
-        faults.append(
-            f"{clean_text(entry.id, 40)!r} is no id; use lower-case letters, digits and _"
-        )
+        faults.append(f"{clean_text(entry.id, 40)!r} is no id; use lower-case letters, digits and _")
         return None
     if is_core_name(name):
         return None
@@ -82,14 +72,10 @@ def _room(
     if kind.zone == "circulation" and not first:
         return None
     if not 0.5 <= entry.area_estimate <= 5000.0:
-        faults.append(
-            f"area_estimate of {name} is {entry.area_estimate:g}; it must be a positive area in m2"
-        )
+        faults.append(f"area_estimate of {name} is {entry.area_estimate:g}; it must be a positive area in m2")
         return None
     if entry.area_estimate < 0.8 * kind.least and not first:
-        faults.append(
-            f"{name} has {entry.area_estimate:g} m2; {with_article(kind.name)} needs at least {kind.least:g}"
-        )
+        faults.append(f"{name} has {entry.area_estimate:g} m2; {with_article(kind.name)} needs at least {kind.least:g}")
     for text, is_floor in ((entry.floor_material, True), (entry.wall_material, False)):
         fault = material_fault(text, kind, floor=is_floor)
         if fault:

@@ -19,9 +19,7 @@ from mansion_planner.program.sketch import capacity, sketch_storey
 __all__ = ["refit", "with_cores"]
 
 
-def with_cores(
-    planned: PlannedBuilding, cores: list[CorePlan], method: str, why: str
-) -> PlannedBuilding:
+def with_cores(planned: PlannedBuilding, cores: list[CorePlan], method: str, why: str) -> PlannedBuilding:
     """Return the plan with other cores; its sketches then have areas and a graph, but no places."""
     out = copy.copy(planned)
     out.program = copy.deepcopy(planned.program)
@@ -109,22 +107,14 @@ def _sketch(planned: PlannedBuilding, storey: Storey, placed: bool) -> Sketch:
     return sketch_storey(massing, storey, hub, wanted_pairs(decisions))
 
 
-def _fill(
-    floor: FloorProgram,
-    storey: Storey,
-    planned: PlannedBuilding,
-    chosen: ChosenFloor,
-    palette: Palette,
-) -> None:
+def _fill(floor: FloorProgram, storey: Storey, planned: PlannedBuilding, chosen: ChosenFloor, palette: Palette) -> None:
     """Write the rooms, with the areas that they have in the sketch, and what that leaves in reserve."""
     sketch, gross = planned.sketches[storey.index], floor.gross_floor_area
     left = gross - sum(placement.area for placement in sketch.rooms)
     reserve = min(max(0.12 * gross, min(0.25 * gross, left - 0.5 * storey.hub.least)), left - 1.0)
     given = {room.id: room for room in chosen.rooms}
     beside = _wished(planned, storey, sketch)
-    floor.rooms = [
-        _room(chosen.hub, storey.hub.name, max(left - reserve, 1.0), palette, "circulation hub")
-    ]
+    floor.rooms = [_room(chosen.hub, storey.hub.name, max(left - reserve, 1.0), palette, "circulation hub")]
     floor.rooms[0].open_relation = "open"
     for placement in sketch.rooms:
         room = given[placement.room.id]

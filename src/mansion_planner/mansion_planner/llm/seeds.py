@@ -29,25 +29,17 @@ beside each other, and rooms with an edge to something that is placed already li
 and elevators free."""
 
 
-def seed_prompt(
-    context: Context, problem: FloorProblem, request: SeedRequest, requirement: str
-) -> Prompt:
+def seed_prompt(context: Context, problem: FloorProblem, request: SeedRequest, requirement: str) -> Prompt:
     """Return the question for one cut round."""
     nodes = {node.id: node for node in problem.nodes}
     parent = nodes[request.parent]
     involved = {request.parent, *request.children, *request.neighbours}
     edges = [e for e in problem.edges if e.source in involved and e.target in involved]
     targets = [
-        {
-            "id": name,
-            "area": round(nodes[name].area or 0.0, 1),
-            "share_of_parent": round(request.fractions[name], 3),
-        }
+        {"id": name, "area": round(nodes[name].area or 0.0, 1), "share_of_parent": round(request.fractions[name], 3)}
         for name in request.children
     ]
-    outlines = {
-        room.id: [(round(x, 2), round(y, 2)) for x, y in room.polygon] for room in request.layout
-    }
+    outlines = {room.id: [(round(x, 2), round(y, 2)) for x, y in room.polygon] for room in request.layout}
     cores = {c.id: [(round(x, 2), round(y, 2)) for x, y in c.polygon] for c in problem.cores}
     (x0, x1), (y0, y1) = request.x_range, request.y_range
     lines = [
@@ -77,20 +69,13 @@ def seed_faults(answer: SeedsAnswer, request: SeedRequest) -> list[Fault]:
     for name in request.children:
         if named.count(name) != 1:
             count = named.count(name)
-            faults.append(
-                Fault(
-                    f"{name} has {count} boxes; one is needed" if count else f"{name} is missing",
-                    name,
-                )
-            )
+            faults.append(Fault(f"{name} has {count} boxes; one is needed" if count else f"{name} is missing", name))
     parts = [Polygon(r.polygon, r.holes) for r in request.layout if r.id == request.parent]
     kept: list[tuple[str, Polygon]] = []
     for entry in answer.boxes:
         name = entry.room_id
         if name not in request.children:
-            faults.append(
-                Fault(f"{clean_text(name, 40)!r} is not to be placed in this round", "extra")
-            )
+            faults.append(Fault(f"{clean_text(name, 40)!r} is not to be placed in this round", "extra"))
             continue
         text = _box_fault(entry, parts)
         shape = box(entry.x[0], entry.y[0], entry.x[1], entry.y[1])
@@ -134,9 +119,7 @@ def collect_seeds(context: Context, problem: FloorProblem, requirement: str) -> 
     def plan(request: SeedRequest) -> SeedPlan | None:
         asked.extend(request.children)
         prompt = seed_prompt(context, problem, request, requirement)
-        answer = context.client.ask(
-            prompt, SeedsAnswer, lambda value: seed_faults(value, request), array_field="boxes"
-        )
+        answer = context.client.ask(prompt, SeedsAnswer, lambda value: seed_faults(value, request), array_field="boxes")
         if not answer.good:
             reasons.append(answer.reason)
         if answer.value is None:

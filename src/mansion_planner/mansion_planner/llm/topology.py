@@ -53,12 +53,7 @@ class _Reader:
     """Reads answers for one floor."""
 
     def __init__(
-        self,
-        context: Context,
-        planned: PlannedBuilding,
-        floor: FloorProgram,
-        offline: FloorTopology,
-        palette: Palette,
+        self, context: Context, planned: PlannedBuilding, floor: FloorProgram, offline: FloorTopology, palette: Palette
     ) -> None:
         self.context, self.planned, self.floor, self.palette = context, planned, floor, palette
         self.cores = {n.id: n for n in offline.nodes if n.type in ("stair", "elevator")}
@@ -71,11 +66,7 @@ class _Reader:
         out: list[str] = []
         topology = self.topology(answer, out)
         ids = {node.id for node in topology.nodes}
-        out += [
-            f"the {core.type} {name} is missing"
-            for name, core in self.cores.items()
-            if name not in ids
-        ]
+        out += [f"the {core.type} {name} is missing" for name, core in self.cores.items() if name not in ids]
         out += [f"the room {name} is missing" for name in self.rooms if name not in ids]
         out += graph_faults(topology, self.context.knowledge) + self._hub_faults(topology)
         if not out:
@@ -102,10 +93,7 @@ class _Reader:
             elif kind == "access":
                 edges[seen[pair]] = Edge(source=source, target=target, kind=kind)
         topology = FloorTopology(
-            nodes=nodes or [self._hub_alone()],
-            edges=edges,
-            building_id=self.building_id,
-            floor=self.floor.index,
+            nodes=nodes or [self._hub_alone()], edges=edges, building_id=self.building_id, floor=self.floor.index
         )
         return self._with_areas(access_promoted(topology))
 
@@ -116,9 +104,7 @@ class _Reader:
     def _node(self, entry: NodeAnswer, faults: list[str]) -> TopologyNode | None:
         name, kind = clean_id(entry.id), _KINDS.get(entry.type.lower())
         if not name:
-            faults.append(
-                f"{clean_text(entry.id, 40)!r} is no id of the rooms, stairs and elevators"
-            )
+            faults.append(f"{clean_text(entry.id, 40)!r} is no id of the rooms, stairs and elevators")
             return None
         if kind is None:
             faults.append(
@@ -133,28 +119,14 @@ class _Reader:
             faults.append(f"there is no {kind} {name}")
             return None
         if not 0.0 < entry.area < 1e5:
-            faults.append(
-                f"{name}: area is {entry.area:g}; a positive number of square metres is needed"
-            )
+            faults.append(f"{name}: area is {entry.area:g}; a positive number of square metres is needed")
             return None
         room = self.rooms.get(name)
         room_type = room.room_type if room else room_kind(name, self.context.knowledge, {}).name
-        if (
-            room is None
-            and kind != "area"
-            and self.context.knowledge.room(room_type).zone != "circulation"
-        ):
-            faults.append(
-                f"{name} is not in the list of rooms; only corridors and area zones may be added"
-            )
-        if (
-            room is not None
-            and not 0.6 * room.area_estimate <= entry.area
-            and name != self.floor.rooms[0].id
-        ):
-            faults.append(
-                f"{name} has {entry.area:g} m2 and should have about {room.area_estimate:g}"
-            )
+        if room is None and kind != "area" and self.context.knowledge.room(room_type).zone != "circulation":
+            faults.append(f"{name} is not in the list of rooms; only corridors and area zones may be added")
+        if room is not None and not 0.6 * room.area_estimate <= entry.area and name != self.floor.rooms[0].id:
+            faults.append(f"{name} has {entry.area:g} m2 and should have about {room.area_estimate:g}")
         floor, wall = entry.floor_material, entry.wall_material
         if not floor and room is not None:
             floor, wall = room.floor_material, room.wall_material
@@ -170,14 +142,10 @@ class _Reader:
         zones = self._zones(topology)
         rooms = [n for n in topology.nodes if n.id not in self.cores and n.id not in zones]
         around = [
-            n
-            for n in rooms
-            if self.context.knowledge.room(n.room_type).zone == "circulation" or n.type == "main"
+            n for n in rooms if self.context.knowledge.room(n.room_type).zone == "circulation" or n.type == "main"
         ]
         inner = [n for n in rooms if n not in around]
-        areas = {
-            n.id: self.rooms[n.id].area_estimate if n.id in self.rooms else n.area for n in inner
-        }
+        areas = {n.id: self.rooms[n.id].area_estimate if n.id in self.rooms else n.area for n in inner}
         left = self.free - sum(areas.values())
         least = 0.08 * self.free if around else 0.0
         if inner and left < least:
@@ -194,15 +162,11 @@ class _Reader:
 
     def _problem(self, topology: FloorTopology) -> FloorProblem:
         cores = [
-            ProblemCore(
-                id=c.id, type=c.type, polygon=[(c.x[0], c.y[0]), (c.x[1], c.y[0]), (c.x[1], c.y[1])]
-            )
+            ProblemCore(id=c.id, type=c.type, polygon=[(c.x[0], c.y[0]), (c.x[1], c.y[0]), (c.x[1], c.y[1])])
             for c in self.planned.program.vertical_connectivity.cores
         ]
         nodes = [ProblemNode(id=n.id, type=n.type, area=n.area) for n in topology.nodes]
-        return FloorProblem(
-            boundary=self.floor.outline, nodes=nodes, edges=topology.edges, cores=cores
-        )
+        return FloorProblem(boundary=self.floor.outline, nodes=nodes, edges=topology.edges, cores=cores)
 
     def _zones(self, topology: FloorTopology) -> set[str]:
         """Return the area zones, which are divided completely and vanish."""

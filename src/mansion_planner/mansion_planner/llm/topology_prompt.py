@@ -39,16 +39,11 @@ _SCHEMA = """\
 
 def free_region(floor: FloorProgram, planned: PlannedBuilding) -> Polygon:
     """Return a floor's outline without holes and cores."""
-    cores = [
-        shapely.box(c.x[0], c.y[0], c.x[1], c.y[1])
-        for c in planned.program.vertical_connectivity.cores
-    ]
+    cores = [shapely.box(c.x[0], c.y[0], c.x[1], c.y[1]) for c in planned.program.vertical_connectivity.cores]
     return Polygon(floor.outline, floor.holes).difference(shapely.union_all(cores))
 
 
-def topology_prompt(
-    context: Context, planned: PlannedBuilding, floor: FloorProgram, palette: Palette
-) -> Prompt:
+def topology_prompt(context: Context, planned: PlannedBuilding, floor: FloorProgram, palette: Palette) -> Prompt:
     """Return the question for one floor's room graph."""
     free = free_region(floor, planned)
     rings = [
@@ -56,17 +51,9 @@ def topology_prompt(
         for part in (free.geoms if hasattr(free, "geoms") else [free])
         for ring in (part.exterior, *part.interiors)
     ]
-    cores = [
-        {"id": c.id, "type": c.type, "x": c.x, "y": c.y}
-        for c in planned.program.vertical_connectivity.cores
-    ]
+    cores = [{"id": c.id, "type": c.type, "x": c.x, "y": c.y} for c in planned.program.vertical_connectivity.cores]
     rooms = [
-        {
-            "id": r.id,
-            "area": r.area_estimate,
-            "floor_material": r.floor_material,
-            "wall_material": r.wall_material,
-        }
+        {"id": r.id, "area": r.area_estimate, "floor_material": r.floor_material, "wall_material": r.wall_material}
         | ({"beside": r.adjacent_to} if r.adjacent_to else {})
         for r in floor.rooms
     ]

@@ -24,11 +24,7 @@ class FloorSolver(MansionNode):
         self._integer("retries", defaults.retries, 1, "retries of a cutting node, N_retry", 1000)
         self._integer("batch", defaults.batch, 1, "local candidates of a retry, B", 10_000)
         self._integer(
-            "candidates",
-            defaults.candidates,
-            1,
-            "most candidate layouts looked at for one floor",
-            1_000_000_000,
+            "candidates", defaults.candidates, 1, "most candidate layouts looked at for one floor", 1_000_000_000
         )
         self._layouts = JsonPublisher(self, topic("floor_layout"))
         self.get_logger().info(
@@ -36,20 +32,14 @@ class FloorSolver(MansionNode):
         )
         warm()
         self.get_logger().info("ready")
-        add_json_service(
-            self,
-            service("solve_floor"),
-            self.solve,
-            callback_group=ReentrantCallbackGroup(),
-        )
+        add_json_service(self, service("solve_floor"), self.solve, callback_group=ReentrantCallbackGroup())
 
     def _integer(self, name: str, default: int, least: int, what: str, most: int) -> None:
         self.declare_parameter(
             name,
             default,
             ParameterDescriptor(
-                description=what,
-                integer_range=[IntegerRange(from_value=least, to_value=most, step=1)],
+                description=what, integer_range=[IntegerRange(from_value=least, to_value=most, step=1)]
             ),
         )
 

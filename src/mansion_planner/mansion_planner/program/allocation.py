@@ -60,14 +60,7 @@ def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFa
         count = max(1, min(grown - 1, 8))
         note(decisions.trace, people.span, f"{count} bedrooms for {people.count} people")
         return [RoomFact("bedroom", "bedroom", people.span, count)]
-    if seats is None or people.noun in (
-        "employee",
-        "worker",
-        "staff",
-        "visitor",
-        "teacher",
-        "family",
-    ):
+    if seats is None or people.noun in ("employee", "worker", "staff", "visitor", "teacher", "family"):
         return []
     kind = knowledge.room(seats.room_type)
     if kind.name in stated:
@@ -94,11 +87,7 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
                 ErrorCode.CONTRADICTION,
                 f"{quoted(fact.span)} asks for a room that {quoted(excluded[fact.room_type])} excludes; keep one",
                 path="$.description",
-                details={
-                    "first": fact.span.words,
-                    "second": excluded[fact.room_type].words,
-                    "stage": "program",
-                },
+                details={"first": fact.span.words, "second": excluded[fact.room_type].words, "stage": "program"},
             )
         kind = knowledge.room(fact.room_type)
         if fact.count is not None and not (fact.room_type in _EVERYWHERE and fact.count == 1):
@@ -109,11 +98,7 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
 
 
 def _distribute(
-    fact: RoomFact,
-    kind: RoomType,
-    decisions: Decisions,
-    storeys: list[Storey],
-    allocation: Allocation,
+    fact: RoomFact, kind: RoomType, decisions: Decisions, storeys: list[Storey], allocation: Allocation
 ) -> None:
     above = [storey.index for storey in storeys if storey.index >= 1]
     count = fact.count if fact.count is not None else 2
@@ -177,11 +162,7 @@ def _preferred(kind: RoomType, decisions: Decisions, storeys: list[Storey]) -> l
 
 
 def planned_room(
-    kind: RoomType,
-    knowledge: KnowledgeBase,
-    *,
-    area: float | None = None,
-    fact: RoomFact | None = None,
+    kind: RoomType, knowledge: KnowledgeBase, *, area: float | None = None, fact: RoomFact | None = None
 ) -> PlannedRoom:
     """Make a room of a type with its suite; the area of a fact is kept."""
     stated = fact is not None and fact.area is not None

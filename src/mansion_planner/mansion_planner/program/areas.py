@@ -17,9 +17,7 @@ AREA_CAP = 500.0
 """Most square metres of a storey that are inferred (section B.1)."""
 
 
-def settle_area(
-    request: BuildRequest, decisions: Decisions, generator: np.random.Generator
-) -> None:
+def settle_area(request: BuildRequest, decisions: Decisions, generator: np.random.Generator) -> None:
     """Set the area of a storey from what the request and the brief state, or from what is usual.
 
     Raises
@@ -41,40 +39,25 @@ def settle_area(
         whole = request.area if request.area is not None else total.value  # type: ignore[union-attr]
         decisions.area = whole / storeys
         decisions.area_span = quoted(total.span) if total else f"$.area = {whole:g}"
-        note(
-            trace,
-            total.span if total else None,
-            f"{whole:.0f} m2 over {storeys} storeys, as stated",
-        )
+        note(trace, total.span if total else None, f"{whole:.0f} m2 over {storeys} storeys, as stated")
         decisions.area_stated = True
     else:
         _infer_area(decisions, generator)
 
 
-def _check_areas(
-    request: BuildRequest, total: Quantity | None, floor: Quantity | None, storeys: int
-) -> None:
+def _check_areas(request: BuildRequest, total: Quantity | None, floor: Quantity | None, storeys: int) -> None:
     """Refuse areas of the request and of the brief, total and of a storey, that do not agree."""
     if request.area is not None and request.floor_area is not None:
         raise contradiction("two areas", "$.area", "$.floor_area", "$.floor_area")
-    if (
-        request.area is not None
-        and total is not None
-        and abs(request.area - total.value) > 0.02 * total.value
-    ):
-        raise contradiction(
-            "the total area", f"$.area = {request.area:g}", quoted(total.span), "$.area"
-        )
+    if request.area is not None and total is not None and abs(request.area - total.value) > 0.02 * total.value:
+        raise contradiction("the total area", f"$.area = {request.area:g}", quoted(total.span), "$.area")
     if (
         request.floor_area is not None
         and floor is not None
         and abs(request.floor_area - floor.value) > 0.02 * floor.value
     ):
         raise contradiction(
-            "the area of a storey",
-            f"$.floor_area = {request.floor_area:g}",
-            quoted(floor.span),
-            "$.floor_area",
+            "the area of a storey", f"$.floor_area = {request.floor_area:g}", quoted(floor.span), "$.floor_area"
         )
     totals = [(request.area, f"$.area = {request.area or 0:g}", "$.area")]
     parts = [(request.floor_area, f"$.floor_area = {request.floor_area or 0:g}", "$.floor_area")]
@@ -110,9 +93,7 @@ def area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:
                 "$.footprint",
             )
     if facts.shapes and facts.shapes[0][0] not in ("rectangle", "square") and is_rectangle(shape):
-        raise contradiction(
-            "the outline", quoted(facts.shapes[0][1]), "the rectangle of $.footprint", "$.footprint"
-        )
+        raise contradiction("the outline", quoted(facts.shapes[0][1]), "the rectangle of $.footprint", "$.footprint")
     decisions.area, decisions.area_stated = area, True
     decisions.area_span = f"$.footprint of {area:.0f} m2"
     decisions.outline = shape
@@ -132,14 +113,6 @@ def _infer_area(decisions: Decisions, generator: np.random.Generator) -> None:
     if facts.occupants and building.seats is None and building.family != "home":
         people = sum(o.count for o in facts.occupants)
         area = min(max(people * building.people / decisions.floors, least), AREA_CAP)
-        note(
-            decisions.trace,
-            facts.occupants[0].span,
-            f"{building.people:g} m2 for each of {people} people",
-        )
+        note(decisions.trace, facts.occupants[0].span, f"{building.people:g} m2 for each of {people} people")
     decisions.area = min(max(area, least), AREA_CAP)
-    note(
-        decisions.trace,
-        None,
-        f"about {decisions.area:.0f} m2 a storey, usual for {with_article(building.name)}",
-    )
+    note(decisions.trace, None, f"about {decisions.area:.0f} m2 a storey, usual for {with_article(building.name)}")

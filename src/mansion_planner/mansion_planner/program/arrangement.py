@@ -26,11 +26,7 @@ Arrangement = tuple[Massing, Frame, dict[int, Sketch], dict[int, Envelope]]
 
 
 def best_arrangement(
-    decisions: Decisions,
-    wish: MassingWish,
-    storeys: list[Storey],
-    allocation: Allocation,
-    knowledge: KnowledgeBase,
+    decisions: Decisions, wish: MassingWish, storeys: list[Storey], allocation: Allocation, knowledge: KnowledgeBase
 ) -> Arrangement:
     """Lay the building out; when rooms lack a door's wall or wished neighbours stay apart, try other proportions."""
     best: tuple[int, Arrangement] | None = None
@@ -97,9 +93,7 @@ def _massing(decisions: Decisions, wish: MassingWish, generator: np.random.Gener
     return rectangle_massing(wish, max(x1 - x0, y1 - y0), min(x1 - x0, y1 - y0))
 
 
-def _frame(
-    decisions: Decisions, massing: Massing, storeys: list[Storey], generator: np.random.Generator
-) -> Frame:
+def _frame(decisions: Decisions, massing: Massing, storeys: list[Storey], generator: np.random.Generator) -> Frame:
     """Turn and mirror by chance; a given outline stays where it is."""
     mirror_x, mirror_y, swap = (bool(value) for value in generator.random(3) < 0.5)
     length = massing.length + max(storey.extension for storey in storeys)
@@ -113,9 +107,7 @@ def _frame(
     return Frame(bounds, mirror_x, mirror_y, y1 - y0 > x1 - x0, origin=(x0, y0))
 
 
-def _sketch(
-    decisions: Decisions, massing: Massing, storey: Storey, pairs: list[tuple[str, str]]
-) -> Sketch:
+def _sketch(decisions: Decisions, massing: Massing, storey: Storey, pairs: list[tuple[str, str]]) -> Sketch:
     if decisions.free_form and decisions.outline is not None:
         cores = sum(box_area(core.box) for core in massing.cores)
         return sketch_free(storey, storey.hub.name, decisions.outline.area - cores)
@@ -124,11 +116,7 @@ def _sketch(
 
 
 def _furnish(
-    storey: Storey,
-    massing: Massing,
-    allocation: Allocation,
-    knowledge: KnowledgeBase,
-    decisions: Decisions,
+    storey: Storey, massing: Massing, allocation: Allocation, knowledge: KnowledgeBase, decisions: Decisions
 ) -> None:
     """Choose a storey's rooms, settle their areas and name them."""
     stated = hub_area(storey, allocation)
@@ -142,9 +130,7 @@ def _furnish(
     storey.rooms = fill_storey(storey, allocation, knowledge, room, hub_share=share)
     if massing.hall:
         asked = sum(r.gross for r in storey.rooms)
-        fit_areas(
-            storey.rooms, room - share if stated else min(room - share, max(asked, 0.45 * room))
-        )
+        fit_areas(storey.rooms, room - share if stated else min(room - share, max(asked, 0.45 * room)))
     else:
         fit_areas(storey.rooms, room)
     name_rooms(storey, storey.hub.name)

@@ -22,14 +22,10 @@ def bearing_walls(sketches: list[Sketch], frame: Frame) -> list[Wall]:
     for y, spans in sorted(sketches[0].bearing.items()):
         for sketch in sketches[1:]:
             spans = _common(spans, sketch.bearing.get(y, []))
-        walls += [
-            (frame.point((x0, y)), frame.point((x1, y))) for x0, x1 in spans if x1 - x0 >= LEAST
-        ]
+        walls += [(frame.point((x0, y)), frame.point((x1, y))) for x0, x1 in spans if x1 - x0 >= LEAST]
     return walls
 
 
-def _common(
-    first: list[tuple[float, float]], second: list[tuple[float, float]]
-) -> list[tuple[float, float]]:
+def _common(first: list[tuple[float, float]], second: list[tuple[float, float]]) -> list[tuple[float, float]]:
     both = [(max(a, c), min(b, d)) for a, b in first for c, d in second]
     return sorted((a, b) for a, b in both if b - a > 0.5)

@@ -26,10 +26,7 @@ def widened(widths: list[float], least: list[float]) -> list[float]:
     spare = sum(max(width - low, 0.0) for width, low in zip(widths, least))
     if need <= 0.0 or spare <= need:
         return widths
-    return [
-        low if width < low else width - (width - low) * need / spare
-        for width, low in zip(widths, least)
-    ]
+    return [low if width < low else width - (width - low) * need / spare for width, low in zip(widths, least)]
 
 
 @dataclass
@@ -74,9 +71,7 @@ def front_depth(area: float, depth: float) -> float:
     return float(min(max((area * 1.25) ** 0.5, 1.8), max(depth - 1.8, 0.55 * depth)))
 
 
-def group_blocks(
-    rooms: list[PlannedRoom], depth: float, pairs: list[tuple[str, str]]
-) -> list[Block]:
+def group_blocks(rooms: list[PlannedRoom], depth: float, pairs: list[tuple[str, str]]) -> list[Block]:
     """Give each room that is too small for a band of `depth` to a larger neighbour as its front corner."""
     narrow = [room for room in rooms if not room.suite and room.area / depth < 1.9]
     narrow.sort(key=lambda room: -room.area)
@@ -148,9 +143,7 @@ def lay_block(block: Block, width: float, depth: float) -> list[tuple[PlannedRoo
     return _lay_suite(block.host, width, depth, scale)
 
 
-def _lay_suite(
-    host: PlannedRoom, width: float, depth: float, scale: float
-) -> list[tuple[PlannedRoom, list[Box]]]:
+def _lay_suite(host: PlannedRoom, width: float, depth: float, scale: float) -> list[tuple[PlannedRoom, list[Box]]]:
     suite = host.suite
     if not suite:
         return [(host, [(0.0, 0.0, width, depth)])]
@@ -179,9 +172,7 @@ def _lay_one(
     return [(host, boxes), (child, [(0.0, depth - high, wide, depth)])]
 
 
-def _lay_columns(
-    host: PlannedRoom, width: float, depth: float, scale: float
-) -> list[tuple[PlannedRoom, list[Box]]]:
+def _lay_columns(host: PlannedRoom, width: float, depth: float, scale: float) -> list[tuple[PlannedRoom, list[Box]]]:
     """The host as a slab of full depth between two columns of its children."""
     children = sorted(host.suite, key=lambda room: -room.gross)
     columns: tuple[list[PlannedRoom], list[PlannedRoom]] = ([], [])
@@ -201,9 +192,7 @@ def _lay_columns(
         y = 0.0
         ordered = sorted(column, key=lambda room: (not room.kind.wet, room.id))
         whole = sum(child.gross for child in ordered) or 1.0
-        rises = widened(
-            [depth * child.gross / whole for child in ordered], [LEAST_FRONT] * len(ordered)
-        )
+        rises = widened([depth * child.gross / whole for child in ordered], [LEAST_FRONT] * len(ordered))
         for child, high in zip(ordered, rises):
             placed.append((child, [(x0, y, x1, y + high)]))
             y += high

@@ -42,11 +42,7 @@ class PlannedBuilding:
 
 
 def plan_program(
-    request: BuildRequest,
-    facts: BriefFacts,
-    knowledge: KnowledgeBase,
-    building_id: str,
-    generator: np.random.Generator,
+    request: BuildRequest, facts: BriefFacts, knowledge: KnowledgeBase, building_id: str, generator: np.random.Generator
 ) -> PlannedBuilding:
     """Decide, distribute the rooms, choose the massing, and sketch every storey.
 
@@ -64,20 +60,14 @@ def plan_program(
         area, decisions.building, stairs, lifts, exact=decisions.area_stated,
         room=typical_room(storeys, allocation, knowledge), shape=choose_shape(decisions, area, generator),
     )  # fmt: skip
-    massing, frame, sketches, envelopes = best_arrangement(
-        decisions, wish, storeys, allocation, knowledge
-    )
+    massing, frame, sketches, envelopes = best_arrangement(decisions, wish, storeys, allocation, knowledge)
     walls = bearing_walls([sketches[storey.index] for storey in storeys], frame)
     program = BuildingProgram(
         building_id=building_id,
         reasoning=_reasoning(decisions, area),
-        vertical_connectivity=VerticalConnectivity(
-            method=method, cores=_cores(massing, frame), justification=why
-        ),
+        vertical_connectivity=VerticalConnectivity(method=method, cores=_cores(massing, frame), justification=why),
         floors=[
-            floor_program(
-                decisions, storey, sketches[storey.index], envelopes[storey.index], knowledge
-            )
+            floor_program(decisions, storey, sketches[storey.index], envelopes[storey.index], knowledge)
             for storey in storeys
         ],
         description=request.description,
@@ -110,15 +100,7 @@ def _cores(massing: Massing, frame: Frame) -> list[CorePlan]:
     cores = []
     for core in massing.cores:
         x0, y0, x1, y1 = frame.area_box(core.box)
-        cores.append(
-            CorePlan(
-                id=core.id,
-                type=core.type,
-                x=(x0, x1),
-                y=(y0, y1),
-                door_side=frame.side(core.side),
-            )
-        )
+        cores.append(CorePlan(id=core.id, type=core.type, x=(x0, x1), y=(y0, y1), door_side=frame.side(core.side)))
     return cores
 
 

@@ -27,11 +27,7 @@ def _is_main(corridor: Corridor) -> bool:
 def fill_pocket(massing: Massing, rooms: list[Placement]) -> None:
     """Give the ground above a lift that stands beside the stair to the room next to it."""
     upper = massing.south + massing.corridor
-    lifts = [
-        core.box
-        for core in massing.cores
-        if core.type == "elevator" and core.box[1] >= upper - 0.01
-    ]
+    lifts = [core.box for core in massing.cores if core.type == "elevator" and core.box[1] >= upper - 0.01]
     if not lifts or pocket(massing) <= 0:
         return
     edge = max(box[2] for box in lifts)
@@ -96,12 +92,7 @@ def corridors_of(
         box = (
             (wing.x0 + side, high, wing.x1 - side, massing.depth + wing.reach)
             if wing.north
-            else (
-                wing.x0 + side,
-                -wing.reach - (massing.far_band if massing.court else 0.0),
-                wing.x1 - side,
-                low,
-            )
+            else (wing.x0 + side, -wing.reach - (massing.far_band if massing.court else 0.0), wing.x1 - side, low)
         )
         centre = (wing.x0 + wing.x1) / 2
         owner = next((c.id for c in corridors if c.boxes[0][0] <= centre <= c.boxes[0][2]), hub_id)
@@ -141,9 +132,7 @@ def assign_parents(sketch: Sketch, fronts: list[tuple[str, PlannedRoom, float, f
             placement.parent = mains[-1].id
 
 
-def close_corridor(
-    massing: Massing, sketch: Sketch, segments: list[Segment], stop: float, ended: bool
-) -> None:
+def close_corridor(massing: Massing, sketch: Sketch, segments: list[Segment], stop: float, ended: bool) -> None:
     """Let the last room on the north side take the dead end of the corridor."""
     if ended or far_stair(massing):
         return
@@ -181,13 +170,8 @@ def bearing_lines(
 ) -> dict[float, list[tuple[float, float]]]:
     mains = [c for c in sketch.corridors if _is_main(c)]
     end = max(corridor.boxes[0][2] for corridor in mains)
-    far = min(
-        (core.box[0] for core in massing.cores if core.box[0] > 0.5 * massing.length), default=end
-    )
-    lines = {
-        massing.south + massing.corridor: [(pocket(massing), min(end, far))],
-        massing.south: [(lobby, stop)],
-    }
+    far = min((core.box[0] for core in massing.cores if core.box[0] > 0.5 * massing.length), default=end)
+    lines = {massing.south + massing.corridor: [(pocket(massing), min(end, far))], massing.south: [(lobby, stop)]}
     for wing in massing.wings:
         y = massing.south + massing.corridor if wing.north else massing.south
         side = (wing.x1 - wing.x0 - massing.corridor) / 2

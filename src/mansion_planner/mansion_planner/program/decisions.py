@@ -66,8 +66,6 @@ def one_value(values: list[Quantity], what: str) -> Quantity | None:
     for other in values[1:]:
         if abs(other.value - values[0].value) > 0.02 * values[0].value:
             raise contradiction(
-                f"the description states two different {what}",
-                quoted(values[0].span),
-                quoted(other.span),
+                f"the description states two different {what}", quoted(values[0].span), quoted(other.span)
             )
     return values[0]

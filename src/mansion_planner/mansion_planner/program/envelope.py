@@ -24,9 +24,7 @@ class Envelope:
     @classmethod
     def of(cls, shape: Polygon) -> "Envelope":
         """Return the envelope of a polygon."""
-        return cls(
-            ring_of(shape.exterior.coords), [ring_of(hole.coords) for hole in shape.interiors]
-        )
+        return cls(ring_of(shape.exterior.coords), [ring_of(hole.coords) for hole in shape.interiors])
 
     @property
     def area(self) -> float:

@@ -18,20 +18,11 @@ _GENERAL = {
     "lodging": ("lounge", "common_room", "laundry_room", "study_room", "gym", "storage"),
     "industry": ("storage", "workshop", "private_office", "meeting_room", "archive"),
     "retail": ("stock_room", "shop", "lounge", "private_office", "break_room"),
-    "civic": (
-        "meeting_room",
-        "lounge",
-        "private_office",
-        "training_room",
-        "storage",
-        "common_room",
-    ),
+    "civic": ("meeting_room", "lounge", "private_office", "training_room", "storage", "common_room"),
 }
 
 
-def base_rooms(
-    storey: Storey, allocation: Allocation, knowledge: KnowledgeBase
-) -> list[PlannedRoom]:
+def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[PlannedRoom]:
     """Return the rooms that the brief asks for on a storey, as rooms to be placed."""
     rooms = []
     for fact in allocation.wanted[storey.index]:
@@ -43,19 +34,12 @@ def base_rooms(
 
 def hub_area(storey: Storey, allocation: Allocation) -> float:
     """Return the area that the brief states for the room that is a storey's hub, or 0."""
-    areas = [
-        f.area for f in allocation.wanted[storey.index] if f.room_type == storey.hub.name and f.area
-    ]
+    areas = [f.area for f in allocation.wanted[storey.index] if f.room_type == storey.hub.name and f.area]
     return max(areas, default=0.0)
 
 
 def fill_storey(
-    storey: Storey,
-    allocation: Allocation,
-    knowledge: KnowledgeBase,
-    capacity: float,
-    *,
-    hub_share: float = 0.0,
+    storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, capacity: float, *, hub_share: float = 0.0
 ) -> list[PlannedRoom]:
     """Choose a storey's rooms: those asked for, then its type's list by priority, then what may repeat.
 
@@ -97,11 +81,7 @@ def fill_storey(
 
 
 def _top_up(
-    storey: Storey,
-    allocation: Allocation,
-    knowledge: KnowledgeBase,
-    rooms: list[PlannedRoom],
-    budget: float,
+    storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, rooms: list[PlannedRoom], budget: float
 ) -> None:
     """Add rooms of general use where the brief settles the number of those that would fill the storey."""
     kinds = [knowledge.room(name) for name in _GENERAL.get(storey.use.family, _GENERAL["civic"])]

@@ -14,11 +14,7 @@ __all__ = ["floor_program"]
 
 
 def floor_program(
-    decisions: Decisions,
-    storey: Storey,
-    sketch: Sketch,
-    envelope: Envelope,
-    knowledge: KnowledgeBase,
+    decisions: Decisions, storey: Storey, sketch: Sketch, envelope: Envelope, knowledge: KnowledgeBase
 ) -> FloorProgram:
     """Return a storey's rooms, hub first, with the areas that its sketch gives them, square metres."""
     gross = envelope.area

@@ -51,8 +51,7 @@ def check_footprint(footprint: Footprint) -> Polygon:
     extent = max(outer.bounds[2] - outer.bounds[0], outer.bounds[3] - outer.bounds[1])
     if outer.area < LEAST_AREA or extent > MOST_EXTENT:
         raise _fault(
-            f"it covers {outer.area:.1f} m2 and is {extent:.0f} m long (at most {MOST_EXTENT:.0f})",
-            rings[0][1],
+            f"it covers {outer.area:.1f} m2 and is {extent:.0f} m long (at most {MOST_EXTENT:.0f})", rings[0][1]
         )
     for hole, path in rings[1:]:
         if not outer.contains(Polygon(hole)):
@@ -114,9 +113,7 @@ def _best_place(
         if not len(boxes):
             continue
         contact = shapely.length(shapely.intersection(shapely.boundary(boxes), shape.boundary))
-        around = shapely.area(
-            shapely.intersection(shapely.buffer(boxes, 3.0, join_style="mitre"), free)
-        )
+        around = shapely.area(shapely.intersection(shapely.buffer(boxes, 3.0, join_style="mitre"), free))
         ranked += [
             (-round(float(contact[k]), 3), float(around[k]), float(k), tuple(boxes[k].bounds))
             for k in np.lexsort((around, -np.round(contact, 3)))[:12]
@@ -144,8 +141,7 @@ def sketch_free(storey: Storey, hub_id: str, free_area: float) -> Sketch:
     hub_share = circulation * (1.0 if not pieces else 0.4)
     corridors = [Corridor(hub_id, [], given=hub_share)]
     corridors += [
-        Corridor(f"corridor_{number}", [], hub_id, given=circulation * 0.6 / pieces)
-        for number in range(1, pieces + 1)
+        Corridor(f"corridor_{number}", [], hub_id, given=circulation * 0.6 / pieces) for number in range(1, pieces + 1)
     ]
     placements: list[Placement] = []
     for number, room in enumerate(rooms):

@@ -43,18 +43,8 @@ class Frame:
         """Return a side of the massing frame in plan coordinates."""
         if side is None:
             return None
-        flipped: dict[Side, Side] = {
-            "east": "west",
-            "west": "east",
-            "north": "south",
-            "south": "north",
-        }
-        turned: dict[Side, Side] = {
-            "north": "east",
-            "east": "north",
-            "south": "west",
-            "west": "south",
-        }
+        flipped: dict[Side, Side] = {"east": "west", "west": "east", "north": "south", "south": "north"}
+        turned: dict[Side, Side] = {"north": "east", "east": "north", "south": "west", "west": "south"}
         across = side in ("east", "west")
         if (self.mirror_x and across) or (self.mirror_y and not across):
             side = flipped[side]

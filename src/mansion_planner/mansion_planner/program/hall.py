@@ -28,9 +28,7 @@ class _Arrangement:
     under: bool = False
 
 
-def sketch_hall(
-    massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]
-) -> Sketch:
+def sketch_hall(massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]) -> Sketch:
     """Line the north side of the hub with rooms, then its far side when the north is full.
 
     The band's depth follows from the rooms, so that the hub gets what they leave. Where a room would share too little
@@ -74,11 +72,7 @@ def _ill_shape(sketch: Sketch) -> float:
 
 
 def _arranged(
-    massing: Massing,
-    storey: Storey,
-    hub_id: str,
-    pairs: list[tuple[str, str]],
-    arrangement: _Arrangement,
+    massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]], arrangement: _Arrangement
 ) -> Sketch:
     length = massing.length - storey.setback + storey.extension
     depth = massing.depth
@@ -127,9 +121,7 @@ def _place_column(
     """Stack blocks from the south along the hub's far side; `place` is where it begins, its reach and its width."""
     x0, reach, column = place
     high = sum(block.gross for block in east) or 1.0
-    rises = widened(
-        [reach * block.gross / high for block in east], [block.least_width for block in east]
-    )
+    rises = widened([reach * block.gross / high for block in east], [block.least_width for block in east])
     y = 0.0
     for block, rise in zip(east, rises):
         for room, boxes in lay_block(block, rise, column):
@@ -162,9 +154,7 @@ def _parent(block: Block, room: PlannedRoom, hub_id: str) -> str:
     return next((p.id for p in block.host.each() if any(c is room for c in p.suite)), hub_id)
 
 
-def _band_depth(
-    total: float, length: float, depth: float, areas: list[float], stairs: list[CoreBox]
-) -> float:
+def _band_depth(total: float, length: float, depth: float, areas: list[float], stairs: list[CoreBox]) -> float:
     usual = (sum(areas) / len(areas)) ** 0.5 if areas else 3.0
     band = max(total / length, 0.85 * usual, 2.6)
     if stairs:
@@ -193,9 +183,5 @@ def _place(segment: Segment, massing: Massing, hub_id: str, placements: list[Pla
     for block, x0, x1 in segment.laid():
         for room, boxes in lay_block(block, x1 - x0, segment.depth):
             placements.append(
-                Placement(
-                    room,
-                    [segment.world(box, x0, massing) for box in boxes],
-                    _parent(block, room, hub_id),
-                )
+                Placement(room, [segment.world(box, x0, massing) for box in boxes], _parent(block, room, hub_id))
             )

@@ -63,19 +63,13 @@ def infer_building(facts: BriefFacts) -> str:
             votes[hint] = votes.get(hint, 0.0) + 3.0
     if votes:
         return max(votes, key=lambda name: (votes[name], name))
-    if any(word == "high_rise" for word, _ in facts.size) or any(
-        q.value >= 4 for q in facts.floors
-    ):
+    if any(word == "high_rise" for word, _ in facts.size) or any(q.value >= 4 for q in facts.floors):
         return "office"
     return "house" if not any(q.value > 300 for q in facts.area) else "office"
 
 
 def infer_floors(
-    facts: BriefFacts,
-    building: BuildingType,
-    needed: int,
-    trace: list[TraceEntry],
-    generator: np.random.Generator,
+    facts: BriefFacts, building: BuildingType, needed: int, trace: list[TraceEntry], generator: np.random.Generator
 ) -> int:
     usual, most = building.floors
     count, reason = usual, f"{with_article(building.name)} usually has {usual}"
@@ -89,10 +83,7 @@ def infer_floors(
         count = max(1, min(round(ratio), MOST_FLOORS))
         reason = "total area over area of a storey"
     elif facts.area and facts.area[0].value > 1.25 * building.floor_area[1]:
-        count = min(
-            max(-(-int(facts.area[0].value) // int(max(building.floor_area[1], 150))), 1),
-            max(most, 1),
-        )
+        count = min(max(-(-int(facts.area[0].value) // int(max(building.floor_area[1], 150))), 1), max(most, 1))
         reason = "the stated area"
     elif any(word == "small" for word, _ in facts.size):
         count = max(1, usual - 1) if usual > 2 else usual

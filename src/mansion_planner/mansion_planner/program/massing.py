@@ -85,9 +85,7 @@ def _corridor_width(use: BuildingType, area: float) -> float:
     return 1.8 if area < 300 else 2.0
 
 
-def _bands(
-    use: BuildingType, area: float, stairs: int, room: float, shape: str
-) -> list[tuple[float, float, float]]:
+def _bands(use: BuildingType, area: float, stairs: int, room: float, shape: str) -> list[tuple[float, float, float]]:
     """List candidate (north, corridor, south) depths with a whole-metre sum, the most fitting first."""
     corridor = _corridor_width(use, area)
     plain = shape in ("rectangle", "square")
@@ -99,19 +97,13 @@ def _bands(
         return [(0.0, float(d), 0.0) for d in _around(side, 4 if not stairs else 6)]
     if stairs and area >= 150:
         south = min(max(math.sqrt(1.35 * room), 4.0), 8.0)
-        wish = min(
-            max(STAIR_DEPTH + corridor + south, math.sqrt(area / 2.6)), math.sqrt(area / 1.2)
-        )
+        wish = min(max(STAIR_DEPTH + corridor + south, math.sqrt(area / 2.6)), math.sqrt(area / 1.2))
         return [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in _around(wish, 11, 17)]
     if stairs:
         wish = min(max(math.sqrt(area / 1.25), 8.0), 10.5)
         upright = [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in (11, 12, 13)]
         return [
-            (
-                max(3.0, 0.42 * (d - corridor)),
-                corridor,
-                d - corridor - max(3.0, 0.42 * (d - corridor)),
-            )
+            (max(3.0, 0.42 * (d - corridor)), corridor, d - corridor - max(3.0, 0.42 * (d - corridor)))
             for d in _around(wish, 7, 11)
         ] + (upright if area >= 85 else [])
     wish = min(max(math.sqrt(area / 1.5), 5.0), 16.0)
@@ -175,9 +167,7 @@ def gross_area(massing: Massing) -> float:
     return area + sum((wing.x1 - wing.x0) * wing.reach for wing in massing.wings)
 
 
-def _dimensions(
-    wish: MassingWish, north: float, corridor: float, south: float, given: float | None = None
-) -> Massing:
+def _dimensions(wish: MassingWish, north: float, corridor: float, south: float, given: float | None = None) -> Massing:
     depth = north + corridor + south
     least = 6 + (3 if wish.stairs else 0) + (3 if wish.stairs > 1 else 0)
     hall = wish.use.parti == "hall" and wish.shape in ("rectangle", "square")
@@ -199,9 +189,7 @@ def _dimensions(
     )  # fmt: skip
 
 
-def _plan_shape(
-    wish: MassingWish, depth: float, corridor: float, least: int
-) -> tuple[int, tuple[Wing, ...], float]:
+def _plan_shape(wish: MassingWish, depth: float, corridor: float, least: int) -> tuple[int, tuple[Wing, ...], float]:
     """Return the main bar's length, the wings and the depth of the far bar for the wished outline."""
     shape, area = wish.shape, wish.area
     if shape in ("rectangle", "square"):
@@ -235,9 +223,7 @@ def _plan_shape(
     return length, wings, float(court)
 
 
-def _cores(
-    wish: MassingWish, length: float, depth: float, north: float, pocket: float
-) -> tuple[CoreBox, ...]:
+def _cores(wish: MassingWish, length: float, depth: float, north: float, pocket: float) -> tuple[CoreBox, ...]:
     """Place stairs in the upper corners and lifts in the lower one, each against two outer walls.
 
     Where a wing takes the lower corner, `pocket` is the corridor's upper edge and the lifts stand beside the stair.
@@ -254,12 +240,7 @@ def _cores(
             x0 = float(wide + LIFT * number)
             low = math.ceil(pocket - 1e-9)
             cores.append(
-                CoreBox(
-                    f"elevator_{number + 1}",
-                    "elevator",
-                    (x0, float(low), x0 + LIFT, float(low + LIFT)),
-                    "south",
-                )
+                CoreBox(f"elevator_{number + 1}", "elevator", (x0, float(low), x0 + LIFT, float(low + LIFT)), "south")
             )
             continue
         box = (float(LIFT * number), 0.0, float(LIFT * (number + 1)), float(LIFT))

@@ -11,11 +11,7 @@ __all__ = ["apart_pairs", "neighbours", "wanted_pairs"]
 
 def wanted_pairs(decisions: Decisions) -> list[tuple[str, str]]:
     """Return room types to be side by side: the brief's wishes last, so that they win."""
-    usual = [
-        ("kitchen", "dining_room"),
-        ("commercial_kitchen", "restaurant"),
-        ("commercial_kitchen", "cafeteria"),
-    ]
+    usual = [("kitchen", "dining_room"), ("commercial_kitchen", "restaurant"), ("commercial_kitchen", "cafeteria")]
     return usual + [(fact.first, fact.second) for fact in decisions.facts.adjacent]
 
 

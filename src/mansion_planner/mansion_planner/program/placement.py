@@ -77,9 +77,7 @@ def lobby_length(massing: Massing, storey: Storey) -> float:
 def pocket(massing: Massing) -> float:
     """Where the north band is free from: behind the stair, and the lift beside it."""
     inner = [
-        core.box[2]
-        for core in massing.cores
-        if core.box[1] >= massing.south and core.box[0] < 0.5 * massing.length
+        core.box[2] for core in massing.cores if core.box[1] >= massing.south and core.box[0] < 0.5 * massing.length
     ]
     return max(inner, default=0.0)
 

@@ -15,10 +15,7 @@ __all__ = ["decide"]
 
 
 def decide(
-    request: BuildRequest,
-    facts: BriefFacts,
-    knowledge: KnowledgeBase,
-    generator: np.random.Generator,
+    request: BuildRequest, facts: BriefFacts, knowledge: KnowledgeBase, generator: np.random.Generator
 ) -> Decisions:
     """Resolve type, storeys, area and style.
 
@@ -36,9 +33,7 @@ def decide(
         style = facts.styles[0][0]
         note(trace, facts.styles[0][1], f"style {style}")
     _check_wishes(facts)
-    decisions = Decisions(
-        building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace
-    )
+    decisions = Decisions(building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace)
     if building.name == "bungalow" and floors > 1:
         decisions.downgrades.append(
             Downgrade(
@@ -66,27 +61,17 @@ def _check_wishes(facts: BriefFacts) -> None:
         first, second = list(shapes.values())[-1], list(shapes.values())[-2]
         raise contradiction("two outlines", quoted(first), quoted(second))
     no_basement = next((span for name, span in facts.excluded if name == "basement"), None)
-    below = next(
-        (ref for room in facts.rooms for ref in room.floors if ref.kind == "basement"), None
-    )
+    below = next((ref for room in facts.rooms for ref in room.floors if ref.kind == "basement"), None)
     if no_basement is not None and (below is not None or facts.basements):
         other = below.span if below is not None else facts.basements[0].span
         raise contradiction("a basement", quoted(no_basement), quoted(other))
     counted: dict[str, tuple[int, Span]] = {}
     for room in facts.rooms:
-        if (
-            room.floors
-            or room.each
-            or room.count is None
-            or room.count < 2
-            or room.area is not None
-        ):
+        if room.floors or room.each or room.count is None or room.count < 2 or room.area is not None:
             continue
         earlier = counted.setdefault(room.name, (room.count, room.span))
         if earlier[0] != room.count:
-            raise contradiction(
-                f"two numbers of {room.name}", quoted(earlier[1]), quoted(room.span)
-            )
+            raise contradiction(f"two numbers of {room.name}", quoted(earlier[1]), quoted(room.span))
 
 
 def _building(facts: BriefFacts, knowledge: KnowledgeBase, trace: list[TraceEntry]) -> BuildingType:
@@ -119,10 +104,7 @@ def _floors(
     if request.floors is not None:
         if stated is not None and int(stated.value) != request.floors:
             raise contradiction(
-                "the number of storeys",
-                f"$.floors = {request.floors}",
-                quoted(stated.span),
-                "$.floors",
+                "the number of storeys", f"$.floors = {request.floors}", quoted(stated.span), "$.floors"
             )
         count, words, span = request.floors, f"$.floors = {request.floors}", None
         note(trace, None, f"{count} storeys, as the request states")
@@ -132,17 +114,13 @@ def _floors(
     else:
         return infer_floors(facts, building, needed, trace, generator)
     if place is not None and needed > count:
-        raise contradiction(
-            f"a storey that the building does not have (it has {count})", quoted(place.span), words
-        )
+        raise contradiction(f"a storey that the building does not have (it has {count})", quoted(place.span), words)
     return count
 
 
 def _highest(facts: BriefFacts) -> tuple[int, FloorRef | None]:
     refs = [ref for room in facts.rooms for ref in room.floors]
-    refs += [ref for use in facts.uses for ref in use.floors] + [
-        copy.first for copy in facts.copies
-    ]
+    refs += [ref for use in facts.uses for ref in use.floors] + [copy.first for copy in facts.copies]
     refs = [ref for ref in refs if ref.kind in ("number", "range")]
     if not refs:
         return 0, None

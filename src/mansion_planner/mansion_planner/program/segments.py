@@ -78,14 +78,7 @@ class Segment:
         return (across[0], start - box[2], across[1], start - box[0])
 
 
-_NEAR_CORE = (
-    "restroom",
-    "accessible_toilet",
-    "shower_area",
-    "janitor_closet",
-    "toilet",
-    "bathroom",
-)
+_NEAR_CORE = ("restroom", "accessible_toilet", "shower_area", "janitor_closet", "toilet", "bathroom")
 
 
 def front_order(rooms: list[PlannedRoom]) -> list[PlannedRoom]:
@@ -102,9 +95,7 @@ def front_order(rooms: list[PlannedRoom]) -> list[PlannedRoom]:
     return sorted(rooms, key=rank)
 
 
-def fill_segments(
-    segments: list[Segment], blocks: list[Block], pairs: list[tuple[str, str]] | None = None
-) -> None:
+def fill_segments(segments: list[Segment], blocks: list[Block], pairs: list[tuple[str, str]] | None = None) -> None:
     """Put each block into a segment, so that the segments are filled in equal measure and rooms are well shaped.
 
     Parameters
@@ -181,9 +172,7 @@ class _Share:
         self.shape += sign * parts[1]
         self.rigid += sign * parts[2]
 
-    def cost(
-        self, coming: _Parts = _NOTHING, leaving: _Parts = _NOTHING, members: int = 0
-    ) -> float:
+    def cost(self, coming: _Parts = _NOTHING, leaving: _Parts = _NOTHING, members: int = 0) -> float:
         """Return the segment's price after a change."""
         length = self.segment.length
         used = self.used + coming[0] - leaving[0]

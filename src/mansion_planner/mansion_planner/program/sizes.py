@@ -72,11 +72,7 @@ def storey_area(
     if decisions.facts.shapes:
         result = max(result, least_area(decisions.facts.shapes[0][0]))
     if result > usual + 1.0 and asked > usual:
-        note(
-            decisions.trace,
-            None,
-            f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}",
-        )
+        note(decisions.trace, None, f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}")
     if result > AREA_CAP:
         note(decisions.trace, None, f"above {AREA_CAP:.0f} m2 a storey, for the rooms asked for")
     return result

@@ -44,9 +44,7 @@ def capacity(massing: Massing, storey: Storey) -> float:
     return total
 
 
-def sketch_storey(
-    massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]
-) -> Sketch:
+def sketch_storey(massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]) -> Sketch:
     """Lay out the rooms of a storey along its corridors.
 
     Parameters
@@ -142,20 +140,11 @@ def _assemble(
         for block, x0, x1 in segment.laid():
             for room, boxes in lay_block(block, x1 - x0, segment.depth):
                 world = [segment.world(box, x0, massing) for box in boxes]
-                parent = next(
-                    (p.id for p in block.host.each() if any(c is room for c in p.suite)), ""
-                )
+                parent = next((p.id for p in block.host.each() if any(c is room for c in p.suite)), "")
                 rooms.append(Placement(room, world, parent))
                 if not parent:
                     span = [box for box in boxes if box[1] < 0.01]
-                    fronts.append(
-                        (
-                            segment.bar,
-                            room,
-                            x0 + min(b[0] for b in span),
-                            x0 + max(b[2] for b in span),
-                        )
-                    )
+                    fronts.append((segment.bar, room, x0 + min(b[0] for b in span), x0 + max(b[2] for b in span)))
     x = stop
     for room in ends:
         wide = (length - stop) * room.gross / sum(end.gross for end in ends)

@@ -64,11 +64,7 @@ def _mark_copies(decisions: Decisions, storeys: list[Storey]) -> None:
                     f"{quoted(fact.span)} makes storeys identical, {quoted(room.span)} is for storey "
                     f"{min(pinned)} alone; keep one of the two",
                     path="$.description",
-                    details={
-                        "first": fact.span.words,
-                        "second": room.span.words,
-                        "stage": "program",
-                    },
+                    details={"first": fact.span.words, "second": room.span.words, "stage": "program"},
                 )
         for floor in group[1:]:
             by_index[floor].copy = group[0]
@@ -76,11 +72,7 @@ def _mark_copies(decisions: Decisions, storeys: list[Storey]) -> None:
             by_index[floor].use = by_index[group[0]].use
             by_index[floor].hub = by_index[group[0]].hub
         if len(group) > 1:
-            note(
-                decisions.trace,
-                fact.span,
-                f"storeys {group[1]} to {group[-1]} repeat storey {group[0]}",
-            )
+            note(decisions.trace, fact.span, f"storeys {group[1]} to {group[-1]} repeat storey {group[0]}")
 
 
 def _shape_storeys(decisions: Decisions, storeys: list[Storey]) -> None:
@@ -91,11 +83,7 @@ def _shape_storeys(decisions: Decisions, storeys: list[Storey]) -> None:
         for storey in storeys:
             if storey.index >= 2:
                 storey.setback = depth
-        note(
-            decisions.trace,
-            facts.setback[0],
-            f"storeys above the ground floor are {depth:g} m shorter",
-        )
+        note(decisions.trace, facts.setback[0], f"storeys above the ground floor are {depth:g} m shorter")
     elif facts.protruding and decisions.floors > 1:
         for storey in storeys:
             if storey.index <= 1:

@@ -38,16 +38,8 @@ def vertical_method(
         return "elevator", 0, max(lifts, 1), f'elevator alone, as "{wishes["no_stair"].words}" asks'
     stairs = 1
     largest = max(
-        [
-            fact.area or knowledge.room(fact.room_type).usual
-            for facts in allocation.wanted.values()
-            for fact in facts
-        ]
-        + [
-            entry.area or knowledge.room(entry.room_type).usual
-            for storey in storeys
-            for entry in entries_of(storey)
-        ],
+        [fact.area or knowledge.room(fact.room_type).usual for facts in allocation.wanted.values() for fact in facts]
+        + [entry.area or knowledge.room(entry.room_type).usual for storey in storeys for entry in entries_of(storey)],
         default=0.0,
     )
     if (

@@ -108,10 +108,7 @@ class Annealing:
         return self._run(grid, labels, NO_BOXES, wanted, (0.05, 0.005), (0.0, 0.02))
 
     def refined(
-        self,
-        partition: Partition,
-        goal: Goal | None = None,
-        levels: tuple[tuple[float, ...], ...] | None = None,
+        self, partition: Partition, goal: Goal | None = None, levels: tuple[tuple[float, ...], ...] | None = None
     ) -> Partition:
         """Move the walls to their places on finer grids: by descent, or almost so where no seed says where."""
         usual = LEAN_LEVELS if self.large else FINE_LEVELS

@@ -25,11 +25,7 @@ def _distances(cells: Cells, labels: Ints, a: int) -> tuple[Floats, Ints]:
                     continue
                 for q in range(4):
                     y, x = j + (q == 0) - (q == 1), i + (q == 2) - (q == 3)
-                    s = (
-                        cells.geometry[min(j, y), i, HB]
-                        if q < 2
-                        else cells.geometry[j, min(i, x), VB]
-                    )
+                    s = cells.geometry[min(j, y), i, HB] if q < 2 else cells.geometry[j, min(i, x), VB]
                     step = far[y, x] + cells.geometry[j, i, AREA]
                     if s > 1e-6 and step < far[j, i] - 1e-9:
                         far[j, i] = step
@@ -48,12 +44,7 @@ def _carve(cells: Cells, labels: Ints, a: int, b: int) -> bool:
         for i in range(1, columns - 1):
             if labels[j, i] == b or far[j, i] >= least:
                 continue
-            if (
-                labels[j, i + 1] == b
-                or labels[j, i - 1] == b
-                or labels[j + 1, i] == b
-                or labels[j - 1, i] == b
-            ):
+            if labels[j, i + 1] == b or labels[j, i - 1] == b or labels[j + 1, i] == b or labels[j - 1, i] == b:
                 best, least = j * columns + i, far[j, i]
     if best < 0:
         return False

@@ -105,9 +105,7 @@ class _Rounds:
                 gamma = self.options.radius_growth**j
                 batch = sample_batch(seeds, gamma * radii, size, self.spacing, self.rng)
             unmet, found = self._grow(cut, links, need, batch, targets, scratch)
-            if unmet >= 0 and (
-                fewest < 0 or unmet < fewest or (unmet == fewest and found < energy)
-            ):
+            if unmet >= 0 and (fewest < 0 or unmet < fewest or (unmet == fewest and found < energy)):
                 fewest, energy = unmet, found
                 best[:, :] = scratch
                 method = "monte_carlo" if fallback else "seeds"
@@ -122,18 +120,13 @@ class _Rounds:
             method = f"{method}, {fewest} links open" if fewest > 0 else "failed"
         self.records.append(
             CutRoundRecord(
-                parent=cut.parent,
-                children=list(cut.children),
-                method=method,
-                candidates=self.budget.used - used,
+                parent=cut.parent, children=list(cut.children), method=method, candidates=self.budget.used - used
             )
         )
 
     def _skip(self, cut: CutRound) -> None:
         """Note a round whose parent has no ground left to split."""
-        self.records.append(
-            CutRoundRecord(parent=cut.parent, children=list(cut.children), method="failed")
-        )
+        self.records.append(CutRoundRecord(parent=cut.parent, children=list(cut.children), method="failed"))
 
     def _grow(
         self, cut: CutRound, links: Ints, need: Floats, batch: Floats, targets: Floats, out: Ints
@@ -216,12 +209,7 @@ class _Rounds:
             neighbours=tuple(near),
             layout=layout,
             preview=render_preview(
-                grid.xs,
-                grid.ys,
-                self.labels,
-                self.index[cut.parent],
-                len(self.model.rooms),
-                self.outside,
+                grid.xs, grid.ys, self.labels, self.index[cut.parent], len(self.model.rooms), self.outside
             ),
         )
 

@@ -28,12 +28,7 @@ def load_problems(path: Path) -> list[FloorProblem]:
 
 
 def solve_file(
-    problems: Path,
-    output: Path,
-    *,
-    seed: int = 0,
-    jobs: int = 1,
-    progress: Callable[[Progress], None] | None = None,
+    problems: Path, output: Path, *, seed: int = 0, jobs: int = 1, progress: Callable[[Progress], None] | None = None
 ) -> list[FloorLayout]:
     """Solve every problem of a file and write the layouts.
 
@@ -58,10 +53,7 @@ def solve_file(
     MansionError
         When the problems cannot be read.
     """
-    asked = [
-        msgspec.structs.replace(problem, seed=problem.seed + seed)
-        for problem in load_problems(problems)
-    ]
+    asked = [msgspec.structs.replace(problem, seed=problem.seed + seed) for problem in load_problems(problems)]
     done: dict[int, FloorLayout] = {}
     with closing(solutions(asked, jobs)) as arriving:
         for index, layout in arriving:

@@ -22,9 +22,7 @@ def _turned_edge(edge: RealisedEdge, angle: float) -> RealisedEdge:
     return edge
 
 
-def _reason(
-    model: FloorModel, edge: RealisedEdge, relaxed: list[Relaxed], options: SolverOptions, used: int
-) -> str:
+def _reason(model: FloorModel, edge: RealisedEdge, relaxed: list[Relaxed], options: SolverOptions, used: int) -> str:
     for entry in relaxed:
         if {entry.link.source, entry.link.target} == {edge.source, edge.target}:
             return entry.reason
@@ -63,12 +61,7 @@ def finish(
     rooms += [LayoutRoom(id=r.id, polygon=r.polygon) for r in model.problem.fixed_rooms]
     edges = [_turned_edge(edge, model.angle) for edge in verdict.edges]
     unmet = [
-        UnmetEdge(
-            source=e.source,
-            target=e.target,
-            kind=e.kind,
-            reason=_reason(model, e, relaxed, options, used),
-        )
+        UnmetEdge(source=e.source, target=e.target, kind=e.kind, reason=_reason(model, e, relaxed, options, used))
         for e in edges
         if not e.satisfied
     ]

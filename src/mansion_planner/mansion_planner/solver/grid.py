@@ -115,9 +115,7 @@ def _lengths_inside(model: FloorModel, x0: Floats, y0: Floats, x1: Floats, y1: F
     return lengths
 
 
-def _labels(
-    model: FloorModel, xs: Floats, ys: Floats
-) -> tuple[Ints, Floats, Floats, Floats, Bools]:
+def _labels(model: FloorModel, xs: Floats, ys: Floats) -> tuple[Ints, Floats, Floats, Floats, Bools]:
     """Classify the cells; return labels (-1 free), areas, centroids and which cells the outline crosses."""
     rooms = len(model.rooms)
     outside = rooms + len(model.obstacles)
@@ -158,17 +156,13 @@ def _rectilinear_on_lines(model: FloorModel, xs: Floats, ys: Floats) -> bool:
                 return False
             for axis, lines in ((0, xs), (1, ys)):
                 at = np.clip(np.searchsorted(lines, points[:, axis]), 1, len(lines) - 1)
-                off = np.minimum(
-                    np.abs(lines[at] - points[:, axis]), np.abs(lines[at - 1] - points[:, axis])
-                )
+                off = np.minimum(np.abs(lines[at] - points[:, axis]), np.abs(lines[at - 1] - points[:, axis]))
                 if (off > 2 * SAME_LINE).any():
                     return False
     return True
 
 
-def _borders(
-    model: FloorModel, xs: Floats, ys: Floats, base: Ints, crossed: Bools
-) -> tuple[Floats, Floats]:
+def _borders(model: FloorModel, xs: Floats, ys: Floats, base: Ints, crossed: Bools) -> tuple[Floats, Floats]:
     """Return the border lengths of all cells (outside the frame); partly inside where the outline cuts them."""
     rows, columns = base.shape
     hb = np.zeros((rows, columns))
@@ -203,9 +197,7 @@ def _structure(model: FloorModel, xs: Floats, ys: Floats) -> tuple[Floats, Float
     return hs, vs
 
 
-def _slanted_contacts(
-    model: FloorModel, xs: Floats, ys: Floats, base: Ints, crossed: Bools
-) -> tuple[Ints, Floats]:
+def _slanted_contacts(model: FloorModel, xs: Floats, ys: Floats, base: Ints, crossed: Bools) -> tuple[Ints, Floats]:
     """Return, for crossed free cells, the obstacle whose side runs through the cell and for how long."""
     near = np.zeros(base.shape, np.int64)
     length = np.zeros(base.shape)
@@ -215,9 +207,7 @@ def _slanted_contacts(
     boxes = shapely.box(xs[cells[:, 1]], ys[cells[:, 0]], xs[cells[:, 1] + 1], ys[cells[:, 0] + 1])
     for k, obstacle in enumerate(model.obstacles):
         inner = shapely.length(shapely.intersection(boxes, obstacle.polygon.boundary))
-        edge = shapely.length(
-            shapely.intersection(shapely.boundary(boxes), obstacle.polygon.boundary)
-        )
+        edge = shapely.length(shapely.intersection(shapely.boundary(boxes), obstacle.polygon.boundary))
         for (j, i), s in zip(cells.tolist(), (inner - edge).tolist()):
             if s > length[j, i] + 1e-9:
                 near[j, i], length[j, i] = len(model.rooms) + k, s

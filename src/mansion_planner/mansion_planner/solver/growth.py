@@ -59,13 +59,7 @@ def _hungriest(area: Floats, targets: Floats, done: Ints) -> int:
 
 @kernel
 def _grow_rectangles(
-    xs: Floats,
-    ys: Floats,
-    geometry: Floats,
-    work: Ints,
-    targets: Floats,
-    bounds: Ints,
-    area: Floats,
+    xs: Floats, ys: Floats, geometry: Floats, work: Ints, targets: Floats, bounds: Ints, area: Floats
 ) -> None:
     """Push out whole sides of the rectangles, the hungriest room first, the side that keeps it squarest."""
     done = np.zeros(targets.size, np.int64)
@@ -128,9 +122,7 @@ def _longest_run(work: Ints, xs: Floats, ys: Floats, k: int, run: Ints) -> float
 
 
 @kernel
-def _grow_ells(
-    xs: Floats, ys: Floats, geometry: Floats, work: Ints, targets: Floats, area: Floats
-) -> None:
+def _grow_ells(xs: Floats, ys: Floats, geometry: Floats, work: Ints, targets: Floats, area: Floats) -> None:
     """Let rooms that are still too small grow along their longest free side, which makes them L-shaped."""
     done = np.zeros(targets.size, np.int64)
     run = np.zeros(4, np.int64)
@@ -156,15 +148,7 @@ def _grow_ells(
 
 
 @kernel
-def grow(
-    xs: Floats,
-    ys: Floats,
-    geometry: Floats,
-    work: Ints,
-    seeds: Floats,
-    targets: Floats,
-    vanishes: bool,
-) -> bool:
+def grow(xs: Floats, ys: Floats, geometry: Floats, work: Ints, seeds: Floats, targets: Floats, vanishes: bool) -> bool:
     """Grow one candidate in place; False when there are fewer cells than children.
 
     Parameters

@@ -104,9 +104,7 @@ def _obstacles(problem: FloorProblem, angle: float) -> list[Obstacle]:
     return found
 
 
-def _walls(
-    problem: FloorProblem, region: Polygon | MultiPolygon, angle: float
-) -> tuple[LineString, ...]:
+def _walls(problem: FloorProblem, region: Polygon | MultiPolygon, angle: float) -> tuple[LineString, ...]:
     """Return the structural walls, straightened where they are nearly parallel to the building's directions.
 
     Raises
@@ -169,9 +167,7 @@ def _seeds(
     return seeds, extents
 
 
-def _min_widths(
-    rooms: list[ProblemNode], targets: NDArray[np.float64], options: SolverOptions
-) -> NDArray[np.float64]:
+def _min_widths(rooms: list[ProblemNode], targets: NDArray[np.float64], options: SolverOptions) -> NDArray[np.float64]:
     """Return each room's minimum width: given, or the default capped for rooms too small for it."""
     default = np.minimum(options.min_width, 0.75 * np.sqrt(targets))
     given = np.array([room.min_width or np.nan for room in rooms], dtype=float)
@@ -208,9 +204,7 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
         raise _refuse("node ids must differ", "$.nodes", repeated=twice)
     rooms, zones, links, graph, messages = resolve_zones(problem, known)
     if not rooms:
-        raise _refuse(
-            "there is no room to lay out: every node is a core or a fixed room", "$.nodes"
-        )
+        raise _refuse("there is no room to lay out: every node is a core or a fixed room", "$.nodes")
     targets, scale = _targets(rooms, float(region.area))
     if abs(scale - 1.0) > 0.01:
         messages.append(f"node areas were scaled by {scale:.3f} to fill the free region")

@@ -15,9 +15,7 @@ MOST_SWAPPED = 2.0
 
 
 @kernel
-def _run_end(
-    labels: Ints, free: Bools, j: int, i: int, tj: int, ti: int, sj: int, si: int, whole: bool
-) -> int:
+def _run_end(labels: Ints, free: Bools, j: int, i: int, tj: int, ti: int, sj: int, si: int, whole: bool) -> int:
     """Return how many cells the wall beside cell (j, i) goes on in direction (tj, ti).
 
     The wall is on side (sj, si) of the cell; with `whole` it may border several rooms.
@@ -88,9 +86,7 @@ def shift_wall(
                     break
                 step -= 1
             if labels[yy, xx] != new:
-                made = repaint(
-                    geometry, near, labels, stats, contact, straddle, changes, made, yy, xx, new
-                )
+                made = repaint(geometry, near, labels, stats, contact, straddle, changes, made, yy, xx, new)
     return made
 
 
@@ -119,16 +115,6 @@ def swap_rooms(
             x = labels[j, i]
             if x in (a, b):
                 made = repaint(
-                    geometry,
-                    near,
-                    labels,
-                    stats,
-                    contact,
-                    straddle,
-                    changes,
-                    made,
-                    j,
-                    i,
-                    b if x == a else a,
+                    geometry, near, labels, stats, contact, straddle, changes, made, j, i, b if x == a else a
                 )
     return made

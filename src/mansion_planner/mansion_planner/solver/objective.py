@@ -26,34 +26,10 @@ from mansion_planner.solver.widths import LARGE, border_sums, scan_runs
 
 __all__ = ["WEIGHTS", "edge_energy", "room_cost", "room_energy", "thin_energy", "total_energy"]
 
-WEIGHTS = (
-    "area",
-    "seed",
-    "corner",
-    "compact",
-    "access",
-    "adjacent",
-    "thin",
-    "apart",
-    "straddle",
-    "wall",
-    "narrow",
-)
+WEIGHTS = ("area", "seed", "corner", "compact", "access", "adjacent", "thin", "apart", "straddle", "wall", "narrow")
 """Order of `Goal.weights`."""
 
-(
-    W_AREA,
-    W_SEED,
-    W_CORNER,
-    W_COMPACT,
-    W_ACCESS,
-    W_ADJACENT,
-    W_THIN,
-    W_APART,
-    W_STRADDLE,
-    W_WALL,
-    W_NARROW,
-) = range(11)
+(W_AREA, W_SEED, W_CORNER, W_COMPACT, W_ACCESS, W_ADJACENT, W_THIN, W_APART, W_STRADDLE, W_WALL, W_NARROW) = range(11)
 ACCESS = 0
 DETOUR = 1.12
 """Compactness (perimeter / 4 sqrt(area)) up to which a room's proportions cost nothing: a rectangle of 1 : 2.6."""
@@ -64,9 +40,7 @@ NARROW = 1e-3
 
 
 @kernel
-def room_cost(
-    rooms: Floats, w: Floats, stats: Floats, contact: Floats, outside: int, r: int
-) -> float:
+def room_cost(rooms: Floats, w: Floats, stats: Floats, contact: Floats, outside: int, r: int) -> float:
     """Return what area, seed, proportions and envelope of room `r` cost, which is all but its corners."""
     a = stats[r, SIZE]
     t = rooms[r, TARGET]
@@ -98,14 +72,7 @@ def room_energy(rooms: Floats, w: Floats, stats: Floats, straddle: Floats, costs
 
 @kernel
 def edge_energy(
-    links: Ints,
-    need: Floats,
-    apart: Ints,
-    w: Floats,
-    stats: Floats,
-    contact: Floats,
-    run: Floats,
-    exact: bool,
+    links: Ints, need: Floats, apart: Ints, w: Floats, stats: Floats, contact: Floats, run: Floats, exact: bool
 ) -> float:
     """Return the part of the energy that the room graph causes.
 
@@ -165,7 +132,5 @@ def total_energy(cells: Cells, goal: Goal, state: State) -> float:
     for r in range(rooms.shape[0]):
         costs[r] = room_cost(rooms, weights, state.stats, state.contact, outside, r)
     energy = room_energy(rooms, weights, state.stats, state.straddle, costs)
-    energy += edge_energy(
-        goal.links, goal.need, goal.apart, weights, state.stats, state.contact, state.run, True
-    )
+    energy += edge_energy(goal.links, goal.need, goal.apart, weights, state.stats, state.contact, state.run, True)
     return energy + thin_energy(rooms, weights, state.thin)

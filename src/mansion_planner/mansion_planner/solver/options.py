@@ -104,7 +104,5 @@ class SolverOptions:
     adjacent_wall: float = 0.3
     seeded: SearchWeights = field(default_factory=lambda: SearchWeights(thin=0.7, narrow=0.1))
     unseeded: SearchWeights = field(
-        default_factory=lambda: SearchWeights(
-            area=3.2, corner=0.32, compact=0.7, thin=3.0, wall=0.1, narrow=0.5
-        )
+        default_factory=lambda: SearchWeights(area=3.2, corner=0.32, compact=0.7, thin=3.0, wall=0.1, narrow=0.5)
     )

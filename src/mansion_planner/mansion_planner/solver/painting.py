@@ -67,9 +67,7 @@ def _corners_at(stats: Floats, a: int, b: int, c: int, d: int, sign: float) -> N
 
 
 @kernel
-def _border(
-    contact: Floats, straddle: Floats, old: int, new: int, other: int, length: float, wall: float
-) -> float:
+def _border(contact: Floats, straddle: Floats, old: int, new: int, other: int, length: float, wall: float) -> float:
     """Move one border of a cell from label `old` to `new`; return what both perimeters gain by their common wall."""
     if other == old:
         contact[old, new] += length

@@ -7,9 +7,7 @@ __all__ = ["piece_size", "still_whole"]
 
 
 @kernel
-def piece_size(
-    geometry: Floats, labels: Ints, j: int, i: int, stack: Ints, seen: Ints, stamp: int
-) -> int:
+def piece_size(geometry: Floats, labels: Ints, j: int, i: int, stack: Ints, seen: Ints, stamp: int) -> int:
     """Return how many cells can be reached from (j, i) across borders within its label; mark them with `stamp`."""
     r = labels[j, i]
     columns = labels.shape[1]

@@ -81,10 +81,7 @@ def _shape_of(xs: list[float], ys: list[float], mask: Mask) -> Polygon | MultiPo
     shells = [Polygon(ring) for ring in outer]
     for ring in inner:
         hole = Polygon(ring)
-        k = min(
-            (k for k, shell in enumerate(shells) if shell.covers(hole)),
-            key=lambda k: shells[k].area,
-        )
+        k = min((k for k, shell in enumerate(shells) if shell.covers(hole)), key=lambda k: shells[k].area)
         shells[k] = shells[k].difference(hole)
     return MultiPolygon(shells)
 
@@ -117,16 +114,11 @@ def room_shapes(model: FloorModel, grid: Grid, labels: Ints) -> list[Polygon | M
 
 def turned_back(ring: Ring, angle: float, *, ccw: bool = True, digits: int = 4) -> Ring:
     """Return `ring` in the problem's frame, in the wished order, rounded."""
-    return [
-        (round(x, digits), round(y, digits)) for x, y in oriented(rotated(ring, -angle), ccw=ccw)
-    ]
+    return [(round(x, digits), round(y, digits)) for x, y in oriented(rotated(ring, -angle), ccw=ccw)]
 
 
 def layout_room(name: str, shape: Polygon, angle: float) -> LayoutRoom:
     """Return a room in the problem's frame."""
     shell = turned_back(shapely.get_coordinates(shape.exterior)[:-1].tolist(), angle)
-    holes = [
-        turned_back(shapely.get_coordinates(line)[:-1].tolist(), angle, ccw=False)
-        for line in shape.interiors
-    ]
+    holes = [turned_back(shapely.get_coordinates(line)[:-1].tolist(), angle, ccw=False) for line in shape.interiors]
     return LayoutRoom(id=name, polygon=shell, holes=holes)

@@ -20,9 +20,7 @@ def png_bytes(pixels: NDArray[np.uint8]) -> bytes:
     """Encode (rows, columns, 3) pixels as a PNG image."""
 
     def chunk(name: bytes, data: bytes) -> bytes:
-        return (
-            struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
-        )
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
 
     rows, columns, _ = pixels.shape
     raw = np.zeros((rows, 1 + 3 * columns), np.uint8)

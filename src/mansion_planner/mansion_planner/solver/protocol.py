@@ -74,9 +74,7 @@ def _corners(shape: BaseGeometry) -> int:
     )
 
 
-def _edge_counts(
-    problem: FloorProblem, rooms: dict[str, BaseGeometry], touch: float
-) -> dict[str, list[int]]:
+def _edge_counts(problem: FloorProblem, rooms: dict[str, BaseGeometry], touch: float) -> dict[str, list[int]]:
     """Return (met, asked) for access and adjacent edges."""
     shapes = dict(rooms)
     shapes.update((core.id, as_polygon(core.polygon)) for core in problem.cores)
@@ -103,9 +101,7 @@ def _edge_counts(
     return counts
 
 
-def score_plan(
-    problem: TrueProblem, layout: FloorLayout, *, cells: int = 64, touch: float = 0.3
-) -> PlanScore:
+def score_plan(problem: TrueProblem, layout: FloorLayout, *, cells: int = 64, touch: float = 0.3) -> PlanScore:
     """Score one layout.
 
     Parameters
@@ -137,9 +133,7 @@ def score_plan(
         if outer:
             shares.append(inner / outer)
     errors = [
-        abs(rooms[name].area - area) / area if name in rooms else 1.0
-        for name, area in want.items()
-        if area > 0.0
+        abs(rooms[name].area - area) / area if name in rooms else 1.0 for name, area in want.items() if area > 0.0
     ]
     whole = shapely.union_all(list(rooms.values())) if rooms else shapely.Polygon()
     counts = _edge_counts(problem, rooms, touch)
@@ -186,9 +180,7 @@ def _figures(scores: list[PlanScore]) -> dict[str, float]:
     }
 
 
-def figures(
-    scores: list[PlanScore], *, resamples: int = 1000, seed: int = 0
-) -> dict[str, Interval]:
+def figures(scores: list[PlanScore], *, resamples: int = 1000, seed: int = 0) -> dict[str, Interval]:
     """Return the figures of a list of plans with 95% bootstrap intervals over plans.
 
     Parameters
@@ -200,10 +192,7 @@ def figures(
     """
     point = _figures(scores)
     rng = np.random.default_rng(seed)
-    drawn = [
-        _figures([scores[k] for k in rng.integers(len(scores), size=len(scores))])
-        for _ in range(resamples)
-    ]
+    drawn = [_figures([scores[k] for k in rng.integers(len(scores), size=len(scores))]) for _ in range(resamples)]
     return {
         name: Interval(
             value,
@@ -237,8 +226,5 @@ def run_protocol(
     from mansion_planner.solver.workers import solve_timed
 
     warm()
-    layouts = [
-        solve_timed(msgspec.structs.replace(problem, seed=problem.seed + seed), options)
-        for problem in problems
-    ]
+    layouts = [solve_timed(msgspec.structs.replace(problem, seed=problem.seed + seed), options) for problem in problems]
     return [score_plan(p, layout) for p, layout in zip(problems, layouts)], layouts

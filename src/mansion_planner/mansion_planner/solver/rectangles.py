@@ -121,9 +121,7 @@ def _heir(geometry: Floats, free: Bools, labels: Ints, j: int, i: int) -> int:
 
 
 @kernel
-def _buries(
-    free: Bools, labels: Ints, stats: Floats, r: int, j0: int, j1: int, i0: int, i1: int
-) -> bool:
+def _buries(free: Bools, labels: Ints, stats: Floats, r: int, j0: int, j1: int, i0: int, i1: int) -> bool:
     """Tell whether a rectangle of room `r` would take most of another room's cells."""
     lost = np.zeros(stats.shape[0])
     for j in range(j0, j1):
@@ -158,9 +156,7 @@ def place_rectangle(
     for j in range(j0, j1):
         for i in range(i0, i1):
             if free[j, i] and labels[j, i] != r:
-                made = repaint(
-                    geometry, near, labels, stats, contact, straddle, changes, made, j, i, r
-                )
+                made = repaint(geometry, near, labels, stats, contact, straddle, changes, made, j, i, r)
     if made == 0:
         return 0
     left, before = 1, -1
@@ -174,7 +170,5 @@ def place_rectangle(
                 if best < 0:
                     left += 1
                 else:
-                    made = repaint(
-                        geometry, near, labels, stats, contact, straddle, changes, made, j, i, best
-                    )
+                    made = repaint(geometry, near, labels, stats, contact, straddle, changes, made, j, i, best)
     return made

@@ -41,9 +41,7 @@ def make_goal(model: FloorModel, options: SolverOptions, left_out: Iterable[Link
     known = ~np.isnan(model.seeds[:, 0])
     linked = {(min(a, b), max(a, b)) for a, b in pairs.tolist()}
     apart = np.array(
-        [(a, b) for a in range(n) for b in range(a + 1, n) if (a, b) not in linked]
-        if (kind == 1).any()
-        else [],
+        [(a, b) for a in range(n) for b in range(a + 1, n) if (a, b) not in linked] if (kind == 1).any() else [],
         np.int64,
     ).reshape(-1, 2)
     hub = np.arange(n) == 0
@@ -106,10 +104,7 @@ def _beside(lines: Floats, major: Floats, offsets: tuple[float, ...]) -> Floats:
 
 
 def refined_grid(
-    model: FloorModel,
-    major: tuple[Floats, Floats],
-    partition: Partition,
-    offsets: tuple[float, ...],
+    model: FloorModel, major: tuple[Floats, Floats], partition: Partition, offsets: tuple[float, ...]
 ) -> tuple[Grid, Ints]:
     """Return a grid of the used lines with finer ones around them, and the partition's labels on it."""
     xs, ys = used_lines(partition.grid, partition.labels)

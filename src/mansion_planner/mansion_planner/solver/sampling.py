@@ -13,9 +13,7 @@ def base_radii(shares: Floats, options: SolverOptions) -> Floats:
     return options.base_radius + options.radius_gain * shares
 
 
-def sample_batch(
-    seeds: Floats, radii: Floats, size: int, separation: float, rng: np.random.Generator
-) -> Floats:
+def sample_batch(seeds: Floats, radii: Floats, size: int, separation: float, rng: np.random.Generator) -> Floats:
     """Draw perturbed seeds uniformly from the discs around `seeds`; the first candidate is unperturbed.
 
     Seeds closer than `separation` are drawn again, up to eight times, then kept as they are.
@@ -60,9 +58,7 @@ def repelled_batch(cells: Floats, targets: Floats, size: int, rng: np.random.Gen
         for k in order.tolist():
             point = cells[rng.integers(len(cells))]
             for _ in range(12):
-                if all(
-                    np.hypot(*(point - batch[b, m])) >= 0.8 * (reach[k] + reach[m]) for m in done
-                ):
+                if all(np.hypot(*(point - batch[b, m])) >= 0.8 * (reach[k] + reach[m]) for m in done):
                     break
                 point = cells[rng.integers(len(cells))]
             batch[b, k] = point

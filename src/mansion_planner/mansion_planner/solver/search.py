@@ -11,13 +11,7 @@ import numpy as np
 from mansion_planner.solver.draws import draw, uniform
 from mansion_planner.solver.jit import kernel
 from mansion_planner.solver.moves import shift_wall, swap_rooms
-from mansion_planner.solver.objective import (
-    edge_energy,
-    room_cost,
-    room_energy,
-    thin_energy,
-    total_energy,
-)
+from mansion_planner.solver.objective import edge_energy, room_cost, room_energy, thin_energy, total_energy
 from mansion_planner.solver.painting import recount
 from mansion_planner.solver.pieces import still_whole
 from mansion_planner.solver.rectangles import place_rectangle, random_rectangle
@@ -127,45 +121,21 @@ def _propose(
     changes, box = scratch.changes, scratch.box
     u = uniform(rng)
     if u < swaps:
-        return swap_rooms(
-            geometry, near, labels, stats, contact, straddle, changes, rng, goal.rooms
-        )
+        return swap_rooms(geometry, near, labels, stats, contact, straddle, changes, rng, goal.rooms)
     if u >= swaps + jumps:
-        return shift_wall(
-            geometry, near, free, labels, stats, contact, straddle, changes, rng, reach
-        )
+        return shift_wall(geometry, near, free, labels, stats, contact, straddle, changes, rng, reach)
     if boxes.shape[0] > 0:
         box[:] = boxes[draw(rng) % boxes.shape[0]]
-    elif not random_rectangle(
-        cells.xs, cells.ys, free, goal.rooms, goal.links, goal.need, labels, contact, rng, box
-    ):
+    elif not random_rectangle(cells.xs, cells.ys, free, goal.rooms, goal.links, goal.need, labels, contact, rng, box):
         return 0
     return place_rectangle(
-        geometry,
-        near,
-        free,
-        labels,
-        stats,
-        contact,
-        straddle,
-        changes,
-        box[0],
-        box[1],
-        box[2],
-        box[3],
-        box[4],
+        geometry, near, free, labels, stats, contact, straddle, changes, box[0], box[1], box[2], box[3], box[4]
     )
 
 
 @kernel
 def _energy_within(
-    cells: Cells,
-    goal: Goal,
-    state: State,
-    costs: Floats,
-    scratch: _Scratch,
-    made: int,
-    limit: float,
+    cells: Cells, goal: Goal, state: State, costs: Floats, scratch: _Scratch, made: int, limit: float
 ) -> float:
     """Return the energy after a move, or infinity where a bound is above `limit` or a touched room is in pieces.
 
@@ -191,16 +161,7 @@ def _energy_within(
     ):
         return np.inf
     scan_runs(
-        cells.xs,
-        cells.ys,
-        scratch.sums,
-        rooms,
-        goal.side,
-        state.labels,
-        run,
-        state.thin,
-        scratch.few,
-        scratch.narrow,
+        cells.xs, cells.ys, scratch.sums, rooms, goal.side, state.labels, run, state.thin, scratch.few, scratch.narrow
     )
     found = shape + thin_energy(rooms, weights, state.thin)
     return found + edge_energy(links, need, apart, weights, stats, contact, run, True)
@@ -312,20 +273,7 @@ def anneal(
     for r in range(costs.size):
         costs[r] = room_cost(goal.rooms, goal.weights, state.stats, state.contact, outside, r)
     state.labels[:, :] = _walk(
-        cells,
-        goal,
-        state,
-        boxes,
-        scratch,
-        rng,
-        costs,
-        energy,
-        proposals,
-        hot,
-        cold,
-        reach,
-        swaps,
-        jumps,
+        cells, goal, state, boxes, scratch, rng, costs, energy, proposals, hot, cold, reach, swaps, jumps
     )
     recount(cells, state)
     return total_energy(cells, goal, state)

@@ -94,11 +94,7 @@ def plan_seeds(
 
 
 def _plan_costs(
-    model: FloorModel,
-    cut: CutRound,
-    trials: Floats,
-    placed: dict[str, tuple[float, float]],
-    spread: float,
+    model: FloorModel, cut: CutRound, trials: Floats, placed: dict[str, tuple[float, float]], spread: float
 ) -> Floats:
     """Return the cost of each trial, an array (draws, children, 2) of seeds."""
     a, b = np.triu_indices(trials.shape[1], 1)

@@ -75,10 +75,7 @@ def _too_small(model: FloorModel) -> MansionError:
 
 
 def solve_floor(
-    problem: FloorProblem,
-    *,
-    options: SolverOptions | None = None,
-    seed_callback: SeedCallback | None = None,
+    problem: FloorProblem, *, options: SolverOptions | None = None, seed_callback: SeedCallback | None = None
 ) -> FloorLayout:
     """Lay out one floor: cut rounds from the hub outwards, then a search that moves the walls.
 

@@ -37,9 +37,7 @@ def _prefix(cells: Cells) -> Floats:
                     v = a * cells.geometry[j, i, CX]
                 elif q == 2:
                     v = a * cells.geometry[j, i, CY]
-                total[q, j + 1, i + 1] = (
-                    v + total[q, j, i + 1] + total[q, j + 1, i] - total[q, j, i]
-                )
+                total[q, j + 1, i + 1] = v + total[q, j, i + 1] + total[q, j + 1, i] - total[q, j, i]
     return total
 
 
@@ -49,9 +47,7 @@ def _within(total: Floats, q: int, j0: int, j1: int, i0: int, i1: int) -> float:
 
 
 @kernel
-def _misfit(
-    total: Floats, room: Floats, j0: int, j1: int, i0: int, i1: int, height: float, span: float
-) -> float:
+def _misfit(total: Floats, room: Floats, j0: int, j1: int, i0: int, i1: int, height: float, span: float) -> float:
     """Return what a rectangle of `height` and `span` costs as a room's start; infinity where its area is far off."""
     t = room[TARGET]
     a = _within(total, 0, j0, j1, i0, i1)
@@ -95,9 +91,7 @@ def _insert(costs: Floats, boxes: Ints, made: int, cost: float) -> int:
 
 
 @kernel
-def _fit_room(
-    cells: Cells, total: Floats, room: Floats, r: int, keep: int, boxes: Ints, costs: Floats
-) -> int:
+def _fit_room(cells: Cells, total: Floats, room: Floats, r: int, keep: int, boxes: Ints, costs: Floats) -> int:
     """Write the rectangles that fit room `r` best, best first, to `boxes` and `costs`; return how many."""
     xs, ys, t = cells.xs, cells.ys, room[TARGET]
     reach = 1.6 * t**0.5
@@ -193,11 +187,7 @@ def _keep_main_piece(labels: Ints, cells: Cells, r: int, sx: float, sy: float) -
                     size += cells.geometry[y, x, AREA]
                     for q in range(4):
                         yy, xx = y + (q == 0) - (q == 1), x + (q == 2) - (q == 3)
-                        s = (
-                            cells.geometry[min(y, yy), x, HB]
-                            if q < 2
-                            else cells.geometry[y, min(x, xx), VB]
-                        )
+                        s = cells.geometry[min(y, yy), x, HB] if q < 2 else cells.geometry[y, min(x, xx), VB]
                         if labels[yy, xx] == r and not seen[yy, xx] and s > 1e-6:
                             seen[yy, xx] = True
                             top += 1
@@ -250,9 +240,7 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
     while empty > 0:
         r = -1
         for k in range(n):
-            if not closed[k] and (
-                r < 0 or area[k] / goal.rooms[k, TARGET] < area[r] / goal.rooms[r, TARGET]
-            ):
+            if not closed[k] and (r < 0 or area[k] / goal.rooms[k, TARGET] < area[r] / goal.rooms[r, TARGET]):
                 r = k
         if r < 0:
             return False
@@ -268,10 +256,7 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
                 touch += labels[j - 1, i] == r and cells.geometry[j - 1, i, HB] > 1e-6
                 if touch == 0:
                     continue
-                dx, dy = (
-                    abs(cells.geometry[j, i, CX] - seeds[r, 0]),
-                    abs(cells.geometry[j, i, CY] - seeds[r, 1]),
-                )
+                dx, dy = (abs(cells.geometry[j, i, CX] - seeds[r, 0]), abs(cells.geometry[j, i, CY] - seeds[r, 1]))
                 d = max(dx, dy) + 0.3 * min(dx, dy) - 0.5 * touch
                 if d < nearest:
                     best, nearest = j * columns + i, d

@@ -10,13 +10,7 @@ from shapely.geometry import MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from mansion_geometry.rings import corner_points, polygon_parts
-from mansion_geometry.shared_walls import (
-    SharedWall,
-    edge_array,
-    longest_wall,
-    shared_walls,
-    total_length,
-)
+from mansion_geometry.shared_walls import SharedWall, edge_array, longest_wall, shared_walls, total_length
 from mansion_msgs_py.layout import RealisedEdge
 from mansion_planner.solver.model import FloorModel, Obstacle
 from mansion_planner.solver.options import SolverOptions
@@ -111,9 +105,7 @@ def realise_edges(
     return found
 
 
-def judge(
-    model: FloorModel, shapes: list[Polygon | MultiPolygon], options: SolverOptions
-) -> Verdict:
+def judge(model: FloorModel, shapes: list[Polygon | MultiPolygon], options: SolverOptions) -> Verdict:
     """Measure a layout given in the model's frame."""
     return Verdict(
         realise_edges(model, shapes, options),
@@ -123,9 +115,7 @@ def judge(
     )
 
 
-def figures_of(
-    model: FloorModel, shapes: list[Polygon | MultiPolygon], verdict: Verdict
-) -> dict[str, float]:
+def figures_of(model: FloorModel, shapes: list[Polygon | MultiPolygon], verdict: Verdict) -> dict[str, float]:
     """Return the figures of a judged layout."""
     edges = verdict.edges
     free = float(model.region.area)

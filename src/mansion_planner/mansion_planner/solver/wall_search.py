@@ -56,9 +56,7 @@ class WallSearch:
         names = [room.id for room in self.model.rooms] + [o.id for o in self.model.obstacles]
         self.asked = {(names[a], names[b]) for a, b in self.goal.links[:, :2].tolist()}
 
-    def run(
-        self, rounds: RoundsResult, planned: Partition | None = None
-    ) -> tuple[Measured | None, RoundsResult]:
+    def run(self, rounds: RoundsResult, planned: Partition | None = None) -> tuple[Measured | None, RoundsResult]:
         """Return the best partition found within the budget, or None when the rooms do not fit at all.
 
         Parameters

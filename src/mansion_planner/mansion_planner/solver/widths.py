@@ -32,10 +32,7 @@ def border_sums(geometry: Floats) -> Floats:
     for j in range(rows):
         for i in range(columns):
             sums[j + 1, i + 1, AREA_SUM] = (
-                geometry[j, i, AREA]
-                + sums[j, i + 1, AREA_SUM]
-                + sums[j + 1, i, AREA_SUM]
-                - sums[j, i, AREA_SUM]
+                geometry[j, i, AREA] + sums[j, i + 1, AREA_SUM] + sums[j + 1, i, AREA_SUM] - sums[j, i, AREA_SUM]
             )
             sums[j, i + 1, H_SUM] = sums[j, i, H_SUM] + geometry[j, i, HB]
             sums[j + 1, i, V_SUM] = sums[j, i, V_SUM] + geometry[j, i, VB]
@@ -102,9 +99,7 @@ def _notch(sw: int, nw: int, se: int, ne: int) -> int:
 
 
 @kernel
-def _add_pinches(
-    xs: Floats, ys: Floats, rooms: Floats, notches: Ints, last: Ints, thin: Floats
-) -> None:
+def _add_pinches(xs: Floats, ys: Floats, rooms: Floats, notches: Ints, last: Ints, thin: Floats) -> None:
     """Add to `thin` where opposite notches of a room leave too narrow a neck.
 
     Parameters
@@ -178,16 +173,12 @@ def _scan_stripes(
                         narrow[p, k] = 1.0 if short else 0.0
                     elif short or narrow[p, k] > 0.5:
                         b0, b1 = blocks[k], blocks[k + 1]
-                        thin[previous] += (
-                            areas[a1, b1] - areas[a1, b0] - areas[a0, b1] + areas[a0, b0]
-                        )
+                        thin[previous] += areas[a1, b1] - areas[a1, b0] - areas[a0, b1] + areas[a0, b0]
             begin, previous = q, x
 
 
 @kernel
-def _scan_upright(
-    sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, wide: int, run: Floats
-) -> None:
+def _scan_upright(sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, wide: int, run: Floats) -> None:
     """Find the longest straight walls that run along columns."""
     for q in range(wide - 1):
         a, b, begin = few[0, q], few[0, q + 1], 0
@@ -204,15 +195,7 @@ def _scan_upright(
 
 @kernel
 def _scan_level(
-    sums: Floats,
-    side: Ints,
-    few: Ints,
-    lines: Ints,
-    tall: int,
-    wide: int,
-    run: Floats,
-    notches: Ints,
-    last: Ints,
+    sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, wide: int, run: Floats, notches: Ints, last: Ints
 ) -> None:
     """Find the longest straight walls that run along rows, and the notches of rooms."""
     n = last.shape[0]

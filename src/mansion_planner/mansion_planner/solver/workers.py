@@ -29,10 +29,7 @@ def refusal(problem: FloorProblem, error: MansionError) -> FloorLayout:
     return FloorLayout(
         rooms=[],
         topology_satisfied=False,
-        unmet_edges=[
-            UnmetEdge(source=e.source, target=e.target, kind=e.kind, reason=reason)
-            for e in problem.edges
-        ],
+        unmet_edges=[UnmetEdge(source=e.source, target=e.target, kind=e.kind, reason=reason) for e in problem.edges],
         plan_id=problem.plan_id,
         messages=[f"refused, {error.code} at {reason}"],
         building_id=problem.building_id,
@@ -51,9 +48,7 @@ def solve_timed(problem: FloorProblem, options: SolverOptions | None = None) -> 
     return layout
 
 
-def solutions(
-    problems: Sequence[FloorProblem], jobs: int
-) -> Generator[tuple[int, FloorLayout], None, None]:
+def solutions(problems: Sequence[FloorProblem], jobs: int) -> Generator[tuple[int, FloorLayout], None, None]:
     """Yield each problem's index and layout as they are done: in order for one job, else the largest first.
 
     Parameters
@@ -81,8 +76,7 @@ def solutions(
     others = multiprocessing.active_children()
     with _pool(workers) as pool:
         waiting = {
-            pool.submit(_solve_encoded, encode_bytes(problems[index])): index
-            for index in largest_first(problems)
+            pool.submit(_solve_encoded, encode_bytes(problems[index])): index for index in largest_first(problems)
         }
         try:
             for future in as_completed(waiting):

@@ -31,9 +31,7 @@ def select_hub(nodes: list[ProblemNode], graph: "nx.Graph[str]", cores: set[str]
         return ""
 
     def rank(node: ProblemNode) -> tuple[int, int, float]:
-        degree = sum(
-            1 for _, _, data in graph.edges(node.id, data=True) if data["kind"] == "access"
-        )
+        degree = sum(1 for _, _, data in graph.edges(node.id, data=True) if data["kind"] == "access")
         main = node.type == "main"
         return int(main) + int(node.type != "area"), 0 if main else degree, node.area or 0.0
 
@@ -63,9 +61,7 @@ def room_graph(problem: FloorProblem) -> "nx.Graph[str]":
     return graph
 
 
-def breadth_first_parents(
-    graph: "nx.Graph[str]", hub: str, order: list[str], barred: set[str]
-) -> dict[str, str]:
+def breadth_first_parents(graph: "nx.Graph[str]", hub: str, order: list[str], barred: set[str]) -> dict[str, str]:
     """Return each room's parent, nearest to the hub first.
 
     Access edges are followed before adjacent ones; what neither reaches joins the hub. `barred` ids (vertical cores)
@@ -78,8 +74,7 @@ def breadth_first_parents(
         while queue:
             current = queue.pop(0)
             near = sorted(
-                (n for n in graph[current] if graph[current][n]["kind"] in kinds and n in place),
-                key=place.__getitem__,
+                (n for n in graph[current] if graph[current][n]["kind"] in kinds and n in place), key=place.__getitem__
             )
             for name in near:
                 if name != hub and name not in parent and name not in barred:
@@ -123,11 +118,7 @@ def resolve_zones(
     children: dict[str, list[str]] = {}
     for child, above in parent.items():
         children.setdefault(above, []).append(child)
-    zones = {
-        node.id
-        for node in nodes
-        if node.type == "area" and children.get(node.id) and node.id != hub
-    }
+    zones = {node.id for node in nodes if node.type == "area" and children.get(node.id) and node.id != hub}
     rooms = [node for node in nodes if node.id == hub]
     rooms += [node for node in nodes if node.id != hub and node.id not in zones]
     areas = {node.id: node.area or 0.0 for node in nodes}
@@ -146,17 +137,13 @@ def resolve_zones(
         above = _living_parent(zone, parent, zones, hub)
         members = _members(zone, children, zones)
         for child in children[zone]:
-            has_door = any(
-                data["kind"] == "access" and n not in zones for n, data in graph[child].items()
-            )
+            has_door = any(data["kind"] == "access" and n not in zones for n, data in graph[child].items())
             if child not in zones and not has_door:
                 add(above, child, "access")
         for name, data in graph[zone].items():
             if name not in members and name not in zones and name != above and members:
                 add(name, max(members, key=lambda m: areas.get(m, 0.0)), data["kind"])
-        notes.append(
-            f"zone {zone} was split into {', '.join(members)}; its rooms open onto {above}"
-        )
+        notes.append(f"zone {zone} was split into {', '.join(members)}; its rooms open onto {above}")
     return rooms, sorted(zones, key=order.index), list(links.values()), graph, notes
 
 

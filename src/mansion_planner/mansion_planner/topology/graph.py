@@ -9,9 +9,7 @@ from mansion_planner.program.model import Storey, box_area
 __all__ = ["floor_topology"]
 
 
-def floor_topology(
-    planned: PlannedBuilding, storey: Storey, knowledge: KnowledgeBase
-) -> FloorTopology:
+def floor_topology(planned: PlannedBuilding, storey: Storey, knowledge: KnowledgeBase) -> FloorTopology:
     """Return the nodes and edges of a floor: hub, corridors, rooms and cores.
 
     Every room is reached through ``access`` edges; the areas of all nodes but the cores add up to the free area.
@@ -52,13 +50,7 @@ def floor_topology(
                 wall_material=wall, open_relation="door", room_type=core.type,
             )
         )  # fmt: skip
-        edges.append(
-            Edge(
-                source=sketch.core_parent.get(core.id, storey.hub.name),
-                target=core.id,
-                kind="access",
-            )
-        )
+        edges.append(Edge(source=sketch.core_parent.get(core.id, storey.hub.name), target=core.id, kind="access"))
     linked = {frozenset((edge.source, edge.target)) for edge in edges}
     edges += [
         Edge(source=room.id, target=other, kind="adjacent")
@@ -66,9 +58,7 @@ def floor_topology(
         for other in room.adjacent_to
         if frozenset((room.id, other)) not in linked
     ]
-    return FloorTopology(
-        nodes=nodes, edges=edges, building_id=planned.program.building_id, floor=storey.index
-    )
+    return FloorTopology(nodes=nodes, edges=edges, building_id=planned.program.building_id, floor=storey.index)
 
 
 def _passage(storey: Storey) -> str:

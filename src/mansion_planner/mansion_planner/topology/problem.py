@@ -11,9 +11,7 @@ ACCESS_WALL = 1.20
 """Least shared wall of an access edge in a building, metres."""
 
 
-def floor_problem(
-    planned: PlannedBuilding, storey: Storey, topology: FloorTopology, seed: int
-) -> FloorProblem:
+def floor_problem(planned: PlannedBuilding, storey: Storey, topology: FloorTopology, seed: int) -> FloorProblem:
     """Return what the floor solver is asked for a floor."""
     sketch = planned.sketches[storey.index]
     boxes: dict[str, list[Box]] = {corridor.id: corridor.boxes for corridor in sketch.corridors}
@@ -32,12 +30,7 @@ def floor_problem(
         ProblemCore(
             id=core.id,
             type=core.type,
-            polygon=[
-                (core.x[0], core.y[0]),
-                (core.x[1], core.y[0]),
-                (core.x[1], core.y[1]),
-                (core.x[0], core.y[1]),
-            ],
+            polygon=[(core.x[0], core.y[0]), (core.x[1], core.y[0]), (core.x[1], core.y[1]), (core.x[0], core.y[1])],
             door_side=core.door_side,
         )
         for core in planned.program.vertical_connectivity.cores

@@ -81,10 +81,7 @@ class _Ceiling:
         """Take a place if it is free."""
         shape = footprint(center, asset.size, rotation)
         x0, y0, x1, y1 = shape.bounds
-        clear = all(
-            x1 + 0.05 < a or c + 0.05 < x0 or y1 + 0.05 < b or d + 0.05 < y0
-            for a, b, c, d in self.taken
-        )
+        clear = all(x1 + 0.05 < a or c + 0.05 < x0 or y1 + 0.05 < b or d + 0.05 < y0 for a, b, c, d in self.taken)
         low = self.height - asset.size[2] - 0.03
         if not clear or not self.room.contains(shape):
             return False

@@ -9,16 +9,7 @@ from mansion_assets.catalogue import Asset
 from mansion_msgs_py.scene import Mount, SceneObject
 from mansion_msgs_py.shapes import Point, Point3, Segment
 
-__all__ = [
-    "Ids",
-    "WallEdge",
-    "footprint",
-    "room_polygon",
-    "scene_object",
-    "to_floor",
-    "to_local",
-    "wall_edges",
-]
+__all__ = ["Ids", "WallEdge", "footprint", "room_polygon", "scene_object", "to_floor", "to_local", "wall_edges"]
 
 
 class Ids:
@@ -58,10 +49,7 @@ class WallEdge:
     def coordinates(self, point: Point) -> tuple[float, float]:
         """Return a point's distance along the wall and into the room."""
         dx, dy = point[0] - self.start[0], point[1] - self.start[1]
-        return (
-            dx * self.along[0] + dy * self.along[1],
-            dx * self.inward[0] + dy * self.inward[1],
-        )
+        return (dx * self.along[0] + dy * self.along[1], dx * self.inward[0] + dy * self.inward[1])
 
     def point(self, along: float, inward: float) -> Point:
         """Return the floor point at these wall coordinates."""
@@ -111,10 +99,7 @@ def footprint(position: Sequence[float], size: Sequence[float], rotation: float)
     c, s = math.cos(angle), math.sin(angle)
     u, v = size[0] / 2, size[1] / 2
     return Polygon(
-        [
-            (position[0] + c * a - s * b, position[1] + s * a + c * b)
-            for a, b in ((u, -v), (u, v), (-u, v), (-u, -v))
-        ]
+        [(position[0] + c * a - s * b, position[1] + s * a + c * b) for a, b in ((u, -v), (u, v), (-u, v), (-u, -v))]
     )
 
 
@@ -122,10 +107,7 @@ def to_floor(obj: SceneObject, point: Point) -> Point:
     """Return a point of an object's own frame in the floor's frame."""
     angle = math.radians(obj.rotation)
     c, s = math.cos(angle), math.sin(angle)
-    return (
-        obj.position[0] + c * point[0] - s * point[1],
-        obj.position[1] + s * point[0] + c * point[1],
-    )
+    return (obj.position[0] + c * point[0] - s * point[1], obj.position[1] + s * point[0] + c * point[1])
 
 
 def to_local(obj: SceneObject, point: Sequence[float]) -> Point:

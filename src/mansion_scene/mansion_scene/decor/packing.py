@@ -83,9 +83,7 @@ class Shelf:
                 probe = spot_of(size, 0.0, 0.0, turn)
                 rx, ry = self.half_w - probe.half_w, self.half_d - probe.half_d
                 if rx < 0 or ry < 0:
-                    turn = (
-                        0.0 if size[0] <= 2 * self.half_w and size[1] <= 2 * self.half_d else 90.0
-                    )
+                    turn = 0.0 if size[0] <= 2 * self.half_w and size[1] <= 2 * self.half_d else 90.0
                     probe = spot_of(size, 0.0, 0.0, turn)
                     rx, ry = self.half_w - probe.half_w, self.half_d - probe.half_d
             if rx < 0 or ry < 0:

@@ -55,22 +55,10 @@ def decorate_room(
     ids = Ids(room_id, (o.id for o in placed))
     rng = item_generator(seed, "decor", room_id)
     carpets = rugs(furnishing.rugs, room, edges, doors, placed, ids, room_id, rng)
-    hung = wall_objects(
-        furnishing.wall, edges, doors, windows, ceiling_height, placed, ids, room_id, rng
-    )
+    hung = wall_objects(furnishing.wall, edges, doors, windows, ceiling_height, placed, ids, room_id, rng)
     lamps = ceiling_objects(
-        catalogue,
-        furnishing.ceiling,
-        room,
-        edges,
-        ceiling_height,
-        [*placed, *hung],
-        ids,
-        room_id,
-        rng,
+        catalogue, furnishing.ceiling, room, edges, ceiling_height, [*placed, *hung], ids, room_id, rng
     )
     carriers = [*placed, *(o for o in hung if o.receptacle)]
-    small = small_objects(
-        catalogue, furnishing.small, carriers, ids, room_id, seed, [*hung, *lamps]
-    )
+    small = small_objects(catalogue, furnishing.small, carriers, ids, room_id, seed, [*hung, *lamps])
     return [*carpets, *hung, *lamps, *small]

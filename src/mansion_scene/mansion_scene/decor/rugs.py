@@ -17,10 +17,7 @@ __all__ = ["matches", "rugs"]
 
 def matches(obj: SceneObject, name: str) -> bool:
     """Tell whether a placed object is of a category, or a copy of a program's item called `name`."""
-    return (
-        name in (obj.category, obj.name)
-        or obj.id.rpartition("/")[2].rstrip("0123456789") == f"{name}_"
-    )
+    return name in (obj.category, obj.name) or obj.id.rpartition("/")[2].rstrip("0123456789") == f"{name}_"
 
 
 def rugs(
@@ -44,9 +41,7 @@ def rugs(
         for asset in wish.assets:
             if laid >= wish.count:
                 break
-            for center, rotation, free in _candidates(
-                wish, asset, room, edges, doors, targets, rng
-            ):
+            for center, rotation, free in _candidates(wish, asset, room, edges, doors, targets, rng):
                 shape = footprint(center, asset.size, rotation)
                 if not room.contains(shape) or any(shape.intersects(other) for other in shapes):
                     continue
@@ -54,9 +49,7 @@ def rugs(
                     continue
                 shapes.append(shape)
                 position = (center[0], center[1], asset.size[2] / 2)
-                out.append(
-                    scene_object(asset, ids.new(asset.category), room_id, position, rotation)
-                )
+                out.append(scene_object(asset, ids.new(asset.category), room_id, position, rotation))
                 laid += 1
                 if laid >= wish.count:
                     break
@@ -108,9 +101,7 @@ def _at_object(wish: RugWish, asset: Asset, target: SceneObject) -> list[Candida
     return out
 
 
-def _on_free_floor(
-    asset: Asset, room: Polygon, edges: Sequence[WallEdge], rng: np.random.Generator
-) -> list[Candidate]:
+def _on_free_floor(asset: Asset, room: Polygon, edges: Sequence[WallEdge], rng: np.random.Generator) -> list[Candidate]:
     """Centres on a lattice along the longest wall, the middle of the room first."""
     longest = max(edges, key=lambda e: e.length)
     angle = math.degrees(math.atan2(longest.along[1], longest.along[0]))

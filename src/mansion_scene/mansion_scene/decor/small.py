@@ -17,18 +17,7 @@ __all__ = ["small_objects"]
 _SEAT_REACH = 0.6
 """Greatest distance from a chair to the edge of its table, metres."""
 
-_MATCHED = (
-    "plate",
-    "fork",
-    "butter_knife",
-    "glass",
-    "wine_glass",
-    "cup",
-    "monitor",
-    "keyboard",
-    "mouse",
-    "tray",
-)
+_MATCHED = ("plate", "fork", "butter_knife", "glass", "wine_glass", "cup", "monitor", "keyboard", "mouse", "tray")
 """Categories of which a receptacle shows one variant only."""
 
 
@@ -76,13 +65,7 @@ class _Table:
     """One receptacle while it is laid."""
 
     def __init__(
-        self,
-        catalogue: Catalogue,
-        obj: SceneObject,
-        asset: Asset,
-        rng: np.random.Generator,
-        ids: Ids,
-        room_id: str,
+        self, catalogue: Catalogue, obj: SceneObject, asset: Asset, rng: np.random.Generator, ids: Ids, room_id: str
     ) -> None:
         self.catalogue, self.obj, self.rng = catalogue, obj, rng
         self.ids, self.room_id = ids, room_id
@@ -179,9 +162,7 @@ class _Table:
             for step in range(len(shelves)):
                 turn_of = (number // 4 if scatter.line else number) + step
                 shelf = shelves[int(order[turn_of % len(shelves)])]
-                spot = (
-                    shelf.in_line(row.size) if scatter.line else shelf.somewhere(row.size, self.rng)
-                )
+                spot = shelf.in_line(row.size) if scatter.line else shelf.somewhere(row.size, self.rng)
                 if spot is not None:
                     self._put(shelf, row, spot)
                     break

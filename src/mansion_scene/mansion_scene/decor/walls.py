@@ -38,9 +38,7 @@ class _Wall:
         self.blocks: list[_Block] = []
         self.hung: list[tuple[float, str]] = []
 
-    def gaps(
-        self, width: float, low: float, high: float, depth: float
-    ) -> list[tuple[float, float]]:
+    def gaps(self, width: float, low: float, high: float, depth: float) -> list[tuple[float, float]]:
         """Return the intervals in which the centre of an object of this width may lie."""
         margin = width / 2 + _SIDE
         free = [(margin - _SIDE + 0.02, self.edge.length - margin + _SIDE - 0.02)]
@@ -48,12 +46,7 @@ class _Wall:
             if block.low >= high or block.high <= low or block.distance >= depth + 0.02:
                 continue
             cut = (block.start - margin, block.end + margin)
-            free = [
-                p
-                for a, b in free
-                for p in ((a, min(b, cut[0])), (max(a, cut[1]), b))
-                if p[1] >= p[0]
-            ]
+            free = [p for a, b in free for p in ((a, min(b, cut[0])), (max(a, cut[1]), b)) if p[1] >= p[0]]
         return free
 
 
@@ -95,21 +88,14 @@ def wall_objects(
     return out
 
 
-def _hang(
-    asset: Asset, edge: WallEdge, along: float, center: float, ids: Ids, room_id: str
-) -> SceneObject:
+def _hang(asset: Asset, edge: WallEdge, along: float, center: float, ids: Ids, room_id: str) -> SceneObject:
     x, y = edge.point(along, asset.size[1] / 2 + 0.002)
     position: Point3 = (x, y, center)
-    return scene_object(
-        asset, ids.new(asset.category), room_id, position, edge.rotation, mount="wall"
-    )
+    return scene_object(asset, ids.new(asset.category), room_id, position, edge.rotation, mount="wall")
 
 
 def _block(
-    walls: Sequence[_Wall],
-    doors: Sequence[Door],
-    windows: Sequence[Window],
-    placed: Sequence[SceneObject],
+    walls: Sequence[_Wall], doors: Sequence[Door], windows: Sequence[Window], placed: Sequence[SceneObject]
 ) -> None:
     """Note doors, windows and furniture on the walls that they touch."""
     for wall in walls:
@@ -140,9 +126,7 @@ def _block_object(walls: Sequence[_Wall], obj: SceneObject) -> None:
 
 def _fits(wall: _Wall, asset: Asset, along: float, center: float) -> bool:
     w, d, h = asset.size
-    return any(
-        a - 1e-9 <= along <= b + 1e-9 for a, b in wall.gaps(w, center - h / 2, center + h / 2, d)
-    )
+    return any(a - 1e-9 <= along <= b + 1e-9 for a, b in wall.gaps(w, center - h / 2, center + h / 2, d))
 
 
 Place = tuple[_Wall, float, float]
@@ -172,9 +156,7 @@ def _places(
         yield from _free(wish, walls, doors, center, placed, rng)
 
 
-def _above(
-    wish: HangWish, walls: Sequence[_Wall], height: float, placed: Sequence[SceneObject]
-) -> Iterator[Place]:
+def _above(wish: HangWish, walls: Sequence[_Wall], height: float, placed: Sequence[SceneObject]) -> Iterator[Place]:
     """Over the objects that stand with their back at a wall."""
     h = wish.asset.size[2]
     clearance = float(wish.asset.parameters.get("above", _ABOVE + 0.01))
@@ -182,9 +164,7 @@ def _above(
         if not matches(obj, wish.above):
             continue
         top = obj.position[2] + obj.size[2] / 2
-        low = max(
-            top + clearance, (wish.height or float(wish.asset.parameters.get("hang", 1.55))) - h / 2
-        )
+        low = max(top + clearance, (wish.height or float(wish.asset.parameters.get("hang", 1.55))) - h / 2)
         center = low + h / 2
         if center + h / 2 > height - 0.02:
             continue
@@ -195,9 +175,7 @@ def _above(
                 yield wall, along, center
 
 
-def _beside_doors(
-    asset: Asset, walls: Sequence[_Wall], doors: Sequence[Door], center: float
-) -> Iterator[Place]:
+def _beside_doors(asset: Asset, walls: Sequence[_Wall], doors: Sequence[Door], center: float) -> Iterator[Place]:
     """Beside a door, on the side of its latch first, up to 2 m away."""
     for door in doors:
         for wall in walls:
@@ -250,10 +228,7 @@ def _faces_door(wall: _Wall, doors: Sequence[Door]) -> float:
         return 0.0
     (x0, y0), (x1, y1) = doors[0].segment
     along, away = wall.edge.coordinates(((x0 + x1) / 2, (y0 + y1) / 2))
-    parallel = abs(
-        wall.edge.coordinates(doors[0].segment[0])[1]
-        - wall.edge.coordinates(doors[0].segment[1])[1]
-    )
+    parallel = abs(wall.edge.coordinates(doors[0].segment[0])[1] - wall.edge.coordinates(doors[0].segment[1])[1])
     return float(away > 1.0 and parallel < 0.05 and -0.5 < along < wall.edge.length + 0.5)
 
 

@@ -98,10 +98,7 @@ def _grid(net: Polygon, spacing: float) -> list[tuple[float, float]]:
     rows = max(round((y1 - y0) / spacing), 1)
     inner = net.buffer(-0.2)
     points = [
-        (
-            round(x0 + (x1 - x0) * (column + 0.5) / columns, 4),
-            round(y0 + (y1 - y0) * (row + 0.5) / rows, 4),
-        )
+        (round(x0 + (x1 - x0) * (column + 0.5) / columns, 4), round(y0 + (y1 - y0) * (row + 0.5) / rows, 4))
         for row in range(rows)
         for column in range(columns)
     ]

@@ -74,11 +74,7 @@ def choose_sky(seed: int) -> Sky:
     low, high = day.elevation
     # The sun is highest at noon and follows the hour within the day's range.
     share = (hour - day.hours[0]) / (day.hours[1] - day.hours[0])
-    elevation = (
-        low + (high - low) * math.sin(math.pi * share)
-        if index == 0
-        else high - (high - low) * share
-    )
+    elevation = low + (high - low) * math.sin(math.pi * share) if index == 0 else high - (high - low) * share
     return Sky(
         name=day.boxes[int(generator.integers(len(day.boxes)))],
         hour=round(hour, 2),

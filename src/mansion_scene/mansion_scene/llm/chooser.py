@@ -53,9 +53,7 @@ class ModelChooser:
         """What the answers took, without what differs between a run and its replay."""
         return msgspec.structs.replace(self._client.usage, from_store=0, retries=0, seconds=0.0)
 
-    def __call__(
-        self, room: SceneRoom, area: float, extent: tuple[float, float]
-    ) -> Sequence[Item] | None:
+    def __call__(self, room: SceneRoom, area: float, extent: tuple[float, float]) -> Sequence[Item] | None:
         """Return a room's floor objects, or ``None`` for the room type's own list."""
         piece = f"objects/{room.id}"
         if not self._client.wants("objects"):
@@ -85,9 +83,7 @@ class ModelChooser:
             source = f"rules: {answer.reason}"
             if answer.value is not None and "room" not in faulty:
                 items = object_items(answer.value, faulty)
-                source = (
-                    f"llm without {', '.join(sorted(faulty))}: {answer.reason}" if faulty else "llm"
-                )
+                source = f"llm without {', '.join(sorted(faulty))}: {answer.reason}" if faulty else "llm"
             if not items:
                 items, source = None, f"rules: {answer.reason}"
             self._known[prompt.user] = (items, source)

@@ -47,9 +47,7 @@ _SCHEMA = """\
 def floor_categories(catalogue: Catalogue) -> list[str]:
     """Return the categories whose assets stand on the floor."""
     return [
-        name
-        for name in catalogue.categories
-        if any(asset.mount == "floor" for asset in catalogue.by_category(name))
+        name for name in catalogue.categories if any(asset.mount == "floor" for asset in catalogue.by_category(name))
     ]
 
 
@@ -79,20 +77,14 @@ def objects_prompt(
 
 
 def object_faults(
-    answer: ObjectsAnswer,
-    catalogue: Catalogue,
-    room_type: str,
-    area: float,
-    extent: tuple[float, float],
+    answer: ObjectsAnswer, catalogue: Catalogue, room_type: str, area: float, extent: tuple[float, float]
 ) -> list[Fault]:
     """Return what is wrong with an answer; the piece of each fault is the object's name."""
     faults: list[Fault] = []
     if not answer.objects:
         faults.append(Fault("there are no objects", "room"))
     if len(answer.objects) > MOST_KINDS:
-        faults.append(
-            Fault(f"at most {MOST_KINDS} kinds of object; this is {len(answer.objects)}", "room")
-        )
+        faults.append(Fault(f"at most {MOST_KINDS} kinds of object; this is {len(answer.objects)}", "room"))
     known = set(floor_categories(catalogue))
     names = [entry.name for entry in answer.objects]
     taken = 0.0
@@ -106,16 +98,12 @@ def object_faults(
         faults += [Fault(f"{entry.name[:60]!r}: {text}", entry.name) for text in texts]
     share = catalogue.room_program(room_type).cover * area
     if taken > CROWDED * share:
-        what = (
-            f"the objects take {taken:.1f} m2 of floor; about {share:.1f} m2 is right for this room"
-        )
+        what = f"the objects take {taken:.1f} m2 of floor; about {share:.1f} m2 is right for this room"
         faults.append(Fault(what, "room"))
     return faults
 
 
-def _own_faults(
-    entry: ObjectAnswer, earlier: list[str], names: list[str], known: set[str]
-) -> list[str]:
+def _own_faults(entry: ObjectAnswer, earlier: list[str], names: list[str], known: set[str]) -> list[str]:
     out = []
     if not _NAME.match(entry.name) or names.count(entry.name) > 1:
         out.append("a name is snake case and unique in the room")
@@ -128,10 +116,7 @@ def _own_faults(
     structure = entry.structure
     if structure.kind not in ("single", "matrix", "paired"):
         out.append("structure.kind is single, matrix or paired")
-    if (
-        structure.kind == "matrix"
-        and (structure.rows or 0) * (structure.cols or 0) != entry.quantity
-    ):
+    if structure.kind == "matrix" and (structure.rows or 0) * (structure.cols or 0) != entry.quantity:
         out.append(f"rows x cols is not the quantity {entry.quantity}")
     if structure.kind == "matrix" and min(structure.rows or 0, structure.cols or 0) < 1:
         out.append("rows and cols are at least 1")
@@ -164,9 +149,7 @@ def object_items(answer: ObjectsAnswer, without: set[str]) -> list[Item]:
                 global_=place,
                 matrix=shape,
                 paired=(entry.structure.with_ or "") if entry.structure.kind == "paired" else "",
-                relative=[
-                    _relation(w.kind, w.target) for w in entry.relative if w.target not in without
-                ],
+                relative=[_relation(w.kind, w.target) for w in entry.relative if w.target not in without],
             )
         )
     return items

@@ -24,17 +24,10 @@ class ObjectPlacer(MansionNode):
     def __init__(self) -> None:
         super().__init__("object_placer")
         self.declare_parameter(
-            "catalogue_folders",
-            [""],
-            ParameterDescriptor(description="folders with assets and room types of your own"),
+            "catalogue_folders", [""], ParameterDescriptor(description="folders with assets and room types of your own")
         )
         self._scenes = JsonPublisher(self, topic("floor_scene"))
-        add_json_service(
-            self,
-            service("furnish_floor"),
-            self.furnish,
-            callback_group=ReentrantCallbackGroup(),
-        )
+        add_json_service(self, service("furnish_floor"), self.furnish, callback_group=ReentrantCallbackGroup())
 
     def furnish(self, request: FurnishRequest) -> FloorScene:
         """Furnish one floor and publish its scene."""

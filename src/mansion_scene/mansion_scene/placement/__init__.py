@@ -11,9 +11,7 @@ _DEFAULTS = PlacementOptions()
 __all__ = ["PlacementOptions", "place_room", "warm"]
 
 
-def place_room(
-    room: PlacementRoom, *, seed: int, options: PlacementOptions = _DEFAULTS
-) -> PlacementResult:
+def place_room(room: PlacementRoom, *, seed: int, options: PlacementOptions = _DEFAULTS) -> PlacementResult:
     """Place the objects of a room.
 
     Everything placed is in bounds, overlaps nothing, leaves the doors' areas free and can be approached by the robot

@@ -18,12 +18,7 @@ _EPS = 1e-9
 
 
 def approachable(
-    room: PlacementRoom,
-    shapes: Sequence[Polygon],
-    *,
-    radius: float = 0.20,
-    reach: float = 0.30,
-    cell: float = 0.05,
+    room: PlacementRoom, shapes: Sequence[Polygon], *, radius: float = 0.20, reach: float = 0.30, cell: float = 0.05
 ) -> list[bool]:
     """Tell which footprints have a free cell within reach that is connected to a door.
 
@@ -60,9 +55,7 @@ def approachable(
     return [i in reached for i in range(len(shapes))]
 
 
-def _within(
-    tree: shapely.STRtree, shapes: Sequence[shapely.Geometry], distance: float
-) -> tuple[Indices, Indices]:
+def _within(tree: shapely.STRtree, shapes: Sequence[shapely.Geometry], distance: float) -> tuple[Indices, Indices]:
     """Return the points of `tree` within a distance of each shape, and which shape that is."""
     if not shapes:
         return np.zeros(0, dtype=int), np.zeros(0, dtype=int)

@@ -42,9 +42,7 @@ def row_gaps(floor: Floor, spec: Spec, unit: Unit, aisle: float) -> list[float]:
     return [floor.options.gap, floor.passage]
 
 
-def place_rows(
-    floor: Floor, spec: Spec, unit: Unit, count: int, rng: np.random.Generator, aisle: float
-) -> bool:
+def place_rows(floor: Floor, spec: Spec, unit: Unit, count: int, rng: np.random.Generator, aisle: float) -> bool:
     """Place `count` units with their backs to walls in evenly spaced rows of equal length, all or none.
 
     Rows that leave an aisle between units come first, then shorter rows on several walls, then narrower spacing;
@@ -74,12 +72,7 @@ def place_rows(
 
 
 def _place_row(
-    floor: Floor,
-    spec: Spec,
-    row: Unit,
-    rng: np.random.Generator,
-    *,
-    walls: Sequence[Wall] | None = None,
+    floor: Floor, spec: Spec, row: Unit, rng: np.random.Generator, *, walls: Sequence[Wall] | None = None
 ) -> bool:
     poses = wall_poses(floor, row.extent(), row.sizes[0][1] / 2, rng, walls=walls)
     if not len(poses):
@@ -96,13 +89,7 @@ def _place_row(
 
 
 def place_along_walls(
-    floor: Floor,
-    spec: Spec,
-    unit: Unit,
-    lines: int,
-    per_line: int,
-    rng: np.random.Generator,
-    aisle: float,
+    floor: Floor, spec: Spec, unit: Unit, lines: int, per_line: int, rng: np.random.Generator, aisle: float
 ) -> bool:
     """Place one or two aligned rows with every back at a wall: two stand at opposite walls, facing each other.
 
@@ -160,9 +147,7 @@ def _joined(first: Unit, second: Unit) -> Unit:
     )
 
 
-def place_lattice(
-    floor: Floor, spec: Spec, unit: Unit, count: int, rng: np.random.Generator, aisle: float
-) -> bool:
+def place_lattice(floor: Floor, spec: Spec, unit: Unit, count: int, rng: np.random.Generator, aisle: float) -> bool:
     """Place `count` units over the floor on one lattice in the direction of the walls, all or none.
 
     The pitch starts as wide as the area allows, so that a large room is used evenly, and shrinks until enough
@@ -187,9 +172,7 @@ def place_lattice(
     return False
 
 
-def _lattice(
-    floor: Floor, px: float, py: float, turn: float, centre: Floats, rng: np.random.Generator
-) -> Floats:
+def _lattice(floor: Floor, px: float, py: float, turn: float, centre: Floats, rng: np.random.Generator) -> Floats:
     """Return lattice poses over the room's bounds with a random offset."""
     angle = (floor.room.angles or [0.0])[0] + turn
     u = np.array(unit_vector(angle))
@@ -203,9 +186,7 @@ def _lattice(
     return np.hstack([xy, np.broadcast_to(u, (len(xy), 2))])
 
 
-def _put_lattice(
-    floor: Floor, spec: Spec, unit: Unit, poses: Floats, count: int, rng: np.random.Generator
-) -> bool:
+def _put_lattice(floor: Floor, spec: Spec, unit: Unit, poses: Floats, count: int, rng: np.random.Generator) -> bool:
     """Put `count` of the feasible lattice places that leave the doors and each other most room."""
     scores = pose_scores(floor, spec, unit, poses, rng, at_wall=False)
     for _ in range(3):

@@ -17,12 +17,7 @@ Extent = tuple[float, float, float, float]
 
 
 def wall_poses(
-    floor: Floor,
-    extent: Extent,
-    half_depth: float,
-    rng: np.random.Generator,
-    *,
-    walls: Sequence[Wall] | None = None,
+    floor: Floor, extent: Extent, half_depth: float, rng: np.random.Generator, *, walls: Sequence[Wall] | None = None
 ) -> Floats:
     """Return poses of a unit whose anchor has its back to a wall.
 
@@ -50,9 +45,7 @@ def wall_poses(
     backs = np.array([floor.options.wall_gap, 0.04, 0.08, 0.12])
     obstacles = np.concatenate([floor.boxes, floor.zones[:, :6]])
     phase = rng.random(len(rows))
-    return np.asarray(
-        wall_rows(rows, np.array(extent), half_depth, obstacles, floor.gap, backs, phase)
-    )
+    return np.asarray(wall_rows(rows, np.array(extent), half_depth, obstacles, floor.gap, backs, phase))
 
 
 def floor_poses(floor: Floor, rng: np.random.Generator, *, limit: int = 1200) -> Floats:
@@ -101,19 +94,13 @@ def flush_poses(floor: Floor, extent: Extent, gaps: Sequence[float]) -> Floats:
         (-x1, -x0, -y1, -y0, (-1.0, 0.0)),
         (y0, y1, -x1, -x0, (0.0, -1.0)),
     ):
-        xs = [
-            (left + right - a - b) / 2,
-            *(left + g - a for g in gaps),
-            *(right - g - b for g in gaps),
-        ]
+        xs = [(left + right - a - b) / 2, *(left + g - a for g in gaps), *(right - g - b for g in gaps)]
         ys = [(low + high - c - d) / 2, *(low + g - c for g in gaps), *(high - g - d for g in gaps)]
         rows += [(x, y, *u) for x in xs for y in ys]
     return np.array(rows)
 
 
-def ring_poses(
-    targets: Floats, hw: float, hd: float, gaps: tuple[float, ...], *, turned: tuple[int, ...]
-) -> Floats:
+def ring_poses(targets: Floats, hw: float, hd: float, gaps: tuple[float, ...], *, turned: tuple[int, ...]) -> Floats:
     """Return poses of a box around targets: each side, along it, at each gap.
 
     Parameters
@@ -130,6 +117,4 @@ def ring_poses(
     -------
     (n, 4) array
     """
-    return np.asarray(
-        ring_rows(targets, hw, hd, np.array(gaps, dtype=float), np.array(turned, dtype=float))
-    )
+    return np.asarray(ring_rows(targets, hw, hd, np.array(gaps, dtype=float), np.array(turned, dtype=float)))

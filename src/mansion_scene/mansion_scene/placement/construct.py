@@ -101,11 +101,7 @@ class Construction:
             for child in self.children.get(spec.index, ())
             if child.link == "around" and shares.get(child.index, 0) > 4
         ]
-        return [
-            {**shares, **{index: max(4, shares[index] - cut) for index in around}}
-            for cut in (2, 4)
-            if around
-        ]
+        return [{**shares, **{index: max(4, shares[index] - cut) for index in around}} for cut in (2, 4) if around]
 
     def _units(self, spec: Spec, size: Size3, shares: dict[int, int]) -> list[Unit]:
         """Return the distinct ways to compose a copy with its share of members, the most complete first."""
@@ -150,12 +146,7 @@ class Construction:
 
 
 def construct(
-    floor: Floor,
-    specs: Sequence[Spec],
-    groups: Sequence[Group],
-    rng: np.random.Generator,
-    *,
-    aisle: float,
+    floor: Floor, specs: Sequence[Spec], groups: Sequence[Group], rng: np.random.Generator, *, aisle: float
 ) -> Construction:
     """Fill `floor` group by group (Algorithm 4), then try what is left over wherever it fits.
 

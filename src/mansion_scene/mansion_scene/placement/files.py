@@ -47,11 +47,7 @@ def _place_encoded(seed: int, options: PlacementOptions, data: bytes) -> bytes:
 
 
 def placements(
-    rooms: Sequence[PlacementRoom],
-    *,
-    seed: int = 0,
-    jobs: int = 1,
-    options: PlacementOptions | None = None,
+    rooms: Sequence[PlacementRoom], *, seed: int = 0, jobs: int = 1, options: PlacementOptions | None = None
 ) -> Iterator[PlacementResult]:
     """Yield the placements of rooms in their order; the same for any number of processes, apart from ``seconds``."""
     chosen = options or PlacementOptions()

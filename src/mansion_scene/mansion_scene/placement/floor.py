@@ -60,13 +60,7 @@ class Floor:
     """
 
     def __init__(
-        self,
-        room: RoomModel,
-        specs: list[Spec],
-        options: PlacementOptions,
-        effort: Effort,
-        *,
-        roomy: bool = True,
+        self, room: RoomModel, specs: list[Spec], options: PlacementOptions, effort: Effort, *, roomy: bool = True
     ) -> None:
         self.effort = effort
         self.room, self.specs, self.options = room, specs, options
@@ -131,11 +125,7 @@ class Floor:
         return feasible_poses(poses, parts, self.room.edges, self.boxes, self.zones, self.gap)
 
     def put(
-        self,
-        boxes: Floats,
-        specs: list[int],
-        hosts: list[int],
-        sizes: list[tuple[float, float, float]],
+        self, boxes: Floats, specs: list[int], hosts: list[int], sizes: list[tuple[float, float, float]]
     ) -> list[Placed] | None:
         """Add copies if all stay reachable and the doors connected; else leave the floor as it was.
 
@@ -161,21 +151,12 @@ class Floor:
             lost = self.grid.free_cells - self.grid.reached_cells
             sound = lost - lost_before <= self._pocket
         fronts = np.concatenate([self._front, front])
-        if (
-            not sound
-            or self.grid.first_unreachable(everything, fronts, partner, changed=self._settled) >= 0
-        ):
+        if not sound or self.grid.first_unreachable(everything, fronts, partner, changed=self._settled) >= 0:
             self.grid.undo()
             return None
         keys = [self._next + i for i in range(len(specs))]
         added = [
-            Placed(
-                spec,
-                tuple(float(v) for v in box[:6]),
-                size,
-                keys[-2 - host] if host <= -2 else host,
-                key,
-            )
+            Placed(spec, tuple(float(v) for v in box[:6]), size, keys[-2 - host] if host <= -2 else host, key)
             for spec, box, host, size, key in zip(specs, boxes, hosts, sizes, keys)
         ]
         self.placed = [*self.placed, *added]
@@ -214,9 +195,7 @@ class Floor:
             self._partner = self._partners([copy.spec], [copy.host])
             self.placed.append(copy)
             self._counts[copy.spec] = self._counts.get(copy.spec, 0) + 1
-        self._front = np.array(
-            [self.roomy and self.specs[copy.spec].front_needed for copy in copies], dtype=np.bool_
-        )
+        self._front = np.array([self.roomy and self.specs[copy.spec].front_needed for copy in copies], dtype=np.bool_)
 
     def take(self, keys: set[int]) -> list[Placed]:
         """Remove copies by key and return them; the floor stays valid (less stands in the way)."""

@@ -4,13 +4,7 @@ from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.placement import (
-    MatrixStructure,
-    PairedStructure,
-    PlacementObject,
-    PlacementRoom,
-    RelationKind,
-)
+from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacementObject, PlacementRoom, RelationKind
 from mansion_scene.placement.roles import Role, role_of
 
 __all__ = ["Group", "Link", "Spec", "make_groups"]
@@ -113,15 +107,7 @@ def make_groups(room: PlacementRoom) -> tuple[list[Spec], list[Group]]:
         depth = {group.anchor.index: 0}
         for member in group.members:
             depth[member.index] = depth[member.host] + 1
-        group.members.sort(
-            key=lambda m: (
-                depth[m.index],
-                order[m.link or "near"],
-                m.where != "edge",
-                -m.area,
-                m.index,
-            )
-        )
+        group.members.sort(key=lambda m: (depth[m.index], order[m.link or "near"], m.where != "edge", -m.area, m.index))
     ranked = sorted(groups.values(), key=lambda g: (g.priority, -g.area, g.anchor.index))
     return specs, ranked
 
@@ -176,9 +162,7 @@ def _hosts(objects: list[PlacementObject], index: dict[str, int]) -> dict[int, t
     return hosts
 
 
-def _spec(
-    i: int, obj: PlacementObject, index: dict[str, int], hosts: dict[int, tuple[int, Link]]
-) -> Spec:
+def _spec(i: int, obj: PlacementObject, index: dict[str, int], hosts: dict[int, tuple[int, Link]]) -> Spec:
     rows = cols = 0
     quantity = obj.quantity
     if isinstance(obj.structure, MatrixStructure):

@@ -15,9 +15,7 @@ from mansion_scene.placement.rating import Rating, rate
 __all__ = ["improve"]
 
 
-def improve(
-    build: Construction, specs: Sequence[Spec], *, moves: int, goal: float
-) -> tuple[Floor, Rating]:
+def improve(build: Construction, specs: Sequence[Spec], *, moves: int, goal: float) -> tuple[Floor, Rating]:
     """Improve a construction's floor.
 
     Parameters
@@ -65,9 +63,7 @@ def _ruin(floor: Floor, rating: Rating, specs: Sequence[Spec], rng: np.random.Ge
         centre = pool[int(rng.integers(len(pool)))]
     extra = 1 + int(rng.integers(4))
     if rng.random() < 0.7:
-        distance = [
-            float(np.hypot(c.box[0] - centre.box[0], c.box[1] - centre.box[1])) for c in pool
-        ]
+        distance = [float(np.hypot(c.box[0] - centre.box[0], c.box[1] - centre.box[1])) for c in pool]
         order = np.argsort(np.array(distance), kind="stable")[: 2 * extra + 1]
         order = rng.permutation(order)[: extra + 1]
     else:
@@ -101,10 +97,7 @@ def _recreate(build: Construction, specs: Sequence[Spec]) -> None:
     missing = [spec for spec in specs if build.missing(spec) > 0 and not spec.rows]
     noise = build.rng.uniform(0.3, 1.7, len(missing))
     depth = {spec.index: _depth(spec, specs) for spec in missing}
-    ranked = sorted(
-        zip(missing, noise),
-        key=lambda m: (depth[m[0].index], -m[0].size[0] * m[0].size[1] * float(m[1])),
-    )
+    ranked = sorted(zip(missing, noise), key=lambda m: (depth[m[0].index], -m[0].size[0] * m[0].size[1] * float(m[1])))
     for strict in (True, False):
         for spec, _ in ranked:
             if build.missing(spec) > 0:

@@ -33,13 +33,7 @@ def focus_direction(floor: Floor) -> Floats | None:
 
 
 def place_matrix(
-    floor: Floor,
-    spec: Spec,
-    unit: Unit,
-    rng: np.random.Generator,
-    aisle: float,
-    *,
-    whole: bool,
+    floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator, aisle: float, *, whole: bool
 ) -> tuple[int, int] | None:
     """Place the largest matrix of units that fits and return its size, None where not one copy does.
 
@@ -65,13 +59,7 @@ def place_matrix(
 
 
 def _place_whole(
-    floor: Floor,
-    spec: Spec,
-    unit: Unit,
-    rows: int,
-    cols: int,
-    rng: np.random.Generator,
-    aisle: float,
+    floor: Floor, spec: Spec, unit: Unit, rows: int, cols: int, rng: np.random.Generator, aisle: float
 ) -> bool:
     """Place a matrix of one size at the most comfortable spacing that fits."""
     shapes = [(rows, cols)] if rows == cols else [(rows, cols), (cols, rows)]
@@ -82,10 +70,7 @@ def _place_whole(
             shapes = [
                 shape
                 for shape in shapes
-                if any(
-                    len(_macro_poses(floor, spec, unit, shape, narrow, rng)[1])
-                    for narrow in _narrowest(spacings)
-                )
+                if any(len(_macro_poses(floor, spec, unit, shape, narrow, rng)[1]) for narrow in _narrowest(spacings))
             ]
         for shape in shapes:
             if _place_macro(floor, spec, unit, shape, gaps, rng):
@@ -95,16 +80,10 @@ def _place_whole(
 
 def _narrowest(spacings: list[tuple[float, float]]) -> list[tuple[float, float]]:
     """Return the spacings that no other undercuts in both directions."""
-    return [
-        (x, y)
-        for x, y in spacings
-        if not any((a <= x and b <= y) and (a, b) != (x, y) for a, b in spacings)
-    ]
+    return [(x, y) for x, y in spacings if not any((a <= x and b <= y) and (a, b) != (x, y) for a, b in spacings)]
 
 
-def _spacings(
-    floor: Floor, spec: Spec, unit: Unit, copies: int, aisle: float
-) -> list[tuple[float, float]]:
+def _spacings(floor: Floor, spec: Spec, unit: Unit, copies: int, aisle: float) -> list[tuple[float, float]]:
     """Return gaps between columns and between rows, the most comfortable first.
 
     Shelves and the seats of an audience stand shoulder to shoulder with aisles between the rows; desks may have
@@ -114,26 +93,12 @@ def _spacings(
     if len(unit.parts) == 1 and not spec.role.table:
         beside = floor.gap
         return [
-            *(
-                (beside, 1.25 * aisle),
-                (beside, aisle),
-                (beside, 0.75),
-                (beside, 0.6),
-                (beside, lane),
-            ),
+            *((beside, 1.25 * aisle), (beside, aisle), (beside, 0.75), (beside, 0.6), (beside, lane)),
             *((aisle, aisle), (0.6, 0.6), (lane, lane), (lane, beside)),
         ]
     spacings = [
         *((aisle, aisle), (0.8, aisle), (aisle, 0.6), (0.75, 0.75), (0.75, 0.45), (0.6, 0.6)),
-        *(
-            (0.6, 0.3),
-            (0.3, 0.6),
-            (lane, 0.3),
-            (0.3, lane),
-            (lane, 0.12),
-            (0.05, 0.6),
-            (0.12, lane),
-        ),
+        *((0.6, 0.3), (0.3, 0.6), (lane, 0.3), (0.3, lane), (lane, 0.12), (0.05, 0.6), (0.12, lane)),
         *((0.05, lane), (lane, 0.03), (0.02, lane)),
     ]
     if copies <= 4:
@@ -142,12 +107,7 @@ def _spacings(
 
 
 def _macro_poses(
-    floor: Floor,
-    spec: Spec,
-    unit: Unit,
-    shape: tuple[int, int],
-    gaps: tuple[float, float],
-    rng: np.random.Generator,
+    floor: Floor, spec: Spec, unit: Unit, shape: tuple[int, int], gaps: tuple[float, float], rng: np.random.Generator
 ) -> tuple[Unit, Floats]:
     """Return the macro object of a matrix (BUILDMACROOBJECT) and poses at which it is in bounds and free."""
     x0, x1, y0, y1 = unit.extent()
@@ -175,12 +135,7 @@ def _macro_poses(
 
 
 def _place_macro(
-    floor: Floor,
-    spec: Spec,
-    unit: Unit,
-    shape: tuple[int, int],
-    gaps: tuple[float, float],
-    rng: np.random.Generator,
+    floor: Floor, spec: Spec, unit: Unit, shape: tuple[int, int], gaps: tuple[float, float], rng: np.random.Generator
 ) -> bool:
     macro, poses = _macro_poses(floor, spec, unit, shape, gaps, rng)
     if not len(poses):

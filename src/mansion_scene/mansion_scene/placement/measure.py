@@ -38,9 +38,7 @@ class Footprint:
         self.v = np.array([-self.u[1], self.u[0]])
         self.width, self.depth = item.size[:2]
         a, b = self.u * self.width / 2, self.v * self.depth / 2
-        self.shape = Polygon(
-            [self.centre + s * a + t * b for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-        )
+        self.shape = Polygon([self.centre + s * a + t * b for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
 
     def back(self) -> list[shapely.Point]:
         """Return both ends and the middle of the back edge."""
@@ -152,16 +150,10 @@ def _collisions(shapes: Sequence[Polygon]) -> list[tuple[int, int]]:
         return []
     tree = shapely.STRtree(shapes)
     left, right = tree.query(shapes, predicate="intersects")
-    return [
-        (int(i), int(j))
-        for i, j in zip(left, right)
-        if i < j and shapes[i].intersection(shapes[j]).area > _AREA
-    ]
+    return [(int(i), int(j)) for i, j in zip(left, right) if i < j and shapes[i].intersection(shapes[j]).area > _AREA]
 
 
-def _sums(
-    room: PlacementRoom, by_name: Mapping[str, list[Footprint]], kind: str
-) -> tuple[int, int]:
+def _sums(room: PlacementRoom, by_name: Mapping[str, list[Footprint]], kind: str) -> tuple[int, int]:
     """Return how many pairs, seats around something, or relations are asked, and how many hold."""
     asked = held = 0
     sizes = {o.name: _quantity(o) for o in room.objects}
@@ -183,9 +175,7 @@ def _sums(
 
 def _matched(own: Sequence[Footprint], anchors: Sequence[Footprint], capacity: int) -> int:
     """Count accessories within 0.5 m of an anchor, nearest first, an anchor taking `capacity`."""
-    pairs = sorted(
-        (a.shape.distance(b.shape), i, j) for i, a in enumerate(own) for j, b in enumerate(anchors)
-    )
+    pairs = sorted((a.shape.distance(b.shape), i, j) for i, a in enumerate(own) for j, b in enumerate(anchors))
     used: set[int] = set()
     load = [0] * len(anchors)
     for gap, i, j in pairs:

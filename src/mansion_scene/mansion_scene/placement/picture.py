@@ -72,16 +72,7 @@ def _draw_room(axis: Any, room: PlacementRoom, result: PlacementResult, *, label
         axis.fill(*corners.T, facecolor=colours[item.name], edgecolor="#444444", linewidth=0.7)
         front = centre + v * depth / 2
         nose = min(width, depth) * 0.25
-        axis.fill(
-            *np.array([front - u * nose, front + u * nose, front - v * nose]).T, color="#44444466"
-        )
+        axis.fill(*np.array([front - u * nose, front + u * nose, front - v * nose]).T, color="#44444466")
         if labels:
             turn = 0 if abs(u[0]) * width + abs(u[1]) * depth > 0.6 * width else 90
-            axis.text(
-                *centre,
-                item.name.replace("_", "\n"),
-                fontsize=4.5,
-                ha="center",
-                va="center",
-                rotation=turn,
-            )
+            axis.text(*centre, item.name.replace("_", "\n"), fontsize=4.5, ha="center", va="center", rotation=turn)

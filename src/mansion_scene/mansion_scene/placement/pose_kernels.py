@@ -20,13 +20,7 @@ _CORNER = 0.3
 
 @kernel
 def _wall_stops(
-    wall: Floats,
-    extent: Floats,
-    half_depth: float,
-    obstacles: Floats,
-    gap: float,
-    phase: float,
-    stops: Floats,
+    wall: Floats, extent: Floats, half_depth: float, obstacles: Floats, gap: float, phase: float, stops: Floats
 ) -> int:
     """Write the distances along a wall at which an anchor's centre may stand, ascending; return how many."""
     left, right, length = extent[0], extent[1], wall[6]
@@ -67,13 +61,7 @@ def _wall_stops(
 
 @kernel
 def wall_rows(
-    walls: Floats,
-    extent: Floats,
-    half_depth: float,
-    obstacles: Floats,
-    gap: float,
-    backs: Floats,
-    phase: Floats,
+    walls: Floats, extent: Floats, half_depth: float, obstacles: Floats, gap: float, backs: Floats, phase: Floats
 ) -> Floats:
     """Return poses with the back to each wall: a regular series, corners, the middle, and beside obstacles.
 

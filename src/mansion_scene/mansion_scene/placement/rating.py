@@ -52,10 +52,7 @@ def rate(floor: Floor) -> Rating:
         for copy in floor.copies(spec.index):
             box = np.array(copy.box)
             pose = box[None, :4]
-            own = [
-                bool(relation_holds(kind, pose, box[4], box[5], boxes)[0])
-                for kind, boxes in targets
-            ]
+            own = [bool(relation_holds(kind, pose, box[4], box[5], boxes)[0]) for kind, boxes in targets]
             if spec.link == "paired":
                 own.append(copy.key in paired)
             held += sum(own)

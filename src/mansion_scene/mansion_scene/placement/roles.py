@@ -15,21 +15,16 @@ _SEATS = _set("chair stool armchair seat recliner pew highchair rocker lounger")
 _SOFAS = _set("sofa couch loveseat settee bench futon daybed")
 _BEDS = _set("bed crib cot bunk stretcher gurney")
 _FOCAL = _set(
-    "teacher blackboard whiteboard chalkboard smartboard podium lectern stage altar projector"
-    " instructor pulpit judge"
+    "teacher blackboard whiteboard chalkboard smartboard podium lectern stage altar projector instructor pulpit judge"
 )
 _CENTRED = _set(
     "bed sofa couch counter bar desk television tv fireplace piano stage altar podium lectern"
     " blackboard whiteboard reception"
 )
-_SYMMETRIC = _set(
-    "plant lamp bin basket vase can pot tree stand rack umbrella pouf ottoman pillar column"
-)
+_SYMMETRIC = _set("plant lamp bin basket vase can pot tree stand rack umbrella pouf ottoman pillar column")
 _SCREENS = _set("tv television")
 _TABLES = _set("table desk island workbench counter")
-_ENTRANCE = _set(
-    "host hostess reception umbrella coat shoe doormat checkout cashier ticket turnstile"
-)
+_ENTRANCE = _set("host hostess reception umbrella coat shoe doormat checkout cashier ticket turnstile")
 _PRIVATE = _set(
     "bedroom bathroom living kitchen home apartment toilet closet pantry study nursery dressing"
     " laundry guest balcony attic garage lounge den dorm dormitory"
@@ -50,17 +45,7 @@ class Role:
         One watches it from a sofa.
     """
 
-    __slots__ = (
-        "bed",
-        "centred",
-        "entrance",
-        "focal",
-        "screen",
-        "seat",
-        "sofa",
-        "symmetric",
-        "table",
-    )
+    __slots__ = ("bed", "centred", "entrance", "focal", "screen", "seat", "sofa", "symmetric", "table")
 
     def __init__(self, words: frozenset[str]) -> None:
         self.seat = bool(words & _SEATS)

@@ -17,13 +17,7 @@ _FAR = 1.5
 
 
 def pose_scores(
-    floor: Floor,
-    spec: Spec,
-    unit: Unit,
-    poses: Floats,
-    rng: np.random.Generator,
-    *,
-    at_wall: bool,
+    floor: Floor, spec: Spec, unit: Unit, poses: Floats, rng: np.random.Generator, *, at_wall: bool
 ) -> Floats:
     """Return a score for each feasible pose of a unit, higher is better.
 

@@ -78,14 +78,9 @@ def examine(
     radius = 0.08
     for i in order:
         pose = poses[i]
-        if any(
-            abs(pose[0] - t[0]) + abs(pose[1] - t[1]) < radius and pose[2:] @ t[2:] > 0.9
-            for t in tried
-        ):
+        if any(abs(pose[0] - t[0]) + abs(pose[1] - t[1]) < radius and pose[2:] @ t[2:] > 0.9 for t in tried):
             continue
-        placed = floor.put(
-            compose(pose, unit.array()), unit.specs, _hosts(floor, unit, pose, host), unit.sizes
-        )
+        placed = floor.put(compose(pose, unit.array()), unit.specs, _hosts(floor, unit, pose, host), unit.sizes)
         if placed is not None:
             return placed
         tried.append(pose)
@@ -102,16 +97,12 @@ def _hosts(floor: Floor, unit: Unit, pose: Floats, host: int) -> list[int]:
         first = -1
     else:
         box = np.array([pose[:4]])
-        gaps = gap_matrix(
-            box, unit.sizes[0][0] / 2, unit.sizes[0][1] / 2, np.array([h.box for h in hosts])
-        )
+        gaps = gap_matrix(box, unit.sizes[0][0] / 2, unit.sizes[0][1] / 2, np.array([h.box for h in hosts]))
         first = hosts[int(gaps[0].argmin())].key
     return [-2 - at if at >= 0 else first for at in unit.hosts]
 
 
-def relation_mask(
-    floor: Floor, spec: Spec, unit: Unit, poses: Floats
-) -> tuple[npt.NDArray[np.int64], int]:
+def relation_mask(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> tuple[npt.NDArray[np.int64], int]:
     """Count at each pose the relations of the unit's anchor that hold, and those far from it of what stands.
 
     Returns
@@ -153,9 +144,7 @@ def _free_hosts(floor: Floor, spec: Spec) -> Floats:
     return np.array([h.box for h in hosts if load[h.key] == least]).reshape(-1, 6)
 
 
-def _candidates(
-    floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator
-) -> list[tuple[Floats, bool]]:
+def _candidates(floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator) -> list[tuple[Floats, bool]]:
     """Return candidate sets in order of preference, each with whether its poses are backed by a wall."""
     walls = wall_poses(floor, unit.extent(), unit.sizes[0][1] / 2, rng)
     if spec.where == "edge":
@@ -176,9 +165,7 @@ def _rings(floor: Floor, spec: Spec, unit: Unit) -> Floats:
     hw, hd = unit.sizes[0][0] / 2, unit.sizes[0][1] / 2
     limit = LIMITS.get(spec.link, 0.5)
     loose = spec.link == "near" and (spec.role.seat or spec.role.sofa)
-    gaps = tuple(
-        g for g in ((0.1, 0.3, 0.45, 0.7) if loose else (0.03, 0.08, 0.3, 0.6)) if g <= limit - 0.05
-    )
+    gaps = tuple(g for g in ((0.1, 0.3, 0.45, 0.7) if loose else (0.03, 0.08, 0.3, 0.6)) if g <= limit - 0.05)
     turned = (0,) if spec.role.seat else (0, 1)
     return ring_poses(targets, hw, hd, gaps, turned=turned)
 

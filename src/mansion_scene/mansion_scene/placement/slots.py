@@ -50,13 +50,7 @@ def _around_counts(n: int, caps: tuple[int, int, int, int], size: Size) -> tuple
 
 
 def around_slots(
-    anchor: Size,
-    member: Size,
-    count: int,
-    *,
-    backed: bool,
-    gap: float,
-    long_sides: bool = False,
+    anchor: Size, member: Size, count: int, *, backed: bool, gap: float, long_sides: bool = False
 ) -> list[Slot]:
     """Return places of up to `count` seats around a table, each facing it.
 
@@ -88,9 +82,7 @@ def around_slots(
     return slots
 
 
-def front_slots(
-    anchor: Size, member: Size, count: int, *, seat: bool, touching: bool, gap: float
-) -> list[Slot]:
+def front_slots(anchor: Size, member: Size, count: int, *, seat: bool, touching: bool, gap: float) -> list[Slot]:
     """Return places before the anchor's front, in rows no wider than the anchor; seats face it.
 
     Parameters
@@ -111,9 +103,7 @@ def front_slots(
     return slots
 
 
-def side_slots(
-    anchor: Size, member: Size, count: int, *, backed: bool, mirrored: bool
-) -> list[Slot]:
+def side_slots(anchor: Size, member: Size, count: int, *, backed: bool, mirrored: bool) -> list[Slot]:
     """Return places beside the anchor, in turn on either side, outward; backs in line where `backed`."""
     y = (member[1] - anchor[1]) / 2 if backed else 0.0
     slots: list[Slot] = []
@@ -124,9 +114,7 @@ def side_slots(
     return slots
 
 
-def near_slots(
-    anchor: Size, member: Size, *, seat: bool, backed: bool, mirrored: bool
-) -> Iterator[Slot]:
+def near_slots(anchor: Size, member: Size, *, seat: bool, backed: bool, mirrored: bool) -> Iterator[Slot]:
     """Yield places near the anchor, the most usual first: beside it from back to front, then before it."""
     signs = (-1.0, 1.0) if mirrored else (1.0, -1.0)
     turned = member[::-1] if seat else member

@@ -27,11 +27,7 @@ def solve_room(room: PlacementRoom, seed: int, options: PlacementOptions) -> Pla
 
 
 def _search(
-    model: RoomModel,
-    specs: list[Spec],
-    groups: list[Group],
-    rng: np.random.Generator,
-    options: PlacementOptions,
+    model: RoomModel, specs: list[Spec], groups: list[Group], rng: np.random.Generator, options: PlacementOptions
 ) -> Floor:
     """Construct a few times, what failed earlier each time (squeaky wheel); then improve the best.
 
@@ -63,9 +59,7 @@ def _search(
     return _improved(best[1], specs, asked, goal, options)
 
 
-def _improved(
-    build: Construction, specs: list[Spec], asked: int, goal: float, options: PlacementOptions
-) -> Floor:
+def _improved(build: Construction, specs: list[Spec], asked: int, goal: float, options: PlacementOptions) -> Floor:
     floor, rating = improve(build, specs, moves=options.moves, goal=goal)
     if options.tight and rating.placed < asked:
         build.floor = floor.copy()
@@ -80,14 +74,10 @@ def _result(room: PlacementRoom, specs: list[Spec], floor: Floor) -> PlacementRe
     discarded: list[Discarded] = []
     for spec in specs:
         copies = floor.copies(spec.index)
-        placements += [
-            _placed(room.room_id, spec, number, copy) for number, copy in enumerate(copies, 1)
-        ]
+        placements += [_placed(room.room_id, spec, number, copy) for number, copy in enumerate(copies, 1)]
         lost = spec.quantity - len(copies)
         if lost:
-            discarded.append(
-                Discarded(name=spec.name, count=lost, reason=_reason(spec, len(copies)))
-            )
+            discarded.append(Discarded(name=spec.name, count=lost, reason=_reason(spec, len(copies))))
     return PlacementResult(room_id=room.room_id, placements=placements, discarded=discarded)
 
 

@@ -8,14 +8,7 @@ import numpy.typing as npt
 
 from mansion_geometry.boxes import boxes_overlap, unit_vector
 from mansion_scene.placement.groups import Spec
-from mansion_scene.placement.slots import (
-    Slot,
-    around_slots,
-    front_slots,
-    near_slots,
-    paired_slot,
-    side_slots,
-)
+from mansion_scene.placement.slots import Slot, around_slots, front_slots, near_slots, paired_slot, side_slots
 
 __all__ = ["Unit", "UnitStyle", "build_unit"]
 
@@ -104,11 +97,7 @@ class Unit:
 
 
 def build_unit(
-    spec: Spec,
-    size: Size3,
-    shares: Mapping[int, int],
-    children: Mapping[int, list[Spec]],
-    style: UnitStyle,
+    spec: Spec, size: Size3, shares: Mapping[int, int], children: Mapping[int, list[Spec]], style: UnitStyle
 ) -> Unit:
     """Compose one copy of `spec` with its share of the members.
 
@@ -128,12 +117,7 @@ def build_unit(
 
 
 def _add_members(
-    unit: Unit,
-    at: int,
-    spec: Spec,
-    shares: Mapping[int, int],
-    children: Mapping[int, list[Spec]],
-    style: UnitStyle,
+    unit: Unit, at: int, spec: Spec, shares: Mapping[int, int], children: Mapping[int, list[Spec]], style: UnitStyle
 ) -> None:
     backed = spec.where == "edge"
     for child in children.get(spec.index, ()):
@@ -149,9 +133,7 @@ def _add_members(
                 _add_members(unit, len(unit.parts) - 1, child, shares, children, style)
 
 
-def _slots(
-    spec: Spec, size: Size3, child: Spec, count: int, backed: bool, style: UnitStyle
-) -> list[Slot]:
+def _slots(spec: Spec, size: Size3, child: Spec, count: int, backed: bool, style: UnitStyle) -> list[Slot]:
     anchor, member = size[:2], child.size[:2]
     seat = child.role.seat
     at_wall = child.where == "edge"
@@ -162,18 +144,14 @@ def _slots(
         return [paired_slot(anchor, member, beside=beside, mirrored=style.mirrored, gap=style.gap)]
     if child.link == "side_of":
         return (
-            side_slots(anchor, member, count, backed=backed, mirrored=style.mirrored)
-            if backed or not at_wall
-            else []
+            side_slots(anchor, member, count, backed=backed, mirrored=style.mirrored) if backed or not at_wall else []
         )
     if child.link == "near" and at_wall and backed:
         return side_slots(anchor, member, 2, backed=True, mirrored=style.mirrored)
     if at_wall:
         return []
     if child.link == "around":
-        return around_slots(
-            anchor, member, count, backed=backed, gap=style.gap, long_sides=style.long_sides
-        )
+        return around_slots(anchor, member, count, backed=backed, gap=style.gap, long_sides=style.long_sides)
     if child.link == "in_front_of":
         touching = child.role.sofa or child.role.symmetric
         return front_slots(anchor, member, count, seat=seat, touching=touching, gap=style.gap)

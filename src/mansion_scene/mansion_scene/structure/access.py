@@ -158,10 +158,7 @@ def _reached(start: str, passages: Mapping[Pair, Passage], blocked: frozenset[st
 
 
 def _repair(
-    floor: FloorRegions,
-    shared: Mapping[Pair, Sequence[Stretch]],
-    passages: dict[Pair, Passage],
-    root: Region,
+    floor: FloorRegions, shared: Mapping[Pair, Sequence[Stretch]], passages: dict[Pair, Passage], root: Region
 ) -> dict[str, str]:
     """Add passages until every region is reached; return, for each region so joined, its new neighbour."""
     cores = frozenset(region.id for region in floor.regions if not region.is_room)
@@ -191,14 +188,8 @@ def _repair(
         repairs[region_id] = other
 
 
-def _neighbours(
-    region: str, shared: Mapping[Pair, Sequence[Stretch]]
-) -> list[tuple[str, Sequence[Stretch]]]:
-    return [
-        (b if a == region else a, stretches)
-        for (a, b), stretches in shared.items()
-        if region in (a, b)
-    ]
+def _neighbours(region: str, shared: Mapping[Pair, Sequence[Stretch]]) -> list[tuple[str, Sequence[Stretch]]]:
+    return [(b if a == region else a, stretches) for (a, b), stretches in shared.items() if region in (a, b)]
 
 
 def _repair_cost(region: Region, other: Region, stretches: Sequence[Stretch]) -> tuple[int, float]:

@@ -63,20 +63,14 @@ def scene_cores(
 
 
 def _details(
-    request: FurnishRequest,
-    floor: FloorRegions,
-    region: Region,
-    partition: Partition,
-    opening: Opening,
+    request: FurnishRequest, floor: FloorRegions, region: Region, partition: Partition, opening: Opening
 ) -> CoreDetails:
     net = partition.nets[region.id]
     goes_up = any(number > floor.floor for number in request.floors)
     from_below = any(number < floor.floor for number in request.floors)
     if region.kind == "stair" and region.core is not None:
         frame = stair_frame(region.core, net, floor.outline)
-        return stair_details(
-            region.id, frame, request.floor.height, goes_up=goes_up, comes_from_below=from_below
-        )
+        return stair_details(region.id, frame, request.floor.height, goes_up=goes_up, comes_from_below=from_below)
     inward = opening.inward(region.id)
     outward: Point = (-inward[0] + 0.0, -inward[1] + 0.0)
     order = sorted(range(len(request.floors)), key=lambda i: request.floors[i])

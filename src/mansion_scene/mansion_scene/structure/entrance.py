@@ -100,9 +100,7 @@ def _entrance_rank(floor: FloorRegions, region: Region) -> int:
     for rank, name in ((6, "outdoor"), (9, "wet"), (8, "store"), (7, "sleeping")):
         if is_class(region.room_type, name):
             return rank
-    return (
-        3 if is_class(region.room_type, "living") or is_class(region.room_type, "assembly") else 4
-    )
+    return 3 if is_class(region.room_type, "living") or is_class(region.room_type, "assembly") else 4
 
 
 def place_entrance(

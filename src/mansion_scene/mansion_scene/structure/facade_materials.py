@@ -26,9 +26,7 @@ _BY_WORD: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...] = (
 def facade_material(building_type: str, seed: int) -> str:
     """Return the material of a building's outer walls, the same for all its floors."""
     words = building_type.lower().replace("-", "_").split("_")
-    choice = next(
-        (materials for names, materials in _BY_WORD if any(word in names for word in words)), _WORK
-    )
+    choice = next((materials for names, materials in _BY_WORD if any(word in names for word in words)), _WORK)
     if not building_type:
         return DEFAULT_FACADE
     return choice[int(item_generator(seed, "facade").integers(len(choice)))]

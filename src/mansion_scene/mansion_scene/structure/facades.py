@@ -34,6 +34,4 @@ def usable_part(stretch: Stretch, corners: frozenset[Point]) -> Stretch | None:
         return None
     if low == 0.0 and high == stretch.length:
         return stretch
-    return Stretch(
-        stretch.at(low), stretch.at(high), stretch.left, None, stretch.exterior, stretch.structural
-    )
+    return Stretch(stretch.at(low), stretch.at(high), stretch.left, None, stretch.exterior, stretch.structural)

@@ -17,13 +17,7 @@ from mansion_scene.structure.entrance import entrance_room, is_residential, plac
 from mansion_scene.structure.facade_materials import facade_material
 from mansion_scene.structure.garage_doors import place_garage_doors
 from mansion_scene.structure.interiors import Partition, partition_floor
-from mansion_scene.structure.openings import (
-    make_frontages,
-    open_passages,
-    other_places,
-    place_doors,
-    take,
-)
+from mansion_scene.structure.openings import make_frontages, open_passages, other_places, place_doors, take
 from mansion_scene.structure.regions import FloorRegions, floor_regions
 from mansion_scene.structure.scene_rooms import scene_rooms
 from mansion_scene.structure.stretches import Stretch, boundary_stretches
@@ -93,19 +87,14 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
     openings = open_passages(partition)
     if ground:
         residential = is_residential(request.building_type)
-        openings.append(
-            place_entrance(floor, usable, root, frontages, partition.nets, residential=residential)
-        )
+        openings.append(place_entrance(floor, usable, root, frontages, partition.nets, residential=residential))
     for opening in openings:
         take(opening, frontages)
     wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets)
     openings += wide
     placed, narrowed = place_doors(floor, plan, shared, frontages)
     openings, leafless = hang_doors(
-        floor,
-        partition.nets,
-        [*openings, *placed],
-        lambda opening: other_places(opening, shared, frontages),
+        floor, partition.nets, [*openings, *placed], lambda opening: other_places(opening, shared, frontages)
     )
     rooms = scene_rooms(request, floor, partition, ceiling)
     facade = facade_material(request.building_type, request.seed)
@@ -138,10 +127,7 @@ def _cut_off(floor: FloorRegions, partition: Partition) -> list[Downgrade]:
     """Record the floor that rooms lose where they are pinched to less than a passage."""
     nets = {r.id: partition.nets[r.id] for r in floor.regions if r.is_room}
     parts = walkable_parts(nets)
-    lost = {
-        name: net.area - parts[name].area + partition.cut_off.get(name, 0.0)
-        for name, net in nets.items()
-    }
+    lost = {name: net.area - parts[name].area + partition.cut_off.get(name, 0.0) for name, net in nets.items()}
     return [
         Downgrade(
             wish=f"all of {region} in one piece",

@@ -14,21 +14,14 @@ import shapely
 from shapely.geometry import Polygon
 
 from mansion_msgs_py.shapes import Point, Segment
-from mansion_scene.structure.dimensions import (
-    APPROACH_DEPTH,
-    DOOR_GAP,
-    INTERIOR_THICKNESS,
-    WALL_END,
-)
+from mansion_scene.structure.dimensions import APPROACH_DEPTH, DOOR_GAP, INTERIOR_THICKNESS, WALL_END
 from mansion_scene.structure.stretches import Stretch
 
 __all__ = ["Frontage", "Position", "approach_zone", "choose_position", "ranked_positions"]
 
 _POCKET = 0.6  # metres beside a door in which a cupboard against the adjacent wall fits
 _SHORT_PIECE = 0.5  # a wall piece as short as this holds nothing
-_CORNER_LOSS = (
-    0.3  # metres of the adjacent wall that a door in a corner spoils for all but shallow things
-)
+_CORNER_LOSS = 0.3  # metres of the adjacent wall that a door in a corner spoils for all but shallow things
 
 
 @dataclass
@@ -80,11 +73,7 @@ class Position:
 
 
 def approach_zone(
-    segment: Segment,
-    inward: Point,
-    *,
-    depth: float = APPROACH_DEPTH,
-    wall: float = INTERIOR_THICKNESS / 2,
+    segment: Segment, inward: Point, *, depth: float = APPROACH_DEPTH, wall: float = INTERIOR_THICKNESS / 2
 ) -> Polygon:
     """Return the floor in front of an opening, from the wall's face `depth` into the room that `inward` points to."""
     (ax, ay), (bx, by) = segment
@@ -100,9 +89,7 @@ def approach_zone(
     )
 
 
-def _free_intervals(
-    stretch: Stretch, taken: Sequence[Segment], margin: float
-) -> list[tuple[float, float]]:
+def _free_intervals(stretch: Stretch, taken: Sequence[Segment], margin: float) -> list[tuple[float, float]]:
     """Return where the stretch has neither wall ends nor openings of its line, with their distances."""
     (dx, dy), (x0, y0) = stretch.direction, stretch.start
     intervals = [(margin, stretch.length - margin)]
@@ -120,9 +107,7 @@ def _free_intervals(
     return intervals
 
 
-def _candidates(
-    stretch: Stretch, taken: Sequence[Segment], width: float, margin: float
-) -> list[Position]:
+def _candidates(stretch: Stretch, taken: Sequence[Segment], width: float, margin: float) -> list[Position]:
     positions = []
     for start, end in _free_intervals(stretch, taken, margin):
         room = end - start - width
@@ -188,9 +173,7 @@ def choose_position(
     center: Point | None = None,
 ) -> Position | None:
     """Return the best of `ranked_positions`; ``None`` when no stretch has that much free."""
-    ranked = ranked_positions(
-        stretches, frontages, width, margin=margin, within=within, center=center
-    )
+    ranked = ranked_positions(stretches, frontages, width, margin=margin, within=within, center=center)
     return ranked[0] if ranked else None
 
 
@@ -248,17 +231,5 @@ def _clipped(stretch: Stretch, within: Polygon) -> list[Stretch]:
     part = shapely.LineString([stretch.start, stretch.end]).intersection(within)
     if part.geom_type != "LineString" or part.is_empty:
         return []
-    ends = sorted(
-        (math.dist(stretch.start, point), (float(point[0]), float(point[1])))
-        for point in part.coords
-    )
-    return [
-        Stretch(
-            ends[0][1],
-            ends[-1][1],
-            stretch.left,
-            stretch.right,
-            stretch.exterior,
-            stretch.structural,
-        )
-    ]
+    ends = sorted((math.dist(stretch.start, point), (float(point[0]), float(point[1]))) for point in part.coords)
+    return [Stretch(ends[0][1], ends[-1][1], stretch.left, stretch.right, stretch.exterior, stretch.structural)]

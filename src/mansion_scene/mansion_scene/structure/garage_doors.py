@@ -33,10 +33,7 @@ TWO_CARS = 30.0
 
 
 def place_garage_doors(
-    floor: FloorRegions,
-    stretches: Sequence[Stretch],
-    frontages: dict[str, Frontage],
-    nets: Mapping[str, Polygon],
+    floor: FloorRegions, stretches: Sequence[Stretch], frontages: dict[str, Frontage], nets: Mapping[str, Polygon]
 ) -> tuple[list[Opening], list[Downgrade]]:
     """Give each room of the ground floor that vehicles drive into a door, and enter it into the frontages.
 
@@ -102,6 +99,4 @@ def _depth(facade: Stretch, net: Polygon) -> float:
     line = LineString([(x, y), (x - dy * _FAR, y + dx * _FAR)])
     first = line.intersection(net)
     parts = getattr(first, "geoms", [first])
-    return float(
-        max((part.length for part in parts if part.distance(Point(x, y)) < 0.5), default=0.0)
-    )
+    return float(max((part.length for part in parts if part.distance(Point(x, y)) < 0.5), default=0.0))

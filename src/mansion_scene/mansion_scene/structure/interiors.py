@@ -44,9 +44,7 @@ class Partition:
     cut_off: dict[str, float]
 
 
-def partition_floor(
-    floor: FloorRegions, stretches: Sequence[Stretch], open_pairs: frozenset[Pair]
-) -> Partition:
+def partition_floor(floor: FloorRegions, stretches: Sequence[Stretch], open_pairs: frozenset[Pair]) -> Partition:
     """Split stretches into walls and open boundaries, and take the walls' bodies off the regions.
 
     Interior walls stand astride their stretch, half in each region; outer walls stand outside the outline and take
@@ -74,9 +72,7 @@ def _with_nibs(stretch: Stretch) -> tuple[list[Stretch], Stretch]:
     low, high = stretch.at(NIB), stretch.at(stretch.length - NIB)
 
     def part(start: tuple[float, float], end: tuple[float, float]) -> Stretch:
-        return Stretch(
-            start, end, stretch.left, stretch.right, stretch.exterior, stretch.structural
-        )
+        return Stretch(start, end, stretch.left, stretch.right, stretch.exterior, stretch.structural)
 
     return [part(stretch.start, low), part(high, stretch.end)], part(low, high)
 
@@ -87,18 +83,12 @@ def _solid(walls: Sequence[Stretch]) -> shapely.Geometry:
     lines = shapely.line_merge(MultiLineString([LineString([w.start, w.end]) for w in walls]))
     return shapely.union_all(
         shapely.buffer(
-            shapely.get_parts(lines),
-            INTERIOR_THICKNESS / 2,
-            cap_style="flat",
-            join_style="mitre",
-            mitre_limit=5.0,
+            shapely.get_parts(lines), INTERIOR_THICKNESS / 2, cap_style="flat", join_style="mitre", mitre_limit=5.0
         )
     )
 
 
-def _nets(
-    floor: FloorRegions, solid: shapely.Geometry
-) -> tuple[dict[str, Polygon], dict[str, float]]:
+def _nets(floor: FloorRegions, solid: shapely.Geometry) -> tuple[dict[str, Polygon], dict[str, float]]:
     polygons = [region.polygon for region in floor.regions]
     bodies = shapely.difference(polygons, solid, grid_size=1e-4)
     nets: dict[str, Polygon] = {}

@@ -51,10 +51,7 @@ def lift_details(
     ring: Ring = [(round(x, 4), round(y, 4)) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))]
     panel = _button_panel(cabin, outward)
     return LiftDetails(
-        cabin=(
-            (round(cabin[0], 4), round(cabin[1], 4), 0.0),
-            (round(cabin[2], 4), round(cabin[3], 4), _CABIN_HEIGHT),
-        ),
+        cabin=((round(cabin[0], 4), round(cabin[1], 4), 0.0), (round(cabin[2], 4), round(cabin[3], 4), _CABIN_HEIGHT)),
         facing=round(math.degrees(math.atan2(outward[1], outward[0])), 4) + 0.0,
         call_panel=_call_panel(landing_door, outward),
         button_panel=panel,
@@ -83,16 +80,10 @@ def _button_panel(cabin: tuple[float, float, float, float], outward: Point) -> P
     half_out = abs(ox) * (cabin[2] - cabin[0]) / 2 + abs(oy) * (cabin[3] - cabin[1]) / 2
     half_side = abs(rx) * (cabin[2] - cabin[0]) / 2 + abs(ry) * (cabin[3] - cabin[1]) / 2
     back, side = half_out - _CABIN_WALL - _PLATE, 0.4 * half_side
-    return (
-        round(cx - ox * back + rx * side, 4),
-        round(cy - oy * back + ry * side, 4),
-        _BUTTONS_HEIGHT,
-    )
+    return (round(cx - ox * back + rx * side, 4), round(cy - oy * back + ry * side, 4), _BUTTONS_HEIGHT)
 
 
-def _buttons(
-    panel: Point3, floors: Sequence[int], labels: Sequence[str], outward: Point
-) -> list[LiftButton]:
+def _buttons(panel: Point3, floors: Sequence[int], labels: Sequence[str], outward: Point) -> list[LiftButton]:
     """Return the buttons in two columns, three from 25 floors, the lowest floor bottom left."""
     columns = 2 if len(floors) <= _BUTTONS_IN_TWO_COLUMNS else 3
     rows = -(-len(floors) // columns)

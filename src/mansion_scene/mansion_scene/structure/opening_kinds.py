@@ -79,8 +79,4 @@ def _is_private_study(room_type: str) -> bool:
 
 def entrance_kind(public: bool) -> OpeningKind:
     """Return the kind of the building's entrance: a double glazed one, or a house door."""
-    return (
-        OpeningKind("entrance", 1.8, "glass")
-        if public
-        else OpeningKind("entrance", 1.0, "dark_wood")
-    )
+    return OpeningKind("entrance", 1.8, "glass") if public else OpeningKind("entrance", 1.0, "dark_wood")

@@ -10,25 +10,10 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.shapes import Point, Segment
 from mansion_scene.structure.access import AccessPlan, Pair, pair_key
-from mansion_scene.structure.dimensions import (
-    CLEAR_WIDTH,
-    INTERIOR_THICKNESS,
-    MIN_CLEAR_WIDTH,
-    WALL_END,
-)
-from mansion_scene.structure.frontage import (
-    Frontage,
-    Position,
-    approach_zone,
-    choose_position,
-    ranked_positions,
-)
+from mansion_scene.structure.dimensions import CLEAR_WIDTH, INTERIOR_THICKNESS, MIN_CLEAR_WIDTH, WALL_END
+from mansion_scene.structure.frontage import Frontage, Position, approach_zone, choose_position, ranked_positions
 from mansion_scene.structure.interiors import Partition
-from mansion_scene.structure.opening_kinds import (
-    OpeningKind,
-    is_circulation,
-    opening_kind,
-)
+from mansion_scene.structure.opening_kinds import OpeningKind, is_circulation, opening_kind
 from mansion_scene.structure.regions import FloorRegions, Region
 from mansion_scene.structure.stairs import landing_zone
 from mansion_scene.structure.stretches import Stretch
@@ -64,10 +49,7 @@ class Opening:
 
 def make_frontages(floor: FloorRegions, partition: Partition) -> dict[str, Frontage]:
     """Return each region as doors see it, without doors."""
-    return {
-        region.id: Frontage(partition.nets[region.id], _wall_worth(region))
-        for region in floor.regions
-    }
+    return {region.id: Frontage(partition.nets[region.id], _wall_worth(region)) for region in floor.regions}
 
 
 def _wall_worth(region: Region) -> float:
@@ -95,10 +77,7 @@ def open_passages(partition: Partition) -> list[Opening]:
 
 
 def place_doors(
-    floor: FloorRegions,
-    plan: AccessPlan,
-    shared: Mapping[Pair, Sequence[Stretch]],
-    frontages: Mapping[str, Frontage],
+    floor: FloorRegions, plan: AccessPlan, shared: Mapping[Pair, Sequence[Stretch]], frontages: Mapping[str, Frontage]
 ) -> tuple[list[Opening], list[Downgrade]]:
     """Place a door for each passage that is not open.
 
@@ -127,9 +106,7 @@ def place_doors(
 
 
 def other_places(
-    opening: Opening,
-    shared: Mapping[Pair, Sequence[Stretch]],
-    frontages: Mapping[str, Frontage],
+    opening: Opening, shared: Mapping[Pair, Sequence[Stretch]], frontages: Mapping[str, Frontage]
 ) -> Iterator[Opening]:
     """Yield the same door elsewhere between its two regions, best first, as wide as it is and then 0.9 m wide."""
     a, b = opening.regions
@@ -143,11 +120,7 @@ def other_places(
 
 def _without(frontage: Frontage, segment: Segment) -> Frontage:
     kept = [i for i, taken in enumerate(frontage.taken) if taken != segment]
-    return replace(
-        frontage,
-        zones=[frontage.zones[i] for i in kept],
-        taken=[frontage.taken[i] for i in kept],
-    )
+    return replace(frontage, zones=[frontage.zones[i] for i in kept], taken=[frontage.taken[i] for i in kept])
 
 
 def _place(
@@ -173,10 +146,7 @@ def _place(
         )
     if stair is not None:
         return _opening(position, kind), _note(
-            floor,
-            pair,
-            "a door off the floor landing",
-            "the shared wall does not reach the landing's end of the core",
+            floor, pair, "a door off the floor landing", "the shared wall does not reach the landing's end of the core"
         )
     if position.width < CLEAR_WIDTH - 1e-6:
         return _opening(position, kind), _note(
@@ -214,9 +184,7 @@ def _widest(
     trials = [(width, WALL_END), (CLEAR_WIDTH, WALL_END), (CLEAR_WIDTH, bare)]
     trials += [(trial, bare) for trial in (0.85, 0.8, 0.75, MIN_CLEAR_WIDTH)]
     for trial, margin in trials:
-        position = choose_position(
-            stretches, frontages, trial, margin=margin, within=within, center=center
-        )
+        position = choose_position(stretches, frontages, trial, margin=margin, within=within, center=center)
         if position is not None:
             return position
     return None

@@ -75,11 +75,7 @@ def ring_points(ring: shapely.LinearRing) -> Ring:
     """Return a ring's points, the first not repeated, without points on straight runs; 0.1 mm."""
     points = [(round(float(x), 4) + 0.0, round(float(y), 4) + 0.0) for x, y in ring.coords[:-1]]
     points = [p for i, p in enumerate(points) if p != points[i - 1]]
-    return [
-        p
-        for i, p in enumerate(points)
-        if not _is_between(points[i - 1], p, points[(i + 1) % len(points)])
-    ]
+    return [p for i, p in enumerate(points) if not _is_between(points[i - 1], p, points[(i + 1) % len(points)])]
 
 
 def _is_between(a: Point, p: Point, b: Point) -> bool:
@@ -92,9 +88,7 @@ def _polygon(ring: Ring, holes: list[Ring], path: str) -> Polygon:
     polygon = Polygon(ring, holes) if len(ring) >= 3 else Polygon()
     if polygon.is_empty or not polygon.is_valid or polygon.area < 0.05:
         raise MansionError(
-            ErrorCode.INVALID_PAYLOAD,
-            "a simple polygon of at least 0.05 m2 is needed, with holes inside it",
-            path=path,
+            ErrorCode.INVALID_PAYLOAD, "a simple polygon of at least 0.05 m2 is needed, with holes inside it", path=path
         )
     return orient(polygon)
 
@@ -146,36 +140,26 @@ def floor_regions(request: FurnishRequest) -> FloorRegions:
     nodes = {node.id: node for node in request.topology.nodes}
     rooms = _rooms(request, nodes)
     if not rooms:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, "the layout has no room", path="$.layout.rooms"
-        )
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "the layout has no room", path="$.layout.rooms")
     regions = tuple(rooms + _cores(request))
     by_node = {region.node: region for region in regions}
     if len(by_node) < len(regions):
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, "room and core ids must be unique", path="$.layout"
-        )
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "room and core ids must be unique", path="$.layout")
     _refuse_overlaps(regions)
-    hub = by_node.get(request.layout.hub) or next(
-        (r for r in rooms if r.node_kind == "main"), rooms[0]
-    )
+    hub = by_node.get(request.layout.hub) or next((r for r in rooms if r.node_kind == "main"), rooms[0])
     outline = (
         _polygon(request.floor.outline, request.floor.holes, "$.floor.outline")
         if request.floor.outline
         else _outline_of(regions)
     )
-    return FloorRegions(
-        request.floor.index, regions, outline, by_node, {r.id: r for r in regions}, hub
-    )
+    return FloorRegions(request.floor.index, regions, outline, by_node, {r.id: r for r in regions}, hub)
 
 
 def _outline_of(regions: tuple[Region, ...]) -> Polygon:
     union = shapely.union_all([region.polygon for region in regions], grid_size=1e-4)
     if union.geom_type != "Polygon":
         raise MansionError(
-            ErrorCode.INVALID_PAYLOAD,
-            "the rooms of a floor must touch each other",
-            path="$.layout.rooms",
+            ErrorCode.INVALID_PAYLOAD, "the rooms of a floor must touch each other", path="$.layout.rooms"
         )
     return orient(union)
 

@@ -29,22 +29,8 @@ ROOM_CLASSES: Final[dict[str, frozenset[str]]] = {
             "core",
         ]
     ),
-    "welcome": frozenset(
-        ["lobby", "foyer", "reception", "entrance", "entry", "entryway", "atrium", "vestibule"]
-    ),
-    "wet": frozenset(
-        [
-            "bathroom",
-            "toilet",
-            "toilets",
-            "restroom",
-            "wc",
-            "shower",
-            "lavatory",
-            "washroom",
-            "ensuite",
-        ]
-    ),
+    "welcome": frozenset(["lobby", "foyer", "reception", "entrance", "entry", "entryway", "atrium", "vestibule"]),
+    "wet": frozenset(["bathroom", "toilet", "toilets", "restroom", "wc", "shower", "lavatory", "washroom", "ensuite"]),
     "store": frozenset(
         [
             "storage",
@@ -71,17 +57,7 @@ ROOM_CLASSES: Final[dict[str, frozenset[str]]] = {
         ]
     ),
     "vehicle": frozenset(
-        [
-            "garage",
-            "carport",
-            "car",
-            "parking",
-            "carpark",
-            "ambulance",
-            "apparatus",
-            "vehicle",
-            "dock",
-        ]
+        ["garage", "carport", "car", "parking", "carpark", "ambulance", "apparatus", "vehicle", "dock"]
     ),
     "outdoor": frozenset(["balcony", "terrace", "loggia", "patio", "veranda", "deck"]),
     "office": frozenset(
@@ -134,9 +110,7 @@ ROOM_CLASSES: Final[dict[str, frozenset[str]]] = {
             "chapel",
         ]
     ),
-    "teaching": frozenset(
-        ["classroom", "lecture", "seminar", "laboratory", "lab", "workshop", "kindergarten"]
-    ),
+    "teaching": frozenset(["classroom", "lecture", "seminar", "laboratory", "lab", "workshop", "kindergarten"]),
     "clinical": frozenset(
         [
             "consultation",
@@ -157,13 +131,9 @@ ROOM_CLASSES: Final[dict[str, frozenset[str]]] = {
             "mri",
         ]
     ),
-    "dark": frozenset(
-        ["cinema", "theater", "theatre", "screening", "projection", "darkroom", "imax"]
-    ),
+    "dark": frozenset(["cinema", "theater", "theatre", "screening", "projection", "darkroom", "imax"]),
     "cooking": frozenset(["kitchen", "kitchenette", "kitchens", "scullery"]),
-    "living": frozenset(
-        ["living", "kitchen", "dining", "family", "breakfast", "kitchenette", "den"]
-    ),
+    "living": frozenset(["living", "kitchen", "dining", "family", "breakfast", "kitchenette", "den"]),
     "sleeping": frozenset(["bedroom", "guest", "suite", "dormitory", "nursery", "dorm"]),
 }
 

@@ -26,9 +26,7 @@ _WALLS = (("wet", "white ceramic tiles"), ("clinical", "hygienic washable panels
 _ACOUSTIC = ("office", "teaching", "clinical", "assembly")
 
 
-def scene_rooms(
-    request: FurnishRequest, floor: FloorRegions, partition: Partition, ceiling: float
-) -> list[SceneRoom]:
+def scene_rooms(request: FurnishRequest, floor: FloorRegions, partition: Partition, ceiling: float) -> list[SceneRoom]:
     """Return the floor's rooms in the order of its layout.
 
     Materials come from the room graph's descriptions, else from the program's, else from the room's type.
@@ -48,11 +46,7 @@ def scene_rooms(
 
 
 def _room(
-    region: Region,
-    node: TopologyNode | None,
-    program: RoomProgram | None,
-    partition: Partition,
-    ceiling: float,
+    region: Region, node: TopologyNode | None, program: RoomProgram | None, partition: Partition, ceiling: float
 ) -> SceneRoom:
     net = partition.nets[region.id]
     if net.is_empty or net.area < 0.05:
@@ -61,9 +55,7 @@ def _room(
             f"nothing of {region.id} is left between its walls; a room must be wider than 0.12 m",
             path="$.layout.rooms",
         )
-    floor_words = (node.floor_material if node else "") or (
-        program.floor_material if program else ""
-    )
+    floor_words = (node.floor_material if node else "") or (program.floor_material if program else "")
     wall_words = (node.wall_material if node else "") or (program.wall_material if program else "")
     return SceneRoom(
         id=region.id,

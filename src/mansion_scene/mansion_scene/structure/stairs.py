@@ -28,12 +28,7 @@ _LANDING_THICKNESS: Final = 0.18
 _MIN_FLIGHT: Final = 0.75
 
 Side = Literal["north", "south", "east", "west"]
-_INWARD: Final[dict[Side, Point]] = {
-    "south": (0.0, 1.0),
-    "north": (0.0, -1.0),
-    "west": (1.0, 0.0),
-    "east": (-1.0, 0.0),
-}
+_INWARD: Final[dict[Side, Point]] = {"south": (0.0, 1.0), "north": (0.0, -1.0), "west": (1.0, 0.0), "east": (-1.0, 0.0)}
 
 
 @dataclass(frozen=True)
@@ -63,9 +58,7 @@ class StairFrame:
     def point(self, along: float, across: float) -> Point:
         """Return the plan point at a distance up the stair and to the right of its left edge."""
         (fx, fy), (ox, oy) = self.forward, self.origin
-        return round(ox + fx * along + fy * across, 4) + 0.0, round(
-            oy + fy * along - fx * across, 4
-        ) + 0.0
+        return round(ox + fx * along + fy * across, 4) + 0.0, round(oy + fy * along - fx * across, 4) + 0.0
 
     def rectangle(self, along: tuple[float, float], across: tuple[float, float]) -> Ring:
         """Return a rectangle of the frame as a counter-clockwise ring."""
@@ -73,9 +66,7 @@ class StairFrame:
         x0, x1, y0, y1 = min(x0, x1), max(x0, x1), min(y0, y1), max(y0, y1)
         return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
 
-    def box(
-        self, along: tuple[float, float], across: tuple[float, float], z: tuple[float, float]
-    ) -> Box3:
+    def box(self, along: tuple[float, float], across: tuple[float, float], z: tuple[float, float]) -> Box3:
         """Return a box over a rectangle of the frame."""
         ring = self.rectangle(along, across)
         return (*ring[0], round(z[0], 4)), (*ring[2], round(z[1], 4))
@@ -93,10 +84,7 @@ def _landing_side(core: CorePlan, outline: Polygon) -> Side:
         "west": (x0, (y0 + y1) / 2),
         "east": (x1, (y0 + y1) / 2),
     }
-    from_edge = [
-        round(float(shapely.distance(outline.exterior, shapely.Point(middles[end]))), 3)
-        for end in ends
-    ]
+    from_edge = [round(float(shapely.distance(outline.exterior, shapely.Point(middles[end]))), 3) for end in ends]
     return ends[0] if from_edge[0] >= from_edge[1] else ends[1]
 
 
@@ -113,12 +101,7 @@ def stair_frame(core: CorePlan, net: Polygon, outline: Polygon) -> StairFrame:
     """
     x0, y0, x1, y1 = net.bounds
     side = _landing_side(core, outline)
-    corners: dict[Side, Point] = {
-        "south": (x0, y0),
-        "north": (x1, y1),
-        "west": (x0, y1),
-        "east": (x1, y0),
-    }
+    corners: dict[Side, Point] = {"south": (x0, y0), "north": (x1, y1), "west": (x0, y1), "east": (x1, y0)}
     along_y = side in ("south", "north")
     length, width = (y1 - y0, x1 - x0) if along_y else (x1 - x0, y1 - y0)
     return StairFrame(corners[side], _INWARD[side], length, width)
@@ -155,12 +138,7 @@ def _dog_leg(frame: StairFrame, height: float) -> tuple[int, float] | None:
 
 
 def stair_details(
-    core_id: str,
-    frame: StairFrame,
-    height: float,
-    *,
-    goes_up: bool,
-    comes_from_below: bool,
+    core_id: str, frame: StairFrame, height: float, *, goes_up: bool, comes_from_below: bool
 ) -> StairDetails:
     """Lay out the flights that leave a floor.
 
@@ -209,12 +187,7 @@ def stair_details(
 
 def _add_flights(details: StairDetails, frame: StairFrame, height: float) -> None:
     """Add both flights, the half landing and the rails along the well."""
-    half, riser, going, width = (
-        details.risers // 2,
-        height / details.risers,
-        details.going,
-        details.width,
-    )
+    half, riser, going, width = (details.risers // 2, height / details.risers, details.going, details.width)
     foot, turn = frame.landing, frame.landing + (half - 1) * going
     left, right = (0.0, width), (frame.width - width, frame.width)
     for step in range(half - 1):
@@ -222,9 +195,7 @@ def _add_flights(details: StairDetails, frame: StairFrame, height: float) -> Non
         span = (foot + step * going, foot + (step + 1) * going)
         details.treads.append(frame.box(span, left, (max(top - 2 * riser, 0.0), top)))
     middle = half * riser
-    details.landings.append(
-        frame.box((turn, frame.length), (0.0, frame.width), (middle - _LANDING_THICKNESS, middle))
-    )
+    details.landings.append(frame.box((turn, frame.length), (0.0, frame.width), (middle - _LANDING_THICKNESS, middle)))
     for step in range(half - 1):
         top = middle + (step + 1) * riser
         span = (turn - (step + 1) * going, turn - step * going)

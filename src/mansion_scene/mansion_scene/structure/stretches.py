@@ -147,9 +147,7 @@ def _sweep(line: _Line) -> list[Stretch]:
             start, end, left, right = end, start, right, None
         if left is None:
             continue
-        stretch = Stretch(
-            start, end, left, right, right is None and _OUTLINE in owners, _STRUCTURE in owners
-        )
+        stretch = Stretch(start, end, left, right, right is None and _OUTLINE in owners, _STRUCTURE in owners)
         stretches.append(stretch)
     return _merge(stretches)
 

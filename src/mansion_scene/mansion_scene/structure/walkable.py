@@ -74,18 +74,14 @@ def _intervals(stretch: Stretch, offset: Point, part: Polygon) -> list[tuple[flo
     half = INTERIOR_THICKNESS / 2
     intervals = []
     for piece in inside:
-        along = sorted(
-            (x - x0 - offset[0]) * dx + (y - y0 - offset[1]) * dy for x, y in piece.coords
-        )
+        along = sorted((x - x0 - offset[0]) * dx + (y - y0 - offset[1]) * dy for x, y in piece.coords)
         low = 0.0 if along[0] < half + 1e-3 else along[0]
         high = stretch.length if along[-1] > stretch.length - half - 1e-3 else along[-1]
         intervals.append((low, high))
     return sorted(intervals)
 
 
-def _common(
-    first: Sequence[tuple[float, float]], second: Sequence[tuple[float, float]]
-) -> list[tuple[float, float]]:
+def _common(first: Sequence[tuple[float, float]], second: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
     common = [(max(a, c), min(b, d)) for a, b in first for c, d in second]
     return [(low, high) for low, high in common if high - low > _SHORTEST]
 

@@ -58,10 +58,7 @@ def _center_line(stretch: Stretch, corners: Mapping[Point, Point]) -> Segment:
     """Return the centre line of a stretch's wall; outer walls meet at the corners of the building."""
     if not stretch.exterior:
         return _on_wall(stretch, (stretch.start, stretch.end))
-    ends = [
-        corners.get(_key(point)) or _outside(stretch, point)
-        for point in (stretch.start, stretch.end)
-    ]
+    ends = [corners.get(_key(point)) or _outside(stretch, point) for point in (stretch.start, stretch.end)]
     return ends[0], ends[1]
 
 
@@ -127,10 +124,7 @@ def _wall_of(walls: Sequence[tuple[Stretch, Wall]], stretch: Stretch) -> Wall:
 
 
 def number_doors(
-    floor: FloorRegions,
-    walls: Sequence[tuple[Stretch, Wall]],
-    openings: Sequence[Opening],
-    ceiling: float,
+    floor: FloorRegions, walls: Sequence[tuple[Stretch, Wall]], openings: Sequence[Opening], ceiling: float
 ) -> list[Door]:
     """Return the doors in the order of the openings, numbered on."""
     doors = []
@@ -158,9 +152,7 @@ def number_doors(
 
 
 def number_windows(
-    floor: FloorRegions,
-    walls: Sequence[tuple[Stretch, Wall]],
-    windows: Sequence[WindowOpening],
+    floor: FloorRegions, walls: Sequence[tuple[Stretch, Wall]], windows: Sequence[WindowOpening]
 ) -> list[Window]:
     """Return the windows in their order, numbered on."""
     return [

@@ -44,10 +44,7 @@ class Drive:
         finite = isfinite(forward) and isfinite(turning)
         with self._guard:
             self._wanted = (
-                (
-                    max(-TOP_SPEED, min(TOP_SPEED, forward)),
-                    max(-TOP_TURN, min(TOP_TURN, turning)),
-                )
+                (max(-TOP_SPEED, min(TOP_SPEED, forward)), max(-TOP_TURN, min(TOP_TURN, turning)))
                 if finite
                 else (0.0, 0.0)
             )

@@ -115,10 +115,7 @@ class Engine:
     def _keep_apart(self, shared: SharedWorld) -> None:
         """Save robots that share a world and have done nothing yet, so that each comes back to its own place."""
         for name, seat in sorted(self._seats.items()):
-            if (
-                seat.shared is shared
-                and not overlay_path(shared.world.building.path, name).exists()
-            ):
+            if seat.shared is shared and not overlay_path(shared.world.building.path, name).exists():
                 seat.save()
 
     def _others(self, session: str, key: tuple[Path, str]) -> list[str]:
@@ -166,10 +163,7 @@ class Engine:
         name = check_session(session)
         seat = self._seats.get(name)
         if seat is None:
-            raise MansionError(
-                ErrorCode.NOT_LOADED,
-                f"session {name!r} has no building; call load_building first",
-            )
+            raise MansionError(ErrorCode.NOT_LOADED, f"session {name!r} has no building; call load_building first")
         return seat
 
     def run(self, name: str, arguments: SessionArgs) -> Any:
@@ -204,8 +198,7 @@ class Engine:
         seat.check(arguments.token)
         if seat.turn.waiting >= MOST_WAITING:
             raise MansionError(
-                ErrorCode.CONFLICT,
-                f"{MOST_WAITING} calls of session {seat.session!r} wait already; try again later",
+                ErrorCode.CONFLICT, f"{MOST_WAITING} calls of session {seat.session!r} wait already; try again later"
             )
         with seat.turn, seat.shared.lock:
             seat.check(arguments.token)
@@ -242,9 +235,7 @@ class Engine:
         running = seat.turn.held
         seat.stop.set()
         with seat.shared.lock:
-            released = [
-                lift.name for lift in seat.world.lifts.values() if lift.release(seat.session)
-            ]
+            released = [lift.name for lift in seat.world.lifts.values() if lift.release(seat.session)]
             seat.robot.call = None
             state = seat.world.robot_state(seat.robot)
         text = "the running skill is told to end" if running else "no skill is running"
@@ -304,16 +295,12 @@ class Engine:
                     human = request.request_type is LiftRequestType.HUMAN_MODE
                     mode = LiftMode.HUMAN if human else LiftMode.AGV
                     door = LiftDoor(request.door_state)
-                    lift.call(
-                        LiftCall(session=request.session_id, floor=floor, door=door, mode=mode)
-                    )
+                    lift.call(LiftCall(session=request.session_id, floor=floor, door=door, mode=mode))
                 if not self.pace.realtime:
                     world.advance(lift.seconds_to_rest())
         if not found:
             raise MansionError(
-                ErrorCode.NOT_FOUND,
-                f"no open building has a lift {request.lift_name!r}",
-                path="$.lift_name",
+                ErrorCode.NOT_FOUND, f"no open building has a lift {request.lift_name!r}", path="$.lift_name"
             )
 
     def tick(self) -> None:

@@ -5,12 +5,7 @@ from pathlib import Path
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_skills.building import LoadedBuilding
 from mansion_skills.engine.seat import SharedWorld
-from mansion_skills.world.overlay import (
-    forget_overlay,
-    load_overlay,
-    overlay_path,
-    world_overlays,
-)
+from mansion_skills.world.overlay import forget_overlay, load_overlay, overlay_path, world_overlays
 from mansion_skills.world.restore import restore_robot, restore_shared
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World

@@ -17,11 +17,7 @@ LONG = 1.0
 
 
 def perform(
-    seat: Seat,
-    skill: Skill,
-    arguments: SessionArgs,
-    pace: Pace,
-    report: Callable[[SkillProgress], None],
+    seat: Seat, skill: Skill, arguments: SessionArgs, pace: Pace, report: Callable[[SkillProgress], None]
 ) -> SkillResult:
     """Run a skill to its end; the caller holds the world's lock, which is let go while time passes.
 
@@ -57,9 +53,7 @@ def perform(
         seat.stretch = None
 
 
-def _pass(
-    seat: Seat, skill: Skill, step: Step, pace: Pace, report: Callable[[SkillProgress], None]
-) -> None:
+def _pass(seat: Seat, skill: Skill, step: Step, pace: Pace, report: Callable[[SkillProgress], None]) -> None:
     """Let a step's time pass, and report it unless it is short and gone at once."""
     world = seat.world
     if pace.realtime or step.seconds >= LONG:
@@ -92,9 +86,7 @@ def _progress(seat: Seat, skill: Skill, step: Step) -> SkillProgress:
 def _cancelled(seat: Seat, skill: Skill, before: object) -> SkillResult:
     world, robot = seat.world, seat.robot
     text = f"{skill.name} was cancelled"
-    result = refused(
-        world, robot, skill.name, SkillStatus.CANCELED, text, "calling the skill again"
-    )
+    result = refused(world, robot, skill.name, SkillStatus.CANCELED, text, "calling the skill again")
     if robot.pose != before:
         result.changed.append(SkillChange(what="pose", before=before, after=robot.pose))
     return result

@@ -70,7 +70,5 @@ class Stretch:
 
 def _between(a: Pose2D, b: Pose2D, part: float) -> Pose2D:
     return Pose2D(
-        x=a.x + part * (b.x - a.x),
-        y=a.y + part * (b.y - a.y),
-        yaw=(a.yaw + part * turn_between(a.yaw, b.yaw)) % 360.0,
+        x=a.x + part * (b.x - a.x), y=a.y + part * (b.y - a.y), yaw=(a.yaw + part * turn_between(a.yaw, b.yaw)) % 360.0
     )

@@ -175,11 +175,7 @@ class FloorMap:
             Door id to whether it stands open now, for every door of the floor.
         """
         self.is_open = dict(is_open)
-        self._bodies = [
-            body
-            for body in bodies
-            if not (body.carried or body.bottom >= CLEARANCE or body.top <= FLAT)
-        ]
+        self._bodies = [body for body in bodies if not (body.carried or body.bottom >= CLEARANCE or body.top <= FLAT)]
         solid, view = self._drawn(self.scene.doors, self._bodies)
         self.version += 1
         self.view = view
@@ -235,13 +231,7 @@ class FloorMap:
                 fill_box(view, self.frame, place, footprint, body.rotation, body.number, _CLEAR)
         return solid, view
 
-    def _cut(
-        self,
-        door: Door,
-        is_open: bool,
-        solid: npt.NDArray[np.int16],
-        view: npt.NDArray[np.int16],
-    ) -> None:
+    def _cut(self, door: Door, is_open: bool, solid: npt.NDArray[np.int16], view: npt.NDArray[np.int16]) -> None:
         if not is_walkway(door, self._cores):
             return
         passable = is_open or door.kind in LEAFLESS

@@ -35,18 +35,12 @@ def is_clear(blocked: Mask, frame: GridFrame, a: Point, b: Point) -> bool:
     k = 1.0 / frame.resolution
     return bool(
         line_is_free(
-            blocked,
-            (a[1] - frame.y0) * k,
-            (a[0] - frame.x0) * k,
-            (b[1] - frame.y0) * k,
-            (b[0] - frame.x0) * k,
+            blocked, (a[1] - frame.y0) * k, (a[0] - frame.x0) * k, (b[1] - frame.y0) * k, (b[0] - frame.x0) * k
         )
     )
 
 
-def find_path(
-    blocked: Mask, frame: GridFrame, start: Point, goal: Point, snap: float = SNAP
-) -> list[Point] | None:
+def find_path(blocked: Mask, frame: GridFrame, start: Point, goal: Point, snap: float = SNAP) -> list[Point] | None:
     """Return a polyline from `start` to `goal`, or ``None``.
 
     A start in a blocked cell is first left towards the nearest free one, so that a robot gets out of any corner;
@@ -143,10 +137,7 @@ def _subdivided(points: list[Point]) -> list[Point]:
     dense = [points[0]]
     for a, b in pairwise(points):
         parts = max(1, int(dist(a, b) / 0.25))
-        dense += [
-            (a[0] + (b[0] - a[0]) * i / parts, a[1] + (b[1] - a[1]) * i / parts)
-            for i in range(1, parts)
-        ]
+        dense += [(a[0] + (b[0] - a[0]) * i / parts, a[1] + (b[1] - a[1]) * i / parts) for i in range(1, parts)]
         dense.append(b)
     return dense
 
@@ -169,7 +160,4 @@ def _towards(corner: Point, other: Point) -> Point:
 
 def _bezier(a: Point, b: Point, c: Point, t: float) -> Point:
     u = 1.0 - t
-    return (
-        u * u * a[0] + 2 * u * t * b[0] + t * t * c[0],
-        u * u * a[1] + 2 * u * t * b[1] + t * t * c[1],
-    )
+    return (u * u * a[0] + 2 * u * t * b[0] + t * t * c[0], u * u * a[1] + 2 * u * t * b[1] + t * t * c[1])

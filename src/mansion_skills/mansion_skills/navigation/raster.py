@@ -93,22 +93,14 @@ def _fill(grid: Cells, frame: Floats, ring: Floats, value: int, only: int) -> No
                     grid[row, column] = value
 
 
-def fill_ring(
-    grid: Cells, frame: GridFrame, ring: Sequence[Point], value: int, only: int = -1
-) -> None:
+def fill_ring(grid: Cells, frame: GridFrame, ring: Sequence[Point], value: int, only: int = -1) -> None:
     """Set the cells whose centres lie in a ring (even-odd rule), or of these just those that are `only`."""
     if len(ring) >= 3:
         _fill(grid, frame.array(), np.asarray(ring, dtype=np.float64), value, only)
 
 
 def fill_box(
-    grid: Cells,
-    frame: GridFrame,
-    center: Point,
-    size: tuple[float, float],
-    rotation: float,
-    value: int,
-    only: int = -1,
+    grid: Cells, frame: GridFrame, center: Point, size: tuple[float, float], rotation: float, value: int, only: int = -1
 ) -> None:
     """Set the cells whose centres lie in a rotated box; a thin one still fills a cell's width."""
     angle = np.radians(rotation)

@@ -94,10 +94,7 @@ class RouteGraph:
                 self._edges[b].append((a, "walk", seconds))
 
     def route(
-        self,
-        start: tuple[int, str, Point],
-        goal: tuple[int, str, Point],
-        is_open: Mapping[str, bool],
+        self, start: tuple[int, str, Point], goal: tuple[int, str, Point], is_open: Mapping[str, bool]
     ) -> list[Leg] | None:
         """Return the legs of the quickest route, or ``None``.
 
@@ -124,9 +121,7 @@ class RouteGraph:
             costs[node], came[node] = cost, (before, kind)
             if node == end:
                 break
-            if self._leaves.get(node) is not None and not is_open.get(
-                node[1], not self._leaves[node]
-            ):
+            if self._leaves.get(node) is not None and not is_open.get(node[1], not self._leaves[node]):
                 cost += DOOR_COST
             for after, how, seconds in self._edges[node]:
                 if after not in costs:

@@ -117,12 +117,7 @@ def region_of(blocked: Mask, row: int, column: int) -> Mask:
 
 
 @kernel
-def best_cells(
-    rooms: npt.NDArray[np.int16],
-    distance: npt.NDArray[np.int32],
-    reached: Mask,
-    count: int,
-) -> Ints:
+def best_cells(rooms: npt.NDArray[np.int16], distance: npt.NDArray[np.int32], reached: Mask, count: int) -> Ints:
     """Return, for rooms 1 to `count`, the index of the cell with the most free space, reached ones first.
 
     A room without a cell gets `NO_CELL`.
@@ -269,13 +264,7 @@ def cast_rays(occupied: Mask, row: float, column: float, angles: Floats, reach: 
 
 @kernel
 def sees(
-    view: npt.NDArray[np.int16],
-    r0: float,
-    c0: float,
-    r1: float,
-    c1: float,
-    short: float,
-    ours: npt.NDArray[np.int16],
+    view: npt.NDArray[np.int16], r0: float, c0: float, r1: float, c1: float, short: float, ours: npt.NDArray[np.int16]
 ) -> bool:
     """Whether a line of sight meets only the labels `ours`; cell coordinates, the last `short` cells left out."""
     rows, columns = view.shape

@@ -15,9 +15,7 @@ __all__ = ["shaft_cells"]
 _NONE, _CABIN, _OPENING = 0, 1, 2
 
 
-def shaft_cells(
-    scene: FloorScene, frame: GridFrame, leafless: Iterable[str]
-) -> npt.NDArray[np.bool_]:
+def shaft_cells(scene: FloorScene, frame: GridFrame, leafless: Iterable[str]) -> npt.NDArray[np.bool_]:
     """Return the cells that the floor's ``map.pgm`` has free inside and at the mouths of its cores.
 
     Parameters
@@ -49,12 +47,7 @@ def shaft_cells(
 
 
 def _fill(
-    marks: npt.NDArray[np.int16],
-    frame: GridFrame,
-    segment: Segment,
-    longer: float,
-    depth: float,
-    value: int,
+    marks: npt.NDArray[np.int16], frame: GridFrame, segment: Segment, longer: float, depth: float, value: int
 ) -> None:
     (ax, ay), (bx, by) = segment
     size = (hypot(bx - ax, by - ay) + longer, depth)

@@ -14,9 +14,7 @@ SQUARE = [(0.0, 0.0), (3.0, 0.0), (3.0, 3.0), (0.0, 3.0)]
 
 def warm() -> None:
     """Load the kernels from the disk cache, or compile and cache them."""
-    room = SceneRoom(
-        id="F1/room", room_type="room", kind="main", polygon=SQUARE, net_polygon=SQUARE, area=9.0
-    )
+    room = SceneRoom(id="F1/room", room_type="room", kind="main", polygon=SQUARE, net_polygon=SQUARE, area=9.0)
     scene = FloorScene(
         building_id="warm", floor=1, floors=1, label="G", elevation=0.0, height=3.0,
         outline=SQUARE, rooms=[room], walls=[], doors=[],

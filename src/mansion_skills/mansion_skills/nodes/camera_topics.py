@@ -156,9 +156,7 @@ def camera_info(intrinsics: Intrinsics, frame: str, stamp: Time) -> CameraInfo:
     return message
 
 
-def point_cloud(
-    depth: Any, rgb: Any, intrinsics: Intrinsics, frame: str, stamp: Time
-) -> PointCloud2:
+def point_cloud(depth: Any, rgb: Any, intrinsics: Intrinsics, frame: str, stamp: Time) -> PointCloud2:
     """Return what the camera sees as points with colours, a row of the image a row of the cloud.
 
     Parameters

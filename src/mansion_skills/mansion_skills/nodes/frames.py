@@ -39,8 +39,4 @@ def between(outer: Pose2D, inner: Pose2D) -> Pose2D:
     """Return the pose of a frame in which the robot has pose `inner`, where it has pose `outer` outside."""
     turn = outer.yaw - inner.yaw
     c, s = cos(radians(turn)), sin(radians(turn))
-    return Pose2D(
-        x=outer.x - (c * inner.x - s * inner.y),
-        y=outer.y - (s * inner.x + c * inner.y),
-        yaw=turn,
-    )
+    return Pose2D(x=outer.x - (c * inner.x - s * inner.y), y=outer.y - (s * inner.x + c * inner.y), yaw=turn)

@@ -76,9 +76,7 @@ class RobotStack:
         self._imu = self._make(Imu, "/imu")
         self._scan = self._make(LaserScan, "/scan")
         entry = names.interface("/cmd_vel")
-        node.create_subscription(
-            Twist, entry.name, self._command, qos_profile(entry.qos), callback_group=group
-        )
+        node.create_subscription(Twist, entry.name, self._command, qos_profile(entry.qos), callback_group=group)
 
     def _make(self, kind: type, name: str) -> Any:
         entry = self._names.interface(name)
@@ -144,11 +142,7 @@ class RobotStack:
         origin = Pose2D(x=0.0, y=0.0)
         frames = [
             transform(
-                frame("map"),
-                frame(f"floor_{floor}".replace("-", "m")),
-                origin,
-                building.entry(floor).elevation,
-                stamp,
+                frame("map"), frame(f"floor_{floor}".replace("-", "m")), origin, building.entry(floor).elevation, stamp
             )
             for floor in building.floors
         ]
@@ -209,9 +203,7 @@ class RobotStack:
         odometry.twist.covariance = planar_covariance()
         self._odom.publish(odometry)
 
-    def _publish_imu(
-        self, moment: Moment, forward: float, turning: float, now: float, stamp: Any
-    ) -> None:
+    def _publish_imu(self, moment: Moment, forward: float, turning: float, now: float, stamp: Any) -> None:
         before, speed = self._speed
         self._speed = (now, forward)
         message = Imu()
@@ -242,9 +234,7 @@ class RobotStack:
             occupied = occupied.copy()
             for x, y in others:
                 row = (y - grid.frame.y0) / RESOLUTION - 0.5
-                stamp_disc(
-                    occupied, row, (x - grid.frame.x0) / RESOLUTION - 0.5, robot.radius / RESOLUTION
-                )
+                stamp_disc(occupied, row, (x - grid.frame.x0) / RESOLUTION - 0.5, robot.radius / RESOLUTION)
         here = seat.moment(monotonic()).pose
         angles = radians(here.yaw) + np.linspace(-np.pi, np.pi, RAYS, endpoint=False)
         row = (here.y - grid.frame.y0) / RESOLUTION

@@ -17,12 +17,7 @@ PARAMETERS: tuple[tuple[str, Any, str, tuple[float, float] | None], ...] = (
     ("building", "", "folder of a building to load at start", None),
     ("session", "", "session that loads it; the default robot when empty", None),
     ("motion", "fast", "fast: skills complete at once; realtime: they take their time", None),
-    (
-        "real_time_factor",
-        1.0,
-        "seconds of the world for a second on the wall, with realtime motion",
-        (0.01, 1000.0),
-    ),
+    ("real_time_factor", 1.0, "seconds of the world for a second on the wall, with realtime motion", (0.01, 1000.0)),
     ("robot_radius", ROBOT_RADIUS, "metres", (0.05, 1.0)),
     ("durable", True, "sync every save to the disk", None),
     ("robot_stack", True, "publish map, frames, odometry, scan and markers", None),
@@ -72,9 +67,7 @@ def _descriptor(text: str, default: Any, limits: tuple[float, float] | None) -> 
         return descriptor
     lower, upper = limits
     if isinstance(default, int):
-        descriptor.integer_range = [
-            IntegerRange(from_value=int(lower), to_value=int(upper), step=1)
-        ]
+        descriptor.integer_range = [IntegerRange(from_value=int(lower), to_value=int(upper), step=1)]
     else:
         descriptor.floating_point_range = [FloatingPointRange(from_value=lower, to_value=upper)]
     return descriptor

@@ -15,12 +15,7 @@ from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.interfaces import ServiceInterface, service, topic
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
-from mansion_msgs_py.nodes.shell import (
-    JsonPublisher,
-    add_json_service,
-    add_json_subscription,
-    qos_profile,
-)
+from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service, add_json_subscription, qos_profile
 from mansion_msgs_py.skills import Loaded, SessionArgs
 from mansion_msgs_py.world import LiftRequest, SkillProgress, SkillResult, SkillStatus, WorldEvent
 from mansion_skills.engine import Engine
@@ -86,9 +81,7 @@ class SkillServer(MansionNode):
         self._json("skills/cancel", self.engine.cancel)
         self._json("skills/take_control", self.engine.take_control)
         self._json("skills/release_control", self.engine.release_control)
-        add_json_subscription(
-            self, topic("lift_requests"), self._lift_request, callback_group=self._group
-        )
+        add_json_subscription(self, topic("lift_requests"), self._lift_request, callback_group=self._group)
         self.repeat(1.0, self._publish_lifts)
         self._last = monotonic()
         self.repeat(PERIOD / 2, self._drive)
@@ -120,13 +113,7 @@ class SkillServer(MansionNode):
     def _json(self, name: str, handler: Callable[[Any], Any], prefix: str = "") -> None:
         entry = service(name)
         if prefix:
-            entry = ServiceInterface(
-                f"{prefix}/{name}",
-                entry.node,
-                entry.description,
-                entry.arguments,
-                entry.reply,
-            )
+            entry = ServiceInterface(f"{prefix}/{name}", entry.node, entry.description, entry.arguments, entry.reply)
         add_json_service(self, entry, handler, callback_group=self._group)
 
     def _serve_skills(self, session: str) -> None:
@@ -186,9 +173,7 @@ class SkillServer(MansionNode):
 
     def _runner(self, name: str, session: str) -> Callable[[Any], Any]:
         def run(arguments: Any) -> Any:
-            return _reply(
-                self.engine.run(name, arguments if arguments is not None else SessionArgs())
-            )
+            return _reply(self.engine.run(name, arguments if arguments is not None else SessionArgs()))
 
         return self._bound(run, session) if session else run
 
@@ -303,9 +288,7 @@ class SkillServer(MansionNode):
 def _reply(result: Any) -> Any:
     if isinstance(result, SkillResult) and result.status is not SkillStatus.SUCCESS:
         raise MansionError(
-            result.status.value,
-            f"{result.message}; what would do: {result.satisfied_by}",
-            details=to_builtins(result),
+            result.status.value, f"{result.message}; what would do: {result.satisfied_by}", details=to_builtins(result)
         )
     return result
 

@@ -28,9 +28,7 @@ class TransformPublisher:
     def __init__(self, node: Node, interface: TopicInterface) -> None:
         self._publisher: Any = None
         if TFMessage is not None:
-            self._publisher = node.create_publisher(
-                TFMessage, interface.name, qos_profile(interface.qos)
-            )
+            self._publisher = node.create_publisher(TFMessage, interface.name, qos_profile(interface.qos))
 
     @staticmethod
     def is_possible() -> bool:

@@ -35,12 +35,7 @@ def where_am_i(world: World, robot: RobotBody, arguments: SessionArgs) -> WhereA
     """Say where the robot is and what it holds."""
     state = world.robot_state(robot)
     return WhereAmI(
-        floor=state.floor,
-        label=state.label,
-        room=state.room,
-        pose=state.pose,
-        held=state.held,
-        session=robot.session,
+        floor=state.floor, label=state.label, room=state.room, pose=state.pose, held=state.held, session=robot.session
     )
 
 
@@ -62,9 +57,7 @@ def list_landmarks(world: World, robot: RobotBody, arguments: SessionArgs) -> La
     )
 
 
-def list_visible(
-    world: World, robot: RobotBody, arguments: VisibleArgs
-) -> VisibleObjects | SkillResult:
+def list_visible(world: World, robot: RobotBody, arguments: VisibleArgs) -> VisibleObjects | SkillResult:
     """List the objects that the camera has in its picture, the nearest first."""
     distance = VIEW_RANGE if arguments.distance is None else number(arguments.distance, 1000.0)
     if distance is None or distance < 0:
@@ -106,9 +99,7 @@ def plan_route(world: World, robot: RobotBody, arguments: RouteArgs) -> Route | 
     name = "PlanRoute"
     goal = _goal(world, robot, arguments.target)
     if isinstance(goal, str):
-        return invalid(
-            world, robot, name, goal, "a landmark's name (F3/office_1) or an object's id"
-        )
+        return invalid(world, robot, name, goal, "a landmark's name (F3/office_1) or an object's id")
     room = world.view(robot.floor).map.room_at(*robot.place) or ""
     graph = route_graph(world)
     legs = graph.route((robot.floor, room, robot.place), goal, world.doors)
@@ -189,10 +180,7 @@ def _route(world: World, robot: RobotBody, legs: list[Leg], target: str) -> Rout
             )
         )
     first = joined[0]
-    if (
-        first.kind == "walk"
-        and (path := path_to(world, robot, first.points[-1], REACH)) is not None
-    ):
+    if first.kind == "walk" and (path := path_to(world, robot, first.points[-1], REACH)) is not None:
         first.points, first.meters = path, path_length(path)
         first.seconds = first.meters / SPEED
     return Route(

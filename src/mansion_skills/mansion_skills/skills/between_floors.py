@@ -42,9 +42,7 @@ def call_elevator(world: World, robot: RobotBody, arguments: SessionArgs, realti
         _drop_idle_holder(world, lift)
         rank = lift.place_of(robot.session)
     if rank > 0:
-        text = (
-            f"{core.id} is held by session {lift.session!r}; the call is number {rank} in its queue"
-        )
+        text = f"{core.id} is held by session {lift.session!r}; the call is number {rank} in its queue"
         wish = "CallElevator again when that session has ended"
         result = unmet(world, robot, name, text, wish)
         result.changed.append(SkillChange(what=f"{core.id}.queue", after=rank))
@@ -85,9 +83,7 @@ def _drop_idle_holder(world: World, lift: Lift) -> None:
         holder.call = None
 
 
-def _until_open(
-    lift: Lift, floor: int, realtime: bool, message: str
-) -> Generator[Step, None, None]:
+def _until_open(lift: Lift, floor: int, realtime: bool, message: str) -> Generator[Step, None, None]:
     """Let time pass until the lift stands open at a floor, or rests elsewhere because its session was ended."""
     whole = max(lift.seconds_to_rest(), 1e-9)
     while not lift.is_open_at(floor):
@@ -129,11 +125,7 @@ def use_elevator(world: World, robot: RobotBody, arguments: UseElevatorArgs, rea
     robot.call = None
     lift.release(robot.session)
     return done(
-        world,
-        robot,
-        name,
-        f"arrived on floor {target}",
-        SkillChange(what="floor", before=before, after=target),
+        world, robot, name, f"arrived on floor {target}", SkillChange(what="floor", before=before, after=target)
     )
 
 
@@ -193,7 +185,5 @@ def _no_such_core(world: World, robot: RobotBody, name: str, kind: str) -> Skill
     what = "elevator" if kind == "elevator" else "stairs"
     text = f"this building has no {what}"
     if world.cores(other):
-        return invalid(
-            world, robot, name, f"{text}; use {skill}", f"{skill}, at GoToLandmark {other}"
-        )
+        return invalid(world, robot, name, f"{text}; use {skill}", f"{skill}, at GoToLandmark {other}")
     return invalid(world, robot, name, f"{text} and one floor only", "staying on this floor")

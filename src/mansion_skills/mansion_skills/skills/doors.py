@@ -60,18 +60,12 @@ def _swing(world: World, robot: RobotBody, name: str, arguments: DoorArgs, wante
 def _chosen(world: World, robot: RobotBody, wanted: object) -> Door | str:
     if wanted != "":
         return door_named(world, robot, wanted)
-    doors = [
-        door
-        for door in world.view(robot.floor).scene.doors
-        if door.kind not in (*LEAFLESS, "sliding", "garage")
-    ]
+    doors = [door for door in world.view(robot.floor).scene.doors if door.kind not in (*LEAFLESS, "sliding", "garage")]
     nearest = min(doors, key=lambda door: segment_distance(robot.place, door.segment), default=None)
     return nearest if nearest is not None else f"floor {robot.floor} has no door that moves"
 
 
-def _refusal(
-    world: World, robot: RobotBody, name: str, door: Door, wanted: bool
-) -> SkillResult | None:
+def _refusal(world: World, robot: RobotBody, name: str, door: Door, wanted: bool) -> SkillResult | None:
     if door.kind in LEAFLESS:
         text = f"{door.id} is {with_article(door.kind)} without a leaf"
         return invalid(world, robot, name, text, "another door")

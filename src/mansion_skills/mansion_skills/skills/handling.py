@@ -9,31 +9,19 @@ from mansion_skills.world.carrying import take_up
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
-__all__ = [
-    "HAND_TIME",
-    "close_object",
-    "open_object",
-    "out_of_reach",
-    "pick_up",
-    "toggle_off",
-    "toggle_on",
-]
+__all__ = ["HAND_TIME", "close_object", "open_object", "out_of_reach", "pick_up", "toggle_off", "toggle_on"]
 
 HAND_TIME = 2.0
 """Seconds that the hand needs for anything it does."""
 
 
-def out_of_reach(
-    world: World, robot: RobotBody, name: str, state: ObjectState
-) -> SkillResult | None:
+def out_of_reach(world: World, robot: RobotBody, name: str, state: ObjectState) -> SkillResult | None:
     """Return why the robot cannot handle an object from where it stands, or ``None`` when it can."""
     kind = world.objects.kinds[state.id]
     near = f"GoNearObject {state.id}"
     if state.held_by is not None:
         holder = "the robot itself" if state.held_by == robot.session else state.held_by
-        return unmet(
-            world, robot, name, f"{state.id} is in the hand of {holder}", "putting it down"
-        )
+        return unmet(world, robot, name, f"{state.id} is in the hand of {holder}", "putting it down")
     if state.floor != robot.floor:
         text = f"{state.id} is on floor {state.floor}, the robot on floor {robot.floor}"
         return unmet(world, robot, name, text, f"going to floor {state.floor}")
@@ -106,9 +94,7 @@ def toggle_off(world: World, robot: RobotBody, arguments: ObjectArgs, realtime: 
     return (yield from _set(world, robot, "ToggleOff", arguments, "on", False))
 
 
-def _set(
-    world: World, robot: RobotBody, name: str, arguments: ObjectArgs, key: str, value: bool
-) -> Run:
+def _set(world: World, robot: RobotBody, name: str, arguments: ObjectArgs, key: str, value: bool) -> Run:
     state = object_named(world, robot, arguments.object)
     if isinstance(state, str):
         return invalid(world, robot, name, state, "an id that ListVisible gives")

@@ -40,9 +40,7 @@ def blocking_door(world: World, robot: RobotBody, goal: Point, snap: float) -> s
     """Return the first closed door on the way that the robot would take if all were open, or ``None``."""
     view = world.view(robot.floor)
     closed = [
-        door
-        for door in view.scene.doors
-        if door.kind not in LEAFLESS and not world.doors.get(door.id, door.is_open)
+        door for door in view.scene.doors if door.kind not in LEAFLESS and not world.doors.get(door.id, door.is_open)
     ]
     if not closed:
         return None
@@ -68,13 +66,7 @@ def _crosses(a: Point, b: Point, c: Point, d: Point) -> bool:
 
 
 def drive(
-    world: World,
-    robot: RobotBody,
-    path: Sequence[Point],
-    yaw: float | None,
-    realtime: bool,
-    *,
-    backwards: bool = False,
+    world: World, robot: RobotBody, path: Sequence[Point], yaw: float | None, realtime: bool, *, backwards: bool = False
 ) -> Generator[Step, None, float]:
     """Drive along a path and turn to `yaw`; return the metres driven.
 
@@ -108,9 +100,7 @@ def drive(
     return gone
 
 
-def _go(
-    world: World, robot: RobotBody, a: Point, b: Point, gone: float, whole: float
-) -> Generator[Step, None, float]:
+def _go(world: World, robot: RobotBody, a: Point, b: Point, gone: float, whole: float) -> Generator[Step, None, float]:
     length, moved, waited = dist(a, b), 0.0, 0.0
     while moved < length - 1e-9:
         step = min(SPEED * SLICE, length - moved)
@@ -132,10 +122,7 @@ def _in_the_way(world: World, robot: RobotBody, there: Point) -> bool:
     return any(
         dist(there, place) < min(2 * world.radius, dist(robot.place, place) + 1e-9)
         for place in world.others(robot.session, robot.floor)
-    ) or (
-        world.view(robot.floor).map.is_free(*robot.place)
-        and not world.view(robot.floor).map.is_free(*there)
-    )
+    ) or (world.view(robot.floor).map.is_free(*robot.place) and not world.view(robot.floor).map.is_free(*there))
 
 
 def turn(

@@ -3,13 +3,7 @@
 from math import copysign, cos, radians, sin
 
 from mansion_msgs_py.shapes import Point
-from mansion_msgs_py.skills import (
-    GoToLandmarkArgs,
-    LookArgs,
-    MoveAheadArgs,
-    MoveToArgs,
-    RotateArgs,
-)
+from mansion_msgs_py.skills import GoToLandmarkArgs, LookArgs, MoveAheadArgs, MoveToArgs, RotateArgs
 from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import SkillChange, SkillResult, SkillStatus
 from mansion_skills.skills.motion import blocking_door, drive, path_to, turn
@@ -19,16 +13,7 @@ from mansion_skills.world.landmarks import landmark_named
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
-__all__ = [
-    "PITCHES",
-    "go_along",
-    "go_to_landmark",
-    "look_down",
-    "look_up",
-    "move_ahead",
-    "move_to",
-    "rotate",
-]
+__all__ = ["PITCHES", "go_along", "go_to_landmark", "look_down", "look_up", "move_ahead", "move_to", "rotate"]
 
 LANDMARK_SNAP = 1.5
 """How far beside a landmark's pose the robot may end where something stands in it, metres."""
@@ -40,9 +25,7 @@ PITCHES = (-60.0, 60.0)
 """How far the camera tilts down and up, degrees."""
 
 
-def go_to_landmark(
-    world: World, robot: RobotBody, arguments: GoToLandmarkArgs, realtime: bool
-) -> Run:
+def go_to_landmark(world: World, robot: RobotBody, arguments: GoToLandmarkArgs, realtime: bool) -> Run:
     """Go to a room or a core of the current floor."""
     name = "GoToLandmark"
     view = world.view(robot.floor)
@@ -54,11 +37,7 @@ def go_to_landmark(
         text = f"floor {robot.floor} has no landmark {str(arguments.landmark)[:80]!r}; {near}"
         return invalid(world, robot, name, text, "a landmark that ListLandmarks names")
     goal = (landmark.pose.x, landmark.pose.y)
-    return (
-        yield from go_along(
-            world, robot, name, goal, landmark.pose.yaw, LANDMARK_SNAP, realtime, landmark.name
-        )
-    )
+    return (yield from go_along(world, robot, name, goal, landmark.pose.yaw, LANDMARK_SNAP, realtime, landmark.name))
 
 
 def move_to(world: World, robot: RobotBody, arguments: MoveToArgs, realtime: bool) -> Run:
@@ -67,9 +46,7 @@ def move_to(world: World, robot: RobotBody, arguments: MoveToArgs, realtime: boo
     x, y = number(arguments.x), number(arguments.y)
     yaw = None if arguments.yaw is None else number(arguments.yaw)
     if x is None or y is None or (yaw is None and arguments.yaw is not None):
-        return invalid(
-            world, robot, name, "x, y and yaw are to be finite numbers", "metres, degrees"
-        )
+        return invalid(world, robot, name, "x, y and yaw are to be finite numbers", "metres, degrees")
     if world.view(robot.floor).map.room_at(x, y) is None:
         text = f"({x:g}, {y:g}) is in no room of floor {robot.floor}"
         return invalid(world, robot, name, text, "a point inside a room")
@@ -78,14 +55,7 @@ def move_to(world: World, robot: RobotBody, arguments: MoveToArgs, realtime: boo
 
 
 def go_along(
-    world: World,
-    robot: RobotBody,
-    name: str,
-    goal: Point,
-    yaw: float | None,
-    snap: float,
-    realtime: bool,
-    where: str,
+    world: World, robot: RobotBody, name: str, goal: Point, yaw: float | None, snap: float, realtime: bool, where: str
 ) -> Run:
     """Plan to a point and drive there, looking ahead: what all skills that go somewhere have in common."""
     before = robot.pose
@@ -110,9 +80,7 @@ def go_along(
     )
 
 
-def no_way(
-    world: World, robot: RobotBody, name: str, goal: Point, snap: float, where: str
-) -> SkillResult:
+def no_way(world: World, robot: RobotBody, name: str, goal: Point, snap: float, where: str) -> SkillResult:
     """Return a planning failure that says what would help."""
     door = blocking_door(world, robot, goal, snap)
     if door is not None:
@@ -150,9 +118,7 @@ def move_ahead(world: World, robot: RobotBody, arguments: MoveAheadArgs, realtim
     )
 
 
-def _blocked(
-    world: World, robot: RobotBody, distance: float, free: dict[str, float]
-) -> SkillResult:
+def _blocked(world: World, robot: RobotBody, distance: float, free: dict[str, float]) -> SkillResult:
     """Return MoveAhead's failure: what is in the way, and how to get out of there."""
     way, angle = ("ahead", 0.0) if distance >= 0 else ("back", 180.0)
     thing = in_the_way(world, robot, angle, free[way])
@@ -218,9 +184,5 @@ def _look(world: World, robot: RobotBody, name: str, arguments: LookArgs, sign: 
     yield Step(angle / 90.0, 1.0, "tilting")
     robot.pitch = after
     return done(
-        world,
-        robot,
-        name,
-        f"the camera is at {after:g} degrees",
-        SkillChange(what="pitch", before=before, after=after),
+        world, robot, name, f"the camera is at {after:g} degrees", SkillChange(what="pitch", before=before, after=after)
     )

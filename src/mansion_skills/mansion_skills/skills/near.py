@@ -36,9 +36,7 @@ COMFORT = 0.9
 """Part of the reach that is made use of, so that rounding costs nothing."""
 
 
-def go_near_object(
-    world: World, robot: RobotBody, arguments: NearObjectArgs, realtime: bool
-) -> Run:
+def go_near_object(world: World, robot: RobotBody, arguments: NearObjectArgs, realtime: bool) -> Run:
     """Go to the nearest place from which an object can be handled, and face it."""
     name = "GoNearObject"
     door = door_named(world, robot, arguments.object)
@@ -59,9 +57,7 @@ def go_near_object(
     assert state.position is not None
     goal = (state.position[0], state.position[1])
     spots = _places_near(world, robot, state)
-    return (
-        yield from _approach(world, robot, name, state.id, goal, state.position[2], spots, realtime)
-    )
+    return (yield from _approach(world, robot, name, state.id, goal, state.position[2], spots, realtime))
 
 
 def _approach(

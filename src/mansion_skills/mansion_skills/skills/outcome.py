@@ -25,14 +25,7 @@ Run: TypeAlias = Generator[Step, None, SkillResult]
 """A running skill; between its steps it can be cancelled, and the world is whole at each of them."""
 
 
-def done(
-    world: World,
-    robot: RobotBody,
-    skill: str,
-    message: str,
-    *changes: SkillChange,
-    **data: Any,
-) -> SkillResult:
+def done(world: World, robot: RobotBody, skill: str, message: str, *changes: SkillChange, **data: Any) -> SkillResult:
     """Return a success with what changed."""
     return SkillResult(
         skill=skill,
@@ -46,13 +39,7 @@ def done(
 
 
 def refused(
-    world: World,
-    robot: RobotBody,
-    skill: str,
-    status: SkillStatus,
-    message: str,
-    satisfied_by: str,
-    **data: Any,
+    world: World, robot: RobotBody, skill: str, status: SkillStatus, message: str, satisfied_by: str, **data: Any
 ) -> SkillResult:
     """Return a refusal with what would satisfy the skill; the world is as it was."""
     return SkillResult(
@@ -66,16 +53,12 @@ def refused(
     )
 
 
-def invalid(
-    world: World, robot: RobotBody, skill: str, message: str, satisfied_by: str
-) -> SkillResult:
+def invalid(world: World, robot: RobotBody, skill: str, message: str, satisfied_by: str) -> SkillResult:
     """Return ``INVALID_ACTION``: what was asked can never be done."""
     return refused(world, robot, skill, SkillStatus.INVALID_ACTION, message, satisfied_by)
 
 
-def unmet(
-    world: World, robot: RobotBody, skill: str, message: str, satisfied_by: str
-) -> SkillResult:
+def unmet(world: World, robot: RobotBody, skill: str, message: str, satisfied_by: str) -> SkillResult:
     """Return ``PRECONDITION_FAILURE``: it could be done in another situation."""
     return refused(world, robot, skill, SkillStatus.PRECONDITION_FAILURE, message, satisfied_by)
 

@@ -57,9 +57,7 @@ def place(world: World, robot: RobotBody, arguments: PlaceArgs, realtime: bool) 
     )
 
 
-def _refusal(
-    world: World, robot: RobotBody, name: str, target: ObjectState | None, mount: str
-) -> SkillResult | None:
+def _refusal(world: World, robot: RobotBody, name: str, target: ObjectState | None, mount: str) -> SkillResult | None:
     held = world.objects.held_by(robot.session)
     if target is not None:
         kind = world.objects.kinds[target.id]
@@ -84,9 +82,7 @@ def _refusal(
     return None
 
 
-def _spot(
-    world: World, robot: RobotBody, held: str, target: ObjectState | None, mount: str
-) -> Spot | None:
+def _spot(world: World, robot: RobotBody, held: str, target: ObjectState | None, mount: str) -> Spot | None:
     thing = world.objects.kinds[held]
     if target is None:
         return floor_spot(world, robot, robot.place, robot.pose.yaw, world.radius, thing)
@@ -98,14 +94,7 @@ def _spot(
     return floor_spot(world, robot, middle, target.rotation + 90.0, depth, thing)
 
 
-def _put(
-    world: World,
-    robot: RobotBody,
-    held: str,
-    target: ObjectState | None,
-    mount: str,
-    spot: Spot,
-) -> None:
+def _put(world: World, robot: RobotBody, held: str, target: ObjectState | None, mount: str, spot: Spot) -> None:
     grid = world.view(robot.floor).map
     on_floor = mount == FLOOR or target is None
     put_down(

@@ -5,15 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mansion_msgs_py import skills as payloads
-from mansion_skills.skills import (
-    asking,
-    between_floors,
-    doors,
-    handling,
-    moving,
-    near,
-    placing,
-)
+from mansion_skills.skills import asking, between_floors, doors, handling, moving, near, placing
 
 __all__ = ["SKILLS", "Skill", "skill_named"]
 

@@ -73,9 +73,7 @@ def way_out(world: World, robot: RobotBody) -> WayOut:
         free = min(dist(bend, robot.place), _free(world, robot, turn))
         if free > 0.0:
             return WayOut(turn, floor(free * 1000) / 1000, mark.name)
-    turns = sorted(
-        (turn_between(0.0, i * TURN_STEP) for i in range(int(360.0 / TURN_STEP))), key=abs
-    )
+    turns = sorted((turn_between(0.0, i * TURN_STEP) for i in range(int(360.0 / TURN_STEP))), key=abs)
     most, rank = max((_free(world, robot, turn), -i) for i, turn in enumerate(turns))
     return WayOut(turns[-rank], most, "")
 

@@ -60,9 +60,7 @@ def closed_carrier(world: World, state: ObjectState) -> str | None:
     return None
 
 
-def in_sight(
-    world: World, floor: int, place: Point, state: ObjectState, points: list[Point]
-) -> Iterator[Point]:
+def in_sight(world: World, floor: int, place: Point, state: ObjectState, points: list[Point]) -> Iterator[Point]:
     """Yield those of an object's `points` that a straight line from `place` meets unhindered."""
     view = world.view(floor)
     frame = view.map.frame
@@ -85,9 +83,7 @@ def sight_points(state: ObjectState, kind: SceneObject) -> list[Point]:
     return [(state.position[0], state.position[1]), *corners(state, kind, 0.9)]
 
 
-def is_visible(
-    world: World, robot: RobotBody, state: ObjectState, distance: float = VIEW_RANGE
-) -> bool:
+def is_visible(world: World, robot: RobotBody, state: ObjectState, distance: float = VIEW_RANGE) -> bool:
     """Whether the camera has an object in its picture: near enough, in front, in sight, and not shut away."""
     kind = world.objects.kinds[state.id]
     if state.floor != robot.floor or state.position is None:

@@ -62,10 +62,7 @@ def can_contain(world: World, kind: SceneObject) -> bool:
     if kind.openable or kind.category in CONTAINERS:
         return True
     last = kind.category.rsplit("_", 1)[-1]
-    inside = any(
-        entry.parent == kind.id and entry.mount == "inside"
-        for entry in world.objects.kinds.values()
-    )
+    inside = any(entry.parent == kind.id and entry.mount == "inside" for entry in world.objects.kinds.values())
     return last in CONTAINERS or inside
 
 
@@ -89,9 +86,7 @@ def support_heights(objects: ObjectTable, kind: SceneObject, mount: str) -> list
     return [height if seat is None else min(seat, height)]
 
 
-def surface_spot(
-    world: World, robot: RobotBody, target: ObjectState, thing: SceneObject, mount: str
-) -> Spot | None:
+def surface_spot(world: World, robot: RobotBody, target: ObjectState, thing: SceneObject, mount: str) -> Spot | None:
     """Return the free place on or in `target` that is nearest to the robot and within its reach, or ``None``."""
     kind = world.objects.kinds[target.id]
     assert target.position is not None
@@ -111,12 +106,7 @@ def surface_spot(
 
 
 def _packed(
-    world: World,
-    robot: RobotBody,
-    target: ObjectState,
-    size: tuple[float, float],
-    z: float,
-    thing: SceneObject,
+    world: World, robot: RobotBody, target: ObjectState, size: tuple[float, float], z: float, thing: SceneObject
 ) -> Point | None:
     kind = world.objects.kinds[target.id]
     assert target.position is not None
@@ -206,11 +196,7 @@ def _stands_free(world: World, robot: RobotBody, spot: Spot, thing: SceneObject)
     c, s = cos(radians(spot.rotation)), sin(radians(spot.rotation))
     across = np.linspace(-w / 2, w / 2, max(2, int(w / RESOLUTION) + 2))
     along = np.linspace(-d / 2, d / 2, max(2, int(d / RESOLUTION) + 2))
-    places = [
-        (spot.position[0] + c * u - s * v, spot.position[1] + s * u + c * v)
-        for u in across
-        for v in along
-    ]
+    places = [(spot.position[0] + c * u - s * v, spot.position[1] + s * u + c * v) for u in across for v in along]
     bodies = [robot.place, *world.others(robot.session, robot.floor)]
     for x, y in places:
         row, column = grid.frame.cell(x, y)

@@ -101,12 +101,7 @@ def _put(world: World, held: str, force: bool) -> Action:
     state = world.objects.state(held)
     assert state.position is not None
     if state.parent is not None:
-        return {
-            "action": "PutObject",
-            "objectId": state.parent,
-            "forceAction": force,
-            "placeStationary": True,
-        }
+        return {"action": "PutObject", "objectId": state.parent, "forceAction": force, "placeStationary": True}
     low = state.position[2] - world.objects.kinds[held].size[2] / 2
     return {
         "action": "PlaceObjectAtPoint",

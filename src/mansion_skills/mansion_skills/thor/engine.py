@@ -36,12 +36,7 @@ class ThorEngine(Engine):
     """
 
     def __init__(
-        self,
-        controller: Controller,
-        entered: Callable[[Seat], None],
-        *,
-        force: bool = False,
-        durable: bool = True,
+        self, controller: Controller, entered: Callable[[Seat], None], *, force: bool = False, durable: bool = True
     ) -> None:
         super().__init__(Pace(), durable=durable)
         self.controller = controller
@@ -71,9 +66,7 @@ class ThorEngine(Engine):
             result = refused(seat.world, seat.robot, skill.name, status, text, wish)
         result.changed += self.read_back(seat)
         if error and seat.robot.pose != before.pose:
-            result.changed.append(
-                SkillChange(what="pose", before=before.pose, after=seat.robot.pose)
-            )
+            result.changed.append(SkillChange(what="pose", before=before.pose, after=seat.robot.pose))
         result.state = seat.world.robot_state(seat.robot)
         return result
 
@@ -86,8 +79,7 @@ class ThorEngine(Engine):
         before.restore(seat)
         if left and (error := self.enter(seat)):
             raise MansionError(
-                ErrorCode.UNAVAILABLE,
-                f"AI2-THOR shows neither the other floor nor floor {before.floor} again: {error}",
+                ErrorCode.UNAVAILABLE, f"AI2-THOR shows neither the other floor nor floor {before.floor} again: {error}"
             )
 
     def _lacking(self, seat: Seat, skill: Skill, arguments: SessionArgs) -> SkillResult | None:
@@ -103,17 +95,13 @@ class ThorEngine(Engine):
         wish = "an object of house.json; metadata.mansion.omitted lists the others"
         return invalid(seat.world, seat.robot, skill.name, text, wish)
 
-    def _act_out(
-        self, seat: Seat, before: Snapshot, arguments: SessionArgs, result: SkillResult
-    ) -> str:
+    def _act_out(self, seat: Seat, before: Snapshot, arguments: SessionArgs, result: SkillResult) -> str:
         """Do what the world did with the controller; return AI2-THOR's error message, empty when all succeeded."""
         if seat.robot.floor != before.floor:
             return self.enter(seat)
         robot, actions = seat.robot, list[Action]()
         if result.status is SkillStatus.SUCCESS:
-            actions = actions_for(
-                seat.world, robot, before.pose, before.pitch, arguments, result, force=self.force
-            )
+            actions = actions_for(seat.world, robot, before.pose, before.pitch, arguments, result, force=self.force)
         elif robot.pose != before.pose:
             actions = [teleport(robot.pose, robot.pitch)]
         for action in actions:

@@ -166,14 +166,11 @@ class ThorGym(Robot, Closing):
 
 def _core_to(seat: Seat, target: int) -> SceneCore:
     """Return the core that leads to a floor: a lift before stairs, then the first by name."""
-    cores = [
-        core for core in seat.world.view(seat.robot.floor).scene.cores if target in core.floors
-    ]
+    cores = [core for core in seat.world.view(seat.robot.floor).scene.cores if target in core.floors]
     if not cores or target not in seat.world.building.floors:
         raise MansionError(
             ErrorCode.NOT_FOUND,
-            f"no core leads from floor {seat.robot.floor} to floor {target}; "
-            f"floors are {seat.world.building.floors}",
+            f"no core leads from floor {seat.robot.floor} to floor {target}; floors are {seat.world.building.floors}",
             path="$.floor_delta",
         )
     return min(cores, key=lambda core: (core.type != "elevator", core.id))

@@ -149,11 +149,7 @@ def _in_hand(world: World, floor: int, pose: Pose2D, carried: str) -> list[Objec
     """Return what is held, with what it carries, as if it hung before the agent."""
     room = world.view(floor).map.room_at(pose.x, pose.y)
     yaw = radians(pose.yaw)
-    place = (
-        round(pose.x + HAND_AHEAD * cos(yaw), 4),
-        round(pose.y + HAND_AHEAD * sin(yaw), 4),
-        HAND_HEIGHT,
-    )
+    place = (round(pose.x + HAND_AHEAD * cos(yaw), 4), round(pose.y + HAND_AHEAD * sin(yaw), 4), HAND_HEIGHT)
     return placed_at(
         world.objects,
         world.objects.state(carried),
@@ -166,10 +162,7 @@ def _in_hand(world: World, floor: int, pose: Pose2D, carried: str) -> list[Objec
 
 def _agent(pose: Pose2D) -> Json:
     place: Point3 = (pose.x, pose.y, AGENT_HEIGHT)
-    return {
-        "position": thor_point(*place),
-        "rotation": {"x": 0, "y": thor_heading(pose.yaw), "z": 0},
-    }
+    return {"position": thor_point(*place), "rotation": {"x": 0, "y": thor_heading(pose.yaw), "z": 0}}
 
 
 def _door(door: Json, is_open: bool | None) -> Json:

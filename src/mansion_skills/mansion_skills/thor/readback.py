@@ -49,17 +49,12 @@ def read_back(world: World, robot: RobotBody, metadata: Mapping[str, Any]) -> li
             door_changes += _read_door(world, name, doors[name].is_open, bool(entry["isOpen"]))
     for name in [name for name in seen if name in world.objects]:
         _read_object(world, robot, name, seen[name])
-    changed = [
-        name
-        for name in seen
-        if name in world.objects and world.objects.changed.get(name) != before.get(name)
-    ]
+    changed = [name for name in seen if name in world.objects and world.objects.changed.get(name) != before.get(name)]
     world.objects.commit()
     if changed or door_changes:
         world.refresh(robot.floor)
     return door_changes + [
-        SkillChange(what=f"{name}.place", before=before.get(name), after=world.objects.state(name))
-        for name in changed
+        SkillChange(what=f"{name}.place", before=before.get(name), after=world.objects.state(name)) for name in changed
     ]
 
 
@@ -110,12 +105,7 @@ def _read_object(world: World, robot: RobotBody, name: str, entry: Mapping[str, 
 
 
 def _move(
-    world: World,
-    state: ObjectState,
-    entry: Mapping[str, Any],
-    place: Point3,
-    turn: float,
-    room: str | None,
+    world: World, state: ObjectState, entry: Mapping[str, Any], place: Point3, turn: float, room: str | None
 ) -> None:
     """Put an object where AI2-THOR has it, unless that is where it was."""
     assert state.position is not None
@@ -156,11 +146,7 @@ def _center(entry: Mapping[str, Any]) -> Point3:
 def _named_parent(world: World, state: ObjectState, entry: Mapping[str, Any]) -> str | None:
     """Return what carries an object now: as before where AI2-THOR names it too, else the first that it names."""
     own = world.objects.carried_with(state.id)
-    named = [
-        name
-        for name in entry.get("parentReceptacles") or []
-        if name in world.objects and name not in own
-    ]
+    named = [name for name in entry.get("parentReceptacles") or [] if name in world.objects and name not in own]
     return state.parent if state.parent in named else next(iter(named), None)
 
 

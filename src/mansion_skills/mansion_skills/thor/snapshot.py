@@ -22,9 +22,7 @@ class Snapshot:
     def of(seat: Seat) -> "Snapshot":
         """Take one."""
         robot, world = seat.robot, seat.world
-        return Snapshot(
-            robot.floor, robot.pose, robot.pitch, dict(world.objects.changed), dict(world.doors)
-        )
+        return Snapshot(robot.floor, robot.pose, robot.pitch, dict(world.objects.changed), dict(world.doors))
 
     def restore(self, seat: Seat) -> None:
         """Put the world back."""

@@ -65,9 +65,7 @@ class Camera(Closing):
             frame = camera.render()
     """
 
-    def __init__(
-        self, source: "Robot | Seat", width: int = 300, height: int = 300, fov: float = 90.0
-    ) -> None:
+    def __init__(self, source: "Robot | Seat", width: int = 300, height: int = 300, fov: float = 90.0) -> None:
         self._source = source
         self.intrinsics = Intrinsics(width, height, fov)
         self._size = max(width, LARGEST[0]), max(height, LARGEST[1])
@@ -93,9 +91,7 @@ class Camera(Closing):
             self._floors = Floors(seat.world, names, *self._size)
         return self._floors
 
-    def _draw(
-        self, seat: Seat, floor: int, eyes: list[Eye], intrinsics: Intrinsics, parts: Parts
-    ) -> list[Frame]:
+    def _draw(self, seat: Seat, floor: int, eyes: list[Eye], intrinsics: Intrinsics, parts: Parts) -> list[Frame]:
         """Draw several views of one moment."""
         floors = self._world_floors(seat)
         with seat.shared.lock:
@@ -160,11 +156,7 @@ class Camera(Closing):
             building = seat.world.building
             if number not in building.floors:
                 known = ", ".join(map(str, building.floors))
-                raise MansionError(
-                    ErrorCode.NOT_FOUND,
-                    f"there is no floor {number}; floors: {known}",
-                    path="$.floor",
-                )
+                raise MansionError(ErrorCode.NOT_FOUND, f"there is no floor {number}; floors: {known}", path="$.floor")
             landmarks = seat.world.view(number).landmarks
             title = f"Landmarks of floor {floor_title(number, building.label(number))}"
         entries = [(landmark.name, self._round(seat, landmark)) for landmark in landmarks]

@@ -2,19 +2,7 @@
 
 from typing import Any
 
-__all__ = [
-    "ACCENT",
-    "DOWN",
-    "INK",
-    "MUTED",
-    "PAPER",
-    "UP",
-    "fitted",
-    "floor_title",
-    "font",
-    "wrapped",
-    "write",
-]
+__all__ = ["ACCENT", "DOWN", "INK", "MUTED", "PAPER", "UP", "fitted", "floor_title", "font", "wrapped", "write"]
 
 PAPER, INK, MUTED = (250, 250, 248), (24, 28, 34), (150, 154, 160)
 ACCENT, UP, DOWN = (255, 190, 60), (40, 165, 90), (225, 115, 35)

@@ -110,11 +110,7 @@ class FloorModel:
         """Return, for each material that can shine, those of its states on and off."""
         model = self.model
         number = {model.mat(i).name: i for i in range(model.nmat)}
-        return {
-            i: (number[name + ON], number[name + OFF])
-            for name, i in number.items()
-            if name + ON in number
-        }
+        return {i: (number[name + ON], number[name + OFF]) for name, i in number.items() if name + ON in number}
 
     def geoms(self, body: str) -> slice:
         """Return where the geoms of a body are."""
@@ -171,11 +167,7 @@ class FloorModel:
             self._stale = False
 
     def show(
-        self,
-        rooms: Mapping[str, Wedge] | None,
-        eye: npt.NDArray[np.float64],
-        heading: float,
-        focal: float,
+        self, rooms: Mapping[str, Wedge] | None, eye: npt.NDArray[np.float64], heading: float, focal: float
     ) -> npt.NDArray[np.intp]:
         """Choose what is drawn: what lies in the wedge of its room and is not too small to be seen.
 

@@ -104,14 +104,8 @@ class Floors:
             scene,
             world.objects.kinds,
             # A scene that was edited while the world was loaded may have lost some.
-            [
-                (self._file(homes[name]), name)
-                for name in guests
-                if name in self._file(homes[name]).bodies
-            ],
-            None
-            if below is None
-            else (self._file(below), scene.elevation - world.building.entry(below).elevation),
+            [(self._file(homes[name]), name) for name in guests if name in self._file(homes[name]).bodies],
+            None if below is None else (self._file(below), scene.elevation - world.building.entry(below).elevation),
         )
         model = FloorModel(source, scene, self._names)
         follower = Follower(world, floor, model, self._names)
@@ -125,11 +119,7 @@ class Floors:
         rooms = None
         if room is not None:
             doors = view.doors
-            closed = [
-                name
-                for name in loaded.follower.closed_doors()
-                if doors[name].kind not in SEE_THROUGH
-            ]
+            closed = [name for name in loaded.follower.closed_doors() if doors[name].kind not in SEE_THROUGH]
             wedge = wedge_of(intrinsics, eye.pitch)
             rooms = loaded.portals.visible(room, (eye.x, eye.y), eye.yaw, wedge, closed)
         place = np.array([eye.x, eye.y, eye.z])

@@ -30,9 +30,7 @@ LEAF_GAP = 0.01
 def guests_of(world: World, floor: int, known: Container[str]) -> list[str]:
     """Return the objects that are on a floor now, or in the hand of a robot that is, beside the `known` ones."""
     return [
-        name
-        for name, state in world.objects.changed.items()
-        if name not in known and _floor_of(world, state) == floor
+        name for name, state in world.objects.changed.items() if name not in known and _floor_of(world, state) == floor
     ]
 
 
@@ -190,9 +188,7 @@ class Follower:
 
     def _follow_robots(self, eye: RobotBody) -> None:
         others = [
-            robot
-            for _, robot in sorted(self._world.robots.items())
-            if robot is not eye and robot.floor == self._floor
+            robot for _, robot in sorted(self._world.robots.items()) if robot is not eye and robot.floor == self._floor
         ][:ROBOTS]
         for number, robot in enumerate(others):
             body = robot_body(number)

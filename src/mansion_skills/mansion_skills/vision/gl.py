@@ -35,9 +35,7 @@ def backend() -> str:
     for name in [named] if named in BACKENDS else list(BACKENDS):
         if find_library(BACKENDS[name]) is not None:
             return name
-    raise MansionError(
-        ErrorCode.UNAVAILABLE, f"there is no OpenGL that renders offscreen; {LIBRARIES}"
-    )
+    raise MansionError(ErrorCode.UNAVAILABLE, f"there is no OpenGL that renders offscreen; {LIBRARIES}")
 
 
 def rendering_fault(patience: float = 60.0) -> str:
@@ -94,9 +92,7 @@ class GlThread:
     """
 
     def __init__(self, width: int, height: int) -> None:
-        self._pool: ThreadPoolExecutor | None = ThreadPoolExecutor(
-            max_workers=1, thread_name_prefix="camera"
-        )
+        self._pool: ThreadPoolExecutor | None = ThreadPoolExecutor(max_workers=1, thread_name_prefix="camera")
         try:
             self._context = self.run(_open_context, width, height)
         except MansionError:

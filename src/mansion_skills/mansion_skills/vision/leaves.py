@@ -38,9 +38,7 @@ class Leaf:
     yaw: float
 
 
-def leaves_of(
-    door: Door, opening: float, room_at: Callable[[float, float], str | None]
-) -> list[Leaf]:
+def leaves_of(door: Door, opening: float, room_at: Callable[[float, float], str | None]) -> list[Leaf]:
     """Return where the leaves of a door are.
 
     Parameters
@@ -62,8 +60,7 @@ def leaves_of(
         width = length / 2 - JAMB
         starts = (JAMB - ASIDE * width * opening, length / 2 + ASIDE * width * opening)
         return [
-            Leaf(f"{door.id}/leaf_{i}", ax + ux * at, ay + uy * at, rotation)
-            for i, at in enumerate(starts, start=1)
+            Leaf(f"{door.id}/leaf_{i}", ax + ux * at, ay + uy * at, rotation) for i, at in enumerate(starts, start=1)
         ]
     both = door.hinge == "both" or door.kind == "double"
     angle = OPEN_ANGLE * opening * _side(door, room_at)

@@ -31,9 +31,7 @@ class Button:
     served: bool = True
 
 
-def panel_picture(
-    lift: str, buttons: Sequence[Button], current: int, view: Picture | None = None
-) -> Picture:
+def panel_picture(lift: str, buttons: Sequence[Button], current: int, view: Picture | None = None) -> Picture:
     """Draw a lift's panel: a button for each floor, the current one lit, those without a stop crossed out.
 
     Parameters
@@ -57,9 +55,7 @@ def panel_picture(
     draw.rounded_rectangle((10, 10, width - 11, height - 11), 18, fill=PLATE, outline=MUTED)
     here = next((b for b in ordered if b.floor == current), None)
     draw.rounded_rectangle((28, 24, width - 29, HEAD - 12), 8, fill=INK)
-    text = (
-        f"at floor {current}" if here is None else f"at floor {floor_title(here.floor, here.label)}"
-    )
+    text = f"at floor {current}" if here is None else f"at floor {floor_title(here.floor, here.label)}"
     write(draw, (width / 2, 46), text, 30, width=width - 80, fill=ACCENT, anchor="mm")
     write(draw, (width / 2, 76), lift, 18, width=width - 80, fill=PAPER, anchor="mm")
     for i, button in enumerate(ordered):

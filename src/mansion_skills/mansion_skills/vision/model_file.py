@@ -86,9 +86,7 @@ class ModelFile:
         try:
             corners = read_stl(self.folder / entry["file"])
         except OSError as error:
-            raise MansionError(
-                ErrorCode.NOT_FOUND, f"{self.folder / entry['file']}: {error.strerror}"
-            ) from None
+            raise MansionError(ErrorCode.NOT_FOUND, f"{self.folder / entry['file']}: {error.strerror}") from None
         scale = np.array([float(v) for v in entry.get("scale", "1 1 1").split()])
         scaled: Triangles = corners * scale
         return scaled

@@ -129,9 +129,7 @@ class _Writer:
     def _mesh(self, body: Element, mesh: str, material: str) -> None:
         _add(body, "geom", type="mesh", mesh=mesh, material=material, **_SHOWN)
 
-    def _cut(
-        self, file: ModelFile, source: Element, kind: SceneObject, bodies: list[Element]
-    ) -> None:
+    def _cut(self, file: ModelFile, source: Element, kind: SceneObject, bodies: list[Element]) -> None:
         """Write an object's meshes, what opens into bodies of its own: what stays first, then each part."""
         geoms = [geom for geom in source.findall("geom") if geom.get("mesh")]
         meshes = [file.triangles(geom.get("mesh", "")) for geom in geoms]
@@ -157,9 +155,7 @@ class _Writer:
                 r, g, b, a = (float(v) for v in given["rgba"].split())
                 dim = " ".join(f"{0.55 * v:g}" for v in (r, g, b)) + f" {a:g}"
                 self._assets.append(Element("material", {**given, "name": key + ON} | _GLOW))
-                self._assets.append(
-                    Element("material", {**given, "name": key + OFF, "rgba": dim, "emission": "0"})
-                )
+                self._assets.append(Element("material", {**given, "name": key + OFF, "rgba": dim, "emission": "0"}))
         return key
 
     def _patterned(self, material: str, pattern: Pattern) -> str:
@@ -185,9 +181,7 @@ class _Writer:
 
     def _inline_mesh(self, name: str, triangles: Triangles, period: float = 0.0) -> None:
         """Write a mesh into the document; with a texture that repeats in plan when it has a period, metres."""
-        points, index = np.unique(
-            np.round(triangles.reshape(-1, 3), 5), axis=0, return_inverse=True
-        )
+        points, index = np.unique(np.round(triangles.reshape(-1, 3), 5), axis=0, return_inverse=True)
         faces = index.reshape(-1, 3)
         flat = (faces[:, [0, 1, 2]] == faces[:, [1, 2, 0]]).any(axis=1)
         attributes = {

@@ -21,9 +21,7 @@ MOST = 16
 """Tiles a page: with more, models that scale pictures down to 768 pixels see less than 190 pixels of each."""
 
 
-def tile_pages(
-    entries: Sequence[tuple[str, Picture]], title: str, per_page: int = 9
-) -> list[Picture]:
+def tile_pages(entries: Sequence[tuple[str, Picture]], title: str, per_page: int = 9) -> list[Picture]:
     """Lay panoramas out as numbered, labelled tiles; each is folded into two halves of a round.
 
     The upper half looks along the panorama's middle, the lower one back.
@@ -49,9 +47,7 @@ def tile_pages(
     """
     if not 1 <= per_page <= MOST:
         raise MansionError(
-            ErrorCode.INVALID_PAYLOAD,
-            f"{per_page} tiles a page; 1 to {MOST} stay legible",
-            path="$.per_page",
+            ErrorCode.INVALID_PAYLOAD, f"{per_page} tiles a page; 1 to {MOST} stay legible", path="$.per_page"
         )
     pages = [entries[i : i + per_page] for i in range(0, len(entries), per_page)]
     columns = ceil(sqrt(min(per_page, len(entries)))) if entries else 1

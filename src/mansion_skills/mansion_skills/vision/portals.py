@@ -108,10 +108,7 @@ def _opening(segment: Segment, place: Point, axis: Point) -> Wedge | None:
     ux, uy = (bx - ax) / length * MARGIN, (by - ay) / length * MARGIN
     ends = [(ax - ux, ay - uy), (bx + ux, by + uy)]
     local = [
-        (
-            axis[0] * (x - place[0]) + axis[1] * (y - place[1]),
-            axis[0] * (y - place[1]) - axis[1] * (x - place[0]),
-        )
+        (axis[0] * (x - place[0]) + axis[1] * (y - place[1]), axis[0] * (y - place[1]) - axis[1] * (x - place[0]))
         for x, y in ends
     ]
     if _distance(local[0], local[1]) < NEAR:

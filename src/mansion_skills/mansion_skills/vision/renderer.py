@@ -111,9 +111,7 @@ class Renderer:
         self._camera.azimuth, self._camera.elevation = eye.yaw, eye.pitch
         floor.model.vis.global_.fovy = intrinsics.vertical_fov
         every = mj.mjtCatBit.mjCAT_ALL.value
-        mj.mjv_updateScene(
-            floor.model, floor.data, self._option, None, self._camera, every, self._scene
-        )
+        mj.mjv_updateScene(floor.model, floor.data, self._option, None, self._camera, every, self._scene)
 
     def _labels(self, rect: Any, geoms: "np.ndarray[Any, Any]", depth_at: Any) -> Labels:
         """Draw each geom in the colour of its number in the scene, and read back what it belongs to."""

@@ -36,19 +36,9 @@ def with_arrows(view: Picture, up: str | None, down: str | None) -> Picture:
     return np.array(Image.alpha_composite(picture, layer).convert("RGB"))
 
 
-def _arrow(
-    draw: Any, middle: tuple[float, float], reach: float, sign: int, color: tuple[int, int, int]
-) -> None:
+def _arrow(draw: Any, middle: tuple[float, float], reach: float, sign: int, color: tuple[int, int, int]) -> None:
     """Draw an arrow that points up (`sign` -1) or down (1)."""
     x, y = middle
-    shape = [
-        (0, 1),
-        (0.75, 0.15),
-        (0.32, 0.15),
-        (0.32, -1),
-        (-0.32, -1),
-        (-0.32, 0.15),
-        (-0.75, 0.15),
-    ]
+    shape = [(0, 1), (0.75, 0.15), (0.32, 0.15), (0.32, -1), (-0.32, -1), (-0.32, 0.15), (-0.75, 0.15)]
     points = [(x + reach * u, y + sign * reach * v) for u, v in shape]
     draw.polygon(points, fill=(*color, 225), outline=(*PAPER, 255), width=3)

@@ -16,9 +16,7 @@ FAN: Final = (0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0)
 """Directions that are tried, degrees from straight ahead; among equals the first counts."""
 
 
-def core_viewpoint(
-    grid: FloorMap, core: SceneCore, farthest: float = FARTHEST
-) -> tuple[float, float, float]:
+def core_viewpoint(grid: FloorMap, core: SceneCore, farthest: float = FARTHEST) -> tuple[float, float, float]:
     """Return a place from which the door of a core is in view, and the direction of the door.
 
     The way from the core's standard pose is free and stays in its room, so nothing that stands there hides the door; of
@@ -47,9 +45,7 @@ def core_viewpoint(
     for aside in FAN:
         turn = radians(outward + aside)
         away = 0.0
-        while away < farthest - 1e-9 and stands(
-            x0 + (away + STEP) * cos(turn), y0 + (away + STEP) * sin(turn)
-        ):
+        while away < farthest - 1e-9 and stands(x0 + (away + STEP) * cos(turn), y0 + (away + STEP) * sin(turn)):
             away += STEP
         # Obliquely a door looks narrower; beyond the square of the cosine its sign cannot be read.
         worth = away * cos(radians(aside)) ** 2

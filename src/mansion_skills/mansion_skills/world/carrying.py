@@ -37,20 +37,12 @@ def put_down(
 ) -> None:
     """Put a held object somewhere, with what it carries."""
     state = msgspec.structs.replace(table.state(name), parent=parent, mount=mount)
-    for entry in placed_at(
-        table, state, floor=floor, room=room, position=position, rotation=rotation
-    ):
+    for entry in placed_at(table, state, floor=floor, room=room, position=position, rotation=rotation):
         table.put(entry)
 
 
 def placed_at(
-    table: ObjectTable,
-    state: ObjectState,
-    *,
-    floor: int,
-    room: str | None,
-    position: Point3,
-    rotation: float,
+    table: ObjectTable, state: ObjectState, *, floor: int, room: str | None, position: Point3, rotation: float
 ) -> list[ObjectState]:
     """Return a held object and what it carries as they were at some place, carriers first; nothing is changed."""
     placed = {

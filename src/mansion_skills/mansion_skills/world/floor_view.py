@@ -54,13 +54,7 @@ class FloorView:
         Of the robot, metres.
     """
 
-    def __init__(
-        self,
-        scene: FloorScene,
-        objects: ObjectTable,
-        doors: Mapping[str, bool],
-        radius: float,
-    ) -> None:
+    def __init__(self, scene: FloorScene, objects: ObjectTable, doors: Mapping[str, bool], radius: float) -> None:
         self.scene = scene
         self.floor = scene.floor
         self.doors: dict[str, Door] = {door.id: door for door in scene.doors}
@@ -76,11 +70,7 @@ class FloorView:
     def refresh(self, doors: Mapping[str, bool]) -> None:
         """Bring the grids up to date with doors and objects."""
         is_open = {name: doors.get(name, door.is_open) for name, door in self.doors.items()}
-        states = [
-            state
-            for state in self._objects.on_floor(self.floor)
-            if state.mount not in ("surface", "inside")
-        ]
+        states = [state for state in self._objects.on_floor(self.floor) if state.mount not in ("surface", "inside")]
         swung = [name for name in is_open if self.map.is_open.get(name) != is_open[name]]
         if len(swung) <= FEW_DOORS and _stand_alike(states, self._states):
             for name in swung:

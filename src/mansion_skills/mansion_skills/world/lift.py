@@ -129,14 +129,7 @@ class Lift:
 
     def _copy(self) -> "Lift":
         return Lift(
-            self.name,
-            self.elevations,
-            self.labels,
-            self.position,
-            self.opening,
-            self.target,
-            self.door,
-            self.session,
+            self.name, self.elevations, self.labels, self.position, self.opening, self.target, self.door, self.session
         )
 
     def _step(self, phase: str, seconds: float, whole: float) -> None:

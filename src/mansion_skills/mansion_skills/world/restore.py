@@ -30,9 +30,7 @@ def restore_shared(world: World) -> list[str]:
     if newest is None:
         return []
     world.time, world.step = newest.time, newest.step
-    doors = {
-        door.id for floor in world.building.floors for door in world.building.scene(floor).doors
-    }
+    doors = {door.id for floor in world.building.floors for door in world.building.scene(floor).doors}
     gone = [name for name in newest.doors if name not in doors]
     world.doors = {name: is_open for name, is_open in newest.doors.items() if name in doors}
     known = [state for state in newest.objects if state.id in world.objects]
@@ -62,11 +60,7 @@ def restore_robot(world: World, saved: WorldState, robot: RobotBody) -> None:
 
 def _check_building(world: World, saved: WorldState) -> None:
     building = world.building
-    older = [
-        floor
-        for floor in building.floors
-        if building.scene(floor).revision < saved.revisions.get(str(floor), 0)
-    ]
+    older = [floor for floor in building.floors if building.scene(floor).revision < saved.revisions.get(str(floor), 0)]
     if saved.building_id != building.building_id or older:
         raise MansionError(
             ErrorCode.CONFLICT,

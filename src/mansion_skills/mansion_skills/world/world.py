@@ -56,9 +56,7 @@ class World:
         What lifts did since somebody last emptied it; the oldest are dropped where nobody does.
     """
 
-    def __init__(
-        self, building: LoadedBuilding, name: str = "shared", radius: float = ROBOT_RADIUS
-    ) -> None:
+    def __init__(self, building: LoadedBuilding, name: str = "shared", radius: float = ROBOT_RADIUS) -> None:
         self.building = building
         self.name = name
         self.radius = radius
@@ -117,13 +115,9 @@ class World:
         view = self.view(floor)
         spawn = view.scene.spawn
         if spawn is None and not view.landmarks:
-            raise MansionError(
-                ErrorCode.NOT_FOUND, f"floor {floor} has neither a spawn pose nor a landmark"
-            )
+            raise MansionError(ErrorCode.NOT_FOUND, f"floor {floor} has neither a spawn pose nor a landmark")
         pose = Pose2D(x=spawn.x, y=spawn.y, yaw=spawn.yaw) if spawn else view.landmarks[0].pose
-        self.robots[session] = RobotBody(
-            session, floor, self._beside(session, floor, pose), self.radius
-        )
+        self.robots[session] = RobotBody(session, floor, self._beside(session, floor, pose), self.radius)
         return self.robots[session]
 
     def robot_state(self, robot: RobotBody) -> RobotState:
@@ -141,17 +135,11 @@ class World:
 
     def others(self, session: str, floor: int) -> list[Point]:
         """Return where the other robots of a floor stand."""
-        return [
-            robot.place
-            for name, robot in self.robots.items()
-            if name != session and robot.floor == floor
-        ]
+        return [robot.place for name, robot in self.robots.items() if name != session and robot.floor == floor]
 
     def blocked_for(self, session: str, floor: int) -> npt.NDArray[np.bool_]:
         """Return where the centre of a session's robot cannot be: walls, closed doors, objects, other robots."""
-        discs: Iterable[tuple[Point, float]] = [
-            (place, 2 * self.radius) for place in self.others(session, floor)
-        ]
+        discs: Iterable[tuple[Point, float]] = [(place, 2 * self.radius) for place in self.others(session, floor)]
         return self.view(floor).map.blocked_with(discs)
 
     def core_near(self, robot: RobotBody, kind: str, reach: float) -> SceneCore | None:
@@ -176,10 +164,7 @@ class World:
 
     def _beside(self, session: str, floor: int, pose: Pose2D) -> Pose2D:
         """Return the pose, or the next free one when another robot stands there."""
-        if all(
-            dist((pose.x, pose.y), place) >= 2 * self.radius
-            for place in self.others(session, floor)
-        ):
+        if all(dist((pose.x, pose.y), place) >= 2 * self.radius for place in self.others(session, floor)):
             return pose
         frame = self.view(floor).map.frame
         row, column = frame.cell(pose.x, pose.y)

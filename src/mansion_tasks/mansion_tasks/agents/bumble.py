@@ -26,9 +26,7 @@ Answer with JSON alone: {{"thought": ..., "subgoal": ..., "skill": name}}. Choos
 Skills:
 """
 
-_FILL: Final = (
-    """Give the parameters of the chosen skill as JSON alone, with the fields that it takes."""
-)
+_FILL: Final = """Give the parameters of the chosen skill as JSON alone, with the fields that it takes."""
 
 
 class SkillChoice(msgspec.Struct, kw_only=True):
@@ -159,8 +157,7 @@ class Bumble(Agent):
             for thing in observation.visible
         ]
         places = [
-            entry.name if entry.kind == "room" else f"{entry.name} ({entry.kind})"
-            for entry in observation.landmarks
+            entry.name if entry.kind == "room" else f"{entry.name} ({entry.kind})" for entry in observation.landmarks
         ]
         past = "\n".join(self._memory.past)
         lines = [

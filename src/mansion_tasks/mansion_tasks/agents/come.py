@@ -7,14 +7,7 @@ import msgspec
 
 from mansion_llm import Fault, LlmClient, Prompt, quoted_data
 from mansion_msgs_py.task import SkillCall
-from mansion_tasks.agents.interface import (
-    Access,
-    Agent,
-    Briefing,
-    MapEntry,
-    Observation,
-    Stop,
-)
+from mansion_tasks.agents.interface import Access, Agent, Briefing, MapEntry, Observation, Stop
 from mansion_tasks.agents.memory import Memory
 from mansion_tasks.agents.patience import Patience
 from mansion_tasks.agents.plan_code import MOST_CALLS, PlanError, read_plan
@@ -96,12 +89,7 @@ class Come(Agent):
             return Stop(f"{MOST_PLANS} plans did not do it")
         self._plans += 1
         view = observation.eyes.view() if observation.eyes is not None else b""
-        prompt = Prompt(
-            "come_plan",
-            _SYSTEM + card_lines(),
-            self._situation(observation),
-            (view,) if view else (),
-        )
+        prompt = Prompt("come_plan", _SYSTEM + card_lines(), self._situation(observation), (view,) if view else ())
         answer = self._client.ask(prompt, WrittenPlan, _faulty_plan)
         plan = answer.value
         if plan is None or not answer.good:
@@ -149,9 +137,7 @@ def _faulty_plan(plan: WrittenPlan) -> list[Fault]:
     except PlanError as error:
         return [Fault(f"code, {error}")]
     if not calls and not plan.done:
-        return [
-            Fault("`code` is empty and `done` is false; write calls, or say that the task is done")
-        ]
+        return [Fault("`code` is empty and `done` is false; write calls, or say that the task is done")]
     return []
 
 

@@ -80,9 +80,7 @@ class Explorer(Agent):
     def _work(self, errand: Errand) -> Generator[SkillCall, None, Stop]:
         carried = errand.destination is not None
         while True:
-            found = yield from self._search(
-                errand.target, pickupable=carried, rest=DELIVERY if carried else 2
-            )
+            found = yield from self._search(errand.target, pickupable=carried, rest=DELIVERY if carried else 2)
             if found is None:
                 return Stop(f"found no {errand.target.noun}")
             if (yield from self._fetch(found, carried)):
@@ -94,9 +92,7 @@ class Explorer(Agent):
             return Stop(f"delivered {found.thing.ref}", done=True)
         return Stop(f"found no place for {found.thing.ref}")
 
-    def _search(
-        self, phrase: Phrase, *, pickupable: bool, rest: int
-    ) -> Generator[SkillCall, None, Sighting | None]:
+    def _search(self, phrase: Phrase, *, pickupable: bool, rest: int) -> Generator[SkillCall, None, Sighting | None]:
         """Look for a thing until one is certain, everything is searched, or `rest` steps are left."""
         for floor in self._floor_order(phrase):
             while True:
@@ -200,9 +196,7 @@ class Explorer(Agent):
     def _climb(self, step: int) -> Course:
         direction = "Up" if step > 0 else "Down"
         for core in self._memory.cores(self._now.floor, "stair"):
-            if (yield from self._go_to(core.name)) and (
-                yield from self._do("TakeStairs", direction=direction)
-            ):
+            if (yield from self._go_to(core.name)) and (yield from self._do("TakeStairs", direction=direction)):
                 return True
         return False
 
@@ -235,9 +229,7 @@ class Explorer(Agent):
             found = yield from self._search(place, pickupable=False, rest=3)
             if found is None:
                 return False
-            if (yield from self._go_near(found)) and (
-                yield from self._put(found.thing, errand.relation)
-            ):
+            if (yield from self._go_near(found)) and (yield from self._put(found.thing, errand.relation)):
                 if errand.close:
                     yield from self._do("CloseObject", object=found.thing.ref)
                 return True

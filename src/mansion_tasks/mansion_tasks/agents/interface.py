@@ -8,16 +8,7 @@ from mansion_msgs_py.skills import LandmarkInfo
 from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import Pose2D, SkillResult, SkillStatus
 
-__all__ = [
-    "Access",
-    "Agent",
-    "Briefing",
-    "Eyes",
-    "MapEntry",
-    "Observation",
-    "SeenObject",
-    "Stop",
-]
+__all__ = ["Access", "Agent", "Briefing", "Eyes", "MapEntry", "Observation", "SeenObject", "Stop"]
 
 
 @dataclass(frozen=True)

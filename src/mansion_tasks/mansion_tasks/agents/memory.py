@@ -39,9 +39,7 @@ class Memory:
         self._steps.append(f"{observation.step}. {line}")
         if not observation.succeeded:
             wish = f"; what would do: {result.satisfied_by}" if result.satisfied_by else ""
-            failure = f"On floor {observation.floor}, {call.skill}: {result.message}{wish}"[
-                :LONGEST
-            ]
+            failure = f"On floor {observation.floor}, {call.skill}: {result.message}{wish}"[:LONGEST]
             self._failures[failure] = None
 
     def remark(self, text: str) -> None:

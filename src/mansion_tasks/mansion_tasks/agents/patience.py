@@ -35,7 +35,6 @@ class Patience:
             return None
         if answer is not None and answer.value is None and not answer.faults:
             raise MansionError(
-                ErrorCode.UNAVAILABLE,
-                f"no answer from the model {PATIENCE} times in a row: {answer.reason}",
+                ErrorCode.UNAVAILABLE, f"no answer from the model {PATIENCE} times in a row: {answer.reason}"
             )
         return Stop(f"the model gave no usable answer {PATIENCE} times in a row")

@@ -10,9 +10,7 @@ __all__ = ["MOST_CALLS", "PlanError", "read_plan"]
 
 MOST_CALLS: Final = 40
 LONGEST: Final = 6000
-_SNAKE: Final = {
-    "".join(f"_{c.lower()}" if c.isupper() else c for c in name).lstrip("_"): name for name in CARDS
-}
+_SNAKE: Final = {"".join(f"_{c.lower()}" if c.isupper() else c for c in name).lstrip("_"): name for name in CARDS}
 
 
 class PlanError(ValueError):
@@ -58,9 +56,7 @@ def _call(statement: ast.stmt) -> SkillCall:
         raise PlanError(f"{place}: a statement must be one call of a skill")
     skill = _SNAKE.get(call.func.id, call.func.id)
     if skill not in CARDS:
-        raise PlanError(
-            f"{place}: there is no skill {call.func.id[:40]!r}; known are {', '.join(CARDS)}"
-        )
+        raise PlanError(f"{place}: there is no skill {call.func.id[:40]!r}; known are {', '.join(CARDS)}")
     names = list(CARDS[skill].arguments)
     if len(call.args) > len(names):
         raise PlanError(f"{place}: {skill} takes {len(names)} arguments")

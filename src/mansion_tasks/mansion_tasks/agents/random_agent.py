@@ -67,10 +67,7 @@ class RandomAgent(Agent):
         if skill == "TakeStairs":
             return {"direction": self._choice(("Up", "Down"))}
         if skill == "Place":
-            return {
-                "target": self._choice([*objects, "floor"]),
-                "relation": self._choice(("on", "in")),
-            }
+            return {"target": self._choice([*objects, "floor"]), "relation": self._choice(("on", "in"))}
         if skill in ("CallElevator", "OpenDoor"):
             return {}
         return {"object": self._choice(objects)}

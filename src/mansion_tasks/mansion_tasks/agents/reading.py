@@ -32,28 +32,12 @@ _PREPOSITION = re.compile(
     r"\b(on top of|next to|in front of|inside|into|onto|from|near|beside|by|on|in|at|to|of|under)\b"
 )
 _STOPS = re.compile(r"[,.;:!?]|\b(?:and|then|that|which|where|so|with)\b")
-_ARTICLE = re.compile(
-    r"^(?:the|a|an|my|your|some|any|one|another|this|that|its|his|her|their)\b\s*"
-)
+_ARTICLE = re.compile(r"^(?:the|a|an|my|your|some|any|one|another|this|that|its|his|her|their)\b\s*")
 _FILLERS = frozenset(
-    (
-        "the",
-        "colored",
-        "coloured",
-        "somewhere",
-        "anywhere",
-        "building",
-        "it",
-        "is",
-        "are",
-        "there",
-        "back",
-    )
+    ("the", "colored", "coloured", "somewhere", "anywhere", "building", "it", "is", "are", "there", "back")
 )
 _FLOOR = re.compile(
-    r"\b(?:(?P<word>"
-    + "|".join(ORDINALS)
-    + r")|(?P<digits>\d+)(?:st|nd|rd|th)) (?:floor|storey|story|level)\b|"
+    r"\b(?:(?P<word>" + "|".join(ORDINALS) + r")|(?P<digits>\d+)(?:st|nd|rd|th)) (?:floor|storey|story|level)\b|"
     r"\b(?:floor|storey|story|level) (?P<number>-?\d+|[a-z]{1,2}\d?)\b|\b(?P<named>ground|top) floor\b|"
     r"\b(?P<basement>basement)\b"
 )
@@ -101,9 +85,7 @@ class Errand:
     close: bool = False
 
 
-def read_instruction(
-    text: str, floors: tuple[int, ...] = (1,), labels: tuple[str, ...] = ()
-) -> Errand:
+def read_instruction(text: str, floors: tuple[int, ...] = (1,), labels: tuple[str, ...] = ()) -> Errand:
     """Return the errand that an instruction describes.
 
     Parameters

@@ -14,11 +14,7 @@ from mansion_tasks.agents.random_agent import RandomAgent
 
 __all__ = ["AGENTS", "ASKING", "LEARNING", "check_agents", "make_agent"]
 
-_SCRIPTED: dict[str, Callable[[], Agent]] = {
-    "random": RandomAgent,
-    "oracle": OracleAgent,
-    "explorer": Explorer,
-}
+_SCRIPTED: dict[str, Callable[[], Agent]] = {"random": RandomAgent, "oracle": OracleAgent, "explorer": Explorer}
 _MODELLED: dict[str, Callable[[LlmClient], Agent]] = {
     "bumble": Bumble,
     "bumble_text": lambda client: Bumble(client, types=True),
@@ -45,10 +41,7 @@ def check_agents(names: list[str]) -> None:
     """
     for name in names:
         if name not in AGENTS:
-            raise MansionError(
-                ErrorCode.NOT_FOUND,
-                f"there is no agent {name!r}; {choices(name, AGENTS, 'agents')}",
-            )
+            raise MansionError(ErrorCode.NOT_FOUND, f"there is no agent {name!r}; {choices(name, AGENTS, 'agents')}")
 
 
 def _client() -> LlmClient:

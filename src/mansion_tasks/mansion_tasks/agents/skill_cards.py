@@ -31,9 +31,7 @@ CARDS: Final[Mapping[str, Card]] = {
     "GoToLandmark": Card("go to a landmark of this floor", {"landmark": "text"}),
     "GoNearObject": Card("go to an object in view, near enough to handle it", {"object": "text"}),
     "MoveAhead": Card("go straight ahead, metres; negative goes back", {"distance": "number"}),
-    "Rotate": Card(
-        "turn on the spot, degrees, counter-clockwise; to look around", {"degrees": "number"}
-    ),
+    "Rotate": Card("turn on the spot, degrees, counter-clockwise; to look around", {"degrees": "number"}),
     "LookUp": Card("tilt the camera up, degrees", {"degrees": "number"}),
     "LookDown": Card("tilt the camera down, degrees", {"degrees": "number"}),
     "PickUp": Card("take an object within reach; the hand must be empty", {"object": "text"}),
@@ -45,13 +43,10 @@ CARDS: Final[Mapping[str, Card]] = {
     "OpenObject": Card("open an object within reach", {"object": "text"}),
     "CloseObject": Card("close an object within reach", {"object": "text"}),
     "OpenDoor": Card("open the nearest door", {}),
-    "CallElevator": Card(
-        "call the lift; the robot must stand at its entrance (GoToLandmark elevator)", {}
-    ),
+    "CallElevator": Card("call the lift; the robot must stand at its entrance (GoToLandmark elevator)", {}),
     "UseElevator": Card("ride the called lift to a floor", {"target_floor": "number"}),
     "TakeStairs": Card(
-        "walk one floor `Up` or `Down`; the robot must stand at the stairs (GoToLandmark stairs)",
-        {"direction": "text"},
+        "walk one floor `Up` or `Down`; the robot must stand at the stairs (GoToLandmark stairs)", {"direction": "text"}
     ),
 }
 """Skill name to its card: all that a model can do, whatever it answers."""
@@ -61,9 +56,7 @@ LONGEST: Final = 200
 
 def card_lines() -> str:
     """Return the cards, a line each."""
-    return "\n".join(
-        f"- {name}({', '.join(card.arguments)}): {card.words}" for name, card in CARDS.items()
-    )
+    return "\n".join(f"- {name}({', '.join(card.arguments)}): {card.words}" for name, card in CARDS.items())
 
 
 def faulty_arguments(skill: str, arguments: Mapping[str, Any]) -> str:

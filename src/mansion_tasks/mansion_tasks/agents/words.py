@@ -7,9 +7,7 @@ from mansion_tasks.words.things import ROOMS, THINGS
 
 __all__ = ["match_score", "matches"]
 
-_GROUPS: Final = {
-    word: group.same + group.talk for group in (*THINGS, *ROOMS) for word in group.same + group.talk
-}
+_GROUPS: Final = {word: group.same + group.talk for group in (*THINGS, *ROOMS) for word in group.same + group.talk}
 
 
 def match_score(noun: str, name: str) -> int:

@@ -11,13 +11,7 @@ from mansion_geometry.compiled import kernel
 from mansion_msgs_py.world import ObjectState
 from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import sees
-from mansion_skills.skills.seeing import (
-    CAMERA_HEIGHT,
-    VIEW_ANGLE,
-    VIEW_RANGE,
-    closed_carrier,
-    sight_points,
-)
+from mansion_skills.skills.seeing import CAMERA_HEIGHT, VIEW_ANGLE, VIEW_RANGE, closed_carrier, sight_points
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
@@ -105,11 +99,7 @@ class ArraySight:
         self._stale = set(self._floors)
 
     def look(
-        self,
-        robot: RobotBody,
-        most: int | None = None,
-        always: Collection[str] = (),
-        distance: float = VIEW_RANGE,
+        self, robot: RobotBody, most: int | None = None, always: Collection[str] = (), distance: float = VIEW_RANGE
     ) -> View:
         """Return the objects in view.
 
@@ -222,18 +212,12 @@ def _empty_arrays(names: list[str]) -> _FloorArrays:
 
 @kernel
 def _in_picture(
-    dx: float,
-    dy: float,
-    ahead: tuple[float, float],
-    tilt: tuple[float, float, float],
-    heights: Floats,
+    dx: float, dy: float, ahead: tuple[float, float], tilt: tuple[float, float, float], heights: Floats
 ) -> bool:
     """Whether a point of an object is in the picture: `tilt` is the tangents below and above, and the radius."""
     away = math.hypot(dx, dy)
     forward = dx * ahead[0] + dy * ahead[1]
-    if away > tilt[2] and (
-        forward <= 0.0 or abs(dy * ahead[0] - dx * ahead[1]) > forward * _HALF_WIDTH
-    ):
+    if away > tilt[2] and (forward <= 0.0 or abs(dy * ahead[0] - dx * ahead[1]) > forward * _HALF_WIDTH):
         return False
     flat = max(away, tilt[2])
     low, high = heights[0] - CAMERA_HEIGHT, heights[2] - CAMERA_HEIGHT

@@ -118,9 +118,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
             return names, spaces.Discrete(len(names))
         scenes = [self._sandbox.building.scene(floor) for floor in floors]
         landmarks = max(len(scene.rooms) + len(scene.cores) for scene in scenes)
-        return SKILL_ACTIONS, spaces.MultiDiscrete(
-            [len(SKILL_ACTIONS), landmarks, SLOTS, len(floors)]
-        )
+        return SKILL_ACTIONS, spaces.MultiDiscrete([len(SKILL_ACTIONS), landmarks, SLOTS, len(floors)])
 
     @property
     def task(self) -> Task:
@@ -134,9 +132,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         """The world, for whoever judges or draws it."""
         return self._sandbox
 
-    def reset(
-        self, *, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[Values, dict[str, Any]]:
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Values, dict[str, Any]]:
         """Begin an episode: of the task that ``options["task"]`` names (id or index), else of a random one."""
         super().reset(seed=seed)
         self._task = self._chosen((options or {}).get("task"))
@@ -245,9 +241,7 @@ def _worth(score: ProgressScore) -> float:
 
 def _check_option(name: str, value: object, known: tuple[object, ...]) -> None:
     if value not in known:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"{name} {value!r}: one of {known}", path=f"$.{name}"
-        )
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{name} {value!r}: one of {known}", path=f"$.{name}")
 
 
 def _tasks(tasks: str | Path | Sequence[Task] | None, sandbox: Sandbox, seed: int) -> list[Task]:
@@ -259,9 +253,7 @@ def _tasks(tasks: str | Path | Sequence[Task] | None, sandbox: Sandbox, seed: in
         try:
             found = decode(TaskSet, Path(tasks).read_bytes()).tasks
         except OSError as error:
-            raise MansionError(
-                ErrorCode.NOT_FOUND, f"{tasks}: {error.strerror}", path="$.tasks"
-            ) from None
+            raise MansionError(ErrorCode.NOT_FOUND, f"{tasks}: {error.strerror}", path="$.tasks") from None
     if not found:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, "there are no tasks", path="$.tasks")
     return found

@@ -25,14 +25,7 @@ TILT: Final = 30.0
 """Degrees."""
 
 _LOOK_TIME = 90.0
-_MOTIONS: Final = (
-    "move_ahead",
-    "move_back",
-    "rotate_left",
-    "rotate_right",
-    "look_up",
-    "look_down",
-)
+_MOTIONS: Final = ("move_ahead", "move_back", "rotate_left", "rotate_right", "look_up", "look_down")
 _DEEDS: Final = (
     "pick_up",
     "place",
@@ -96,10 +89,7 @@ def _glide(sandbox: Sandbox, distance: float) -> Outcome:
     blocked = world.blocked_for(robot.session, robot.floor)
     frame = world.view(robot.floor).map.frame
     heading = robot.pose.yaw if distance > 0 else robot.pose.yaw + 180.0
-    if (
-        free_run(blocked, frame, robot.place, radians(heading), abs(distance))
-        < abs(distance) - 1e-9
-    ):
+    if free_run(blocked, frame, robot.place, radians(heading), abs(distance)) < abs(distance) - 1e-9:
         return Outcome(SkillStatus.EXECUTION_FAILURE, "something is in the way")
     angle = radians(robot.pose.yaw)
     x, y = robot.pose.x + distance * cos(angle), robot.pose.y + distance * sin(angle)

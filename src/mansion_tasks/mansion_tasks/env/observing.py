@@ -83,9 +83,7 @@ def state_space(vocabulary: Vocabulary) -> spaces.Dict:
             "objects": spaces.Box(-1.0, 1.0, (SLOTS, FEATURES), np.float32),
             "categories": spaces.MultiDiscrete(np.full(SLOTS, categories)),
             "colours": spaces.MultiDiscrete(np.full(SLOTS, colours)),
-            "goal": spaces.MultiDiscrete(
-                [categories, colours, floors + 1, categories, rooms, floors + 1]
-            ),
+            "goal": spaces.MultiDiscrete([categories, colours, floors + 1, categories, rooms, floors + 1]),
             "time_left": spaces.Box(0.0, 1.0, (1,), np.float32),
         }
     )
@@ -113,12 +111,10 @@ class Describer:
         shades = {name: number for number, name in enumerate(COLOURS, start=1)}
         self._row = {name: row for row, name in enumerate(kinds)}
         self._codes = np.array(
-            [(self._category[name], shades.get(colour_of(kinds[name]), 0)) for name in kinds],
-            dtype=np.int64,
+            [(self._category[name], shades.get(colour_of(kinds[name]), 0)) for name in kinds], dtype=np.int64
         ).reshape(-1, 2)
         self._traits = np.array(
-            [(kind.pickupable, kind.receptacle, kind.openable) for kind in kinds.values()],
-            dtype=np.float32,
+            [(kind.pickupable, kind.receptacle, kind.openable) for kind in kinds.values()], dtype=np.float32
         ).reshape(-1, 3)
         self._shades = shades
 
@@ -173,9 +169,7 @@ class Describer:
             "time_left": np.array([time_left], dtype=np.float32),
         }
 
-    def _seen(
-        self, view: View
-    ) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+    def _seen(self, view: View) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.int64], npt.NDArray[np.int64]]:
         objects = np.zeros((SLOTS, FEATURES), dtype=np.float32)
         codes = np.zeros((SLOTS, 2), dtype=np.int64)
         count = min(SLOTS, len(view.ids))

@@ -32,17 +32,12 @@ _ALL: Final[tuple[tuple[str, str, dict[str, Any]], ...]] = (
     ("LookDown", "", {"degrees": 30.0}),
 )
 
-SKILL_ACTIONS: Final = tuple(
-    " ".join((skill, *(str(value) for value in fixed.values()))) for skill, _, fixed in _ALL
-)
+SKILL_ACTIONS: Final = tuple(" ".join((skill, *(str(value) for value in fixed.values()))) for skill, _, fixed in _ALL)
 """What each value of the action's first part does."""
 
 
 def skill_call(
-    action: Sequence[int],
-    landmarks: Sequence[Landmark],
-    objects: Sequence[str],
-    floors: Sequence[int],
+    action: Sequence[int], landmarks: Sequence[Landmark], objects: Sequence[str], floors: Sequence[int]
 ) -> SkillCall | None:
     """Return the call that an action means, or ``None`` when its index names nothing.
 

@@ -20,16 +20,7 @@ from mansion_tasks.episodes.table import BenchResult, EpisodeRow, row_of, summar
 from mansion_tasks.episodes.worker_pool import in_processes
 from mansion_tasks.tasks.files import read_task_set
 
-__all__ = [
-    "TAKEN_OVER",
-    "Bench",
-    "Ports",
-    "Unit",
-    "local_port",
-    "log_path",
-    "run_bench",
-    "run_unit",
-]
+__all__ = ["TAKEN_OVER", "Bench", "Ports", "Unit", "local_port", "log_path", "run_bench", "run_unit"]
 
 TAKEN_OVER = "taken over"
 """Stage of the progress of an episode that an earlier run finished."""
@@ -143,9 +134,7 @@ def run_unit(unit: Unit) -> Iterator[tuple[EpisodeRow, bool]]:
                 agent = make_agent(unit.agent)
                 crew = crew or _crew(unit, agent, stack)
                 port, eyes = crew
-                options = EpisodeOptions(
-                    seed=unit.bench.seed, lessons=told, eyes=eyes, building=str(building)
-                )
+                options = EpisodeOptions(seed=unit.bench.seed, lessons=told, eyes=eyes, building=str(building))
                 log = run_episode(task, building, agent, port, options)
                 write_log(path, log)
             lessons += log.end.lessons

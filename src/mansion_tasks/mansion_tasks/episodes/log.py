@@ -12,15 +12,7 @@ from mansion_msgs_py.reading import decode_from, read_bytes
 from mansion_msgs_py.task import SkillCall, Task
 from mansion_msgs_py.world import Pose2D, SkillStatus
 
-__all__ = [
-    "EpisodeEnd",
-    "EpisodeLog",
-    "EpisodeStart",
-    "EpisodeStep",
-    "StopReason",
-    "read_log",
-    "write_log",
-]
+__all__ = ["EpisodeEnd", "EpisodeLog", "EpisodeStart", "EpisodeStep", "StopReason", "read_log", "write_log"]
 
 StopReason = Literal["success", "agent_stopped", "step_limit", "agent_failed"]
 
@@ -123,12 +115,6 @@ def read_log(path: Path) -> EpisodeLog:
     kind: Any = EpisodeStart | EpisodeStep | EpisodeEnd
     lines = [decode_from(kind, line, path) for line in data.splitlines() if line.strip()]
     steps = [line for line in lines if isinstance(line, EpisodeStep)]
-    if (
-        len(lines) != len(steps) + 2
-        or not isinstance(lines[0], EpisodeStart)
-        or not isinstance(lines[-1], EpisodeEnd)
-    ):
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"{path} is no whole log: a start, its steps and an end"
-        )
+    if len(lines) != len(steps) + 2 or not isinstance(lines[0], EpisodeStart) or not isinstance(lines[-1], EpisodeEnd):
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{path} is no whole log: a start, its steps and an end")
     return EpisodeLog(start=lines[0], steps=steps, end=lines[-1])

@@ -31,10 +31,7 @@ def _label(drawing: Any, place: tuple[float, float], text: str, *, size: int = 1
 
 
 def marked_view(
-    rgb: npt.NDArray[np.uint8],
-    segmentation: npt.NDArray[np.int32],
-    names: Sequence[str],
-    marks: Mapping[str, str],
+    rgb: npt.NDArray[np.uint8], segmentation: npt.NDArray[np.int32], names: Sequence[str], marks: Mapping[str, str]
 ) -> bytes:
     """Return a camera's picture with a number on each object of `marks` that it shows.
 

@@ -40,10 +40,7 @@ class Mask:
     """
 
     def __init__(
-        self,
-        visible: Sequence[VisibleObject],
-        landmarks: Sequence[LandmarkInfo],
-        held: str | None = None,
+        self, visible: Sequence[VisibleObject], landmarks: Sequence[LandmarkInfo], held: str | None = None
     ) -> None:
         self._objects = {thing.id: f"#{k}" for k, thing in enumerate(visible, start=1)}
         if held is not None:

@@ -49,12 +49,7 @@ class Watcher:
         return Moment(world, robot, visible, landmarks, mask)
 
     def observation(
-        self,
-        moment: Moment,
-        step: int,
-        last_call: SkillCall | None,
-        last: SkillResult | None,
-        eyes: Eyes | None,
+        self, moment: Moment, step: int, last_call: SkillCall | None, last: SkillResult | None, eyes: Eyes | None
     ) -> Observation:
         """Return what the agent perceives; its last call is told in its own words."""
         world, robot, mask, access = moment.world, moment.robot, moment.mask, self._access
@@ -113,14 +108,5 @@ def object_map(world: World) -> list[MapEntry]:
     found = []
     for name in world.objects:
         state, kind = world.objects.state(name), world.objects.kinds[name]
-        found.append(
-            MapEntry(
-                name,
-                kind.category,
-                colour_of(kind),
-                state.floor,
-                state.room or "",
-                state.parent or "",
-            )
-        )
+        found.append(MapEntry(name, kind.category, colour_of(kind), state.floor, state.room or "", state.parent or ""))
     return found

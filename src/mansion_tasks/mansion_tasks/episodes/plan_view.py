@@ -53,9 +53,7 @@ def plan_view(
         drawing.polygon([to(p) for p in core.polygon], fill=CORE, outline=WALL)
     for state in world.objects.on_floor(floor):
         kind = world.objects.kinds[state.id]
-        if state.position is None or (
-            kind.mount in ("ceiling", "wall") and state.id not in targets
-        ):
+        if state.position is None or (kind.mount in ("ceiling", "wall") and state.id not in targets):
             continue
         fill = TARGET if state.id in targets else GOAL if state.id in goals else THING
         drawing.polygon([to(p) for p in corners(state, kind)], fill=fill, outline=EDGE)
@@ -74,8 +72,7 @@ def plan_view(
 def _robot(drawing: Any, place: tuple[float, float], yaw: float) -> None:
     x, y = place
     tip, left, right = (
-        (x + r * cos(radians(yaw + a)), y - r * sin(radians(yaw + a)))
-        for r, a in ((11, 0), (8, 140), (8, -140))
+        (x + r * cos(radians(yaw + a)), y - r * sin(radians(yaw + a))) for r, a in ((11, 0), (8, 140), (8, -140))
     )
     drawing.polygon([tip, left, right], fill=ROBOT, outline=(255, 255, 255))
 

@@ -100,20 +100,12 @@ def as_result(skill: Skill, answer: Any) -> SkillResult:
     if isinstance(answer, SkillResult):
         return answer
     return SkillResult(
-        skill=skill.name,
-        status=SkillStatus.SUCCESS,
-        message="answered",
-        data=to_builtins(answer),
-        session=SESSION,
+        skill=skill.name, status=SkillStatus.SUCCESS, message="answered", data=to_builtins(answer), session=SESSION
     )
 
 
 def invalid_call(name: str, message: str, wish: str = "arguments of the skill") -> SkillResult:
     """Return the result of a call that never reached a skill."""
     return SkillResult(
-        skill=name[:80],
-        status=SkillStatus.INVALID_ACTION,
-        message=message[:500],
-        satisfied_by=wish,
-        session=SESSION,
+        skill=name[:80], status=SkillStatus.INVALID_ACTION, message=message[:500], satisfied_by=wish, session=SESSION
     )

@@ -16,12 +16,7 @@ __all__ = ["replay"]
 Look = Callable[[int, World, RobotBody], None]
 
 
-def replay(
-    log: EpisodeLog,
-    building: Path,
-    port: SkillPort,
-    look: Look = lambda step, world, robot: None,
-) -> list[str]:
+def replay(log: EpisodeLog, building: Path, port: SkillPort, look: Look = lambda step, world, robot: None) -> list[str]:
     """Call a log's skills in a fresh stand-in of the building.
 
     Parameters

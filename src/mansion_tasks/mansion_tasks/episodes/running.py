@@ -14,13 +14,7 @@ from mansion_msgs_py.world import SkillResult
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 from mansion_tasks.agents.interface import Agent, Briefing, Eyes, Stop
-from mansion_tasks.episodes.log import (
-    EpisodeEnd,
-    EpisodeLog,
-    EpisodeStart,
-    EpisodeStep,
-    StopReason,
-)
+from mansion_tasks.episodes.log import EpisodeEnd, EpisodeLog, EpisodeStart, EpisodeStep, StopReason
 from mansion_tasks.episodes.observing import Moment, Watcher
 from mansion_tasks.episodes.port import SkillPort, invalid_call
 from mansion_tasks.episodes.stand_in import stand_in
@@ -65,11 +59,7 @@ class _Course:
 
 
 def run_episode(
-    task: Task,
-    building: Path,
-    agent: Agent,
-    port: SkillPort,
-    options: EpisodeOptions | None = None,
+    task: Task, building: Path, agent: Agent, port: SkillPort, options: EpisodeOptions | None = None
 ) -> EpisodeLog:
     """Let an agent do a task in a stand-in of a building and return the log; the building stays as it is.
 
@@ -117,12 +107,7 @@ def run_episode(
 
 
 def _steps(
-    task: Task,
-    agent: Agent,
-    port: SkillPort,
-    options: EpisodeOptions,
-    tracker: ProgressTracker,
-    course: _Course,
+    task: Task, agent: Agent, port: SkillPort, options: EpisodeOptions, tracker: ProgressTracker, course: _Course
 ) -> tuple[StopReason, str, bool]:
     watcher = Watcher(port, task, agent.access)
     world, _ = port.world()
@@ -229,9 +214,5 @@ def world_digest(world: World, robot: RobotBody) -> str:
     """Return a digest of all that skills changed: objects, doors and the robot."""
     objects = sorted(world.objects.changed.values(), key=lambda state: state.id)
     state = world.robot_state(robot)
-    facts = [
-        objects,
-        sorted(world.doors.items()),
-        [state.floor, state.pose, state.pitch, state.held],
-    ]
+    facts = [objects, sorted(world.doors.items()), [state.floor, state.pose, state.pitch, state.held]]
     return hashlib.sha256(encode_bytes(facts)).hexdigest()[:16]

@@ -58,9 +58,7 @@ def episode_frames(log: EpisodeLog, building: Path, port: SkillPort) -> list[Any
     Where nothing can render, the plan stands alone.
     """
     wanted = set(chosen_steps(log.steps))
-    goals = frozenset(
-        name for goal in log.start.task.goals for name in (*goal.rooms, *goal.receptacles)
-    )
+    goals = frozenset(name for goal in log.start.task.goals for name in (*goal.rooms, *goal.receptacles))
     targets = frozenset(name for goal in log.start.task.goals for name in goal.objects)
     frames: list[Any] = []
     trail = Trail()
@@ -70,19 +68,9 @@ def episode_frames(log: EpisodeLog, building: Path, port: SkillPort) -> list[Any
             trail.follow(robot)
             if number not in wanted:
                 return
-            plan = plan_view(
-                world,
-                robot.floor,
-                trail.points,
-                robot.pose.yaw,
-                size=SIDE,
-                targets=targets,
-                goals=goals,
-            )
+            plan = plan_view(world, robot.floor, trail.points, robot.pose.yaw, size=SIDE, targets=targets, goals=goals)
             step = log.steps[number - 1] if number else None
-            frames.append(
-                _frame(_camera(eyes, world, robot), plan, _caption(log, step, world, robot))
-            )
+            frames.append(_frame(_camera(eyes, world, robot), plan, _caption(log, step, world, robot)))
 
         replay(log, building, port, look)
     return _alike(frames)
@@ -103,9 +91,7 @@ def _camera(eyes: CameraEyes, world: World, robot: RobotBody) -> Any:
     return Image.fromarray(frame.rgb[:, left : left + height]).resize((SIDE, SIDE))
 
 
-def _caption(
-    log: EpisodeLog, step: EpisodeStep | None, world: World, robot: RobotBody
-) -> tuple[str, str]:
+def _caption(log: EpisodeLog, step: EpisodeStep | None, world: World, robot: RobotBody) -> tuple[str, str]:
     state = world.robot_state(robot)
     held = state.held.rsplit("/", 1)[-1] if state.held else "nothing"
     second = f"floor {state.floor}, {(state.room or '').rsplit('/', 1)[-1]}, holds {held}"
@@ -174,9 +160,7 @@ def write_sheet(path: Path, log: EpisodeLog, frames: Sequence[Any]) -> None:
         f"retrieval {end.retrieval:.2f}, navigation {end.navigation:.2f}"
     )
     rows = [
-        row
-        for text in (log.start.task.instruction, result)
-        for row in wrapped(text, whole - 2 * EDGE, TITLE_LETTERS)
+        row for text in (log.start.task.instruction, result) for row in wrapped(text, whole - 2 * EDGE, TITLE_LETTERS)
     ]
     top = _height(rows, TITLE_LETTERS)
     sheet = Image.new("RGB", (whole, top + ceil(len(frames) / columns) * (height + 8)), "white")
@@ -191,13 +175,5 @@ def write_gif(path: Path, frames: Sequence[Any], *, milliseconds: int = 900) -> 
     """Write the frames as an animation that repeats."""
     stream = BytesIO()
     first, *rest = frames
-    first.save(
-        stream,
-        "GIF",
-        save_all=True,
-        append_images=rest,
-        duration=milliseconds,
-        loop=0,
-        optimize=True,
-    )
+    first.save(stream, "GIF", save_all=True, append_images=rest, duration=milliseconds, loop=0, optimize=True)
     write_atomic(path, stream.getvalue())

@@ -29,9 +29,7 @@ def wilson_interval(successes: int, trials: int) -> tuple[float, float]:
     return (0.0 if successes == 0 else low), (1.0 if successes == trials else high)
 
 
-def bootstrap_interval(
-    values: Sequence[float], *, resamples: int = 1000, seed: int = 0
-) -> tuple[float, float]:
+def bootstrap_interval(values: Sequence[float], *, resamples: int = 1000, seed: int = 0) -> tuple[float, float]:
     """Return the 95% percentile interval of a mean, from resamples with replacement.
 
     Examples

@@ -22,9 +22,7 @@ _reports: Any = None
 _told_to_end = False
 
 
-def in_processes(
-    work: Callable[[U], Iterator[R]], units: Sequence[U], jobs: int
-) -> Generator[tuple[int, R]]:
+def in_processes(work: Callable[[U], Iterator[R]], units: Sequence[U], jobs: int) -> Generator[tuple[int, R]]:
     """Run units in `jobs` processes and yield (number of the unit, result), each as it comes.
 
     Parameters

@@ -64,9 +64,7 @@ class Approach:
         def cost(state: ObjectState) -> float:
             if state.floor is None or state.position is None:
                 return 0.0
-            return dist(robot.place, state.position[:2]) + FLOOR_COST * abs(
-                state.floor - robot.floor
-            )
+            return dist(robot.place, state.position[:2]) + FLOOR_COST * abs(state.floor - robot.floor)
 
         objects = self._world.objects
         known = [objects.state(name) for name in names if name in objects]

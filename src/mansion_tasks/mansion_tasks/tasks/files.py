@@ -19,9 +19,7 @@ def read_task_set(file: Path) -> TaskSet:
         ``NOT_FOUND`` for a file that cannot be read, ``INVALID_PAYLOAD`` for one that is no task set; both name it.
     """
     if file.is_dir():
-        raise MansionError(
-            ErrorCode.NOT_FOUND, f"{file} is a folder; name a file of `mansion task generate`"
-        )
+        raise MansionError(ErrorCode.NOT_FOUND, f"{file} is a folder; name a file of `mansion task generate`")
     data = read_bytes(file, "a file of `mansion task generate`")
     head = decode_from(dict[str, Any], data, file)
     if "instruction" in head and "tasks" not in head:

@@ -14,15 +14,7 @@ from mansion_skills.skills.surfaces import can_contain
 from mansion_tasks.tasks import wording
 from mansion_tasks.tasks.goals import done
 from mansion_tasks.tasks.grounding import missing_needs, proven, with_ids
-from mansion_tasks.tasks.sampling import (
-    SURFACES,
-    call_place,
-    call_room,
-    call_thing,
-    draw,
-    draw_start,
-    things,
-)
+from mansion_tasks.tasks.sampling import SURFACES, call_place, call_room, call_thing, draw, draw_start, things
 from mansion_tasks.tasks.sandbox import SESSION, Sandbox
 from mansion_tasks.tasks.sense import goes_into, goes_on, goes_to, is_brought
 
@@ -56,9 +48,7 @@ def recipes_for(floors: int, kind: TaskKind | None = None) -> list[Recipe]:
         Recipe(TaskKind.SEARCH, None),
         Recipe(TaskKind.OPEN_AND_PUT, None),
     ]
-    return [
-        recipe for recipe in every if (recipe.span or 1) <= floors and kind in (None, recipe.kind)
-    ]
+    return [recipe for recipe in every if (recipe.span or 1) <= floors and kind in (None, recipe.kind)]
 
 
 def generate(
@@ -104,8 +94,7 @@ def generate(
     if not made and count:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"{sandbox.building.building_id} has nothing for a task"
-            + (f" of kind {kind}" if kind else ""),
+            f"{sandbox.building.building_id} has nothing for a task" + (f" of kind {kind}" if kind else ""),
         )
     return made
 
@@ -115,12 +104,7 @@ def _forget(task: Task) -> None:
 
 
 def _make(
-    sandbox: Sandbox,
-    recipe: Recipe,
-    seed: int,
-    index: int,
-    said: set[str],
-    unsolved: Callable[[Task], None],
+    sandbox: Sandbox, recipe: Recipe, seed: int, index: int, said: set[str], unsolved: Callable[[Task], None]
 ) -> Task | None:
     text = f"{sandbox.building.building_id} {recipe.name} {seed} {index}"
     digest = hashlib.sha256(text.encode()).digest()
@@ -136,9 +120,7 @@ def _make(
     return None
 
 
-def _checked(
-    task: Task, sandbox: Sandbox, recipe: Recipe, unsolved: Callable[[Task], None]
-) -> Task | None:
+def _checked(task: Task, sandbox: Sandbox, recipe: Recipe, unsolved: Callable[[Task], None]) -> Task | None:
     """Return a task with ids and proof; ``None`` when it is done at once, not by the skills, or over other floors."""
     if missing_needs(task, sandbox.world):
         return None
@@ -162,9 +144,7 @@ def _holds_already(goal: Goal, task: Task, sandbox: Sandbox) -> bool:
     return done(alone, sandbox.world, SESSION)
 
 
-def _spread(
-    sandbox: Sandbox, span: int | None, rng: np.random.Generator
-) -> tuple[int, int, int] | None:
+def _spread(sandbox: Sandbox, span: int | None, rng: np.random.Generator) -> tuple[int, int, int] | None:
     """Return floors for start, thing and destination that lie `span` floors apart."""
     floors = sandbox.building.floors
     size = span or int(rng.integers(1, len(floors) + 1))
@@ -213,11 +193,7 @@ def _deliver(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) -> Task
     if thing is None:
         return None
     target = call_thing(thing, building.scene(source), building, rng)
-    wanted = {
-        room.id: room
-        for room in scene.rooms
-        if room.kind not in ("stair", "elevator") and goes_to(thing, room)
-    }
+    wanted = {room.id: room for room in scene.rooms if room.kind not in ("stair", "elevator") and goes_to(thing, room)}
     if rng.random() < 0.5:
         room = draw([room for room in wanted.values() if room.id != thing.room], rng)
         if room is None:

@@ -45,9 +45,7 @@ def unmet_goals(task: Task, world: World, session: str, seen: Collection[str] = 
     """
     if not task.goals:
         raise MansionError(
-            ErrorCode.INVALID_PAYLOAD,
-            f"task {task.id!r} has no goals; ground it in a building first",
-            path="$.goals",
+            ErrorCode.INVALID_PAYLOAD, f"task {task.id!r} has no goals; ground it in a building first", path="$.goals"
         )
     return [goal for goal in task.goals if not holds(goal, world, session, seen)]
 
@@ -62,10 +60,7 @@ def _states(world: World, names: Iterable[str]) -> Iterator[ObjectState]:
 
 
 def _object_in_room(goal: Goal, world: World, session: str, seen: Collection[str]) -> bool:
-    return any(
-        state.floor is not None and state.room in goal.rooms
-        for state in _states(world, goal.objects)
-    )
+    return any(state.floor is not None and state.room in goal.rooms for state in _states(world, goal.objects))
 
 
 def _carried(goal: Goal, world: World, mount: str) -> bool:

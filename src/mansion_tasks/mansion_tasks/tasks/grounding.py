@@ -76,9 +76,7 @@ def proven(task: Task, sandbox: Sandbox) -> Task:
     solution = solve(task, sandbox)
     if solution is None or not solution.plan:
         why = "cannot be done by the skills" if solution is None else "is done before it begins"
-        raise MansionError(
-            ErrorCode.INFEASIBLE, f"task {task.id!r} {why} in {sandbox.building.building_id}"
-        )
+        raise MansionError(ErrorCode.INFEASIBLE, f"task {task.id!r} {why} in {sandbox.building.building_id}")
     return msgspec.structs.replace(
         task,
         oracle=solution.plan,

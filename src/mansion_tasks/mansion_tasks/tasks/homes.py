@@ -80,16 +80,7 @@ _ROOMS: Final = {
     for kind, groups in _KEPT.items()
 }
 _KNOWN: Final = tuple(end for ends in _GROUPS.values() for end in ends.split())
-_PASSED: Final = (
-    "corridor",
-    "hallway",
-    "hall",
-    "wing",
-    "entryway",
-    "passage",
-    "vestibule",
-    "aisle",
-)
+_PASSED: Final = ("corridor", "hallway", "hall", "wing", "entryway", "passage", "vestibule", "aisle")
 """Rooms that people only walk through."""
 
 

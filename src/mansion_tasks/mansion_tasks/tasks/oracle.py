@@ -82,9 +82,7 @@ class Oracle:
         around = [
             state.id
             for state in world.objects.on_floor(robot.floor)
-            if state.mount == "floor"
-            and world.objects.kinds[state.id].pickupable
-            and state.id not in self._cleared
+            if state.mount == "floor" and world.objects.kinds[state.id].pickupable and state.id not in self._cleared
         ]
         for name in self._way.nearest(around):
             call = self._approach(name)
@@ -168,9 +166,7 @@ class Oracle:
                 call = SkillCall(skill="OpenObject", arguments={"object": name})
             if call is None and not self._handles(name):
                 continue
-            call = call or SkillCall(
-                skill="Place", arguments={"target": name, "relation": relation}
-            )
+            call = call or SkillCall(skill="Place", arguments={"target": name, "relation": relation})
             if self._way.key(call) not in self._vain:
                 return call
         return None

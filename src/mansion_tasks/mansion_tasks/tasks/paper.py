@@ -61,14 +61,7 @@ _CELLPHONE: Final = PaperTask(
     _deliver(
         "office_cellphone",
         "Find a cellphone on a blue couch on the first floor and bring it to the round table on the second floor.",
-        Need(
-            noun="cellphone",
-            relation="on",
-            receptacle="couch",
-            receptacle_color="blue",
-            floor=1,
-            role="target",
-        ),
+        Need(noun="cellphone", relation="on", receptacle="couch", receptacle_color="blue", floor=1, role="target"),
         Need(noun="round table", floor=2, role="destination"),
     ),
     TWO_FLOOR_OFFICE,
@@ -79,14 +72,7 @@ _LAPTOP: Final = PaperTask(
         "office_laptop",
         "Go to the third floor, find a laptop on the desk in the meeting room on the third floor, and take it to the "
         "restroom on the fourth floor.",
-        Need(
-            noun="laptop",
-            relation="on",
-            receptacle="desk",
-            room="meeting room",
-            floor=3,
-            role="target",
-        ),
+        Need(noun="laptop", relation="on", receptacle="desk", room="meeting room", floor=3, role="target"),
         Need(room="restroom", floor=4, role="destination"),
     ),
     FOUR_FLOOR_OFFICE,
@@ -136,8 +122,7 @@ _HOME_LAPTOP: Final = PaperTask(
 )
 
 PAPER_TASKS: Final[dict[str, PaperTask]] = {
-    entry.task.id: entry
-    for entry in (_BOX, _CELLPHONE, _LAPTOP, _CLOTH, _TOOLBOX, _BASKETBALL, _HOME_LAPTOP)
+    entry.task.id: entry for entry in (_BOX, _CELLPHONE, _LAPTOP, _CLOTH, _TOOLBOX, _BASKETBALL, _HOME_LAPTOP)
 }
 """By the task's id."""
 

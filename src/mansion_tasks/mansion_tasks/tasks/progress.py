@@ -104,18 +104,10 @@ class ProgressTracker:
             self._passed += 1
 
 
-_CARRYING = (
-    GoalKind.HOLDING,
-    GoalKind.OBJECT_IN,
-    GoalKind.OBJECT_IN_ROOM,
-    GoalKind.OBJECT_NEAR,
-    GoalKind.OBJECT_ON,
-)
+_CARRYING = (GoalKind.HOLDING, GoalKind.OBJECT_IN, GoalKind.OBJECT_IN_ROOM, GoalKind.OBJECT_NEAR, GoalKind.OBJECT_ON)
 
 
-def _milestones(
-    task: Task, world: World, targets: list[str]
-) -> Iterator[tuple[set[int], set[str]]]:
+def _milestones(task: Task, world: World, targets: list[str]) -> Iterator[tuple[set[int], set[str]]]:
     """Yield floors and rooms (none: anywhere on the floor) in the order in which they are to be reached."""
     homes = [world.objects.state(name) for name in targets if name in world.objects]
     rooms = {state.room for state in homes if state.room is not None}
@@ -129,10 +121,7 @@ def _milestones(
             continue
         before, rooms = floors, wanted
         floors = {
-            floor
-            for floor in world.building.floors
-            for room in world.building.scene(floor).rooms
-            if room.id in rooms
+            floor for floor in world.building.floors for room in world.building.scene(floor).rooms if room.id in rooms
         }
         if floors != before:
             yield floors, set()

@@ -17,18 +17,7 @@ __all__ = ["SURFACES", "call_place", "call_room", "call_thing", "draw", "draw_st
 
 T = TypeVar("T")
 
-SURFACES: Final = (
-    "table",
-    "desk",
-    "bed",
-    "sofa",
-    "counter",
-    "bench",
-    "dresser",
-    "sideboard",
-    "nightstand",
-    "island",
-)
+SURFACES: Final = ("table", "desk", "bed", "sofa", "counter", "bench", "dresser", "sideboard", "nightstand", "island")
 """What a person would put something on: categories that end so."""
 
 _ODD: Final = ("book_upright", "toilet_brush", "toilet_paper", "fire_extinguisher", "plunger")
@@ -42,11 +31,7 @@ def draw(options: Sequence[T], rng: np.random.Generator) -> T | None:
 
 def things(scene: FloorScene) -> list[SceneObject]:
     """Return what can be carried from a floor and be spoken of."""
-    return [
-        thing
-        for thing in scene.objects
-        if thing.pickupable and not thing.openable and thing.category not in _ODD
-    ]
+    return [thing for thing in scene.objects if thing.pickupable and not thing.openable and thing.category not in _ODD]
 
 
 def _room_of(thing: SceneObject, scene: FloorScene) -> SceneRoom:
@@ -59,9 +44,7 @@ def call_room(room: SceneRoom, rng: np.random.Generator) -> str:
     return plain(room.name if named and rng.random() < 0.5 else room.room_type)
 
 
-def call_thing(
-    thing: SceneObject, scene: FloorScene, building: LoadedBuilding, rng: np.random.Generator
-) -> Need:
+def call_thing(thing: SceneObject, scene: FloorScene, building: LoadedBuilding, rng: np.random.Generator) -> Need:
     """Return how somebody may ask for a thing: by its floor, and perhaps its colour, its room and what it is on."""
     parent = next((entry for entry in scene.objects if entry.id == thing.parent), None)
     with_parent = parent is not None and rng.random() < 0.5
@@ -82,9 +65,7 @@ def call_thing(
     )
 
 
-def call_place(
-    thing: SceneObject, scene: FloorScene, building: LoadedBuilding, rng: np.random.Generator
-) -> Need:
+def call_place(thing: SceneObject, scene: FloorScene, building: LoadedBuilding, rng: np.random.Generator) -> Need:
     """Return how somebody may name the thing where another one goes."""
     return Need(
         noun=plain(thing.category),

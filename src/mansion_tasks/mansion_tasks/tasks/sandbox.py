@@ -41,9 +41,7 @@ class Sandbox:
         Skills run since the last reset.
     """
 
-    def __init__(
-        self, building: str | Path | LoadedBuilding, *, radius: float = ROBOT_RADIUS
-    ) -> None:
+    def __init__(self, building: str | Path | LoadedBuilding, *, radius: float = ROBOT_RADIUS) -> None:
         if not isinstance(building, LoadedBuilding):
             building = LoadedBuilding(Path(building).expanduser().resolve())
         self.world = World(building, SESSION, radius)
@@ -55,9 +53,7 @@ class Sandbox:
         for name, state in self._first.items():
             if state.floor is not None:
                 self._by_floor.setdefault(state.floor, []).append(name)
-        self._seat = Seat(
-            SESSION, SharedWorld(self.world), self.world.add_robot(SESSION), durable=False
-        )
+        self._seat = Seat(SESSION, SharedWorld(self.world), self.world.add_robot(SESSION), durable=False)
 
     @property
     def building(self) -> LoadedBuilding:
@@ -122,9 +118,7 @@ class Sandbox:
             )
         if self.world.view(start.floor).map.room_at(x, y) is None:
             raise MansionError(
-                ErrorCode.NOT_FOUND,
-                f"({x:g}, {y:g}) is in no room of floor {start.floor}",
-                path="$.start.pose",
+                ErrorCode.NOT_FOUND, f"({x:g}, {y:g}) is in no room of floor {start.floor}", path="$.start.pose"
             )
         self.robot.floor = start.floor
         self.robot.pose = Pose2D(x=x, y=y, yaw=start.pose.yaw)

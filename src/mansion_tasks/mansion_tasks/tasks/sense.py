@@ -59,18 +59,14 @@ _KINDS: Final = {
     ),
     "linen": "towel hand_towel folded_towels cloth blanket pillow throw_pillow cushion throw_blanket",
     "towels": "towel hand_towel folded_towels cloth",
-    "clothing": (
-        "boots sneakers slippers umbrella handbag backpack work_gloves hard_hat suitcase "
-        "shopping_bag wallet"
-    ),
+    "clothing": ("boots sneakers slippers umbrella handbag backpack work_gloves hard_hat suitcase shopping_bag wallet"),
     "personal": (
         "key_chain watch credit_card cell_phone tablet headphones remote_control camera "
         "game_controller alarm_clock tissue_box laptop flashlight wallet handbag badge radio "
         "perfume"
     ),
     "valuable": (
-        "wallet key_chain watch credit_card handbag laptop tablet cell_phone camera usb_stick "
-        "folder envelope trophy"
+        "wallet key_chain watch credit_card handbag laptop tablet cell_phone camera usb_stick folder envelope trophy"
     ),
     "toy": (
         "teddy_bear basketball baseball_bat toy_car toy_blocks doll football board_game chess_set "
@@ -126,9 +122,7 @@ _INSIDE: Final = {
     "crash_cart medicine_cart medicine_cabinet medicine_wall_cabinet": "medical",
 }
 _CONTAINERS: Final = {
-    category: frozenset(kinds.split())
-    for categories, kinds in _INSIDE.items()
-    for category in categories.split()
+    category: frozenset(kinds.split()) for categories, kinds in _INSIDE.items() for category in categories.split()
 }
 
 _SOFT: Final = ("bed", "sofa", "loveseat", "stretcher")

@@ -43,11 +43,7 @@ THEN_CLOSE: Final = (
 
 
 def instruction(
-    forms: tuple[str, ...],
-    thing: Need,
-    place: Need | None,
-    building: LoadedBuilding,
-    rng: np.random.Generator,
+    forms: tuple[str, ...], thing: Need, place: Need | None, building: LoadedBuilding, rng: np.random.Generator
 ) -> str:
     """Return one of some forms, filled with what a thing and a place are called in a building."""
     form = forms[int(rng.integers(len(forms)))]

@@ -7,18 +7,7 @@ from mansion_msgs_py.wording import with_article
 
 __all__ = ["article", "is_plural", "ordinal", "plain", "singular"]
 
-_ORDINALS: Final = (
-    "first",
-    "second",
-    "third",
-    "fourth",
-    "fifth",
-    "sixth",
-    "seventh",
-    "eighth",
-    "ninth",
-    "tenth",
-)
+_ORDINALS: Final = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
 
 def plain(text: str) -> str:

@@ -25,17 +25,11 @@ class Synonyms(NamedTuple):
 
 THINGS: Final = (
     Synonyms(("sofa", "couch", "settee"), goal=("loveseat",)),
-    Synonyms(
-        ("cell phone", "cellphone", "mobile phone", "smartphone", "mobile"),
-        talk=("phone",),
-    ),
+    Synonyms(("cell phone", "cellphone", "mobile phone", "smartphone", "mobile"), talk=("phone",)),
     Synonyms(("television", "tv"), talk=("tv set",)),
     Synonyms(("fridge", "refrigerator"), talk=("freezer",)),
     Synonyms(("laptop", "notebook computer"), talk=("laptop computer",)),
-    Synonyms(
-        ("waste bin", "trash can", "garbage can", "bin"),
-        talk=("trash bin", "dustbin", "wastebasket"),
-    ),
+    Synonyms(("waste bin", "trash can", "garbage can", "bin"), talk=("trash bin", "dustbin", "wastebasket")),
     Synonyms(("cup",), talk=("coffee cup",)),
     Synonyms(("cloth", "rag", "dishcloth"), talk=("dish cloth", "cleaning cloth")),
     Synonyms(("toolbox", "tool box")),
