@@ -26,7 +26,7 @@ from mansion_msgs_py.codec import decode_reply, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import Qos, ServiceInterface
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
-from mansion_msgs_py.nodes.shell import JsonCall, Trigger, qos_profile
+from mansion_msgs_py.nodes.shell import CALLS, JsonCall, Trigger, qos_profile
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import BuildJob, BuildReply, FurnishRequest, PlanReply
@@ -213,7 +213,7 @@ class MansionClient(Closing):
         with self._lock:
             key = (name, kind.__name__)
             if key not in self._clients:
-                self._clients[key] = self.node.create_client(kind, name)
+                self._clients[key] = self.node.create_client(kind, name, qos_profile=CALLS)
             return self._clients[key]
 
     def _service_type(self, name: str, arguments: Any) -> Any:

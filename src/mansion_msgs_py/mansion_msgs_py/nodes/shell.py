@@ -6,7 +6,7 @@ string: it is aliased here as `JsonCall` and used by that name everywhere.
 
 import traceback
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Final
 
 from diagnostic_msgs.srv import AddDiagnostics as JsonCall
 from rclpy.callback_groups import CallbackGroup
@@ -24,6 +24,7 @@ from mansion_msgs_py.interfaces import Qos, ServiceInterface, TopicInterface
 from mansion_msgs_py.nodes.node import MansionNode
 
 __all__ = [
+    "CALLS",
     "JsonCall",
     "JsonPublisher",
     "Trigger",
@@ -32,6 +33,11 @@ __all__ = [
     "qos_profile",
     "run_handler",
 ]
+
+
+CALLS: Final = QoSProfile(depth=1000)
+"""Of services and clients: with rclpy's depth of 10 a busy service drops requests, and a client that is not scheduled
+while others get more replies of the same service loses its own."""
 
 
 def qos_profile(qos: Qos) -> QoSProfile:
@@ -102,7 +108,7 @@ def add_json_service(
         return response
 
     kind = Trigger if interface.arguments is None else JsonCall
-    return node.create_service(kind, interface.name, answer, callback_group=callback_group)
+    return node.create_service(kind, interface.name, answer, qos_profile=CALLS, callback_group=callback_group)
 
 
 def add_json_subscription(
