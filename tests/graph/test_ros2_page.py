@@ -51,16 +51,20 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, 
 
 
 def run(words: list[str], environment: dict[str, str]) -> subprocess.CompletedProcess[str]:
-    """Run a command of the page with the folder /tmp of its own."""
-    placed = [word.replace("/tmp", environment["PAGE_TMP"]) for word in words]
-    return subprocess.run(placed, env=environment, capture_output=True, text=True, timeout=120, check=False)
+    """Run a command."""
+    return subprocess.run(words, env=environment, capture_output=True, text=True, timeout=120, check=False)
+
+
+def placed(line: str, environment: dict[str, str]) -> str:
+    """Return a command of the page with the folder /tmp of its own."""
+    return line.replace("/tmp", environment["PAGE_TMP"])
 
 
 def test_the_calls_of_the_page_are_answered(environment: dict[str, str]) -> None:
     assert len(OURS) >= 5
     for line in OURS:
-        words = [sys.executable, "-P", "-m", "mansion_bringup", *shlex.split(line)[1:]]
-        done = run(words, environment)
+        words = shlex.split(placed(line, environment))[1:]
+        done = run([sys.executable, "-P", "-m", "mansion_bringup", *words], environment)
         assert done.returncode == 0, f"{line}: {done.stdout}{done.stderr}"
 
 
@@ -68,8 +72,8 @@ def test_the_calls_of_the_page_are_answered(environment: dict[str, str]) -> None
 @pytest.mark.parametrize("line", THEIRS)
 def test_the_commands_of_ros_2_are_answered(line: str, environment: dict[str, str]) -> None:
     if line.startswith(ENDLESS):
-        words = ["timeout", "--signal=INT", "10", *shlex.split(line)]
+        words = ["timeout", "--signal=INT", "10", *shlex.split(placed(line, environment))]
         run(words, environment)
         return
-    done = run(["bash", "-c", line], environment)
+    done = run(["bash", "-c", placed(line, environment)], environment)
     assert done.returncode == 0, done.stderr
