@@ -13,6 +13,7 @@ from mansion_bringup.graph.domain import free_domain  # noqa: E402
 from mansion_msgs_py.interfaces import ServiceInterface  # noqa: E402
 from mansion_msgs_py.nodes.node import MansionNode  # noqa: E402
 from mansion_msgs_py.nodes.shell import add_json_service  # noqa: E402
+from spinning import spinning  # noqa: E402
 
 pytestmark = pytest.mark.graph
 
@@ -32,22 +33,8 @@ def slow() -> Iterator[MansionNode]:
         return arguments
 
     add_json_service(node, ECHO, answer)
-    executor = rclpy.executors.SingleThreadedExecutor(context=context)
-    executor.add_node(node)
-    ended = threading.Event()
-
-    def spin() -> None:
-        while not ended.is_set():
-            executor.spin_once(timeout_sec=0.2)
-
-    thread = threading.Thread(target=spin)
-    thread.start()
-    yield node
-    ended.set()
-    thread.join()
-    executor.shutdown()
-    node.destroy_node()
-    rclpy.shutdown(context=context)
+    with spinning(node):
+        yield node
 
 
 def test_every_call_that_waits_is_answered(slow: MansionNode) -> None:

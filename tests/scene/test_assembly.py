@@ -6,7 +6,7 @@ import pytest
 import shapely
 from shapely.geometry import LineString, Point, Polygon
 
-from mansion_geometry.robot_body import footprint
+from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene

@@ -5,7 +5,7 @@ from types import ModuleType
 import pytest
 from shapely.geometry import LineString, Point, Polygon
 
-from mansion_geometry.robot_body import footprint
+from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 from mansion_scene.spawn import place_spawn

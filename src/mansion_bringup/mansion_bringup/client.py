@@ -12,20 +12,20 @@ from typing import Any, TypeVar
 
 import rclpy
 from rclpy.client import Client
-from rclpy.clock import Clock, ClockType
 from rclpy.context import Context
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from std_msgs.msg import String
 
 from mansion_bringup.discovery import keep_to_this_machine
-from mansion_bringup.graph.presence import check_rclpy
+from mansion_bringup.graph.rclpy_available import check_rclpy
 from mansion_msgs_py import interfaces
 from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.codec import decode_reply, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import Qos, ServiceInterface
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.nodes.node import wake_regularly
 from mansion_msgs_py.nodes.shell import CALLS, JsonCall, Trigger, qos_profile
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
@@ -39,10 +39,7 @@ T = TypeVar("T")
 _numbers = itertools.count(1)
 _KNOWN: dict[str, ServiceInterface] = {entry.name: entry for entry in interfaces.SERVICES}
 
-LOOK = 0.5
-"""Seconds after which the executor's thread looks whether its context has ended."""
-
-LOOK_FOR_SERVICE = 0.01
+LOOK = 0.01
 """Seconds between two looks for a service; rclpy's own wait looks four times a second."""
 
 
@@ -90,8 +87,7 @@ class MansionClient(Closing):
         self._executor = SingleThreadedExecutor(context=self._context)
         self._executor.add_node(self.node)
         self._closed = threading.Event()
-        # rclpy can miss the wake-up of a context that is shut down; the next one of a timer ends the wait then.
-        self.node.create_timer(LOOK, lambda: None, clock=Clock(clock_type=ClockType.STEADY_TIME))
+        wake_regularly(self.node)
         self._thread = threading.Thread(target=self._spin, name="mansion_client", daemon=True)
         self._thread.start()
 
@@ -297,5 +293,5 @@ def _becomes_ready(client: Client, timeout: float) -> bool:
     while not client.service_is_ready():
         if time.monotonic() >= deadline:
             return False
-        time.sleep(LOOK_FOR_SERVICE)
+        time.sleep(LOOK)
     return True

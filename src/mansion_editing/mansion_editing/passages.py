@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import shapely
 from shapely.geometry import LineString, Point, Polygon
 
-from mansion_geometry.robot_body import BODY_RADIUS, footprint
+from mansion_geometry.object_footprints import footprint
+from mansion_geometry.robot_body import BODY_RADIUS
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
 from mansion_scene.spawn import free_region
 

@@ -6,7 +6,7 @@ import shapely
 from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from mansion_geometry.robot_body import footprint
+from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.placement import PlacementOpening
 from mansion_msgs_py.scene import SceneObject
 from mansion_scene.structure.dimensions import DOOR_HEIGHT

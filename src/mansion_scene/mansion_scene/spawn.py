@@ -8,7 +8,8 @@ import numpy as np
 import shapely
 from shapely.geometry import LineString, Point, Polygon
 
-from mansion_geometry.robot_body import ROBOT_RADIUS, footprint, oblique_margin
+from mansion_geometry.object_footprints import footprint, oblique_margin
+from mansion_geometry.robot_body import ROBOT_RADIUS
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Door, SceneObject, SceneRoom, SpawnPose
 

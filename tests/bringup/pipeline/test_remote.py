@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator
 import pytest
 import rclpy
 from rclpy.context import Context
-from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 
 from mansion_bringup.client import MansionClient
@@ -19,6 +18,7 @@ from mansion_msgs_py.interfaces import service
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.shell import add_json_service
+from spinning import spinning
 
 os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 
@@ -41,22 +41,8 @@ def solver(client: MansionClient) -> Iterator[Node]:
     context = Context()
     rclpy.init(context=context, args=[], domain_id=client.node.context.get_domain_id())
     node = MansionNode("floor_solver", namespace="/mansion", context=context)
-    executor = SingleThreadedExecutor(context=context)
-    executor.add_node(node)
-    ended = threading.Event()
-
-    def spin() -> None:
-        while not ended.is_set():
-            executor.spin_once(timeout_sec=0.05)
-
-    thread = threading.Thread(target=spin)
-    thread.start()
-    yield node
-    ended.set()
-    thread.join()
-    executor.shutdown()
-    node.destroy_node()
-    rclpy.shutdown(context=context)
+    with spinning(node):
+        yield node
 
 
 def until(condition: Callable[[], bool], seconds: float = 20.0) -> None:

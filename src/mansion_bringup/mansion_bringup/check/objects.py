@@ -6,7 +6,7 @@ from shapely import LineString, Polygon, STRtree
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, vertical
-from mansion_geometry.robot_body import footprint
+from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 
 __all__ = ["check_objects"]

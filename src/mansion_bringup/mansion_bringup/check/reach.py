@@ -9,7 +9,8 @@ from shapely.geometry.base import BaseGeometry
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, vertical
-from mansion_geometry.robot_body import BODY_RADIUS, ROBOT_RADIUS, footprint, oblique_margin
+from mansion_geometry.object_footprints import footprint, oblique_margin
+from mansion_geometry.robot_body import BODY_RADIUS, ROBOT_RADIUS
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
 __all__ = ["check_reach"]

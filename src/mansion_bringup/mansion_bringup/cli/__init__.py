@@ -7,7 +7,7 @@ from typing import NoReturn
 from mansion_bringup.cli.app import app
 from mansion_bringup.cli.console import EXIT_INTERRUPTED
 from mansion_bringup.discovery import keep_to_this_machine
-from mansion_bringup.graph.presence import NO_RCLPY
+from mansion_bringup.graph.rclpy_available import NO_RCLPY
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["main"]

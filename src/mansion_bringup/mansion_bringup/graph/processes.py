@@ -12,7 +12,7 @@ from pathlib import Path
 from types import TracebackType
 
 from mansion_bringup.graph.nodes import GRAPH_NODES, NodeProcess
-from mansion_bringup.graph.presence import check_rclpy
+from mansion_bringup.graph.rclpy_available import check_rclpy
 from mansion_bringup.graph.shared_memory import SegmentLedger, remove_left_behind
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE

@@ -9,8 +9,8 @@ from shapely.geometry.base import BaseGeometry
 
 from mansion_export.shafts import shaft_of
 from mansion_export.solids import WallBodies
+from mansion_geometry.object_footprints import footprint
 from mansion_geometry.rings import polygon_parts
-from mansion_geometry.robot_body import footprint
 from mansion_msgs_py.scene import Door, FloorScene, LiftDetails, SceneCore, SceneObject
 from mansion_msgs_py.shapes import Point
 

@@ -50,7 +50,7 @@ class Interrupts:
                 signal.signal(number, self.handle)
 
     def handle(self, number: int, frame: FrameType | None) -> None:
-        """Be told of a signal.
+        """Handle a signal.
 
         Raises
         ------

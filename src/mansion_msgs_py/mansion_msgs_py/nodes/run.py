@@ -4,7 +4,6 @@ import sys
 from collections.abc import Callable, Sequence
 
 import rclpy
-from rclpy.clock import Clock, ClockType
 from rclpy.exceptions import ParameterException
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 from rclpy.logging import get_logger
@@ -12,14 +11,12 @@ from rclpy.node import Node
 
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.nodes.interrupts import Interrupts
+from mansion_msgs_py.nodes.node import wake_regularly
 
 __all__ = ["run_node"]
 
 PATIENCE = 0.5
 """Seconds for which callbacks that still run are waited for at the end."""
-
-LOOK = 0.5
-"""Seconds after which a node with nothing to do looks whether it shall end."""
 
 
 def run_node(make: Callable[[], Node], args: Sequence[str] | None = None, *, threads: int = 4) -> None:
@@ -68,8 +65,7 @@ def run_node(make: Callable[[], Node], args: Sequence[str] | None = None, *, thr
 def _spin(node: Node, threads: int) -> None:
     executor = MultiThreadedExecutor(num_threads=threads)
     executor.add_node(node)
-    # rclpy can miss the wake-up of a context that a signal shuts down; the next one of a timer ends the wait then.
-    node.create_timer(LOOK, lambda: None, clock=Clock(clock_type=ClockType.STEADY_TIME))
+    wake_regularly(node)
     try:
         executor.spin()
     finally:

@@ -4,9 +4,9 @@ from collections.abc import Callable
 
 from mansion_msgs_py.skills import SessionArgs
 from mansion_msgs_py.world import SkillChange, SkillProgress, SkillResult, SkillStatus
+from mansion_skills.engine.motion_segment import MotionSegment, MotionState
 from mansion_skills.engine.pace import Pace
 from mansion_skills.engine.seat import Seat, SharedWorld
-from mansion_skills.engine.stretch import Moment, Stretch
 from mansion_skills.skills.outcome import Step, refused
 from mansion_skills.skills.registry import Skill
 
@@ -27,14 +27,14 @@ def perform(
     before = (robot.floor, robot.pose)
     seat.stop.clear()
     running = skill.call(world, robot, arguments, pace.realtime)
-    here, floor = Moment(robot.pose, robot.odometry), robot.floor
+    here, floor = MotionState(robot.pose, robot.odometry), robot.floor
     try:
         while True:
             step = next(running)
             world.objects.commit()
-            there = Moment(robot.pose, robot.odometry)
+            there = MotionState(robot.pose, robot.odometry)
             if pace.realtime and robot.floor == floor:
-                seat.stretch = Stretch(here, there, pace.clock(), step.seconds / pace.factor)
+                seat.segment = MotionSegment(here, there, pace.clock(), step.seconds / pace.factor)
             _pass(seat, skill, step, pace, report)
             here, floor = there, robot.floor
             if seat.stop.is_set():
@@ -50,7 +50,7 @@ def perform(
         world.objects.roll_back()
         raise
     finally:
-        seat.stretch = None
+        seat.segment = None
 
 
 def _pass(seat: Seat, skill: Skill, step: Step, pace: Pace, report: Callable[[SkillProgress], None]) -> None:

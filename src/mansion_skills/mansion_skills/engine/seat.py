@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_skills.engine.fair_lock import FairLock
-from mansion_skills.engine.stretch import Moment, Stretch
+from mansion_skills.engine.motion_segment import MotionSegment, MotionState
 from mansion_skills.world.overlay import overlay_path, save_overlay
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
@@ -38,7 +38,7 @@ class Seat:
         Held by the call whose skill runs.
     stop : threading.Event
         Set to end the running skill.
-    stretch : Stretch, optional
+    segment : MotionSegment, optional
         What the robot drives now, in real time.
     token : str
         What calls need while someone has taken control; empty when all may drive.
@@ -50,7 +50,7 @@ class Seat:
     durable: bool
     turn: FairLock = field(default_factory=FairLock)
     stop: threading.Event = field(default_factory=threading.Event)
-    stretch: Stretch | None = None
+    segment: MotionSegment | None = None
     token: str = ""
     driver: str = ""
 
@@ -59,11 +59,11 @@ class Seat:
         """The world that the session shares."""
         return self.shared.world
 
-    def moment(self, now: float) -> Moment:
+    def motion(self, now: float) -> MotionState:
         """Return where the robot is at a time of the wall's clock, between two steps of its skill too."""
-        if self.stretch is not None:
-            return self.stretch.at(now)
-        return Moment(self.robot.pose, self.robot.odometry)
+        if self.segment is not None:
+            return self.segment.at(now)
+        return MotionState(self.robot.pose, self.robot.odometry)
 
     def check(self, token: str) -> None:
         """Refuse a call that does not come from the driver.

@@ -16,8 +16,8 @@ from visualization_msgs.msg import MarkerArray
 from mansion_msgs_py.nodes.shell import qos_profile
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.engine.driving import Drive
+from mansion_skills.engine.motion_segment import MotionState
 from mansion_skills.engine.seat import Seat
-from mansion_skills.engine.stretch import Moment
 from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import cast_rays, stamp_disc
 from mansion_skills.nodes.frames import between, heading, pose, transform
@@ -175,40 +175,40 @@ class RobotStack:
         """Publish pose, frames, odometry and the inertial unit; the caller holds the world's lock."""
         stamp, now, frame = self._now(), monotonic(), self._names.frame
         z = _elevation(seat)
-        moment = seat.moment(now)
-        forward = moment.forward + self.drive.forward
-        turning = moment.turning + self.drive.turning
+        motion = seat.motion(now)
+        forward = motion.forward + self.drive.forward
+        turning = motion.turning + self.drive.turning
         where = PoseStamped()
         where.header.frame_id, where.header.stamp = frame("map"), stamp
-        where.pose = pose(moment.pose, z)
+        where.pose = pose(motion.pose, z)
         self._pose.publish(where)
-        shift = between(moment.pose, moment.odometry)
+        shift = between(motion.pose, motion.odometry)
         self._tf.publish(
             [
                 transform(frame("map"), frame("odom"), shift, z, stamp),
-                transform(frame("odom"), frame("base_link"), moment.odometry, 0.0, stamp),
+                transform(frame("odom"), frame("base_link"), motion.odometry, 0.0, stamp),
             ]
         )
-        self._publish_odometry(moment, forward, turning, stamp)
-        self._publish_imu(moment, forward, turning, now, stamp)
+        self._publish_odometry(motion, forward, turning, stamp)
+        self._publish_imu(motion, forward, turning, now, stamp)
 
-    def _publish_odometry(self, moment: Moment, forward: float, turning: float, stamp: Any) -> None:
+    def _publish_odometry(self, motion: MotionState, forward: float, turning: float, stamp: Any) -> None:
         odometry = Odometry()
         odometry.header.frame_id, odometry.header.stamp = self._names.frame("odom"), stamp
         odometry.child_frame_id = self._names.frame("base_link")
-        odometry.pose.pose = pose(moment.odometry)
+        odometry.pose.pose = pose(motion.odometry)
         odometry.pose.covariance = planar_covariance()
         odometry.twist.twist.linear.x = forward
         odometry.twist.twist.angular.z = turning
         odometry.twist.covariance = planar_covariance()
         self._odom.publish(odometry)
 
-    def _publish_imu(self, moment: Moment, forward: float, turning: float, now: float, stamp: Any) -> None:
+    def _publish_imu(self, motion: MotionState, forward: float, turning: float, now: float, stamp: Any) -> None:
         before, speed = self._speed
         self._speed = (now, forward)
         message = Imu()
         message.header.frame_id, message.header.stamp = self._names.frame("imu_link"), stamp
-        message.orientation = heading(moment.odometry.yaw)
+        message.orientation = heading(motion.odometry.yaw)
         message.angular_velocity.z = turning
         acceleration = message.linear_acceleration
         acceleration.x = (forward - speed) / max(now - before, 1e-3)
@@ -235,7 +235,7 @@ class RobotStack:
             for x, y in others:
                 row = (y - grid.frame.y0) / RESOLUTION - 0.5
                 stamp_disc(occupied, row, (x - grid.frame.x0) / RESOLUTION - 0.5, robot.radius / RESOLUTION)
-        here = seat.moment(monotonic()).pose
+        here = seat.motion(monotonic()).pose
         angles = radians(here.yaw) + np.linspace(-np.pi, np.pi, RAYS, endpoint=False)
         row = (here.y - grid.frame.y0) / RESOLUTION
         column = (here.x - grid.frame.x0) / RESOLUTION

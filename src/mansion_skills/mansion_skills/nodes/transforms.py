@@ -18,7 +18,7 @@ __all__ = ["MISSING", "TransformPublisher"]
 
 MISSING = (
     "tf2_msgs is not installed: /tf and /tf_static are left out; `mansion up --with-tf` builds it where a C++ "
-    "compiler is"
+    "compiler is available"
 )
 
 

@@ -39,7 +39,7 @@ def backend() -> str:
 
 
 def rendering_fault(patience: float = 60.0) -> str:
-    """Return why no pictures can be made here, or nothing when they can.
+    """Return why pictures cannot be rendered here, or an empty string if they can.
 
     A process of its own opens a small OpenGL context, so that this one need not load what it may never use.
     """

@@ -30,6 +30,6 @@ def check_rclpy() -> None:
     if "AMENT_PREFIX_PATH" not in os.environ and wanted not in ("", WHEELS):
         raise MansionError(
             ErrorCode.UNAVAILABLE,
-            f"RMW_IMPLEMENTATION is {wanted}, and without a sourced ROS 2 there is {WHEELS} alone; unset it, or source "
-            "a ROS 2 that has the other one",
+            f"RMW_IMPLEMENTATION is {wanted}, but without a sourced ROS 2 only {WHEELS} is available; unset it, or "
+            f"source a ROS 2 that provides {wanted}",
         )

@@ -1,4 +1,4 @@
-"""The stretch of motion that a robot is on, for those who look more often than skills step."""
+"""The robot's motion between two steps of a skill, interpolated for publishers that run faster than skills step."""
 
 from dataclasses import dataclass
 from math import cos, hypot, radians, sin
@@ -6,11 +6,11 @@ from math import cos, hypot, radians, sin
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.world.robot_body import turn_between
 
-__all__ = ["Moment", "Stretch"]
+__all__ = ["MotionState", "MotionSegment"]
 
 
 @dataclass(frozen=True)
-class Moment:
+class MotionState:
     """Where a robot is and how fast it moves.
 
     Attributes
@@ -28,7 +28,7 @@ class Moment:
 
 
 @dataclass(frozen=True)
-class Stretch:
+class MotionSegment:
     """Motion at even speed between two steps of a skill.
 
     Attributes
@@ -37,19 +37,19 @@ class Stretch:
         On the wall's clock.
     """
 
-    start: Moment
-    end: Moment
+    start: MotionState
+    end: MotionState
     begin: float
     seconds: float
 
-    def at(self, now: float) -> Moment:
+    def at(self, now: float) -> MotionState:
         """Return where the robot is at a time; at its end from then on, where it stands.
 
         Examples
         --------
-        >>> start = Moment(Pose2D(x=0.0, y=0.0), Pose2D(x=0.0, y=0.0))
-        >>> end = Moment(Pose2D(x=1.0, y=0.0), Pose2D(x=1.0, y=0.0))
-        >>> half = Stretch(start, end, 10.0, 2.0).at(11.0)
+        >>> start = MotionState(Pose2D(x=0.0, y=0.0), Pose2D(x=0.0, y=0.0))
+        >>> end = MotionState(Pose2D(x=1.0, y=0.0), Pose2D(x=1.0, y=0.0))
+        >>> half = MotionSegment(start, end, 10.0, 2.0).at(11.0)
         >>> half.pose.x, half.forward
         (0.5, 0.5)
         """
@@ -60,7 +60,7 @@ class Stretch:
         heading = radians(a.yaw)
         ahead = (b.x - a.x) * cos(heading) + (b.y - a.y) * sin(heading)
         length = hypot(b.x - a.x, b.y - a.y)
-        return Moment(
+        return MotionState(
             pose=_between(self.start.pose, self.end.pose, part),
             odometry=_between(a, b, part),
             forward=(length if ahead >= 0 else -length) / self.seconds,
