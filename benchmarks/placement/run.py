@@ -9,7 +9,7 @@ import argparse
 from pathlib import Path
 
 from mansion_scene.placement import PlacementOptions
-from mansion_scene.placement.bench import bench, table
+from mansion_scene.placement.evaluation import bench, table
 from mansion_scene.placement.files import load_rooms
 from mansion_scene.placement.picture import draw_placements
 

@@ -7,7 +7,7 @@ from mansion_export.model import Material, Surface
 from mansion_export.solids import Box
 from mansion_export.solids3d import boxes_surface
 from mansion_msgs_py.scene import FloorScene, SceneCore
-from mansion_scene.structure.entrance import is_residential
+from mansion_scene.structure.outer_doors import is_residential
 
 __all__ = ["core_sign"]
 

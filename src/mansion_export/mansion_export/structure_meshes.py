@@ -10,7 +10,7 @@ from mansion_export.solids3d import polygon_surface
 from mansion_export.wall_meshes import wall_surfaces
 from mansion_msgs_py.scene import FloorScene, StairDetails
 from mansion_msgs_py.shapes import Ring
-from mansion_scene.structure.facade_materials import facade_of
+from mansion_scene.structure.materials import facade_of
 
 __all__ = ["add_ceilings", "add_floors", "add_roof", "add_walls", "slab_polygon"]
 

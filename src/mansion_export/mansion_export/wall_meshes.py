@@ -9,7 +9,7 @@ from mansion_export.appearance import named, surface_material
 from mansion_export.model import Material, Surface
 from mansion_export.solids import Opening, WallBodies
 from mansion_msgs_py.scene import Wall
-from mansion_scene.structure.facade_materials import DEFAULT_FACADE
+from mansion_scene.structure.materials import DEFAULT_FACADE
 
 __all__ = ["wall_surfaces"]
 

@@ -13,7 +13,7 @@ from mansion_scene.structure.regions import ring_points
 
 if TYPE_CHECKING:
     from mansion_assets.catalogue import Catalogue
-    from mansion_scene.llm.chooser import ModelChooser
+    from mansion_scene.llm_furniture import ModelChooser
 
 __all__ = ["ProgressReport", "furnish_floor"]
 
@@ -63,7 +63,7 @@ def furnish_floor(
 def _chooser(request: FurnishRequest, catalogue: "Catalogue | None") -> "ModelChooser | None":
     if request.planner != "llm":
         return None
-    from mansion_scene.llm.chooser import ModelChooser
+    from mansion_scene.llm_furniture import ModelChooser
 
     return ModelChooser.of_request(request, catalogue)
 

@@ -10,9 +10,8 @@ from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.placement import PlacementResult
 from mansion_msgs_py.world import Progress
-from mansion_scene.placement.bench import bench, table
+from mansion_scene.placement.evaluation import bench, measure, table
 from mansion_scene.placement.files import place_file
-from mansion_scene.placement.measure import measure
 from mansion_scene.placement.picture import draw_placements
 from placement_rooms import classroom, item, rectangle, restaurant, room, ward
 

@@ -9,7 +9,7 @@ from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.placement import PlacementObject, PlacementResult, PlacementRoom
 from mansion_scene.placement import PlacementOptions, place_room
-from mansion_scene.placement.measure import Footprint, measure
+from mansion_scene.placement.evaluation import Footprint, measure
 from placement_rooms import classroom, item, rectangle, restaurant, room, ward
 
 ROOMS = {"classroom": classroom, "ward": ward, "restaurant": restaurant}

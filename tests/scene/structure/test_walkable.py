@@ -6,7 +6,7 @@ import pytest
 from shapely.geometry import Polygon, box
 
 from mansion_scene.structure import build_structure
-from mansion_scene.structure.walkable import walkable_parts
+from mansion_scene.structure.interiors import walkable_parts
 
 
 def dumbbell(neck: float) -> Polygon:

@@ -59,7 +59,7 @@ def placement(
 
       mansion bench placement rooms.json --seeds 3
     """
-    from mansion_scene.placement.bench import bench, table
+    from mansion_scene.placement.evaluation import bench, table
     from mansion_scene.placement.files import load_rooms
 
     runs = bench(load_rooms(rooms), range(seeds))

@@ -16,7 +16,7 @@ from mansion_export.thor.hole_assets import DOORFRAMES, DOORWAYS, WINDOWS, neare
 from mansion_export.thor.materials import wall_material
 from mansion_msgs_py.scene import Door, FloorScene, SceneRoom, Window
 from mansion_msgs_py.shapes import Point, Segment
-from mansion_scene.structure.facade_materials import DEFAULT_FACADE, facade_of
+from mansion_scene.structure.materials import DEFAULT_FACADE, facade_of
 
 __all__ = ["Structure", "build_structure"]
 

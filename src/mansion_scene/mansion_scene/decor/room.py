@@ -9,7 +9,7 @@ from mansion_msgs_py.shapes import Ring
 from mansion_scene.decor.ceiling import ceiling_objects
 from mansion_scene.decor.frames import Ids, room_polygon, wall_edges
 from mansion_scene.decor.rugs import rugs
-from mansion_scene.decor.small import small_objects
+from mansion_scene.decor.small_objects import small_objects
 from mansion_scene.decor.walls import wall_objects
 
 __all__ = ["decorate_room"]

@@ -5,10 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mansion_scene.placement.arrange import place_lattice, place_rows
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Group, Spec
-from mansion_scene.placement.matrix import place_matrix
+from mansion_scene.placement.patterns import place_lattice, place_matrix, place_rows
 from mansion_scene.placement.search import find_placement
 from mansion_scene.placement.units import Size3, Unit, UnitStyle, build_unit
 

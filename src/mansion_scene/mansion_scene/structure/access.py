@@ -8,10 +8,10 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.topology import FloorTopology
+from mansion_scene.structure.boundaries import Stretch
 from mansion_scene.structure.dimensions import INTERIOR_THICKNESS, MIN_CLEAR_WIDTH
 from mansion_scene.structure.regions import FloorRegions, Region
 from mansion_scene.structure.room_classes import is_class
-from mansion_scene.structure.stretches import Stretch
 
 __all__ = ["AccessPlan", "Pair", "Passage", "pair_key", "plan_access", "shared_stretches"]
 

@@ -11,19 +11,16 @@ from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.scene import Door, SceneCore, SceneRoom, Wall, Window
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_scene.structure.access import plan_access, shared_stretches
+from mansion_scene.structure.boundaries import Stretch, boundary_stretches
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
-from mansion_scene.structure.entrance import entrance_room, is_residential, place_entrance
-from mansion_scene.structure.facade_materials import facade_material
-from mansion_scene.structure.garage_doors import place_garage_doors
-from mansion_scene.structure.interiors import Partition, partition_floor
+from mansion_scene.structure.interiors import PASSAGE, Partition, partition_floor, usable_stretches, walkable_parts
+from mansion_scene.structure.materials import facade_material
 from mansion_scene.structure.openings import make_frontages, open_passages, other_places, place_doors, take
+from mansion_scene.structure.outer_doors import entrance_room, is_residential, place_entrance, place_garage_doors
+from mansion_scene.structure.payloads import number_doors, number_walls, number_windows, scene_rooms
 from mansion_scene.structure.regions import FloorRegions, floor_regions
-from mansion_scene.structure.scene_rooms import scene_rooms
-from mansion_scene.structure.stretches import Stretch, boundary_stretches
 from mansion_scene.structure.swings import hang_doors
-from mansion_scene.structure.walkable import PASSAGE, usable_stretches, walkable_parts
-from mansion_scene.structure.wall_bodies import number_doors, number_walls, number_windows
 from mansion_scene.structure.windows import place_windows
 
 __all__ = ["FloorStructure", "build_structure", "ceiling_height"]

@@ -14,8 +14,8 @@ import shapely
 from shapely.geometry import Polygon
 
 from mansion_msgs_py.shapes import Point, Segment
+from mansion_scene.structure.boundaries import Stretch
 from mansion_scene.structure.dimensions import APPROACH_DEPTH, DOOR_GAP, INTERIOR_THICKNESS, WALL_END
-from mansion_scene.structure.stretches import Stretch
 
 __all__ = ["Frontage", "Position", "approach_zone", "choose_position", "ranked_positions"]
 

@@ -13,8 +13,7 @@ from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.shapes import Point
 from mansion_scene.structure.dimensions import EXTERIOR_THICKNESS, INTERIOR_THICKNESS
 from mansion_scene.structure.frontage import approach_zone
-from mansion_scene.structure.opening_kinds import OpeningKind, room_after_door
-from mansion_scene.structure.openings import Opening
+from mansion_scene.structure.openings import Opening, OpeningKind, room_after_door
 from mansion_scene.structure.regions import FloorRegions
 
 __all__ = ["hang_doors", "leaf_sectors"]

@@ -4,11 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mansion_msgs_py.shapes import Segment
-from mansion_scene.structure.facades import reentrant_corners, usable_part
+from mansion_scene.structure.boundaries import Stretch, reentrant_corners, usable_part
 from mansion_scene.structure.openings import Opening
 from mansion_scene.structure.regions import FloorRegions, Region
 from mansion_scene.structure.room_classes import is_class
-from mansion_scene.structure.stretches import Stretch
 
 __all__ = ["WindowKind", "WindowOpening", "place_windows", "window_kind"]
 

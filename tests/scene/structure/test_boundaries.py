@@ -6,8 +6,8 @@ from types import ModuleType
 import pytest
 import shapely
 
+from mansion_scene.structure.boundaries import boundary_stretches
 from mansion_scene.structure.regions import floor_regions
-from mansion_scene.structure.stretches import boundary_stretches
 
 
 def stretches_of(request, structural=()):

@@ -17,9 +17,7 @@ from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_scene import assembly
-from mansion_scene.llm.answers import ObjectsAnswer
-from mansion_scene.llm.chooser import ModelChooser
-from mansion_scene.llm.objects import floor_categories, object_faults, object_items
+from mansion_scene.llm_furniture import ModelChooser, ObjectsAnswer, floor_categories, object_faults, object_items
 
 DESKS: list[dict[str, Any]] = [
     {
@@ -40,7 +38,7 @@ DESKS: list[dict[str, Any]] = [
 @pytest.fixture(scope="session")
 def chat() -> ModuleType:
     """Return the module of the chat server."""
-    file = Path(__file__).parents[2] / "llm" / "chat_server.py"
+    file = Path(__file__).parents[1] / "llm" / "chat_server.py"
     spec = importlib.util.spec_from_file_location("chat_server", file)
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)

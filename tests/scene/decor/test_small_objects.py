@@ -1,7 +1,7 @@
 """Small rectangles on a surface: apart from each other, and below what hangs over it."""
 
 from mansion_assets.catalogue import Surface
-from mansion_scene.decor.packing import Shelf, spot_of
+from mansion_scene.decor.small_objects import Shelf, spot_of
 
 
 def shelf() -> Shelf:

@@ -1,10 +1,15 @@
-"""Numbered walls from boundary stretches, and the doors and windows in them, in the scene's types."""
+"""Rooms, numbered walls, doors and windows of a floor in the types of the scene."""
 
 import math
 from collections.abc import Mapping, Sequence
 
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.scene import Door, SceneRoom, Wall, Window
 from mansion_msgs_py.shapes import Point, Segment
+from mansion_msgs_py.stages import FurnishRequest
+from mansion_msgs_py.topology import TopologyNode
+from mansion_scene.structure.boundaries import Stretch, corner_key
 from mansion_scene.structure.dimensions import (
     DOOR_HEIGHT,
     EXTERIOR_THICKNESS,
@@ -12,14 +17,86 @@ from mansion_scene.structure.dimensions import (
     INTERIOR_THICKNESS,
     PARAPET_HEIGHT,
 )
-from mansion_scene.structure.facade_materials import DEFAULT_FACADE
+from mansion_scene.structure.interiors import Partition
+from mansion_scene.structure.materials import DEFAULT_FACADE, match_material
 from mansion_scene.structure.openings import Opening
-from mansion_scene.structure.regions import FloorRegions, ring_points
+from mansion_scene.structure.regions import FloorRegions, Region, ring_points
 from mansion_scene.structure.room_classes import is_class
-from mansion_scene.structure.stretches import Stretch
 from mansion_scene.structure.windows import WindowOpening
 
-__all__ = ["number_doors", "number_walls", "number_windows"]
+__all__ = ["number_doors", "number_walls", "number_windows", "scene_rooms"]
+
+_FLOORS = (
+    ("wet", "grey ceramic tile"),
+    ("outdoor", "timber deck"),
+    ("store", "sealed polished concrete"),
+    ("office", "neutral gray carpet"),
+    ("clinical", "hygienic hospital vinyl"),
+    ("teaching", "beige vinyl"),
+    ("welcome", "terrazzo"),
+    ("sleeping", "light hardwood"),
+)
+_WALLS = (("wet", "white ceramic tiles"), ("clinical", "hygienic washable panels"))
+_ACOUSTIC = ("office", "teaching", "clinical", "assembly")
+
+
+def scene_rooms(request: FurnishRequest, floor: FloorRegions, partition: Partition, ceiling: float) -> list[SceneRoom]:
+    """Return the floor's rooms in the order of its layout.
+
+    Materials come from the room graph's descriptions, else from the program's, else from the room's type.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` when walls leave nothing of a room.
+    """
+    nodes = {node.id: node for node in request.topology.nodes}
+    programs = {room.id: room for room in request.floor.rooms}
+    return [
+        _room(region, nodes.get(region.node), programs.get(region.node), partition, ceiling)
+        for region in floor.regions
+        if region.is_room
+    ]
+
+
+def _room(
+    region: Region, node: TopologyNode | None, program: RoomProgram | None, partition: Partition, ceiling: float
+) -> SceneRoom:
+    net = partition.nets[region.id]
+    if net.is_empty or net.area < 0.05:
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"nothing of {region.id} is left between its walls; a room must be wider than 0.12 m",
+            path="$.layout.rooms",
+        )
+    floor_words = (node.floor_material if node else "") or (program.floor_material if program else "")
+    wall_words = (node.wall_material if node else "") or (program.wall_material if program else "")
+    return SceneRoom(
+        id=region.id,
+        room_type=region.room_type,
+        kind=region.node_kind,
+        polygon=ring_points(region.polygon.exterior),
+        holes=[ring_points(hole) for hole in region.polygon.interiors],
+        net_polygon=ring_points(net.exterior),
+        net_holes=[ring_points(hole) for hole in net.interiors],
+        area=round(region.polygon.area, 4),
+        name=region.node.replace("_", " ").capitalize(),
+        floor_material=match_material(floor_words or _by_type(region, _FLOORS), "floor").name,
+        wall_material=match_material(wall_words or _by_type(region, _WALLS), "wall").name,
+        ceiling_material=match_material(_ceiling(region), "ceiling").name,
+        ceiling_height=ceiling,
+        open_relation=region.open_relation,
+    )
+
+
+def _by_type(region: Region, table: tuple[tuple[str, str], ...]) -> str:
+    return next((words for name, words in table if is_class(region.room_type, name)), "")
+
+
+def _ceiling(region: Region) -> str:
+    acoustic = any(is_class(region.room_type, name) for name in _ACOUSTIC)
+    return "suspended acoustic ceiling tile" if acoustic else "smooth white plaster"
+
 
 _CORE_WALL = "raw_concrete"
 
@@ -41,7 +118,7 @@ def _outline_corners(floor: FloorRegions) -> dict[Point, Point]:
             (ax, ay), (bx, by) = _outward(before, point), _outward(point, after)
             scale = EXTERIOR_THICKNESS / 2 / max(1.0 + ax * bx + ay * by, 0.2)
             meeting = point[0] + (ax + bx) * scale, point[1] + (ay + by) * scale
-            corners[_key(point)] = round(meeting[0], 4) + 0.0, round(meeting[1], 4) + 0.0
+            corners[corner_key(point)] = round(meeting[0], 4) + 0.0, round(meeting[1], 4) + 0.0
     return corners
 
 
@@ -50,15 +127,11 @@ def _outward(start: Point, end: Point) -> Point:
     return (end[1] - start[1]) / length, (start[0] - end[0]) / length
 
 
-def _key(point: Point) -> Point:
-    return round(point[0], 2) + 0.0, round(point[1], 2) + 0.0
-
-
 def _center_line(stretch: Stretch, corners: Mapping[Point, Point]) -> Segment:
     """Return the centre line of a stretch's wall; outer walls meet at the corners of the building."""
     if not stretch.exterior:
         return _on_wall(stretch, (stretch.start, stretch.end))
-    ends = [corners.get(_key(point)) or _outside(stretch, point) for point in (stretch.start, stretch.end)]
+    ends = [corners.get(corner_key(point)) or _outside(stretch, point) for point in (stretch.start, stretch.end)]
     return ends[0], ends[1]
 
 

@@ -1,16 +1,64 @@
-"""Ask for a room's objects with their constraints, check them, and read them as items of the catalogue's programs."""
+"""Furniture of a room chosen by a language model: the question, the check of its answer, and its items."""
 
 import re
+from collections.abc import Sequence
 from typing import get_args
 
-from mansion_assets.catalogue import Catalogue
-from mansion_assets.catalogue.records import Item, MatrixShape
-from mansion_llm import Fault, Prompt, quoted_data
-from mansion_msgs_py.placement import GlobalConstraint, Relation, RelationKind
-from mansion_msgs_py.wording import with_article
-from mansion_scene.llm.answers import ObjectAnswer, ObjectsAnswer
+import msgspec
 
-__all__ = ["object_faults", "object_items", "objects_prompt"]
+from mansion_assets.catalogue import Catalogue, load_catalogue
+from mansion_assets.catalogue.records import Item, MatrixShape
+from mansion_llm import Fault, LlmClient, Prompt, quoted_data
+from mansion_msgs_py.placement import GlobalConstraint, Relation, RelationKind
+from mansion_msgs_py.scene import SceneRoom
+from mansion_msgs_py.stages import FurnishRequest
+from mansion_msgs_py.usage import LlmUsage
+from mansion_msgs_py.wording import with_article
+
+__all__ = [
+    "ModelChooser",
+    "ObjectAnswer",
+    "ObjectsAnswer",
+    "RelationAnswer",
+    "StructureAnswer",
+    "object_faults",
+    "object_items",
+    "objects_prompt",
+]
+
+
+class StructureAnswer(msgspec.Struct):
+    """``single``, ``matrix`` with rows and columns, or ``paired`` with another object."""
+
+    kind: str
+    rows: int | None = None
+    cols: int | None = None
+    with_: str | None = msgspec.field(name="with", default=None)
+
+
+class RelationAnswer(msgspec.Struct):
+    """A relative position constraint."""
+
+    kind: str
+    target: str
+
+
+class ObjectAnswer(msgspec.Struct):
+    """A kind of object in the room."""
+
+    name: str
+    category: str
+    quantity: int
+    global_: str = msgspec.field(name="global")
+    structure: StructureAnswer
+    relative: list[RelationAnswer] = []
+
+
+class ObjectsAnswer(msgspec.Struct):
+    """What a room is furnished with, the most important first."""
+
+    objects: list[ObjectAnswer]
+
 
 MOST_KINDS = 24
 MOST_COPIES = 200
@@ -158,3 +206,78 @@ def object_items(answer: ObjectsAnswer, without: set[str]) -> list[Item]:
 def _relation(kind: str, target: str) -> Relation:
     named: RelationKind = next((k for k in _RELATIONS if k == kind), "near")
     return Relation(kind=named, target=target)
+
+
+class ModelChooser:
+    """An `ItemChooser` that asks a language model.
+
+    Parameters
+    ----------
+    client : LlmClient
+    catalogue : Catalogue
+    request : FurnishRequest
+        Names building type, style and brief.
+
+    Attributes
+    ----------
+    sources : dict of str to str
+        ``objects/ROOM`` to ``llm``, ``llm without ...`` or ``rules: REASON``.
+    """
+
+    def __init__(self, client: LlmClient, catalogue: Catalogue, request: FurnishRequest) -> None:
+        self._client, self._catalogue, self._request = client, catalogue, request
+        self.sources: dict[str, str] = {}
+        self._known: dict[str, tuple[list[Item] | None, str]] = {}
+
+    @classmethod
+    def of_request(cls, request: FurnishRequest, catalogue: Catalogue | None) -> "ModelChooser":
+        """Return the chooser of a floor with the configured model.
+
+        Raises
+        ------
+        MansionError
+            ``UNAVAILABLE`` when no model is configured.
+        """
+        return cls(LlmClient.from_environment(), catalogue or load_catalogue(), request)
+
+    @property
+    def usage(self) -> LlmUsage:
+        """What the answers took, without what differs between a run and its replay."""
+        return msgspec.structs.replace(self._client.usage, from_store=0, retries=0, seconds=0.0)
+
+    def __call__(self, room: SceneRoom, area: float, extent: tuple[float, float]) -> Sequence[Item] | None:
+        """Return a room's floor objects, or ``None`` for the room type's own list."""
+        piece = f"objects/{room.id}"
+        if not self._client.wants("objects"):
+            self.sources[piece] = "rules"
+            return None
+        if not self._catalogue.room_program(room.room_type).floor:
+            self.sources[piece] = "rules: such rooms stay empty"
+            return None
+        prompt = objects_prompt(
+            self._catalogue,
+            room.room_type,
+            area,
+            extent,
+            building_type=self._request.building_type or "building",
+            style=self._request.style or "neutral",
+            description=self._request.description,
+        )
+        if prompt.user not in self._known:
+            answer = self._client.ask(
+                prompt,
+                ObjectsAnswer,
+                lambda value: object_faults(value, self._catalogue, room.room_type, area, extent),
+                array_field="objects",
+            )
+            faulty = answer.faulty_pieces()
+            items: list[Item] | None = None
+            source = f"rules: {answer.reason}"
+            if answer.value is not None and "room" not in faulty:
+                items = object_items(answer.value, faulty)
+                source = f"llm without {', '.join(sorted(faulty))}: {answer.reason}" if faulty else "llm"
+            if not items:
+                items, source = None, f"rules: {answer.reason}"
+            self._known[prompt.user] = (items, source)
+        chosen, self.sources[piece] = self._known[prompt.user]
+        return chosen

@@ -1,18 +1,17 @@
-"""Straight stretches of boundary between two regions, or between a region and the outside.
-
-All edges of all rings are sorted on to their supporting lines; a sweep along each line then knows, between any two
-breakpoints, which region lies to its left and which to its right.
-"""
+"""Straight boundary segments between two regions of a floor, or between a region and the outside."""
 
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
+from shapely.geometry import Polygon
+
 from mansion_msgs_py.shapes import Point, Ring, Segment
+from mansion_scene.structure.dimensions import EXTERIOR_THICKNESS
 from mansion_scene.structure.regions import FloorRegions, ring_points
 
-__all__ = ["Stretch", "boundary_stretches"]
+__all__ = ["corner_key", "Stretch", "boundary_stretches", "reentrant_corners", "usable_part"]
 
 _ANGLE = 1e-4  # radians between lines that count as parallel
 _SNAP = 2e-3  # metres between points, or lines, that count as one
@@ -200,3 +199,31 @@ def boundary_stretches(floor: FloorRegions, structural: Sequence[Segment] = ()) 
     for segment in structural:
         lines.add(segment, _STRUCTURE)
     return [stretch for line in lines.lines for stretch in _sweep(line)]
+
+
+def reentrant_corners(outline: Polygon) -> frozenset[Point]:
+    """Return the corners of an outline (and of its courtyards) where the building turns around the outside."""
+    corners = set()
+    for ring in (outline.exterior, *outline.interiors):
+        points = ring_points(ring)
+        for index, (x, y) in enumerate(points):
+            (ax, ay), (bx, by) = points[index - 1], points[(index + 1) % len(points)]
+            if (x - ax) * (by - y) - (y - ay) * (bx - x) < 0.0:
+                corners.add(corner_key((x, y)))
+    return frozenset(corners)
+
+
+def corner_key(point: Point) -> Point:
+    """Return a corner rounded to 1 cm, by which rings that share it find each other."""
+    return round(point[0], 2) + 0.0, round(point[1], 2) + 0.0
+
+
+def usable_part(stretch: Stretch, corners: frozenset[Point]) -> Stretch | None:
+    """Return an exterior stretch less the other wall at re-entrant corners; ``None`` when nothing is left."""
+    low = EXTERIOR_THICKNESS if corner_key(stretch.start) in corners else 0.0
+    high = stretch.length - (EXTERIOR_THICKNESS if corner_key(stretch.end) in corners else 0.0)
+    if high - low < 1e-3:
+        return None
+    if low == 0.0 and high == stretch.length:
+        return stretch
+    return Stretch(stretch.at(low), stretch.at(high), stretch.left, None, stretch.exterior, stretch.structural)

@@ -1,17 +1,14 @@
-"""Measures of a placement from its geometry alone, with exact polygons: nothing here is used by the solver.
+"""Measures of placements from their geometry alone, with exact polygons, and a table of them."""
 
-Tolerances: a footprint is out of bounds with more than 1% of its area outside; a collision or an object in a door's
-area (0.8 m deep) is more than 1 cm2; a back is at a wall within 0.15 m; pairs and seats belong within 0.5 m.
-"""
-
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 import shapely
-from shapely.geometry import Polygon
+from shapely.geometry import LineString, Polygon
 
+from mansion_geometry.free_space import connected_components
 from mansion_msgs_py.placement import (
     MatrixStructure,
     PairedStructure,
@@ -20,9 +17,61 @@ from mansion_msgs_py.placement import (
     PlacementResult,
     PlacementRoom,
 )
-from mansion_scene.placement.approach import approachable
+from mansion_scene.placement.files import place_timed
+from mansion_scene.placement.options import PlacementOptions
 
-__all__ = ["Footprint", "Measures", "measure"]
+__all__ = ["Footprint", "Measures", "approachable", "bench", "measure", "table"]
+
+Indices = npt.NDArray[np.int64]
+
+_EPS = 1e-9
+
+
+def approachable(
+    room: PlacementRoom, shapes: Sequence[Polygon], *, radius: float = 0.20, reach: float = 0.30, cell: float = 0.05
+) -> list[bool]:
+    """Tell which footprints have a free cell within reach that is connected to a door.
+
+    Parameters
+    ----------
+    room : PlacementRoom
+    shapes : sequence of Polygon
+        Footprints, obstacles all of them.
+    radius, reach, cell : float
+        The robot's radius, its reach beyond its body, the raster's cell, metres.
+    """
+    if not shapes:
+        return []
+    outline = Polygon(room.polygon, room.holes)
+    doors = [LineString(door.segment) for door in room.doors]
+    walls = outline.boundary
+    for door in doors:
+        walls = walls.difference(door.buffer(0.01, cap_style="flat"))
+    x0, y0, x1, y1 = outline.bounds
+    gx, gy = np.meshgrid(np.arange(x0 + cell / 2, x1, cell), np.arange(y0 + cell / 2, y1, cell))
+    points = shapely.points(gx.ravel(), gy.ravel())
+    free = shapely.contains_xy(outline, gx.ravel(), gy.ravel())
+    free[free] = shapely.distance(walls, points[free]) >= radius - _EPS
+    tree = shapely.STRtree(points)
+    blocked, _ = _within(tree, shapes, radius - 2 * _EPS)
+    free[blocked] = False
+    labels, _ = connected_components((~free.reshape(gx.shape)).astype(np.int16))
+    flat = labels.ravel()
+    thresholds, _ = _within(tree, doors, 0.10 + _EPS)
+    entered = np.unique(flat[thresholds])
+    inside = np.isin(flat, entered[entered > 0])
+    cells, owners = _within(tree, shapes, radius + reach + _EPS)
+    reached = set(owners[inside[cells]].tolist())
+    return [i in reached for i in range(len(shapes))]
+
+
+def _within(tree: shapely.STRtree, shapes: Sequence[shapely.Geometry], distance: float) -> tuple[Indices, Indices]:
+    """Return the points of `tree` within a distance of each shape, and which shape that is."""
+    if not shapes:
+        return np.zeros(0, dtype=int), np.zeros(0, dtype=int)
+    owners, cells = tree.query(np.array(shapes), predicate="dwithin", distance=distance)
+    return cells, owners
+
 
 _AREA = 1e-4
 
@@ -221,3 +270,70 @@ def _pitch_deviation(items: Sequence[Footprint], matrix: MatrixStructure) -> tup
             along = np.std(np.diff(lines[..., 1], axis=1)) if cols > 2 else 0.0
             best = min(best, (float(across), float(along)), key=sum)
     return float(best[0]), float(best[1])
+
+
+_COLUMNS = (
+    *("asked", "placed", "cover%", "usable%", "reach%", "out", "hit", "door"),
+    *("pair%", "arnd%", "rel%", "back%", "rowdev", "coldev", "cpu s", "worst"),
+)
+
+
+def bench(
+    rooms: Sequence[PlacementRoom], seeds: Iterable[int], options: PlacementOptions | None = None
+) -> dict[str, list[tuple[PlacementResult, Measures]]]:
+    """Place every room with every seed in this process.
+
+    Returns
+    -------
+    dict
+        Placement and measures of each run, by room id.
+    """
+    from mansion_scene.placement import warm
+
+    warm()
+    chosen = options or PlacementOptions()
+    numbers = list(seeds)
+    runs: dict[str, list[tuple[PlacementResult, Measures]]] = {}
+    for room in rooms:
+        results = [place_timed(room, seed, chosen) for seed in numbers]
+        runs[room.room_id] = [(result, measure(room, result)) for result in results]
+    return runs
+
+
+def table(measures: dict[str, list[Measures]]) -> str:
+    """Return a text table: a line for each room, its runs averaged, and one over all rooms."""
+    lines = [f"{'room':<20}" + "".join(f"{name:>8}" for name in _COLUMNS)]
+    for name, runs in measures.items():
+        lines.append(_line(name, runs, len(runs)))
+    every = [run for runs in measures.values() for run in runs]
+    count = max((len(runs) for runs in measures.values()), default=1)
+    lines.append(_line("all rooms", every, count))
+    return "\n".join(lines)
+
+
+def _line(name: str, runs: Sequence[Measures], count: int) -> str:
+    def total(field: str) -> float:
+        return float(sum(getattr(run, field) for run in runs))
+
+    def percent(part: str, whole: str) -> str:
+        return f"{100.0 * total(part) / total(whole):.1f}" if total(whole) else "-"
+
+    cells = [
+        f"{total('asked') / count:.0f}",
+        f"{total('placed') / count:.1f}",
+        percent("placed", "asked"),
+        percent("usable", "asked"),
+        percent("reachable", "placed"),
+        f"{total('outside'):.0f}",
+        f"{total('collisions'):.0f}",
+        f"{total('blocked'):.0f}",
+        percent("pairs_near", "pairs"),
+        percent("around_near", "around"),
+        percent("relations_held", "relations"),
+        percent("edges_backed", "edges"),
+        f"{np.mean([run.row_deviation for run in runs]):.2f}",
+        f"{np.mean([run.column_deviation for run in runs]):.2f}",
+        f"{np.mean([run.seconds for run in runs]):.3f}",
+        f"{max(run.seconds for run in runs):.3f}",
+    ]
+    return f"{name[:20]:<20}" + "".join(f"{cell:>8}" for cell in cells)
