@@ -23,7 +23,7 @@ from mansion_geometry.randomness import item_seed
 from mansion_msgs_py.layout import FloorProblem
 from mansion_planner.solver import SolverOptions, solve_floor, warm
 from mansion_planner.solver.grid import major_lines
-from mansion_planner.solver.model import make_model
+from mansion_planner.solver.problem import make_model
 from mansion_planner.solver.solve import coarse_grid
 
 ROOMS = (10, 20, 30, 40, 50, 60)

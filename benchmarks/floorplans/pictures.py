@@ -23,8 +23,8 @@ from mansion_geometry.rings import as_polygon
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
 from mansion_planner.solver import solve_floor
-from mansion_planner.solver.protocol import TrueProblem
-from mansion_planner.solver.seeding import SeedRequest
+from mansion_planner.solver.cut_rounds import SeedRequest
+from mansion_planner.solver.evaluation import TrueProblem
 
 HUB = "#f4f1e8"
 

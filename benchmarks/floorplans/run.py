@@ -12,7 +12,7 @@ import msgspec
 
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_planner.solver import SolverOptions
-from mansion_planner.solver.protocol import TrueProblem, run_protocol, table
+from mansion_planner.solver.evaluation import TrueProblem, run_protocol, table
 
 PAPER = SolverOptions(wall_search=False)
 

@@ -16,7 +16,7 @@ from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, ProblemCore, ProblemNode
 from mansion_msgs_py.topology import Edge
-from mansion_planner.solver.files import solve_file
+from mansion_planner.solver.batch import solve_file
 
 Ring = list[tuple[float, float]]
 

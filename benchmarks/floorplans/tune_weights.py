@@ -15,8 +15,8 @@ import numpy as np
 
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_planner.solver import EnergyWeights, SolverOptions
-from mansion_planner.solver.protocol import TrueProblem, score_plan
-from mansion_planner.solver.workers import solve_timed
+from mansion_planner.solver.batch import solve_timed
+from mansion_planner.solver.evaluation import TrueProblem, score_plan
 
 NAMES = ("ratio", "seed", "corner", "wall")
 

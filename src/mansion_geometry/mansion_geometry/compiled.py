@@ -1,18 +1,28 @@
-"""Machine-code kernels: numba's ``njit`` with a disk cache, keeping the function's type."""
+"""Functions compiled to machine code with numba, and the types of the arrays that they work on."""
 
 from collections.abc import Callable
-from typing import Any, TypeVar, cast
+from typing import ParamSpec, TypeVar
 
 import numba
+import numpy as np
+from numpy.typing import NDArray
 
-__all__ = ["kernel"]
+__all__ = ["Bools", "Floats", "Ints", "kernel"]
 
-_Function = TypeVar("_Function", bound=Callable[..., Any])
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+P = ParamSpec("P")
+R = TypeVar("R")
 
 
-def kernel(function: _Function) -> _Function:
-    """Compile `function` on its first call and keep the machine code on disk.
+def kernel(function: Callable[P, R]) -> Callable[P, R]:
+    """Compile `function` on its first call and keep the machine code on disk for later processes.
 
-    Strict IEEE arithmetic (no ``fastmath``), so that results are the same on every run.
+    Arithmetic is strict IEEE 754 (no ``fastmath``), so that results are the same on every run; dividing by zero gives
+    an infinity or NaN, as in numpy. A kernel runs without the interpreter lock. numba compiles no keyword-only
+    parameters, so kernels take their flags positionally and callers name them.
     """
-    return cast(_Function, numba.njit(cache=True, nogil=True)(function))
+    compiled: Callable[P, R] = numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+    return compiled

@@ -8,7 +8,7 @@ import pytest
 from mansion_msgs_py.layout import LayoutRoom
 from mansion_planner.llm.answers import SeedsAnswer
 from mansion_planner.llm.seeds import seed_faults
-from mansion_planner.solver.seeding import SeedRequest
+from mansion_planner.solver.cut_rounds import SeedRequest
 
 REQUEST = SeedRequest(
     parent="hall",

@@ -6,13 +6,10 @@ import pytest
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.topology import Edge
 from mansion_planner.solver import SolverOptions
-from mansion_planner.solver.cleaning import FREE, OTHER, clean
-from mansion_planner.solver.growth import grow
-from mansion_planner.solver.model import make_model
+from mansion_planner.solver.candidates import FREE, OTHER, candidate_energy, clean, grow
+from mansion_planner.solver.cut_rounds import base_radii, build_cut_rounds, sample_batch, subtree_areas
 from mansion_planner.solver.polygons import trace
-from mansion_planner.solver.rounds import build_cut_rounds, subtree_areas
-from mansion_planner.solver.sampling import base_radii, sample_batch
-from mansion_planner.solver.scoring import candidate_energy
+from mansion_planner.solver.problem import make_model
 from problem_floors import box, flat, office
 
 

@@ -12,7 +12,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FixedRoom, FloorLayout, FloorProblem, ProblemCore, ProblemNode
 from mansion_msgs_py.topology import Edge, SeedBox, SeedPlan
 from mansion_planner.solver import SolverOptions, solve_floor
-from mansion_planner.solver.seeding import SeedRequest
+from mansion_planner.solver.cut_rounds import SeedRequest
 from problem_floors import box, flat, office
 
 

@@ -37,7 +37,7 @@ def floorplans(
 
       mansion bench floorplans problems.json --no-seeds
     """
-    from mansion_planner.solver.protocol import TrueProblem, run_protocol, table
+    from mansion_planner.solver.evaluation import TrueProblem, run_protocol, table
 
     read = read_payload(list[TrueProblem], problems, "a JSON list of floor problems")
     if not seeds:

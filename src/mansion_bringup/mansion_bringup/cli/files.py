@@ -30,7 +30,7 @@ def solve(
 
       mansion solve problems.json -o layouts.json --seed 3 --jobs 2
     """
-    from mansion_planner.solver.files import solve_file
+    from mansion_planner.solver.batch import solve_file
 
     check_output_file(output)
     with progress_bar() as report:

@@ -11,7 +11,7 @@ from mansion_planner.llm.cleaning import clean_text
 from mansion_planner.llm.context import Context
 from mansion_planner.llm.wording import ARCHITECT, CLOSING, as_json, number
 from mansion_planner.solver import SolverOptions, solve_floor
-from mansion_planner.solver.seeding import SeedRequest
+from mansion_planner.solver.cut_rounds import SeedRequest
 
 __all__ = ["collect_seeds", "seed_faults", "seed_prompt"]
 

@@ -14,7 +14,7 @@ from mansion_planner.llm.graph_rules import access_promoted, graph_faults
 from mansion_planner.llm.palette import Palette
 from mansion_planner.llm.topology_prompt import free_region, topology_prompt
 from mansion_planner.program.building import PlannedBuilding
-from mansion_planner.solver.zones import resolve_zones
+from mansion_planner.solver.problem import resolve_zones
 
 __all__ = ["plan_model_topology"]
 

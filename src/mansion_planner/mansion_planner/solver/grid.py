@@ -1,21 +1,58 @@
-"""Grids of cells over the free region: lines through the outline's corners, refined where wanted.
+"""Grids of rectangular cells over the free region: lines through the corners of its outline, refined where wanted.
 
-The cells are rectangles between neighbouring lines, cut off at the true outline: their areas, centroids and borders
-are those of the part inside the free region, so slanted outlines need no staircase.
+Cells are cut off at the true outline: their areas, centroids and borders are those of the part inside the free region,
+so that slanted outlines need no staircase.
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
+from mansion_geometry.compiled import Bools, Floats, Ints
 from mansion_geometry.rings import polygon_parts
-from mansion_planner.solver.model import FloorModel
-from mansion_planner.solver.state import Bools, Cells, Floats, Ints
+from mansion_planner.solver.problem import FloorModel
 
-__all__ = ["Grid", "major_lines", "make_grid", "resample", "spaced_lines"]
+__all__ = [
+    "AREA",
+    "CX",
+    "CY",
+    "Cells",
+    "Grid",
+    "HB",
+    "HS",
+    "NEAR",
+    "SAME_LINE",
+    "VB",
+    "VS",
+    "major_lines",
+    "make_grid",
+    "refined_grid",
+    "resample",
+    "spaced_lines",
+]
+
+AREA, CX, CY, HB, VB, HS, VS, NEAR = range(8)
+"""Last index of `Cells.geometry`."""
+
+
+class Cells(NamedTuple):
+    """A grid of cells between lines, with a frame of outside cells around it.
+
+    ``geometry[j, i]`` holds the area and centroid of the part of cell (j, i) inside the free region (AREA, CX, CY), the
+    length of its border with cell (j+1, i) (HB) and with (j, i+1) (VB), the structural wall on these (HS, VS), and the
+    length of an obstacle's slanted side through the cell (NEAR), whose label is ``near[j, i]``.
+    """
+
+    xs: Floats
+    ys: Floats
+    geometry: Floats
+    near: Ints
+    free: Bools
+
 
 SAME_LINE = 1e-5
 SHORT_EDGE = 0.02
@@ -231,3 +268,40 @@ def make_grid(model: FloorModel, xs: Floats, ys: Floats) -> Grid:
     geometry = np.stack([area, cx, cy, hb, vb, hs, vs, near_length], axis=-1)
     cells = Cells(xs, ys, geometry, near, base < 0)
     return Grid(cells, base.astype(np.int64), not bool(crossed.any()))
+
+
+def used_lines(grid: Grid, labels: Ints) -> tuple[Floats, Floats]:
+    """Return the lines of `grid` (without its frame) along which labels change."""
+    across = (labels[:, 1:] != labels[:, :-1]).any(axis=0)
+    along = (labels[1:, :] != labels[:-1, :]).any(axis=1)
+    return grid.cells.xs[1:-1][across], grid.cells.ys[1:-1][along]
+
+
+def _beside(lines: Floats, major: Floats, offsets: tuple[float, ...]) -> Floats:
+    """Return the major lines and `lines`, with others at the offsets on both sides of each that is not major."""
+    moved = [major, lines]
+    for offset in offsets:
+        moved.extend([lines - offset, lines + offset])
+    low, high = major[0], major[-1]
+    merged = np.unique(np.concatenate(moved))
+    merged = merged[(merged >= low) & (merged <= high)]
+    fixed = np.concatenate([major, lines])
+    gap = 0.4 * min(offsets)
+    keep: list[float] = []
+    for value in merged.tolist():
+        near = fixed[np.argmin(np.abs(fixed - value))]
+        if value != near and abs(value - near) < gap:
+            continue
+        if keep and value - keep[-1] < 1e-5:
+            continue
+        keep.append(value)
+    return np.array(keep)
+
+
+def refined_grid(
+    model: FloorModel, major: tuple[Floats, Floats], grid: Grid, labels: Ints, offsets: tuple[float, ...]
+) -> tuple[Grid, Ints]:
+    """Return a grid of the used lines with finer ones around them, and the partition's labels on it."""
+    xs, ys = used_lines(grid, labels)
+    finer = make_grid(model, _beside(xs, major[0], offsets), _beside(ys, major[1], offsets))
+    return finer, resample(grid, labels, finer)

@@ -1,8 +1,8 @@
-"""Options of the floor solver, with the defaults of the supplement's section C.2 where it names one."""
+"""Options of the floor solver, with the defaults of section C.2 where it names one, and its budget of candidates."""
 
 from dataclasses import dataclass, field
 
-__all__ = ["EnergyWeights", "SearchWeights", "SolverOptions"]
+__all__ = ["Budget", "EnergyWeights", "SearchWeights", "SolverOptions"]
 
 
 @dataclass(frozen=True)
@@ -106,3 +106,29 @@ class SolverOptions:
     unseeded: SearchWeights = field(
         default_factory=lambda: SearchWeights(area=3.2, corner=0.32, compact=0.7, thin=3.0, wall=0.1, narrow=0.5)
     )
+
+
+@dataclass
+class Budget:
+    """How many candidate layouts may still be looked at.
+
+    Examples
+    --------
+    >>> budget = Budget(150)
+    >>> budget.take(100), budget.take(100), budget.take(100), budget.used
+    (100, 50, 0, 150)
+    """
+
+    limit: int
+    used: int = 0
+
+    @property
+    def left(self) -> int:
+        """Candidates that may still be taken."""
+        return max(0, self.limit - self.used)
+
+    def take(self, wanted: int) -> int:
+        """Take up to `wanted` candidates and return how many were granted."""
+        granted = max(0, min(wanted, self.left))
+        self.used += granted
+        return granted

@@ -1,15 +1,15 @@
-"""From cell labels to room polygons that cover the free region exactly."""
+"""Room polygons traced from cell labels, covering the free region exactly."""
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely.geometry import MultiPolygon, Polygon
 
+from mansion_geometry.compiled import Ints
 from mansion_geometry.rings import oriented, polygon_parts, rotated, signed_area
 from mansion_msgs_py.layout import LayoutRoom
 from mansion_planner.solver.grid import Grid
-from mansion_planner.solver.model import FloorModel
-from mansion_planner.solver.state import Ints
+from mansion_planner.solver.problem import FloorModel
 
 __all__ = ["layout_room", "room_shapes", "shape_of_cells", "trace", "turned_back"]
 

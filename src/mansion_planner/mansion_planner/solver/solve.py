@@ -1,28 +1,113 @@
-"""`solve_floor`: from a FloorProblem to a FloorLayout (Algorithm 2)."""
+"""`solve_floor`: from a FloorProblem to a FloorLayout (Algorithm 2, then the wall search)."""
 
 import numpy as np
 
+from mansion_geometry.compiled import Floats
 from mansion_geometry.randomness import item_seed
 from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.layout import FloorLayout, FloorProblem
+from mansion_msgs_py.layout import (
+    FloorLayout,
+    FloorProblem,
+    LayoutRoom,
+    ProblemCore,
+    ProblemNode,
+    RealisedEdge,
+    UnmetEdge,
+)
+from mansion_msgs_py.topology import Edge
 from mansion_planner.solver.annealing import Annealing
-from mansion_planner.solver.budget import Budget
-from mansion_planner.solver.cutting import RoundsResult, run_rounds
-from mansion_planner.solver.feasibility import relaxed_links
-from mansion_planner.solver.finish import finish
+from mansion_planner.solver.cut_rounds import RoundsResult, SeedCallback, planned_rounds, run_rounds
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
-from mansion_planner.solver.measured import Measured, measure
-from mansion_planner.solver.model import FloorModel, make_model
-from mansion_planner.solver.options import SolverOptions
-from mansion_planner.solver.planned import planned_partition, planned_rounds
-from mansion_planner.solver.refine import Partition, make_goal, mostly_seeded
-from mansion_planner.solver.seeding import SeedCallback
-from mansion_planner.solver.starts import flood
-from mansion_planner.solver.state import SEED_X, SEED_Y, Floats, Goal
+from mansion_planner.solver.options import Budget, SolverOptions
+from mansion_planner.solver.partition import Partition
+from mansion_planner.solver.polygons import layout_room, turned_back
+from mansion_planner.solver.problem import (
+    SEED_X,
+    SEED_Y,
+    FloorModel,
+    Goal,
+    Relaxed,
+    make_goal,
+    make_model,
+    mostly_seeded,
+    relaxed_links,
+)
+from mansion_planner.solver.starts import flood, planned_partition
+from mansion_planner.solver.verification import MOST_STRADDLED, Measured, Verdict, figures_of, measure
 from mansion_planner.solver.wall_search import WallSearch
 
-__all__ = ["coarse_grid", "solve_floor"]
+__all__ = ["coarse_grid", "solve_floor", "warm"]
+
+
+def _turned_edge(edge: RealisedEdge, angle: float) -> RealisedEdge:
+    """Return the edge with its wall in the problem's frame."""
+    edge.length = round(edge.length, 4)
+    if edge.wall is not None:
+        a, b = (turned_back([p], angle)[0] for p in edge.wall)
+        edge.wall = (a, b)
+    return edge
+
+
+def _reason(model: FloorModel, edge: RealisedEdge, relaxed: list[Relaxed], options: SolverOptions, used: int) -> str:
+    for entry in relaxed:
+        if {entry.link.source, entry.link.target} == {edge.source, edge.target}:
+            return entry.reason
+    need = model.problem.min_access_wall if edge.kind == "access" else options.adjacent_wall
+    what = "they do not touch"
+    if edge.length > 0.0:
+        what = f"they share {edge.length:.2f} m of wall"
+    return f"{what}, {need:g} m are needed; {used} candidate layouts were looked at"
+
+
+def _messages(verdict: Verdict) -> list[str]:
+    """Return what is wrong with shapes and structural walls, in words."""
+    lines = [f"{name}: {reason}" for name, reason in verdict.shape_faults.items()]
+    lines += [
+        f"structural wall {k} lies inside rooms for {length:.2f} m"
+        for k, length in enumerate(verdict.straddled)
+        if length > MOST_STRADDLED
+    ]
+    return lines
+
+
+def finish(
+    model: FloorModel,
+    measured: Measured,
+    options: SolverOptions,
+    rounds: RoundsResult,
+    relaxed: list[Relaxed],
+    used: int,
+) -> FloorLayout:
+    """Return the layout of the best partition, measured on its final polygons."""
+    shapes, verdict = measured.shapes, measured.verdict
+    rooms = [
+        layout_room(room.id, max(polygon_parts(shape), key=lambda p: p.area), model.angle)
+        for room, shape in zip(model.rooms, shapes)
+    ]
+    rooms += [LayoutRoom(id=r.id, polygon=r.polygon) for r in model.problem.fixed_rooms]
+    edges = [_turned_edge(edge, model.angle) for edge in verdict.edges]
+    unmet = [
+        UnmetEdge(source=e.source, target=e.target, kind=e.kind, reason=_reason(model, e, relaxed, options, used))
+        for e in edges
+        if not e.satisfied
+    ]
+    return FloorLayout(
+        rooms=rooms,
+        topology_satisfied=not unmet,
+        unmet_edges=unmet,
+        plan_id=model.problem.plan_id,
+        edges=edges,
+        rounds=rounds.records,
+        hub=model.hub,
+        area_scale=round(model.area_scale, 6),
+        scores={"energy": round(measured.partition.energy, 6), "rounds": round(rounds.energy, 6)},
+        checks={name: round(value, 9) for name, value in figures_of(model, shapes, verdict).items()}
+        | {"candidates": float(used)},
+        messages=[*model.messages, *_messages(verdict)],
+        building_id=model.problem.building_id,
+        floor=model.problem.floor,
+    )
 
 
 def coarse_grid(model: FloorModel, major: tuple[Floats, Floats], options: SolverOptions) -> Grid:
@@ -130,3 +215,24 @@ def solve_floor(
     if best is None:
         raise _too_small(model)
     return finish(model, best, options, rounds, relaxed, budget.used)
+
+
+def warm() -> None:
+    """Load the kernels from the disk cache, or compile and cache them."""
+    nodes = [
+        ProblemNode(id="hub", type="main", area=20.0),
+        ProblemNode(id="room", type="Entities", area=10.0, seed=(1.5, 2.5)),
+        ProblemNode(id="bath", type="Entities", area=5.0, seed=(6.5, 1.0)),
+    ]
+    core = ProblemCore(id="lift", type="elevator", polygon=[(6, 3), (8, 3), (8, 5), (6, 5)])
+    edges = [
+        Edge(source="hub", target="room"),
+        Edge(source="hub", target="bath"),
+        Edge(source="room", target="bath", kind="adjacent"),
+        Edge(source="hub", target="lift"),
+    ]
+    boundary = [(0.0, 0.0), (8.0, 0.0), (8.0, 5.0), (0.0, 5.0)]
+    problem = FloorProblem(boundary=boundary, nodes=nodes, edges=edges, cores=[core])
+    solve_floor(problem)
+    problem.min_access_wall = 4.9
+    solve_floor(problem, options=SolverOptions(seeded_proposals=10, proposals=10, attempts=4))

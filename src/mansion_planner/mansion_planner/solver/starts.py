@@ -1,26 +1,85 @@
-"""First partitions for the wall search: rectangles fitted to seeds, and floods from points."""
+"""Partitions that searches start from: seed boxes, rectangles fitted to seeds, floods, and carved access edges."""
 
 import numpy as np
 
-from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.state import (
-    AREA,
-    CX,
-    CY,
-    HB,
-    MIN_WIDTH,
-    SEED_WEIGHT,
-    SEED_X,
-    SEED_Y,
-    TARGET,
-    VB,
-    Cells,
-    Floats,
-    Goal,
-    Ints,
-)
+from mansion_geometry.compiled import Floats, Ints, kernel
+from mansion_planner.solver.grid import AREA, CX, CY, HB, SAME_LINE, VB, Cells, Grid, make_grid
+from mansion_planner.solver.partition import COUNT, Partition, State
+from mansion_planner.solver.problem import ACCESS, MIN_WIDTH, SEED_WEIGHT, SEED_X, SEED_Y, TARGET, FloorModel, Goal
 
-__all__ = ["fit_rectangles", "flood", "paint_rectangles"]
+__all__ = ["carve_open_links", "fit_rectangles", "flood", "paint_rectangles", "planned_partition"]
+
+
+AREA_TOLERANCE = 0.03
+"""Share by which a painted room may miss its area."""
+
+Box = tuple[float, float, float, float]
+
+
+def planned_partition(model: FloorModel, major: tuple[Floats, Floats]) -> Partition | None:
+    """Return the partition that the seed boxes paint, or ``None`` where they do not tile the region.
+
+    Parameters
+    ----------
+    major : pair of arrays
+        Lines of outline, holes and obstacles; the boxes' own lines join them.
+    """
+    boxes = _boxes(model)
+    if boxes is None or model.angle != 0.0:
+        return None
+    grid = make_grid(
+        model,
+        _with_lines(major[0], [side for box in boxes for side in (box[0], box[2])]),
+        _with_lines(major[1], [side for box in boxes for side in (box[1], box[3])]),
+    )
+    labels = _painted(model, grid, boxes)
+    free = grid.base == -1
+    if (labels[free] == -1).any():
+        return None
+    sizes = grid.cells.geometry[..., AREA][: labels.shape[0], : labels.shape[1]]
+    painted = np.array([sizes[free & (labels == k)].sum() for k in range(len(boxes))])
+    if (np.abs(painted - model.targets) > AREA_TOLERANCE * model.targets).any():
+        return None
+    return Partition(grid, labels, 0.0)
+
+
+def _boxes(model: FloorModel) -> list[Box] | None:
+    plan = {b.room_id: b for b in model.problem.seeds.boxes} if model.problem.seeds else {}
+    boxes: list[Box] = []
+    for room in model.rooms:
+        box = room.seed_box or plan.get(room.id)
+        if box is None:
+            return None
+        boxes.append((min(box.x), min(box.y), max(box.x), max(box.y)))
+    return boxes
+
+
+def _with_lines(lines: Floats, extra: list[float]) -> Floats:
+    """Join coordinates inside the outline to `lines`; those next to a line are that line."""
+    inside = [value for value in extra if lines[0] < value < lines[-1]]
+    own = set(lines.tolist())
+    kept: list[float] = []
+    for value in np.unique(np.concatenate([lines, inside])).tolist():
+        if kept and value - kept[-1] <= 10 * SAME_LINE:
+            if value in own:
+                kept[-1] = value
+            continue
+        kept.append(value)
+    return np.array(kept)
+
+
+def _painted(model: FloorModel, grid: Grid, boxes: list[Box]) -> Ints:
+    labels = grid.base.copy()
+    rows, columns = labels.shape
+    x = grid.cells.geometry[:rows, :columns, CX]
+    y = grid.cells.geometry[:rows, :columns, CY]
+    area = grid.cells.geometry[:rows, :columns, AREA]
+    free = grid.base == -1
+    covers = [(x > b[0]) & (x < b[2]) & (y > b[1]) & (y < b[3]) & free for b in boxes]
+    slack = [float(area[cover].sum() / model.targets[k]) for k, cover in enumerate(covers)]
+    for k in sorted(range(len(boxes)), key=lambda k: (-slack[k], k)):
+        labels[covers[k]] = k
+    return labels
 
 
 @kernel
@@ -267,3 +326,71 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
         area[r] += cells.geometry[best // columns, best % columns, AREA]
         empty -= 1
     return True
+
+
+@kernel
+def _distances(cells: Cells, labels: Ints, a: int) -> tuple[Floats, Ints]:
+    """Return, for each free cell, the ground that a way from room `a` to it takes, and the way's cell before it."""
+    rows, columns = labels.shape
+    far = np.where(labels == a, 0.0, np.inf)
+    before = np.full((rows, columns), -1, np.int64)
+    changed = True
+    while changed:
+        changed = False
+        for j in range(1, rows - 1):
+            for i in range(1, columns - 1):
+                if not cells.free[j, i] or labels[j, i] == a:
+                    continue
+                for q in range(4):
+                    y, x = j + (q == 0) - (q == 1), i + (q == 2) - (q == 3)
+                    s = cells.geometry[min(j, y), i, HB] if q < 2 else cells.geometry[j, min(i, x), VB]
+                    step = far[y, x] + cells.geometry[j, i, AREA]
+                    if s > 1e-6 and step < far[j, i] - 1e-9:
+                        far[j, i] = step
+                        before[j, i] = y * columns + x
+                        changed = True
+    return far, before
+
+
+@kernel
+def _carve(cells: Cells, labels: Ints, a: int, b: int) -> bool:
+    """Give room `a` the cheapest way to the border of `b`, three cells wide; tell whether there is one."""
+    rows, columns = labels.shape
+    far, before = _distances(cells, labels, a)
+    best, least = -1, np.inf
+    for j in range(1, rows - 1):
+        for i in range(1, columns - 1):
+            if labels[j, i] == b or far[j, i] >= least:
+                continue
+            if labels[j, i + 1] == b or labels[j, i - 1] == b or labels[j + 1, i] == b or labels[j - 1, i] == b:
+                best, least = j * columns + i, far[j, i]
+    if best < 0:
+        return False
+    while best >= 0:
+        j, i = best // columns, best % columns
+        for y in range(j - 1, j + 2):
+            for x in range(i - 1, i + 2):
+                if cells.free[y, x] and labels[y, x] != b:
+                    labels[y, x] = a
+        best = before[j, i]
+    return True
+
+
+@kernel
+def carve_open_links(cells: Cells, goal: Goal, state: State) -> Ints:
+    """Return labels in which the access links that `state` leaves open are carved, as far as there is a way.
+
+    The room with more cells reaches for the other one. Rooms that this leaves in pieces or without a cell are for
+    `flood` to mend.
+    """
+    labels = state.labels.copy()
+    rooms = goal.rooms.shape[0]
+    for e in range(goal.links.shape[0]):
+        a, b = goal.links[e, 0], goal.links[e, 1]
+        if goal.links[e, 2] != ACCESS or state.run[a, b] >= goal.need[e]:
+            continue
+        if a >= rooms or (b < rooms and state.stats[b, COUNT] > state.stats[a, COUNT]):
+            a, b = b, a
+        if a < rooms:
+            _carve(cells, labels, a, b)
+    return labels

@@ -7,18 +7,14 @@ from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.topology import Edge
 from mansion_planner.solver import SolverOptions
 from mansion_planner.solver.annealing import Annealing
-from mansion_planner.solver.attempt_starts import AttemptStarts
-from mansion_planner.solver.budget import Budget
-from mansion_planner.solver.carving import carve_open_links
-from mansion_planner.solver.cutting import RoundsResult, run_rounds
+from mansion_planner.solver.cut_rounds import RoundsResult, build_cut_rounds, run_rounds
+from mansion_planner.solver.energy import total_energy
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
-from mansion_planner.solver.model import FloorModel, make_model
-from mansion_planner.solver.objective import total_energy
-from mansion_planner.solver.painting import recount
-from mansion_planner.solver.refine import Partition, make_goal
-from mansion_planner.solver.rounds import build_cut_rounds
-from mansion_planner.solver.starts import flood
-from mansion_planner.solver.state import Goal, State, make_state
+from mansion_planner.solver.options import Budget
+from mansion_planner.solver.partition import Partition, State, make_state, recount
+from mansion_planner.solver.problem import FloorModel, Goal, make_goal, make_model
+from mansion_planner.solver.starts import carve_open_links, flood
+from mansion_planner.solver.wall_search import AttemptStarts
 from problem_floors import box, flat
 
 OPTIONS = SolverOptions()

@@ -3,7 +3,7 @@
 import pytest
 import shapely
 
-from mansion_planner.solver.usable import width_fault
+from mansion_planner.solver.verification import width_fault
 
 
 def test_wide_rooms_have_no_fault() -> None:

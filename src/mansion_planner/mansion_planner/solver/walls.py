@@ -1,11 +1,13 @@
-"""Straight walls and narrow places of a partition, found on the few lines along which its labels change."""
+"""Straight walls and narrow places of a partition, found on the few grid lines along which its labels change."""
 
 import numpy as np
 
-from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.state import AREA, HB, MIN_WIDTH, TARGET, VB, Floats, Ints
+from mansion_geometry.compiled import Floats, Ints, kernel
+from mansion_planner.solver.grid import AREA, HB, VB
+from mansion_planner.solver.problem import MIN_WIDTH, TARGET
 
 __all__ = ["LARGE", "border_sums", "scan_runs"]
+
 
 LARGE = 6.0
 """Area, m2, from which narrow places cost the same in rooms of any size."""

@@ -1,24 +1,235 @@
-"""The topology-aware cutting node (Algorithm 3) and the sequence of rounds (Algorithm 2, lines 3 to 6)."""
+"""Cut rounds: the schedule of Algorithm 2 and the topology-aware cutting node of Algorithm 3, with its seeds."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from mansion_geometry.rings import polygon_parts
+from mansion_geometry.compiled import Floats, Ints
+from mansion_geometry.rings import polygon_parts, rotated
 from mansion_msgs_py.layout import CutRoundRecord, LayoutRoom
-from mansion_planner.solver.budget import Budget
-from mansion_planner.solver.grid import Grid
-from mansion_planner.solver.model import FloorModel
-from mansion_planner.solver.options import SolverOptions
+from mansion_msgs_py.topology import SeedPlan
+from mansion_planner.solver.candidates import grow_batch
+from mansion_planner.solver.grid import CX, CY, Grid
+from mansion_planner.solver.options import Budget, SolverOptions
+from mansion_planner.solver.partition import Partition
 from mansion_planner.solver.polygons import layout_room, shape_of_cells
 from mansion_planner.solver.preview import render_preview
-from mansion_planner.solver.rounds import CutRound, build_cut_rounds, subtree_areas
-from mansion_planner.solver.sampling import base_radii, repelled_batch, sample_batch
-from mansion_planner.solver.scoring import grow_batch
-from mansion_planner.solver.seeding import SeedCallback, SeedRequest, plan_seeds, seeds_from_plan
-from mansion_planner.solver.state import CX, CY, Floats, Goal, Ints
+from mansion_planner.solver.problem import FloorModel, Goal, breadth_first_parents
 
-__all__ = ["RoundsResult", "run_rounds"]
+__all__ = [
+    "RoundsResult",
+    "SeedCallback",
+    "SeedRequest",
+    "base_radii",
+    "build_cut_rounds",
+    "planned_rounds",
+    "run_rounds",
+    "sample_batch",
+    "subtree_areas",
+]
+
+
+@dataclass(frozen=True)
+class CutRound:
+    """One round ``(p_t, C_t)``; a vanishing parent (a zone) keeps no ground."""
+
+    parent: str
+    children: tuple[str, ...]
+    vanishes: bool
+
+
+def _order(model: FloorModel) -> list[str]:
+    return [room.id for room in model.rooms] + list(model.zones)
+
+
+def build_cut_rounds(model: FloorModel, root: str | None = None) -> list[CutRound]:
+    """Return the rounds, grouped by depth and parent; vertical cores and fixed rooms take no part.
+
+    No child comes before its parent. Rooms that no edge reaches join the first room's round.
+
+    Parameters
+    ----------
+    root : str, optional
+        Room to start from instead of the hub.
+    """
+    root = root or model.hub
+    barred = {o.id for o in model.obstacles}
+    order = _order(model)
+    parent = breadth_first_parents(model.graph, root, order, barred)
+    rounds: list[CutRound] = []
+    queue = [root]
+    while queue:
+        current = queue.pop(0)
+        children = tuple(name for name in order if parent.get(name) == current)
+        if children:
+            rounds.append(CutRound(current, children, current in model.zones))
+            queue.extend(children)
+    return rounds
+
+
+def subtree_areas(model: FloorModel, rounds: list[CutRound]) -> dict[str, float]:
+    """Return, for each room and zone, the area of all rooms cut from it, its own included."""
+    areas = {room.id: float(target) for room, target in zip(model.rooms, model.targets)}
+    areas.update(dict.fromkeys(model.zones, 0.0))
+    for cut in reversed(rounds):
+        areas[cut.parent] += sum(areas[child] for child in cut.children)
+    return areas
+
+
+DRAWS = 64
+
+
+@dataclass(frozen=True)
+class SeedRequest:
+    """What a seed callback is asked before a round.
+
+    Attributes
+    ----------
+    parent : str
+    children : tuple of str
+    fractions : dict
+        Wished share of the parent's area for each child, ``alpha_r``.
+    x_range, y_range : (float, float)
+        The parent's bounding box, metres.
+    neighbours : tuple of str
+        Rooms and cores that touch the parent's region.
+    layout : list of LayoutRoom
+        The layout so far.
+    preview : bytes
+        PNG image of it with the parent highlighted.
+    """
+
+    parent: str
+    children: tuple[str, ...]
+    fractions: dict[str, float]
+    x_range: tuple[float, float]
+    y_range: tuple[float, float]
+    neighbours: tuple[str, ...]
+    layout: list[LayoutRoom]
+    preview: bytes
+
+
+SeedCallback = Callable[[SeedRequest], SeedPlan | None]
+
+
+def seeds_from_plan(plan: SeedPlan, cut: CutRound, angle: float) -> dict[str, tuple[float, float]]:
+    """Return the centre of each child's box, in the model's frame; boxes of other rooms are ignored."""
+    centres = {}
+    for box in plan.boxes:
+        if box.room_id in cut.children:
+            centre = ((box.x[0] + box.x[1]) / 2, (box.y[0] + box.y[1]) / 2)
+            if np.isfinite(centre).all():
+                centres[box.room_id] = rotated([centre], angle)[0]
+    return centres
+
+
+def plan_seeds(
+    model: FloorModel,
+    cut: CutRound,
+    cells: Floats,
+    placed: dict[str, tuple[float, float]],
+    known: dict[str, tuple[float, float]],
+    rng: np.random.Generator,
+) -> Floats:
+    """Return a seed for each child: the known ones, and the best of some random draws for the others.
+
+    A draw is good when its seeds are far apart, near the neighbours that are already `placed`, and near each other
+    where the graph joins them.
+
+    Parameters
+    ----------
+    cells : (n, 2) array
+        Centres of the parent's cells.
+    """
+    fixed = np.array([name in known for name in cut.children])
+    seeds = np.zeros((len(cut.children), 2))
+    for k, name in enumerate(cut.children):
+        if fixed[k]:
+            seeds[k] = known[name]
+    if fixed.all():
+        return seeds
+    spread = max(0.5, float(np.sqrt(np.prod(np.ptp(cells, axis=0) + 0.5) / len(seeds))))
+    draws = cells[rng.integers(len(cells), size=(DRAWS, len(seeds)))]
+    trials = np.where(fixed[None, :, None], seeds, draws)
+    best: Floats = trials[int(np.argmin(_plan_costs(model, cut, trials, placed, spread)))]
+    return best
+
+
+def _plan_costs(
+    model: FloorModel, cut: CutRound, trials: Floats, placed: dict[str, tuple[float, float]], spread: float
+) -> Floats:
+    """Return the cost of each trial, an array (draws, children, 2) of seeds."""
+    a, b = np.triu_indices(trials.shape[1], 1)
+    gap = np.linalg.norm(trials[:, a] - trials[:, b], axis=-1)
+    cost: Floats = np.maximum(0.0, spread - gap).sum(axis=1)
+    at = {name: trials[:, k] for k, name in enumerate(cut.children)}
+    for name in cut.children:
+        for other in model.graph[name]:
+            where = at.get(other)
+            if where is None and other in placed and other != cut.parent:
+                where = np.array(placed[other])
+            if where is not None:
+                cost += 0.3 * np.linalg.norm(at[name] - where, axis=-1)
+    return cost
+
+
+def base_radii(shares: Floats, options: SolverOptions) -> Floats:
+    """Return ``R_r^(0) = r_base + k a_r / |Omega(p_t)|`` in grid cells."""
+    return options.base_radius + options.radius_gain * shares
+
+
+def sample_batch(seeds: Floats, radii: Floats, size: int, separation: float, rng: np.random.Generator) -> Floats:
+    """Draw perturbed seeds uniformly from the discs around `seeds`; the first candidate is unperturbed.
+
+    Seeds closer than `separation` are drawn again, up to eight times, then kept as they are.
+
+    Returns
+    -------
+    (size, children, 2) array
+    """
+    count = len(seeds)
+
+    def draw(number: int) -> Floats:
+        angle = rng.uniform(0.0, 2.0 * np.pi, (number, count))
+        reach = radii * np.sqrt(rng.uniform(0.0, 1.0, (number, count)))
+        step = np.stack([reach * np.cos(angle), reach * np.sin(angle)], axis=-1)
+        return np.asarray(seeds + step)
+
+    batch = draw(size)
+    batch[0] = seeds
+    for _ in range(8):
+        close = _too_close(batch, separation)
+        close[0] = False
+        if not close.any():
+            break
+        batch[close] = draw(int(close.sum()))
+    return batch
+
+
+def _too_close(batch: Floats, separation: float) -> "np.ndarray[tuple[int], np.dtype[np.bool_]]":
+    gap = np.linalg.norm(batch[:, :, None] - batch[:, None, :], axis=-1)
+    k = np.arange(batch.shape[1])
+    gap[:, k, k] = np.inf
+    return np.asarray(gap.min(axis=(1, 2), initial=np.inf) < separation)
+
+
+def repelled_batch(cells: Floats, targets: Floats, size: int, rng: np.random.Generator) -> Floats:
+    """Draw seeds uniformly in the region, larger rooms first, each away from those before it (the fallback)."""
+    order = np.argsort(-targets, kind="stable")
+    batch = np.empty((size, len(targets), 2))
+    reach = 0.5 * np.sqrt(targets)
+    for b in range(size):
+        done: list[int] = []
+        for k in order.tolist():
+            point = cells[rng.integers(len(cells))]
+            for _ in range(12):
+                if all(np.hypot(*(point - batch[b, m])) >= 0.8 * (reach[k] + reach[m]) for m in done):
+                    break
+                point = cells[rng.integers(len(cells))]
+            batch[b, k] = point
+            done.append(k)
+    return batch
 
 
 @dataclass(frozen=True)
@@ -234,3 +445,13 @@ def run_rounds(
     for k, cut in enumerate(rounds):
         state.cut(cut, areas, -(-budget.left // (len(rounds) - k)))
     return RoundsResult(state.labels, state.records, state.seeds, state.energy, state.history)
+
+
+def planned_rounds(model: FloorModel, partition: Partition) -> RoundsResult:
+    """Return the cut schedule of a planned layout, for its record."""
+    records = [
+        CutRoundRecord(parent=cut.parent, children=list(cut.children), method="planned")
+        for cut in build_cut_rounds(model)
+    ]
+    seeds = {room.id: (x, y) for room, (x, y) in zip(model.rooms, model.seeds.tolist())}
+    return RoundsResult(partition.labels, records, seeds, 0.0, [])

@@ -1,8 +1,8 @@
-"""Processes that solve floors: forked from one that has the kernels loaded, so that they begin at once.
+"""Many floors at once: files of problems (``mansion solve``) and the worker processes that solve them.
 
-Loading the kernels takes about as long as twenty floors do, so it happens once, before the fork. A process with threads
-must not fork (a lock that another thread holds stays locked in the child), so there each worker starts anew and loads
-the kernels itself.
+Loading the kernels takes about as long as solving twenty floors, so it happens once, before the workers are forked. A
+process with threads must not fork (a lock that another thread holds stays locked in the child), so there each worker
+starts anew and loads the kernels itself.
 """
 
 import multiprocessing
@@ -10,17 +10,23 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
+from contextlib import closing
+from pathlib import Path
+
+import msgspec
 
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, UnmetEdge
+from mansion_msgs_py.reading import read_payload
+from mansion_msgs_py.world import Progress
 from mansion_planner.solver.options import SolverOptions
-from mansion_planner.solver.solve import solve_floor
-from mansion_planner.solver.warming import warm
+from mansion_planner.solver.solve import solve_floor, warm
 
-__all__ = ["largest_first", "refusal", "solutions", "solve_timed"]
+__all__ = ["largest_first", "solve_file", "solve_timed"]
 
 
 def refusal(problem: FloorProblem, error: MansionError) -> FloorLayout:
@@ -118,3 +124,55 @@ def _start_cold() -> None:
 def _solve_encoded(data: bytes) -> bytes:
     """Solve one encoded problem in a worker process."""
     return encode_bytes(solve_timed(decode(FloorProblem, data)))
+
+
+def load_problems(path: Path) -> list[FloorProblem]:
+    """Read a JSON list of problems.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` or ``INVALID_PAYLOAD`` with the JSON path.
+    """
+    return read_payload(list[FloorProblem], path, "a JSON list of floor problems")
+
+
+def solve_file(
+    problems: Path, output: Path, *, seed: int = 0, jobs: int = 1, progress: Callable[[Progress], None] | None = None
+) -> list[FloorLayout]:
+    """Solve every problem of a file and write the layouts.
+
+    Parameters
+    ----------
+    problems, output : Path
+        JSON lists of `FloorProblem` and `FloorLayout`; the output appears whole or not at all.
+    seed : int
+        Added to each problem's own seed.
+    jobs : int
+        Processes; the layouts are the same for any number, apart from ``seconds``.
+    progress : callable, optional
+        Called after each problem, first when the worker processes exist.
+
+    Returns
+    -------
+    list of FloorLayout
+        In the order of the problems.
+
+    Raises
+    ------
+    MansionError
+        When the problems cannot be read.
+    """
+    asked = [msgspec.structs.replace(problem, seed=problem.seed + seed) for problem in load_problems(problems)]
+    done: dict[int, FloorLayout] = {}
+    with closing(solutions(asked, jobs)) as arriving:
+        for index, layout in arriving:
+            done[index] = layout
+            if progress is not None:
+                met = "every edge met" if layout.topology_satisfied else "edges unmet"
+                message = f"plan {layout.plan_id}: {met}"
+                progress(Progress(stage="solve", message=message, done=len(done), total=len(asked)))
+    layouts = [done[index] for index in range(len(asked))]
+    lines = b",\n".join(encode_bytes(layout) for layout in layouts)
+    write_atomic(output, b"[" + lines + b"]\n")
+    return layouts

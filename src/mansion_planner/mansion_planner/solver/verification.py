@@ -1,4 +1,4 @@
-"""What a finished layout is worth, measured on its final polygons."""
+"""Verification of a finished layout on its polygons: edges, connected rooms, usable shapes, structural walls."""
 
 from collections.abc import Container
 from dataclasses import dataclass
@@ -12,11 +12,74 @@ from shapely.geometry.base import BaseGeometry
 from mansion_geometry.rings import corner_points, polygon_parts
 from mansion_geometry.shared_walls import SharedWall, edge_array, longest_wall, shared_walls, total_length
 from mansion_msgs_py.layout import RealisedEdge
-from mansion_planner.solver.model import FloorModel, Obstacle
 from mansion_planner.solver.options import SolverOptions
-from mansion_planner.solver.usable import shape_faults, straddled_lengths
+from mansion_planner.solver.partition import Partition
+from mansion_planner.solver.polygons import room_shapes
+from mansion_planner.solver.problem import FloorModel, Obstacle
 
-__all__ = ["MOST_STRADDLED", "Verdict", "figures_of", "judge", "on_side", "realise_edges"]
+__all__ = ["MOST_STRADDLED", "Measured", "Verdict", "figures_of", "measure", "width_fault"]
+
+
+KEPT = 0.9
+"""Share of a room's area that must be at least as wide as its minimum width."""
+
+LOBE = 0.04
+"""Share of a room's area that may lie behind a pinch."""
+
+WIDTH_SLACK = 4e-3
+STRADDLE = 0.06
+"""Metres by which a structural wall may reach into a room (half an interior wall)."""
+
+
+def width_fault(shape: Polygon | MultiPolygon, width: float) -> str:
+    """Return what is wrong with a room's shape, or an empty string.
+
+    The room is opened with a square of its minimum width (eroded by half of it, then dilated): what vanishes is too
+    narrow, and what falls apart is pinched.
+
+    Examples
+    --------
+    >>> width_fault(shapely.box(0, 0, 4, 3), 1.2), width_fault(shapely.box(0, 0, 9, 1), 1.2)
+    ('', '0% of its area is at least 1.2 m wide')
+    """
+    inset = width / 2 - WIDTH_SLACK
+    if inset <= 0.0:
+        return ""
+    pieces = [
+        shapely.buffer(part, inset, join_style="mitre")
+        for part in polygon_parts(shapely.buffer(shape, -inset, join_style="mitre"))
+    ]
+    kept = float(shapely.intersection(shapely.union_all(pieces), shape).area) if pieces else 0.0
+    if kept < KEPT * shape.area:
+        return f"{kept / shape.area:.0%} of its area is at least {width:g} m wide"
+    lobes = [piece for piece in pieces if piece.area > LOBE * shape.area]
+    if len(lobes) > 1:
+        return f"places narrower than {width:g} m cut it into {len(lobes)} parts"
+    return ""
+
+
+def shape_faults(model: FloorModel, shapes: list[Polygon | MultiPolygon]) -> dict[str, str]:
+    """Return the rooms that are too narrow or pinched, and why."""
+    found: dict[str, str] = {}
+    widths = model.min_widths.tolist()
+    for room, shape, width in zip(model.rooms, shapes, widths):
+        x0, y0, x1, y1 = shape.bounds
+        whole = shape.area > 0.999 * (x1 - x0) * (y1 - y0)
+        if whole and min(x1 - x0, y1 - y0) >= width - 2 * WIDTH_SLACK:
+            continue
+        reason = width_fault(shape, round(width, 3))
+        if reason:
+            found[room.id] = reason
+    return found
+
+
+def straddled_lengths(model: FloorModel, shapes: list[Polygon | MultiPolygon]) -> list[float]:
+    """Return, for each structural wall, how many metres of it lie inside rooms."""
+    if not model.walls:
+        return []
+    inner = shapely.buffer(np.array(shapes, dtype=object), -STRADDLE, join_style="mitre")
+    return [float(shapely.length(shapely.intersection(inner, wall)).sum()) for wall in model.walls]
+
 
 SLACK = 1e-3
 GAP = 1e-3
@@ -51,18 +114,6 @@ class Verdict:
         return links + self.broken + walls, len(self.shape_faults)
 
 
-def on_side(wall: SharedWall, obstacle: Obstacle) -> bool:
-    """Tell whether a wall, running along the room's boundary, lies on the obstacle's door side.
-
-    The room is on the wall's left, the obstacle on its right, so a room north of the core sees a wall running east.
-    """
-    if obstacle.side == 0:
-        return True
-    dx, dy = wall.end[0] - wall.start[0], wall.end[1] - wall.start[1]
-    facing = {1: (dx, 0.0), 2: (-dy, 0.0), 3: (-dx, 0.0), 4: (dy, 0.0)}[obstacle.side][0]
-    return facing > 0.7 * float(np.hypot(dx, dy))
-
-
 def _walls(
     edges: dict[str, NDArray[np.float64]], obstacles: dict[str, Obstacle], a: str, b: str, kind: str
 ) -> list[SharedWall]:
@@ -70,9 +121,9 @@ def _walls(
     walls = shared_walls(edges[a], edges[b], GAP)
     if kind == "access":
         if b in obstacles:
-            walls = [w for w in walls if on_side(w, obstacles[b])]
+            walls = [w for w in walls if obstacles[b].is_entered_through(w)]
         if a in obstacles:
-            walls = [w for w in walls if on_side(SharedWall(w.end, w.start), obstacles[a])]
+            walls = [w for w in walls if obstacles[a].is_entered_through(SharedWall(w.end, w.start))]
     return walls
 
 
@@ -141,3 +192,23 @@ def figures_of(model: FloorModel, shapes: list[Polygon | MultiPolygon], verdict:
         "adjacent": float(np.mean(adjacent)) if adjacent else 1.0,
         "corners": corners / len(shapes),
     }
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A partition, its rooms' shapes in the model's frame, and what they are worth."""
+
+    partition: Partition
+    shapes: list[Polygon | MultiPolygon]
+    verdict: Verdict
+
+    @property
+    def faultless(self) -> bool:
+        """Every room is one piece and of a usable shape, and none straddles a structural wall."""
+        return self.verdict.faults(()) == (0, 0)
+
+
+def measure(model: FloorModel, partition: Partition, options: SolverOptions) -> Measured:
+    """Trace and judge a partition."""
+    shapes = room_shapes(model, partition.grid, partition.labels)
+    return Measured(partition, shapes, judge(model, shapes, options))

@@ -1,28 +1,72 @@
-"""Painting cells: a cell changes its label, and every running statistic follows."""
+"""Partitions of a grid into rooms, with statistics that follow every change of a cell.
 
-from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.state import (
-    AREA,
-    CORNERS,
-    COUNT,
-    CX,
-    CY,
-    HB,
-    HS,
-    MX,
-    MY,
-    NEAR,
-    PERIMETER,
-    SIZE,
-    VB,
-    VS,
-    Cells,
-    Floats,
-    Ints,
-    State,
-)
+A partition is a label for each cell: rooms 0 to n-1, obstacles (cores, fixed rooms) n to m-2, and m-1 for the outside.
+The kernels take plain arrays: a named tuple of many arrays costs more to pass than the work it is passed for.
+"""
 
-__all__ = ["paint", "recount", "repaint"]
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from mansion_geometry.compiled import Floats, Ints, kernel
+from mansion_planner.solver.grid import AREA, CX, CY, HB, HS, NEAR, VB, VS, Cells, Grid
+
+__all__ = [
+    "CORNERS",
+    "COUNT",
+    "MX",
+    "MY",
+    "PERIMETER",
+    "Partition",
+    "SIZE",
+    "State",
+    "make_state",
+    "paint",
+    "recount",
+    "repaint",
+    "still_whole",
+]
+
+SIZE, MX, MY, PERIMETER, COUNT, CORNERS = range(6)
+"""Last index of `State.stats`."""
+
+
+class State(NamedTuple):
+    """One partition and its running statistics (see `painting.paint`).
+
+    ``stats[label]`` holds area, first moments, perimeter, number of cells, of corners; ``contact`` the wall length of
+    each pair of labels, ``run`` the longest straight wall of each pair, ``thin`` each room's area narrower than its
+    minimum width, ``straddle`` the length of structural wall inside rooms.
+    """
+
+    labels: Ints
+    stats: Floats
+    contact: Floats
+    run: Floats
+    thin: Floats
+    straddle: Floats
+
+
+def make_state(labels: Ints, rooms: int, total: int) -> State:
+    """Return an empty state for `labels`; `painting.recount` fills in the statistics."""
+    return State(
+        labels.copy(),
+        np.zeros((total, 6)),
+        np.zeros((total, total)),
+        np.zeros((total, total)),
+        np.zeros(rooms),
+        np.zeros(1),
+    )
+
+
+@dataclass(frozen=True)
+class Partition:
+    """A labelled grid and its energy."""
+
+    grid: Grid
+    labels: Ints
+    energy: float
 
 
 @kernel
@@ -206,3 +250,72 @@ def recount(cells: Cells, state: State) -> None:
             if length > 0.0:
                 contact[x, near[j, i]] += length
                 contact[near[j, i], x] += length
+
+
+@kernel
+def piece_size(geometry: Floats, labels: Ints, j: int, i: int, stack: Ints, seen: Ints, stamp: int) -> int:
+    """Return how many cells can be reached from (j, i) across borders within its label; mark them with `stamp`."""
+    r = labels[j, i]
+    columns = labels.shape[1]
+    top = 0
+    stack[0] = j * columns + i
+    seen[j, i] = stamp
+    found = 0
+    while top >= 0:
+        p = stack[top]
+        top -= 1
+        y = p // columns
+        x = p - y * columns
+        found += 1
+        if labels[y, x + 1] == r and seen[y, x + 1] != stamp and geometry[y, x, VB] > 1e-6:
+            seen[y, x + 1] = stamp
+            top += 1
+            stack[top] = p + 1
+        if labels[y, x - 1] == r and seen[y, x - 1] != stamp and geometry[y, x - 1, VB] > 1e-6:
+            seen[y, x - 1] = stamp
+            top += 1
+            stack[top] = p - 1
+        if labels[y + 1, x] == r and seen[y + 1, x] != stamp and geometry[y, x, HB] > 1e-6:
+            seen[y + 1, x] = stamp
+            top += 1
+            stack[top] = p + columns
+        if labels[y - 1, x] == r and seen[y - 1, x] != stamp and geometry[y - 1, x, HB] > 1e-6:
+            seen[y - 1, x] = stamp
+            top += 1
+            stack[top] = p - columns
+    return found
+
+
+@kernel
+def still_whole(
+    geometry: Floats,
+    labels: Ints,
+    stats: Floats,
+    changes: Ints,
+    made: int,
+    stack: Ints,
+    seen: Ints,
+    stamps: Ints,
+    rooms: int,
+) -> bool:
+    """Tell whether every room that the recorded changes touched is one piece and not empty."""
+    first = stamps[0] + 1
+    for k in range(made):
+        y, x = changes[k, 0], changes[k, 1]
+        z = changes[k, 2]
+        if stats[z, COUNT] < 0.5:
+            return False
+        if seen[y, x] < first:
+            stamps[0] += 1
+            size = piece_size(geometry, labels, y, x, stack, seen, stamps[0])
+            if size != int(stats[labels[y, x], COUNT] + 0.5):
+                return False
+        for q in range(4):
+            yy = y + (q == 0) - (q == 1)
+            xx = x + (q == 2) - (q == 3)
+            if labels[yy, xx] == z and seen[yy, xx] < first and z < rooms:
+                stamps[0] += 1
+                size = piece_size(geometry, labels, yy, xx, stack, seen, stamps[0])
+                if size != int(stats[z, COUNT] + 0.5):
+                    return False
+    return True

@@ -1,4 +1,4 @@
-"""The raster-space protocol of the supplement's A.1, and what else is measured of a layout against a true plan.
+"""Scores of layouts against true plans: the raster-space protocol of the supplement's A.1, edges, areas and shapes.
 
 Both plans are put on 64 x 64 squares aligned to the floor's bounding box, and rooms of the same id are compared.
 """
@@ -16,7 +16,7 @@ from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
 from mansion_planner.solver.options import SolverOptions
 
-__all__ = ["Interval", "PlanScore", "TrueProblem", "figures", "run_protocol", "score_plan", "table"]
+__all__ = ["TrueProblem", "figures", "run_protocol", "score_plan", "table"]
 
 SLACK = 1e-3
 

@@ -14,9 +14,8 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
 from mansion_msgs_py.world import Progress
 from mansion_planner.solver import solve_floor
-from mansion_planner.solver.files import solve_file
-from mansion_planner.solver.protocol import TrueProblem, figures, score_plan, table
-from mansion_planner.solver.workers import largest_first
+from mansion_planner.solver.batch import largest_first, solve_file
+from mansion_planner.solver.evaluation import TrueProblem, figures, score_plan, table
 from problem_floors import box, flat, office
 
 
@@ -96,7 +95,7 @@ def test_the_protocol_compares_rooms_of_the_same_id_only() -> None:
 # Prints after each problem how the workers were started; the process has no other thread, as on the command line.
 SOLVE = """
 import multiprocessing, pathlib, sys
-from mansion_planner.solver.files import solve_file
+from mansion_planner.solver.batch import solve_file
 
 def tell(progress):
     print(*{type(child).__name__ for child in multiprocessing.active_children()}, flush=True)

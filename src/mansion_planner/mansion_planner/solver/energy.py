@@ -1,36 +1,29 @@
-"""The energy that the wall search lowers: areas, seeds, shapes and, above all, topology."""
+"""The energy that the wall search lowers: areas, seeds, shapes and, weighted most, topology."""
 
 import numpy as np
 
-from mansion_planner.solver.jit import kernel
-from mansion_planner.solver.state import (
+from mansion_geometry.compiled import Floats, Ints, kernel
+from mansion_planner.solver.grid import Cells
+from mansion_planner.solver.partition import CORNERS, MX, MY, PERIMETER, SIZE, State
+from mansion_planner.solver.problem import (
+    ACCESS,
     CORNER_WEIGHT,
-    CORNERS,
-    MX,
-    MY,
-    PERIMETER,
     SEED_WEIGHT,
     SEED_X,
     SEED_Y,
     SHAPE_WEIGHT,
-    SIZE,
     TARGET,
     WALL_WEIGHT,
-    Cells,
-    Floats,
     Goal,
-    Ints,
-    State,
 )
-from mansion_planner.solver.widths import LARGE, border_sums, scan_runs
+from mansion_planner.solver.walls import LARGE, border_sums, scan_runs
 
-__all__ = ["WEIGHTS", "edge_energy", "room_cost", "room_energy", "thin_energy", "total_energy"]
+__all__ = ["W_THIN", "edge_energy", "room_cost", "room_energy", "thin_energy", "total_energy"]
 
-WEIGHTS = ("area", "seed", "corner", "compact", "access", "adjacent", "thin", "apart", "straddle", "wall", "narrow")
-"""Order of `Goal.weights`."""
 
 (W_AREA, W_SEED, W_CORNER, W_COMPACT, W_ACCESS, W_ADJACENT, W_THIN, W_APART, W_STRADDLE, W_WALL, W_NARROW) = range(11)
-ACCESS = 0
+"""Indices into `Goal.weights`, in the order of the fields of `SearchWeights`."""
+
 DETOUR = 1.12
 """Compactness (perimeter / 4 sqrt(area)) up to which a room's proportions cost nothing: a rectangle of 1 : 2.6."""
 

@@ -4,13 +4,11 @@ import numpy as np
 import pytest
 
 from mansion_planner.solver import SolverOptions
+from mansion_planner.solver.annealing import anneal
+from mansion_planner.solver.energy import total_energy
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
-from mansion_planner.solver.model import make_model
-from mansion_planner.solver.objective import total_energy
-from mansion_planner.solver.painting import paint, recount
-from mansion_planner.solver.refine import make_goal
-from mansion_planner.solver.search import anneal
-from mansion_planner.solver.state import Goal, State, make_state
+from mansion_planner.solver.partition import State, make_state, paint, recount
+from mansion_planner.solver.problem import Goal, make_goal, make_model
 from problem_floors import flat, office
 
 

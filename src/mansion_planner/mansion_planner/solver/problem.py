@@ -1,0 +1,553 @@
+"""The floor problem as the search works on it: checked, aligned, areas scaled, zones resolved, goals as arrays.
+
+A node of type ``area`` is a zone: it is split completely and vanishes. Its children open onto the zone's parent unless
+they have another access edge, and an edge from elsewhere to the zone goes to its largest member.
+"""
+
+from collections.abc import Iterable
+from dataclasses import astuple, dataclass, field
+from typing import NamedTuple
+
+import networkx as nx
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely.geometry import LineString, MultiPolygon, Polygon
+
+from mansion_geometry.compiled import Floats, Ints
+from mansion_geometry.rings import as_polygon, dominant_angle, polygon_parts, rotated
+from mansion_geometry.shared_walls import SharedWall, edge_array, shared_walls
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.layout import FloorProblem, ProblemNode
+from mansion_msgs_py.wording import with_article
+from mansion_planner.solver.options import SolverOptions
+
+__all__ = [
+    "ACCESS",
+    "CORNER_WEIGHT",
+    "FloorModel",
+    "Goal",
+    "MIN_WIDTH",
+    "Obstacle",
+    "Relaxed",
+    "SEED_WEIGHT",
+    "SEED_X",
+    "SEED_Y",
+    "SHAPE_WEIGHT",
+    "TARGET",
+    "WALL_WEIGHT",
+    "breadth_first_parents",
+    "make_goal",
+    "make_model",
+    "mostly_seeded",
+    "relaxed_links",
+    "resolve_zones",
+]
+
+
+@dataclass(frozen=True)
+class Link:
+    """An edge between two surviving ids; `kind` is ``access`` or ``adjacent``."""
+
+    source: str
+    target: str
+    kind: str
+
+
+def select_hub(nodes: list[ProblemNode], graph: "nx.Graph[str]", cores: set[str]) -> str:
+    """Return the hub (Algorithm 2, line 1): the largest ``main``, else the room with most access edges."""
+    rooms = [node for node in nodes if node.id not in cores]
+    if not rooms:
+        return ""
+
+    def rank(node: ProblemNode) -> tuple[int, int, float]:
+        degree = sum(1 for _, _, data in graph.edges(node.id, data=True) if data["kind"] == "access")
+        main = node.type == "main"
+        return int(main) + int(node.type != "area"), 0 if main else degree, node.area or 0.0
+
+    return max(rooms, key=rank).id
+
+
+def room_graph(problem: FloorProblem) -> "nx.Graph[str]":
+    """Return the undirected room graph; an access edge outranks an adjacent one of the same pair."""
+    graph: nx.Graph[str] = nx.Graph()
+    graph.add_nodes_from(node.id for node in problem.nodes)
+    for k, edge in enumerate(problem.edges):
+        for end in (edge.source, edge.target):
+            if end not in graph:
+                known = {c.id for c in problem.cores} | {r.id for r in problem.fixed_rooms}
+                if end not in known:
+                    raise MansionError(
+                        ErrorCode.INFEASIBLE,
+                        f"the edge names {end!r}, which is no node, core or fixed room",
+                        path=f"$.edges[{k}]",
+                    )
+                graph.add_node(end)
+        if edge.source == edge.target:
+            continue
+        if graph.has_edge(edge.source, edge.target) and edge.kind != "access":
+            continue
+        graph.add_edge(edge.source, edge.target, kind=edge.kind)
+    return graph
+
+
+def breadth_first_parents(graph: "nx.Graph[str]", hub: str, order: list[str], barred: set[str]) -> dict[str, str]:
+    """Return each room's parent, nearest to the hub first.
+
+    Access edges are followed before adjacent ones; what neither reaches joins the hub. `barred` ids (vertical cores)
+    are neither parents nor children.
+    """
+    parent: dict[str, str] = {}
+    place = {name: k for k, name in enumerate(order)}
+    for kinds in (("access",), ("access", "adjacent")):
+        queue = [hub, *parent]
+        while queue:
+            current = queue.pop(0)
+            near = sorted(
+                (n for n in graph[current] if graph[current][n]["kind"] in kinds and n in place), key=place.__getitem__
+            )
+            for name in near:
+                if name != hub and name not in parent and name not in barred:
+                    parent[name] = current
+                    queue.append(name)
+    for name in order:
+        if name != hub and name not in parent and name not in barred:
+            parent[name] = hub
+    return parent
+
+
+def _living_parent(zone: str, parent: dict[str, str], zones: set[str], hub: str) -> str:
+    name = parent.get(zone, hub)
+    while name in zones:
+        name = parent.get(name, hub)
+    return name
+
+
+def resolve_zones(
+    problem: FloorProblem, obstacles: set[str]
+) -> tuple[list[ProblemNode], list[str], list[Link], "nx.Graph[str]", list[str]]:
+    """Return the rooms to lay out (hub first), the vanishing zones, the links between survivors, the graph and notes.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` when a ``stair`` or ``elevator`` node or an edge names nothing that exists.
+    """
+    for k, node in enumerate(problem.nodes):
+        if node.type in ("stair", "elevator") and node.id not in obstacles:
+            raise MansionError(
+                ErrorCode.INFEASIBLE,
+                f"{node.id!r} is {with_article(node.type)} but no core has that id",
+                path=f"$.nodes[{k}]",
+            )
+    graph = room_graph(problem)
+    nodes = [node for node in problem.nodes if node.id not in obstacles]
+    hub = select_hub(nodes, graph, obstacles)
+    order = [node.id for node in nodes]
+    parent = breadth_first_parents(graph, hub, order, obstacles) if nodes else {}
+    children: dict[str, list[str]] = {}
+    for child, above in parent.items():
+        children.setdefault(above, []).append(child)
+    zones = {node.id for node in nodes if node.type == "area" and children.get(node.id) and node.id != hub}
+    rooms = [node for node in nodes if node.id == hub]
+    rooms += [node for node in nodes if node.id != hub and node.id not in zones]
+    areas = {node.id: node.area or 0.0 for node in nodes}
+    links: dict[frozenset[str], Link] = {}
+
+    def add(a: str, b: str, kind: str) -> None:
+        key = frozenset((a, b))
+        if a != b and (key not in links or kind == "access"):
+            links[key] = Link(a, b, kind)
+
+    for a, b, data in graph.edges(data=True):
+        if a not in zones and b not in zones:
+            add(a, b, data["kind"])
+    notes = []
+    for zone in (name for name in order if name in zones):
+        above = _living_parent(zone, parent, zones, hub)
+        members = _members(zone, children, zones)
+        for child in children[zone]:
+            has_door = any(data["kind"] == "access" and n not in zones for n, data in graph[child].items())
+            if child not in zones and not has_door:
+                add(above, child, "access")
+        for name, data in graph[zone].items():
+            if name not in members and name not in zones and name != above and members:
+                add(name, max(members, key=lambda m: areas.get(m, 0.0)), data["kind"])
+        notes.append(f"zone {zone} was split into {', '.join(members)}; its rooms open onto {above}")
+    return rooms, sorted(zones, key=order.index), list(links.values()), graph, notes
+
+
+def _members(zone: str, children: dict[str, list[str]], zones: set[str]) -> list[str]:
+    """Return the rooms below `zone` that its region is split into."""
+    found = []
+    for child in children.get(zone, []):
+        found.extend(_members(child, children, zones) if child in zones else [child])
+    return found
+
+
+SIDES = ("any", "north", "east", "south", "west")
+"""Sides on which a core may be entered, by their code in `Obstacle.side` and `Goal.side`."""
+
+LEAST_AREA = 1e-3
+WALL_OFFSET = 0.05
+
+
+@dataclass(frozen=True)
+class Obstacle:
+    """Ground that no room may take: a core or a fixed room, in the model's frame."""
+
+    id: str
+    polygon: Polygon
+    side: int = 0
+    fixed_room: bool = False
+
+    def is_entered_through(self, wall: SharedWall) -> bool:
+        """Tell whether a wall, running along the adjoining room's boundary, lies on the obstacle's door side.
+
+        The room is on the wall's left, the obstacle on its right, so a room north of the core sees a wall running east.
+        """
+        if self.side == 0:
+            return True
+        dx, dy = wall.end[0] - wall.start[0], wall.end[1] - wall.start[1]
+        along = (dx, -dy, -dx, dy)[self.side - 1]
+        return along > 0.7 * float(np.hypot(dx, dy))
+
+
+@dataclass(frozen=True)
+class FloorModel:
+    """What the search works on. Coordinates are turned by ``-angle`` about the origin.
+
+    Attributes
+    ----------
+    rooms : tuple of ProblemNode
+        Rooms to be laid out; the hub first.
+    targets : (n,) array
+        Their areas, scaled to fill the free region, square metres.
+    region : Polygon or MultiPolygon
+        Boundary less holes, cores and fixed rooms.
+    links : tuple of Link
+        Edges between surviving ids; labels of `obstacles` follow those of the rooms.
+    seeds, extents : (n, 2) arrays
+        Wished centroids and sizes, NaN where none is given.
+    """
+
+    problem: FloorProblem
+    rooms: tuple[ProblemNode, ...]
+    zones: tuple[str, ...]
+    targets: NDArray[np.float64]
+    area_scale: float
+    region: Polygon | MultiPolygon
+    outline: Polygon
+    obstacles: tuple[Obstacle, ...]
+    walls: tuple[LineString, ...]
+    links: tuple[Link, ...]
+    seeds: NDArray[np.float64]
+    extents: NDArray[np.float64]
+    min_widths: NDArray[np.float64]
+    angle: float
+    graph: "nx.Graph[str]"
+    messages: list[str] = field(default_factory=list)
+
+    @property
+    def index(self) -> dict[str, int]:
+        """Label of each surviving id."""
+        ids = [room.id for room in self.rooms] + [o.id for o in self.obstacles]
+        return {name: k for k, name in enumerate(ids)}
+
+    @property
+    def hub(self) -> str:
+        """Id of the hub."""
+        return self.rooms[0].id
+
+
+def _refuse(message: str, path: str, **details: object) -> MansionError:
+    return MansionError(ErrorCode.INFEASIBLE, message, path=path, details=dict(details))
+
+
+def _shape(ring: list[tuple[float, float]], path: str, angle: float = 0.0) -> Polygon:
+    """Return one valid polygon or refuse."""
+    if not np.isfinite(np.asarray(ring, dtype=float)).all():
+        raise _refuse("coordinates must be finite numbers", path)
+    parts = polygon_parts(as_polygon(rotated(ring, angle)))
+    parts = [part for part in parts if part.area > LEAST_AREA]
+    if len(parts) != 1:
+        raise _refuse("a simple polygon with an area is needed here", path, parts=len(parts))
+    return parts[0]
+
+
+def _obstacles(problem: FloorProblem, angle: float) -> list[Obstacle]:
+    found = []
+    for k, core in enumerate(problem.cores):
+        shape = _shape(core.polygon, f"$.cores[{k}].polygon", angle)
+        found.append(Obstacle(core.id, shape, SIDES.index(core.door_side or "any")))
+    for k, room in enumerate(problem.fixed_rooms):
+        shape = _shape(room.polygon, f"$.fixed_rooms[{k}].polygon", angle)
+        found.append(Obstacle(room.id, shape, fixed_room=True))
+    return found
+
+
+def _walls(problem: FloorProblem, region: Polygon | MultiPolygon, angle: float) -> tuple[LineString, ...]:
+    """Return the structural walls, straightened where they are nearly parallel to the building's directions.
+
+    Raises
+    ------
+    MansionError
+        For a slanted wall inside the free region: inner walls of a layout are never slanted.
+    """
+    found = []
+    inside = region.buffer(-WALL_OFFSET)
+    for k, wall in enumerate(problem.structural_walls):
+        line = LineString(rotated(wall, angle))
+        if not np.isfinite(shapely.get_coordinates(line)).all():
+            raise _refuse("coordinates must be finite numbers", f"$.structural_walls[{k}]")
+        (x0, y0), (x1, y1) = line.coords
+        if line.length < 1e-6 or inside.intersection(line).length < WALL_OFFSET:
+            continue
+        if abs(y1 - y0) <= WALL_OFFSET:
+            line = LineString([(x0, (y0 + y1) / 2), (x1, (y0 + y1) / 2)])
+        elif abs(x1 - x0) <= WALL_OFFSET:
+            line = LineString([((x0 + x1) / 2, y0), ((x0 + x1) / 2, y1)])
+        else:
+            raise _refuse(
+                "a structural wall inside the free region must run along one of the building's two main "
+                f"directions ({np.degrees(-angle):.1f} degrees and at right angles to it), because rooms "
+                "get no slanted walls inside",
+                f"$.structural_walls[{k}]",
+            )
+        found.append(line)
+    return tuple(found)
+
+
+def _targets(rooms: list[ProblemNode], free: float) -> tuple[NDArray[np.float64], float]:
+    """Scale the areas to the free region; rooms without an area share what the others leave."""
+    given = sum(room.area or 0.0 for room in rooms)
+    missing = sum(room.area is None for room in rooms)
+    if missing:
+        share = max((free - given) / missing, 0.2 * free / len(rooms))
+        areas = np.array([share if room.area is None else room.area for room in rooms])
+    else:
+        areas = np.array([room.area or 0.0 for room in rooms])
+    scale = free / float(areas.sum())
+    return areas * scale, scale
+
+
+def _seeds(
+    problem: FloorProblem, rooms: list[ProblemNode], angle: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Collect seed points and extents: a node's own, else those of the seed plan (Fig. 25)."""
+    plan = {box.room_id: box for box in problem.seeds.boxes} if problem.seeds else {}
+    seeds = np.full((len(rooms), 2), np.nan)
+    extents = np.full((len(rooms), 2), np.nan)
+    for k, room in enumerate(rooms):
+        box = room.seed_box or plan.get(room.id)
+        point = room.seed
+        if box is not None:
+            extents[k] = abs(box.x[1] - box.x[0]), abs(box.y[1] - box.y[0])
+            point = point or ((box.x[0] + box.x[1]) / 2, (box.y[0] + box.y[1]) / 2)
+        if point is not None and np.isfinite(point).all():
+            seeds[k] = rotated([point], angle)[0]
+    return seeds, extents
+
+
+def _min_widths(rooms: list[ProblemNode], targets: NDArray[np.float64], options: SolverOptions) -> NDArray[np.float64]:
+    """Return each room's minimum width: given, or the default capped for rooms too small for it."""
+    default = np.minimum(options.min_width, 0.75 * np.sqrt(targets))
+    given = np.array([room.min_width or np.nan for room in rooms], dtype=float)
+    return np.where(np.isnan(given), default, given)
+
+
+def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
+    """Check `problem` and return what the solver works on.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` with the place and the reason when no layout can exist.
+    """
+    outline = _shape(problem.boundary, "$.boundary")
+    angle = -dominant_angle([problem.boundary])
+    if angle != 0.0:
+        outline = _shape(problem.boundary, "$.boundary", angle)
+    region: Polygon | MultiPolygon = outline
+    for k, hole in enumerate(problem.holes):
+        region = region.difference(_shape(hole, f"$.holes[{k}]", angle))
+    obstacles = _obstacles(problem, angle)
+    for obstacle in obstacles:
+        region = region.difference(obstacle.polygon)
+    parts = [part for part in polygon_parts(region) if part.area > LEAST_AREA]
+    if not parts:
+        raise _refuse("cores, holes and fixed rooms leave no free region", "$.boundary")
+    region = parts[0] if len(parts) == 1 else MultiPolygon(parts)
+
+    known = {o.id for o in obstacles}
+    ids = [node.id for node in problem.nodes]
+    if len(set(ids)) != len(ids):
+        twice = sorted({i for i in ids if ids.count(i) > 1})
+        raise _refuse("node ids must differ", "$.nodes", repeated=twice)
+    rooms, zones, links, graph, messages = resolve_zones(problem, known)
+    if not rooms:
+        raise _refuse("there is no room to lay out: every node is a core or a fixed room", "$.nodes")
+    targets, scale = _targets(rooms, float(region.area))
+    if abs(scale - 1.0) > 0.01:
+        messages.append(f"node areas were scaled by {scale:.3f} to fill the free region")
+    seeds, extents = _seeds(problem, rooms, angle)
+    walls = _walls(problem, region, angle)
+    return FloorModel(
+        problem,
+        tuple(rooms),
+        tuple(zones),
+        targets,
+        scale,
+        shapely.normalize(region),
+        outline,
+        tuple(obstacles),
+        walls,
+        tuple(links),
+        seeds,
+        extents,
+        _min_widths(rooms, targets, options),
+        angle,
+        graph,
+        messages,
+    )
+
+
+@dataclass(frozen=True)
+class Relaxed:
+    """A link that the search does not ask for, and why."""
+
+    link: Link
+    reason: str
+
+
+def _core_without_wall(model: FloorModel, link: Link) -> str:
+    """Return why a core cannot be entered at all, or an empty string."""
+    if link.kind != "access":
+        return ""
+    for obstacle in model.obstacles:
+        if obstacle.id not in (link.source, link.target):
+            continue
+        region = edge_array(model.region)
+        walls = shared_walls(region, edge_array(obstacle.polygon), 1e-3)
+        walls = [wall for wall in walls if obstacle.is_entered_through(wall)]
+        longest = max((wall.length for wall in walls), default=0.0)
+        if longest < model.problem.min_access_wall - 1e-3:
+            side = f"the {SIDES[obstacle.side]}" if obstacle.side else "a"
+            return (
+                f"{obstacle.id} has {longest:.2f} m of straight wall to the free region on "
+                f"{side} side, {model.problem.min_access_wall:g} m are needed"
+            )
+    return ""
+
+
+def _too_small(model: FloorModel, link: Link) -> str:
+    """Return why a room is too small for a door wall, or an empty string."""
+    if link.kind != "access":
+        return ""
+    for room, target in zip(model.rooms, model.targets.tolist()):
+        need = model.problem.min_access_wall
+        if room.id in (link.source, link.target) and target < 0.05 * need * need:
+            return f"{room.id} has {target:.3g} m2, too little for a wall of {need:g} m"
+    return ""
+
+
+def relaxed_links(model: FloorModel) -> list[Relaxed]:
+    """Return the links that no layout can realise together with the rest.
+
+    Touching regions form a planar graph, so of a non-planar room graph some edges have to go: access edges are kept
+    first, then adjacent ones, each as long as the graph stays planar.
+    """
+    relaxed: list[Relaxed] = []
+    alive: list[Link] = []
+    for link in model.links:
+        reason = _core_without_wall(model, link) or _too_small(model, link)
+        if reason:
+            relaxed.append(Relaxed(link, reason))
+        else:
+            alive.append(link)
+    graph: nx.Graph[str] = nx.Graph()
+    graph.add_edges_from((link.source, link.target) for link in alive)
+    if nx.check_planarity(graph)[0]:
+        return relaxed
+    kept: nx.Graph[str] = nx.Graph()
+    for link in sorted(alive, key=lambda link: link.kind != "access"):
+        kept.add_edge(link.source, link.target)
+        if not nx.check_planarity(kept)[0]:
+            kept.remove_edge(link.source, link.target)
+            reason = "the room graph is not planar; regions of a floor cannot all touch like that"
+            relaxed.append(Relaxed(link, reason))
+    return relaxed
+
+
+TARGET, SEED_X, SEED_Y, SEED_WEIGHT, MIN_WIDTH, SHAPE_WEIGHT, CORNER_WEIGHT, WALL_WEIGHT = range(8)
+"""Last index of `Goal.rooms`."""
+
+ACCESS, ADJACENT = range(2)
+"""Kinds of links, the last index of `Goal.links`."""
+
+
+class Goal(NamedTuple):
+    """What the search wants.
+
+    ``rooms[r]`` holds target area, seed, weights and minimum width; ``links`` are rows of two labels and a kind (0
+    access, 1 adjacent) and the wall length they ``need``; ``side`` gives, for each label, the side on which a core
+    may be entered (0 any, 1 north, 2 east, 3 south, 4 west); ``apart`` lists pairs that should not touch.
+    """
+
+    rooms: Floats
+    links: Ints
+    need: Floats
+    side: Ints
+    apart: Ints
+    weights: Floats
+
+
+def make_goal(model: FloorModel, options: SolverOptions, left_out: Iterable[Link] = ()) -> Goal:
+    """Return the goal arrays of the wall search; links that are `left_out` are not asked for."""
+    n = len(model.rooms)
+    total = n + len(model.obstacles) + 1
+    index = model.index
+    dropped = set(left_out)
+    links = [link for link in model.links if link not in dropped]
+    pairs = np.array([(index[k.source], index[k.target]) for k in links], np.int64)
+    pairs = pairs.reshape(-1, 2)
+    kind = np.array([0 if k.kind == "access" else 1 for k in links], np.int64)
+    need = np.where(kind == 0, model.problem.min_access_wall, options.adjacent_wall).astype(float)
+    side = np.zeros(total, np.int64)
+    for k, obstacle in enumerate(model.obstacles):
+        side[n + k] = obstacle.side
+    known = ~np.isnan(model.seeds[:, 0])
+    linked = {(min(a, b), max(a, b)) for a, b in pairs.tolist()}
+    apart = np.array(
+        [(a, b) for a in range(n) for b in range(a + 1, n) if (a, b) not in linked] if (kind == 1).any() else [],
+        np.int64,
+    ).reshape(-1, 2)
+    hub = np.arange(n) == 0
+    weights = options.seeded if mostly_seeded(model) else options.unseeded
+    rooms = np.stack(
+        [
+            model.targets,
+            np.nan_to_num(model.seeds[:, 0]),
+            np.nan_to_num(model.seeds[:, 1]),
+            np.where(known, np.where(hub, 0.5, 1.0), 0.0),
+            model.min_widths,
+            np.where(hub, 0.2, 1.0),
+            np.where(hub, 0.5 if mostly_seeded(model) else 1.0, 1.0),
+            np.where(known | hub, 0.0, 1.0),
+        ],
+        axis=1,
+    )
+    return Goal(
+        rooms=np.ascontiguousarray(rooms),
+        links=np.column_stack([pairs, kind]),
+        need=need + 1e-3,
+        side=side,
+        apart=apart,
+        weights=np.array(astuple(weights), dtype=float),
+    )
+
+
+def mostly_seeded(model: FloorModel) -> bool:
+    """Tell whether most rooms besides the hub have a seed."""
+    known = ~np.isnan(model.seeds[1:, 0])
+    return bool(known.size and known.mean() > 0.6)
