@@ -19,7 +19,7 @@ from mansion_export.overview import overview_png
 from mansion_export.plan import plan_png, plan_svg
 from mansion_export.sdf import world_sdf
 from mansion_export.thor import house
-from mansion_export.thor_check import validate_house
+from mansion_export.thor.validation import validate_house
 from mansion_msgs_py.scene import FloorScene
 
 FLOOR: dict[str, Callable[[FloorScene], int]] = {

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 from shapely.geometry import Polygon
 
-from mansion_export.boundary import stretches
+from mansion_export.thor.walls import stretches
 from mansion_msgs_py.scene import Door, FloorScene, Light, SceneCore, SceneObject, SceneRoom, SpawnPose, Wall, Window
 
 HEIGHT = 3.2

@@ -12,13 +12,13 @@ from hypothesis import strategies as st
 from shapely.geometry import Point, Polygon, box
 from shapely.ops import unary_union
 
+from mansion_export.building_model import floor_model
 from mansion_export.glb import building_glb, floor_glb
 from mansion_export.html import view_page
-from mansion_export.meshes import floor_model
 from mansion_export.mjcf import floor_mjcf
 from mansion_export.overview import overview_png
-from mansion_export.solids import WallBodies
-from mansion_export.solids3d import triangulate
+from mansion_export.solids import triangulate
+from mansion_export.walls import WallBodies
 from mansion_msgs_py.scene import SceneObject, StairDetails
 
 

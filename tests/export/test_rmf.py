@@ -15,10 +15,8 @@ import yaml
 from shapely.geometry import LineString, Point, Polygon, box
 
 from mansion_export.nav2 import OCCUPIED, UNKNOWN, occupancy
-from mansion_export.rmf.fixtures import door_params
-from mansion_export.rmf.maps import rmf_files
-from mansion_export.rmf.ways import FloorPiece
-from mansion_export.rmf.yaml_text import yaml_text
+from mansion_export.rmf.lane_paths import FloorPiece
+from mansion_export.rmf.maps import door_params, rmf_files, yaml_text
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
 
 RADIUS = 0.2

@@ -8,7 +8,7 @@ from shapely.geometry import Polygon
 
 from mansion_export.thor import house
 from mansion_export.thor.layers import four_colours
-from mansion_export.thor_check import validate_house
+from mansion_export.thor.validation import validate_house
 
 
 @pytest.fixture

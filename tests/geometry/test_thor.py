@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mansion_geometry.thor.axes import from_point, matrix, thor_euler, thor_point
 from mansion_geometry.thor.controller import act, start_controller
+from mansion_geometry.thor.house_format import floor_point, rotation_matrix, thor_euler, thor_point
 from mansion_msgs_py.errors import MansionError
 
 ANGLES = st.floats(0.0, 359.0)
@@ -20,7 +20,7 @@ ANGLES = st.floats(0.0, 359.0)
 @given(degrees=ANGLES)
 @settings(max_examples=30, deadline=None)
 def test_a_turn_about_the_vertical_is_that_turn(degrees: float) -> None:
-    turned = matrix(thor_euler(degrees)) @ np.array([1.0, 0.0, 0.0])
+    turned = rotation_matrix(thor_euler(degrees)) @ np.array([1.0, 0.0, 0.0])
     angle = np.radians(degrees)
     assert turned == pytest.approx([np.cos(angle), np.sin(angle), 0.0], abs=2e-5)
 
@@ -34,14 +34,14 @@ def test_a_turn_about_the_vertical_is_that_turn(degrees: float) -> None:
     ],
 )
 def test_unity_turns_by_z_then_x_then_y(euler: tuple[float, ...], up: tuple[float, ...]) -> None:
-    turned = matrix(dict(zip("xyz", euler, strict=True)))
+    turned = rotation_matrix(dict(zip("xyz", euler, strict=True)))
     assert turned @ np.array([0.0, 0.0, 1.0]) == pytest.approx(up, abs=1e-12)
 
 
 @given(x=ANGLES, y=ANGLES, z=ANGLES)
 @settings(max_examples=30, deadline=None)
 def test_every_rotation_stays_one(x: float, y: float, z: float) -> None:
-    turned = matrix({"x": x, "y": y, "z": z})
+    turned = rotation_matrix({"x": x, "y": y, "z": z})
     assert turned @ turned.T == pytest.approx(np.eye(3), abs=1e-12)
     assert np.linalg.det(turned) == pytest.approx(1.0)
 
@@ -49,7 +49,7 @@ def test_every_rotation_stays_one(x: float, y: float, z: float) -> None:
 def test_points_are_rounded_as_asked() -> None:
     assert thor_point(1.00004, 2.0, 3.0) == {"x": 1.0, "y": 3.0, "z": 2.0}
     assert thor_point(1.00004, 2.0, 3.0, 6) == {"x": 1.00004, "y": 3.0, "z": 2.0}
-    assert from_point({"x": 1.00004, "y": 3.0, "z": 2.0}, 6) == (1.00004, 2.0, 3.0)
+    assert floor_point({"x": 1.00004, "y": 3.0, "z": 2.0}, 6) == (1.00004, 2.0, 3.0)
 
 
 class Server:

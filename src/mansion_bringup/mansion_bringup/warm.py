@@ -29,20 +29,20 @@ def _navigation() -> None:
 def _pictures() -> None:
     import numpy as np
 
-    from mansion_export.gltf import write_glb
-    from mansion_export.model import Material, Model, Node, Surface
-    from mansion_export.triangles import flatten
-    from mansion_export.zbuffer import View, render
+    from mansion_export.glb import write_glb
+    from mansion_export.model import Material, Node, Part, Surface, assemble
+    from mansion_export.renderer import View, flatten, render
 
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]])
-    model = Model("warm", 1, 0.0)
+    parts: list[Part] = []
     for k, alpha in enumerate((1.0, 0.5)):
         surface = Surface(
             Material("warm", (1.0, 1.0, 1.0), alpha),
             corners[3 * k : 3 * k + 3].astype(np.float64),
             np.array([[0, 1, 2]]),
         )
-        model.add(Node(f"warm_{k}", f"warm_{k}", "structure"), [surface])
+        parts.append((Node(f"warm_{k}", f"warm_{k}", "structure"), [surface]))
+    model = assemble("warm", 1, 0.0, parts)
     render(flatten(model), View())
     write_glb([model], "warm")
 

@@ -1,24 +1,27 @@
-"""Stairs and lifts as nodes of a model, from the boxes in their details."""
+"""Stairs and lifts as nodes of a model, and the signs over their doors."""
+
+from collections.abc import Iterator
+from math import cos, degrees, radians, sin
+from typing import Final
 
 import numpy as np
 
-from mansion_export.appearance import named
-from mansion_export.core_signs import core_sign
-from mansion_export.model import Material, Model, Node, Surface
-from mansion_export.solids import Box, box_between
-from mansion_export.solids3d import boxes_surface
+from mansion_export.materials import named
+from mansion_export.model import Material, Node, Part, Surface
+from mansion_export.solids import Box, box_between, boxes_surface
 from mansion_msgs_py.scene import Box3, FloorScene, LiftDetails, SceneCore, StairDetails
 from mansion_msgs_py.shapes import Point3
+from mansion_scene.structure.outer_doors import is_residential
 
-__all__ = ["add_cores", "cabin_boxes"]
+__all__ = ["core_parts", "core_sign"]
 
 RAIL = 0.05
 WALL = 0.05
 """Thickness of a lift cabin's walls, metres."""
 
 
-def add_cores(model: Model, scene: FloorScene, cabins: frozenset[str] | None = None) -> None:
-    """Add flights, landings and handrails, the lifts with their panels, and the signs over the doors.
+def core_parts(scene: FloorScene, cabins: frozenset[str] | None = None) -> Iterator[Part]:
+    """Yield flights, landings and handrails, the lifts with their panels, and the signs over the doors.
 
     Parameters
     ----------
@@ -28,12 +31,14 @@ def add_cores(model: Model, scene: FloorScene, cabins: frozenset[str] | None = N
     for core in scene.cores:
         if sign := core_sign(scene, core):
             name = f"{core.id}/sign"
-            model.add(Node(name, _mesh_name(scene, name), "cores"), sign)
+            yield Node(name, _mesh_name(scene, name), "cores"), sign
         if isinstance(core.details, StairDetails):
-            node = Node(core.id, _mesh_name(scene, core.id), "cores", room=core.id)
-            model.add(node, _stair(core.details))
+            yield Node(core.id, _mesh_name(scene, core.id), "cores", room=core.id), _stair(core.details)
         elif isinstance(core.details, LiftDetails):
-            _add_lift(model, scene, core, core.details, cabins is None or core.id in cabins)
+            name = f"{core.id}/call_panel"
+            yield Node(name, _mesh_name(scene, name), "cores"), _call_panel(core.details)
+            if cabins is None or core.id in cabins:
+                yield Node(core.id, _mesh_name(scene, core.id), "cores", room=core.id), _cabin(core.details)
 
 
 def _mesh_name(scene: FloorScene, part: str) -> str:
@@ -94,20 +99,16 @@ def _outward(
     return faces if volume > 0 else np.ascontiguousarray(faces[:, ::-1])
 
 
-def _add_lift(model: Model, scene: FloorScene, core: SceneCore, details: LiftDetails, here: bool) -> None:
-    name = f"{core.id}/call_panel"
-    model.add(Node(name, _mesh_name(scene, name), "cores"), _call_panel(details))
-    if not here:
-        return
+def _cabin(details: LiftDetails) -> list[Surface]:
     surfaces = [
-        boxes_surface(cabin_boxes(details), named("brushed_steel")),
+        boxes_surface(_cabin_boxes(details), named("brushed_steel")),
         boxes_surface([_floor(details)], named("dark_tiles")),
         boxes_surface([_lamp(details)], _lamp_material()),
         *_plate(details.button_panel, details.facing, 0.24, 0.9, named("painted_steel")),
     ]
     for button in details.buttons:
         surfaces += _plate(button.position, details.facing, 0.05, 0.05, named("button_light"))
-    model.add(Node(core.id, _mesh_name(scene, core.id), "cores", room=core.id), surfaces)
+    return surfaces
 
 
 def _call_panel(details: LiftDetails) -> list[Surface]:
@@ -124,7 +125,7 @@ def _lamp_material() -> Material:
     return Material("lift_lamp", (1.0, 0.97, 0.9), roughness=0.5, emission=1.0)
 
 
-def cabin_boxes(details: LiftDetails) -> list[Box]:
+def _cabin_boxes(details: LiftDetails) -> list[Box]:
     """Return the cabin's walls and roof; the side of its door is open."""
     (x0, y0, z0), (x1, y1, z1) = details.cabin
     turn = round(details.facing / 90.0) % 4
@@ -154,3 +155,88 @@ def _plate(at: Point3, facing: float, width: float, height: float, material: Mat
     """A thin plate that looks along `facing`, or against it: it is the same on both sides."""
     box = Box(at, (width, 0.03 if height > 0.06 else 0.05, height), facing - 90.0)
     return [boxes_surface([box], material)]
+
+
+_WORDS: Final = {"elevator": "LIFT", "stair": "STAIRS"}
+_PLATES: Final = {
+    "elevator": Material("sign_blue", (0.07, 0.22, 0.55), roughness=0.6, emission=0.3),
+    "stair": Material("sign_green", (0.02, 0.42, 0.25), roughness=0.6, emission=0.3),
+}
+_LETTERS: Final = Material("sign_white", (1.0, 1.0, 1.0), roughness=0.6, emission=0.9)
+
+_FONT: Final = {
+    "A": "01110 10001 10001 11111 10001 10001 10001",
+    "F": "11111 10000 10000 11110 10000 10000 10000",
+    "I": "111 010 010 010 010 010 111",
+    "L": "10000 10000 10000 10000 10000 10000 11111",
+    "R": "11110 10001 10001 11110 10100 10010 10001",
+    "S": "01111 10000 10000 01110 00001 00001 11110",
+    "T": "11111 00100 00100 00100 00100 00100 00100",
+}
+"""Rows of each letter's points, the uppermost first."""
+
+_DOT: Final = 0.026
+"""Side of a letter's point, metres."""
+
+_MARGIN: Final = 0.06
+_THICK: Final = 0.03
+_ABOVE: Final = 0.14
+"""From the door's head to the plate, metres."""
+
+_HEIGHT: Final = 7 * _DOT + 2 * _MARGIN
+
+
+def core_sign(scene: FloorScene, core: SceneCore) -> list[Surface]:
+    """Return the sign on the wall over a core's door, on the side from which one comes; none without a door.
+
+    Where the wall is too low, the sign hangs before the door's head. Nobody puts a sign over the stairs at home.
+    """
+    door = next((door for door in scene.doors if door.id == core.door), None)
+    if door is None or (core.type == "stair" and is_residential(scene.building_type)):
+        return []
+    walls = {wall.id: wall for wall in scene.walls}
+    wall = walls.get(door.wall)
+    deep, top = (wall.thickness, wall.height) if wall is not None else (0.12, 2.7)
+    (ax, ay), (bx, by) = door.segment
+    yaw = radians(core.entrance[2])
+    out = (cos(yaw), sin(yaw))
+    away = deep / 2 + _THICK / 2
+    x, y = (ax + bx) / 2 + out[0] * away, (ay + by) / 2 + out[1] * away
+    z = min(door.height + _ABOVE + _HEIGHT / 2, top - _HEIGHT / 2)
+    turn = degrees(yaw) + 90.0
+    word = _WORDS[core.type]
+    plate = Box((x, y, z), (_width(word) + 2 * _MARGIN, _THICK, _HEIGHT), turn)
+    right = (-out[1], out[0])
+    letters = [
+        Box(
+            (
+                x + right[0] * across + out[0] * (_THICK / 2 + 0.004),
+                y + right[1] * across + out[1] * (_THICK / 2 + 0.004),
+                z + up,
+            ),
+            (wide, 0.008, _DOT),
+            turn,
+        )
+        for across, up, wide in _strokes(word)
+    ]
+    return [boxes_surface([plate], _PLATES[core.type]), boxes_surface(letters, _LETTERS)]
+
+
+def _width(word: str) -> float:
+    return _DOT * (sum(len(_FONT[letter].split()[0]) + 1 for letter in word) - 1)
+
+
+def _strokes(word: str) -> list[tuple[float, float, float]]:
+    """Return the rows of points as bars: middle across and up from the word's middle, and length; metres."""
+    bars, left = [], -_width(word) / 2
+    for letter in word:
+        rows = _FONT[letter].split()
+        for k, row in enumerate(rows):
+            start = 0
+            while (begin := row.find("1", start)) >= 0:
+                end = row.find("0", begin)
+                start = len(row) if end < 0 else end
+                middle = left + _DOT * (begin + start) / 2
+                bars.append((middle, _DOT * (3 - k), _DOT * (start - begin)))
+        left += _DOT * (len(rows[0]) + 1)
+    return bars

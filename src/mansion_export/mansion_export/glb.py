@@ -1,16 +1,21 @@
-"""Binary glTF of a floor and of a building."""
+"""Binary glTF 2.0 of a floor and of a building."""
 
+import json
 from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
 
 from mansion_assets.catalogue import Catalogue
-from mansion_export.cutaway import quarter_turns
-from mansion_export.gltf import write_glb
-from mansion_export.meshes import building_models, floor_model
-from mansion_export.model import Model
-from mansion_export.titles import building_title, floor_title
+from mansion_export.building_model import building_models, floor_model
+from mansion_export.materials import linear
+from mansion_export.model import Material, Mesh, Model, Node, Surface
+from mansion_export.normals import corner_normals
+from mansion_export.presentation import building_title, floor_title, quarter_turns
 from mansion_msgs_py.scene import FloorScene
 
-__all__ = ["building_glb", "floor_glb"]
+__all__ = ["building_glb", "floor_glb", "write_glb"]
 
 
 def building_glb(
@@ -50,3 +55,187 @@ def floor_glb(scene: FloorScene, *, ceilings: bool = True, catalogue: Catalogue 
     return write_glb(
         [floor_model(scene, ceilings=ceilings, catalogue=catalogue)], scene.building_id, floor_title(scene)
     )
+
+
+Json: TypeAlias = dict[str, Any]
+
+FLOAT, USHORT, UINT = 5126, 5123, 5125
+ARRAY, ELEMENTS = 34962, 34963
+
+
+def write_glb(models: Sequence[Model], name: str, title: str = "", turns: int = 0) -> bytes:
+    """Write models as one binary glTF scene.
+
+    Parameters
+    ----------
+    models : sequence of Model
+        One a floor; each becomes a node ``floor_N`` at its elevation, with a child for each group.
+    name : str
+        Of the root node.
+    title : str
+        What a person calls the building, kept in the root node's extras.
+    turns : int
+        Quarters by which to turn the building so that its entrance faces a viewer in the south; kept there, too.
+
+    Returns
+    -------
+    bytes
+        The ``.glb`` file. Every node is named after the id of its element.
+    """
+    writer = _Writer()
+    floors = [writer.floor(model) for model in models]
+    extras = {key: value for key, value in (("title", title), ("turns", turns)) if value}
+    root = writer.node({"name": name, "children": floors, **({"extras": extras} if extras else {})})
+    return writer.finish(root)
+
+
+def _titled(title: str) -> Json:
+    return {"extras": {"title": title}} if title else {}
+
+
+class _Writer:
+    """Collects the JSON arrays and the binary buffer."""
+
+    def __init__(self) -> None:
+        self.nodes: list[Json] = []
+        self.meshes: list[Json] = []
+        self.materials: list[Json] = []
+        self.accessors: list[Json] = []
+        self.views: list[Json] = []
+        self.buffer = bytearray()
+        self._mesh_index: dict[str, int] = {}
+        self._material_index: dict[Material, int] = {}
+
+    def node(self, content: Json) -> int:
+        self.nodes.append(content)
+        return len(self.nodes) - 1
+
+    def floor(self, model: Model) -> int:
+        """Write a floor's groups and nodes; return the index of the floor's node."""
+        groups: dict[str, list[int]] = {}
+        for node in model.nodes:
+            mesh = self.mesh(model.meshes[node.mesh])
+            if mesh is not None:
+                groups.setdefault(node.group, []).append(self.node(_placed(node, mesh)))
+        children = [
+            self.node({"name": f"{model.name}/{group}", "children": members}) for group, members in groups.items()
+        ]
+        content: Json = {"name": model.name, "children": children, **_titled(model.title)}
+        if model.elevation:
+            content["translation"] = [0.0, round(model.elevation, 5), 0.0]
+        if not children:
+            del content["children"]
+        return self.node(content)
+
+    def mesh(self, mesh: Mesh) -> int | None:
+        """Write a mesh once; None where it has no triangle."""
+        if not mesh.surfaces:
+            return None
+        if mesh.name not in self._mesh_index:
+            primitives = [self.primitive(surface) for surface in mesh.surfaces]
+            self.meshes.append({"name": mesh.name, "primitives": primitives})
+            self._mesh_index[mesh.name] = len(self.meshes) - 1
+        return self._mesh_index[mesh.name]
+
+    def primitive(self, surface: Surface) -> Json:
+        points, normals, indices = corner_normals(surface.vertices, surface.faces)
+        positions = gltf_points(points)
+        kind = USHORT if len(positions) < 65535 else UINT
+        dtype = np.uint16 if kind == USHORT else np.uint32
+        return {
+            "attributes": {
+                "POSITION": self.accessor(positions, "VEC3", FLOAT, ARRAY, bounds=True),
+                "NORMAL": self.accessor(gltf_points(normals), "VEC3", FLOAT, ARRAY),
+            },
+            "indices": self.accessor(indices.astype(dtype).reshape(-1), "SCALAR", kind, ELEMENTS),
+            "material": self.material(surface.material),
+        }
+
+    def material(self, material: Material) -> int:
+        if material not in self._material_index:
+            pbr: Json = {
+                "baseColorFactor": [*linear(material.color), material.alpha],
+                "metallicFactor": material.metallic,
+                "roughnessFactor": material.roughness,
+            }
+            content: Json = {"name": material.name, "pbrMetallicRoughness": pbr}
+            if material.alpha < 1.0:
+                content |= {"alphaMode": "BLEND", "doubleSided": True}
+            if material.emission > 0.0:
+                content["emissiveFactor"] = [round(material.emission * c, 6) for c in linear(material.color)]
+            self.materials.append(content)
+            self._material_index[material] = len(self.materials) - 1
+        return self._material_index[material]
+
+    def accessor(self, array: npt.NDArray[Any], kind: str, component: int, target: int, bounds: bool = False) -> int:
+        """Append an array to the buffer, on a multiple of four bytes, and describe it."""
+        data = array.tobytes()
+        self.views.append({"buffer": 0, "byteOffset": len(self.buffer), "byteLength": len(data), "target": target})
+        self.buffer += data + b"\0" * (-len(data) % 4)
+        content: Json = {
+            "bufferView": len(self.views) - 1,
+            "componentType": component,
+            "count": len(array),
+            "type": kind,
+        }
+        if bounds:
+            content["min"] = [float(value) for value in array.min(0)]
+            content["max"] = [float(value) for value in array.max(0)]
+        self.accessors.append(content)
+        return len(self.accessors) - 1
+
+    def finish(self, root: int) -> bytes:
+        """Write header, JSON chunk and binary chunk (glTF 2.0, 4.4)."""
+        document: Json = {
+            "asset": {"version": "2.0", "generator": "Mansion"},
+            "scene": 0,
+            "scenes": [{"nodes": [root]}],
+            "nodes": self.nodes,
+        }
+        if self.meshes:
+            document |= {
+                "meshes": self.meshes,
+                "materials": self.materials,
+                "accessors": self.accessors,
+                "bufferViews": self.views,
+                "buffers": [{"byteLength": len(self.buffer)}],
+            }
+        text = json.dumps(document, separators=(",", ":")).encode()
+        text += b" " * (-len(text) % 4)
+        chunks = len(text).to_bytes(4, "little") + b"JSON" + text
+        if self.buffer:
+            chunks += len(self.buffer).to_bytes(4, "little") + b"BIN\0" + bytes(self.buffer)
+        return b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little") + chunks
+
+
+def _placed(node: Node, mesh: int) -> Json:
+    content: Json = {"name": node.id, "mesh": mesh}
+    if any(node.position):
+        x, y, z = node.position
+        content["translation"] = [round(x, 5), round(z, 5), round(-y, 5)]
+    if node.rotation % 360.0:
+        content["rotation"] = gltf_quaternion(node.rotation)
+    if node.scale != (1.0, 1.0, 1.0):
+        w, d, h = node.scale
+        content["scale"] = [round(w, 6), round(h, 6), round(d, 6)]
+    extras: Json = {}
+    if node.room and node.room != node.id:
+        extras["room"] = node.room
+    if node.label:
+        x, y, z = node.label_at
+        extras |= {"label": list(node.label), "label_at": [x, z, -y]}
+    if extras:
+        content["extras"] = extras
+    return content
+
+
+def gltf_points(points: npt.ArrayLike) -> npt.NDArray[np.float32]:
+    """Return z-up points or directions of shape (n, 3) in glTF's y-up axes."""
+    array = np.asarray(points, dtype=np.float32).reshape(-1, 3)
+    return np.ascontiguousarray(np.stack([array[:, 0], array[:, 2], -array[:, 1]], axis=1))
+
+
+def gltf_quaternion(rotation: float) -> list[float]:
+    """Return a rotation about the vertical (degrees counter-clockwise) as glTF's (x, y, z, w)."""
+    half = np.radians(rotation) / 2.0
+    return [0.0, round(float(np.sin(half)), 7), 0.0, round(float(np.cos(half)), 7)]

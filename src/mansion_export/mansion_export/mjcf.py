@@ -8,16 +8,16 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 
 from mansion_assets.catalogue import Catalogue
-from mansion_export.appearance import surface_material
-from mansion_export.cavities import is_loose, loose_colliders
-from mansion_export.colliders import collision_box, ground_boxes
-from mansion_export.meshes import floor_model
+from mansion_export.building_model import floor_model
+from mansion_export.collision import collision_box, ground_boxes, is_loose, loose_colliders
+from mansion_export.materials import surface_material
 from mansion_export.model import Material, Mesh, Model, Node, Surface
-from mansion_export.solids import Box, WallBodies
-from mansion_export.stl import file_name, write_stl
+from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
+from mansion_export.solids import Box
+from mansion_export.walls import WallBodies
 from mansion_msgs_py.scene import FloorScene, Wall
 
-__all__ = ["CEILING_GROUP", "COLLISION_GROUP", "MjcfExport", "floor_mjcf"]
+__all__ = ["floor_mjcf"]
 
 STRUCTURE_GROUP, OBJECT_GROUP, CEILING_GROUP, COLLISION_GROUP = 0, 1, 2, 3
 """Geom groups; MuJoCo draws 0 to 2, so that boxes to collide with stay unseen. Switch 2 off to look from above."""
@@ -30,29 +30,13 @@ DENSITY = 300.0
 LEAST_MASS = 0.02
 
 
-@dataclass(frozen=True, slots=True)
-class MjcfExport:
-    """A model and the files that it names.
-
-    Attributes
-    ----------
-    xml : str
-        The MJCF document.
-    meshes : dict of str to bytes
-        Binary STL files by name, for the folder `mesh_dir` of `floor_mjcf`.
-    """
-
-    xml: str
-    meshes: dict[str, bytes]
-
-
 def floor_mjcf(
     scene: FloorScene,
     mesh_dir: str = "../../meshes",
     *,
     free_pickupables: bool = False,
     catalogue: Catalogue | None = None,
-) -> MjcfExport:
+) -> SimulatorModel:
     """Make the MuJoCo model of a floor, its finished floor at z = 0.
 
     Parameters
@@ -68,7 +52,7 @@ def floor_mjcf(
 
     Returns
     -------
-    MjcfExport
+    SimulatorModel
         Bodies carry our ids. Geom groups: 0 structure, 1 objects, 2 ceilings, 3 collision boxes (not drawn).
     """
     model = floor_model(scene, catalogue=catalogue)
@@ -90,7 +74,7 @@ def floor_mjcf(
             writer.body(node, mesh, colliders.get(node.id, (box,) if box is not None else ()))
     for name, solid in ground_boxes(scene):
         writer.solid(name, solid)
-    return MjcfExport(_document(scene, model, writer, mesh_dir), writer.files)
+    return SimulatorModel(_document(scene, model, writer, mesh_dir), writer.files)
 
 
 @dataclass(slots=True)
@@ -153,20 +137,20 @@ class _Writer:
                 f"<geom name={quoteattr(name)} {_box_attributes(collision)} "
                 f'group="{COLLISION_GROUP}" rgba="0.5 0.5 0.5 0.3"/>'
             )
-        place = f'pos="{_numbers(node.position)}"' if any(node.position) else ""
+        place = f'pos="{number_list(node.position)}"' if any(node.position) else ""
         if node.rotation % 360.0:
             place += f' quat="{_quaternion(node.rotation)}"'
         self.bodies.append(f"<body name={quoteattr(node.id)} {place}>{''.join(parts)}</body>")
 
     def mesh(self, name: str, part: int, surface: Surface, scale: tuple[float, float, float]) -> str:
         """Return the name of a mesh asset at a scale, writing the asset and its file when they are new."""
-        file = file_name(name, part)
+        file = mesh_file_name(name, part)
         if file not in self.files:
             self.files[file] = write_stl(surface)
         asset = file.removesuffix(".stl")
         size = ""
         if scale != (1.0, 1.0, 1.0):
-            size = f' scale="{_numbers(scale)}"'
+            size = f' scale="{number_list(scale)}"'
             asset += "@" + "x".join(f"{value:.4g}" for value in scale)
         if asset not in self.assets:
             self.assets[asset] = f'<mesh name={quoteattr(asset)} file={quoteattr(file)} inertia="shell"{size}/>'
@@ -191,7 +175,7 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
     reach = max(x1 - x0, y1 - y0)
     materials = "\n".join(
         f"    <material name={quoteattr(name)} "
-        f'rgba="{_numbers((*material.color, material.alpha))}" '
+        f'rgba="{number_list((*material.color, material.alpha))}" '
         f'specular="{0.5 * (1.0 - material.roughness):.3g}" '
         f'shininess="{1.0 - material.roughness:.3g}" emission="{material.emission:.3g}"/>'
         for material, name in writer.materials.items()
@@ -202,7 +186,7 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
   <compiler angle="degree" meshdir={quoteattr(mesh_dir)} autolimits="true"/>
   <option timestep="0.004"/>
   <size memory="{_memory(len(writer.bodies))}M"/>
-  <statistic center="{_numbers((cx, cy, 1.0))}" extent="{reach:.4g}"/>
+  <statistic center="{number_list((cx, cy, 1.0))}" extent="{reach:.4g}"/>
   <visual>
     <global offwidth="1280" offheight="960" fovy="70"/>
     <headlight ambient="0.5 0.5 0.5" diffuse="0.3 0.3 0.3" specular="0.05 0.05 0.05"/>
@@ -218,7 +202,7 @@ def _document(scene: FloorScene, model: Model, writer: _Writer, mesh_dir: str) -
     <light name="sun" type="directional" dir="0.35 0.5 -0.79" diffuse="0.35 0.34 0.32" castshadow="false"/>
     <light name="fill" type="directional" dir="-0.6 -0.35 -0.7" diffuse="0.16 0.17 0.19" castshadow="false"/>
     <light name="bounce" type="directional" dir="0.1 0.15 0.98" diffuse="0.22 0.22 0.21" castshadow="false"/>
-    <camera name="overview" pos="{_numbers((cx, cy - 0.75 * reach, 1.15 * reach))}" \
+    <camera name="overview" pos="{number_list((cx, cy - 0.75 * reach, 1.15 * reach))}" \
 xyaxes="1 0 0 0 0.84 0.55" fovy="45"/>
 {_robot_camera(scene)}
 {bodies}
@@ -239,7 +223,7 @@ def _robot_camera(scene: FloorScene) -> str:
         return ""
     yaw = np.radians(scene.spawn.yaw)
     c, s = float(np.cos(yaw)), float(np.sin(yaw))
-    place = _numbers((scene.spawn.x, scene.spawn.y, EYE))
+    place = number_list((scene.spawn.x, scene.spawn.y, EYE))
     return f'    <camera name="spawn" pos="{place}" xyaxes="{s:.6g} {-c:.6g} 0 0 0 1" fovy="70"/>'
 
 
@@ -260,13 +244,9 @@ def _inertial(size: tuple[float, float, float]) -> str:
 def _box_attributes(solid: Box) -> str:
     half = tuple(max(value / 2, 5e-4) for value in solid.size)
     turn = f' quat="{_quaternion(solid.rotation)}"' if solid.rotation % 360.0 else ""
-    return f'type="box" pos="{_numbers(solid.center)}" size="{_numbers(half)}"{turn}'
+    return f'type="box" pos="{number_list(solid.center)}" size="{number_list(half)}"{turn}'
 
 
 def _quaternion(rotation: float) -> str:
     half = np.radians(rotation) / 2.0
-    return _numbers((float(np.cos(half)), 0.0, 0.0, float(np.sin(half))))
-
-
-def _numbers(values: Sequence[float]) -> str:
-    return " ".join(f"{round(float(value), 5) + 0.0:g}" for value in values)
+    return number_list((float(np.cos(half)), 0.0, 0.0, float(np.sin(half))))

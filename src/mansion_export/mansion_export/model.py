@@ -1,12 +1,13 @@
 """The building as meshes, materials and nodes: what every 3D format is written from."""
 
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["Material", "Mesh", "Model", "Node", "Surface", "merge_surfaces"]
+__all__ = ["Material", "Mesh", "Model", "Node", "Part", "Surface", "assemble", "merge_surfaces"]
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]
@@ -82,7 +83,7 @@ class Node:
     label_at: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Model:
     """Nodes of one floor and the meshes that they share.
 
@@ -90,6 +91,9 @@ class Model:
     ----------
     elevation : float
         Of the floor's frame in the building's, metres.
+    nodes : tuple of Node
+    meshes : dict of str to Mesh
+        By name, in the order in which nodes first name them.
     title : str
         What a person calls the floor; empty where it has no such name.
     """
@@ -97,15 +101,24 @@ class Model:
     name: str
     floor: int
     elevation: float
-    nodes: list[Node] = field(default_factory=list)
-    meshes: dict[str, Mesh] = field(default_factory=dict)
+    nodes: tuple[Node, ...]
+    meshes: dict[str, Mesh]
     title: str = ""
 
-    def add(self, node: Node, surfaces: Iterable[Surface] | None = None) -> None:
-        """Add a node, and its mesh where that is not there yet."""
-        if surfaces is not None and node.mesh not in self.meshes:
-            self.meshes[node.mesh] = Mesh(node.mesh, merge_surfaces(surfaces))
-        self.nodes.append(node)
+
+Part: TypeAlias = tuple[Node, Sequence[Surface]]
+"""A node and the surfaces of its mesh; of nodes that share a mesh the first one's are taken."""
+
+
+def assemble(name: str, floor: int, elevation: float, parts: Iterable[Part], title: str = "") -> Model:
+    """Return the model of a floor from its parts, in their order; see `Model`."""
+    nodes: list[Node] = []
+    meshes: dict[str, Mesh] = {}
+    for node, surfaces in parts:
+        nodes.append(node)
+        if node.mesh not in meshes:
+            meshes[node.mesh] = Mesh(node.mesh, merge_surfaces(surfaces))
+    return Model(name, floor, elevation, tuple(nodes), meshes, title)
 
 
 def merge_surfaces(surfaces: Iterable[Surface]) -> tuple[Surface, ...]:

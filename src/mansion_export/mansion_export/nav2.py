@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from mansion_export.solids import Box, WallBodies, segment_box
+from mansion_export.solids import Box, segment_box
+from mansion_export.walls import WallBodies
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
 from mansion_msgs_py.shapes import Point
 

@@ -1,17 +1,17 @@
-"""Door frames, leaves and windows as nodes of a model; leaves of one size share a mesh."""
+"""Door frames, door leaves and windows as nodes of a model; leaves of one size share a mesh."""
+
+from collections.abc import Iterator
 
 import numpy as np
 
-from mansion_export.appearance import named
-from mansion_export.garage_door_meshes import garage_slats
-from mansion_export.model import Material, Model, Node, Surface
-from mansion_export.sides import swing_side
-from mansion_export.solids import Box
-from mansion_export.solids3d import boxes_surface
+from mansion_export.door_sides import swing_side
+from mansion_export.materials import named
+from mansion_export.model import Material, Node, Part, Surface
+from mansion_export.solids import Box, boxes_surface
 from mansion_msgs_py.scene import Door, FloorScene, Window
 from mansion_msgs_py.shapes import Segment
 
-__all__ = ["OPEN_ANGLE", "add_doors", "add_windows", "leaf_nodes"]
+__all__ = ["door_parts", "leaf_parts", "window_parts"]
 
 OPEN_ANGLE = 86.0
 """Degrees by which an open leaf stands off its frame."""
@@ -28,8 +28,8 @@ PROUD = 0.01
 """Metres by which frames stand out from the wall's faces, so that no faces coincide."""
 
 
-def add_doors(model: Model, scene: FloorScene) -> None:
-    """Add the frame of each door and its leaves, open or closed as the scene has them."""
+def door_parts(scene: FloorScene) -> Iterator[Part]:
+    """Yield the frame of each door, then all leaves, open or closed as the scene has them."""
     thickness = {wall.id: wall.thickness for wall in scene.walls}
     for door in scene.doors:
         if door.kind == "open":
@@ -42,9 +42,8 @@ def add_doors(model: Model, scene: FloorScene) -> None:
         surfaces = _frame(length, door.height, deep, material)
         if door.kind == "sliding":
             surfaces.append(boxes_surface(_portal(length, door.height, deep), material))
-        model.add(node, surfaces)
-    for node, surfaces in leaf_nodes(scene):
-        model.add(node, surfaces)
+        yield node, surfaces
+    yield from leaf_parts(scene)
 
 
 def _base(segment: Segment) -> tuple[float, float, float, float]:
@@ -83,11 +82,11 @@ def _portal(length: float, height: float, deep: float) -> list[Box]:
     return boxes
 
 
-def leaf_nodes(scene: FloorScene) -> list[tuple[Node, list[Surface]]]:
+def leaf_parts(scene: FloorScene) -> list[Part]:
     """Return the leaves of a floor's doors, their origin on the hinge and x towards the other jamb."""
     rooms = {room.id: room.polygon for room in scene.rooms}
     rooms |= {core.id: core.polygon for core in scene.cores}
-    leaves = []
+    leaves: list[Part] = []
     for door in scene.doors:
         if door.kind in ("open", "doorway", "frame"):
             continue
@@ -100,7 +99,7 @@ def leaf_nodes(scene: FloorScene) -> list[tuple[Node, list[Surface]]]:
     return leaves
 
 
-def _slats(door: Door) -> tuple[Node, list[Surface]]:
+def _slats(door: Door) -> Part:
     """A garage door's slats, in the plane of the wall."""
     x, y, rotation, length = _base(door.segment)
     width, height = length - 2 * JAMB, door.height - JAMB - 0.01
@@ -108,16 +107,16 @@ def _slats(door: Door) -> tuple[Node, list[Surface]]:
     name = f"garage_door:{width:.3f}x{height:.3f}:{'open' if door.is_open else 'closed'}"
     place = (x + ux * JAMB, y + uy * JAMB, 0.01)
     node = Node(f"{door.id}/leaf", name, "doors", place, rotation)
-    return node, garage_slats(width, height, door)
+    return node, _garage_slats(width, height, door)
 
 
-def _panels(door: Door) -> list[tuple[Node, list[Surface]]]:
+def _panels(door: Door) -> list[Part]:
     """Two sliding panels; open ones stand before the wall on both sides."""
     x, y, rotation, length = _base(door.segment)
     width = length / 2 - JAMB
     ux, uy = np.cos(np.radians(rotation)), np.sin(np.radians(rotation))
     name = f"door_panel:{width:.3f}x{door.height:.3f}:{door.kind}"
-    found = []
+    found: list[Part] = []
     for i, closed in enumerate((JAMB, length / 2)):
         aside = (-width if i == 0 else width) * 0.92 if door.is_open else 0.0
         at = closed + aside
@@ -127,7 +126,7 @@ def _panels(door: Door) -> list[tuple[Node, list[Surface]]]:
     return found
 
 
-def _hung(door: Door, side: int) -> list[tuple[Node, list[Surface]]]:
+def _hung(door: Door, side: int) -> list[Part]:
     """Leaves that turn on their hinges into the room of the swing."""
     x, y, rotation, length = _base(door.segment)
     both = door.hinge == "both" or door.kind == "double"
@@ -136,7 +135,7 @@ def _hung(door: Door, side: int) -> list[tuple[Node, list[Surface]]]:
     angle = OPEN_ANGLE if door.is_open else 0.0
     ux, uy = float(np.cos(np.radians(rotation))), float(np.sin(np.radians(rotation)))
     name = f"door_leaf:{width:.3f}x{door.height:.3f}:{door.kind}"
-    found = []
+    found: list[Part] = []
     for i, at_end in enumerate(ends):
         along = length - JAMB if at_end else JAMB
         turn = rotation + (180.0 - side * angle if at_end else side * angle)
@@ -173,8 +172,8 @@ def _leaf(width: float, height: float, kind: str, *, handle: bool) -> list[Surfa
     return surfaces
 
 
-def add_windows(model: Model, scene: FloorScene) -> None:
-    """Add windows: frame, mullions, glass and a sill board inside."""
+def window_parts(scene: FloorScene) -> Iterator[Part]:
+    """Yield windows: frame, mullions, glass and a sill board inside."""
     walls = {wall.id: wall for wall in scene.walls}
     for window in scene.windows:
         x, y, rotation, length = _base(window.segment)
@@ -183,7 +182,7 @@ def add_windows(model: Model, scene: FloorScene) -> None:
         inward = 1.0 if wall is None or wall.left == window.room else -1.0
         name = f"window:{length:.3f}x{window.height:.3f}x{deep:.3f}:{inward:+.0f}"
         node = Node(window.id, name, "windows", (x, y, window.sill), rotation, room=window.room)
-        model.add(node, _window(window, length, deep, inward))
+        yield node, _window(window, length, deep, inward)
 
 
 def _window(window: Window, length: float, deep: float, inward: float) -> list[Surface]:
@@ -203,3 +202,33 @@ def _window(window: Window, length: float, deep: float, inward: float) -> list[S
         boxes_surface([board], named("painted_wood")),
         boxes_surface([pane], named("glass")),
     ]
+
+
+SLAT = 0.44
+"""Height of a slat, metres."""
+
+GROOVE = 0.012
+THICKNESS = 0.05
+ROLL = 0.26
+"""Height of the roll of an open door, metres."""
+
+
+def _garage_slats(width: float, height: float, door: Door) -> list[Surface]:
+    """Return the door's surfaces, its lower left corner at the origin, x along the opening.
+
+    Parameters
+    ----------
+    width, height : float
+        Of the opening inside its frame, metres.
+    door : Door
+        Open or closed; an open one is a roll below the head of the opening.
+    """
+    if door.is_open:
+        roll = Box((width / 2, 0.0, height - ROLL / 2), (width, 4 * THICKNESS, ROLL))
+        return [boxes_surface([roll], named("brushed_steel"))]
+    count = max(1, round(height / SLAT))
+    step = height / count
+    slats = [Box((width / 2, 0.0, (i + 0.5) * step), (width, THICKNESS, step - GROOVE)) for i in range(count)]
+    core = Box((width / 2, 0.0, height / 2), (width, THICKNESS - 2 * GROOVE, height))
+    grip = [Box((width / 2, side * (THICKNESS / 2 + 0.015), 0.7 * step), (0.22, 0.03, 0.03)) for side in (-1, 1)]
+    return [boxes_surface(slats, named("signal_white")), boxes_surface([core, *grip], named("painted_steel"))]

@@ -10,13 +10,11 @@ from shapely.geometry import Polygon
 from shapely.geometry.polygon import orient
 
 from mansion_assets.catalogue import Asset, Catalogue, load_catalogue
-from mansion_export.appearance import named
-from mansion_export.model import Model, Node
-from mansion_export.object_meshes import add_objects
-from mansion_export.solids import Box
-from mansion_export.solids3d import boxes_surface, polygon_surface
-from mansion_export.triangles import Triangles, bounds, flatten, project
-from mansion_export.zbuffer import View, render
+from mansion_export.building_model import object_parts
+from mansion_export.materials import named
+from mansion_export.model import Node, Part, assemble
+from mansion_export.renderer import Triangles, View, bounds, flatten, project, render
+from mansion_export.solids import Box, boxes_surface, polygon_surface
 from mansion_msgs_py.placement import PlacementResult, PlacementRoom
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
@@ -63,12 +61,13 @@ def room_picture(
     from PIL import Image
 
     known = catalogue or load_catalogue()
-    model = Model(room.room_id, 1, 0.0)
     net = orient(Polygon(room.polygon, room.holes))
-    model.add(Node("floor", "floor", "structure"), [polygon_surface(net, -0.05, 0.0, named(_FLOOR))])
-    model.add(Node("walls", "walls", "structure"), [boxes_surface(_walls(room, net), named("white_drywall"))])
-    add_objects(model, _scene(room, result, known), known)
-    triangles = flatten(model)
+    parts: list[Part] = [
+        (Node("floor", "floor", "structure"), [polygon_surface(net, -0.05, 0.0, named(_FLOOR))]),
+        (Node("walls", "walls", "structure"), [boxes_surface(_walls(room, net), named("white_drywall"))]),
+        *object_parts(_scene(room, result, known), known),
+    ]
+    triangles = flatten(assemble(room.room_id, 1, 0.0, parts))
     picture = Image.new("RGB", size, "#ffffff")
     drawn = _drawn(triangles, size, azimuth)
     picture.paste(drawn, ((size[0] - drawn.width) // 2, (size[1] - drawn.height) // 2))

@@ -1,39 +1,25 @@
 """A building as a Gazebo world (SDFormat 1.9): a static model for each floor, links named after our ids."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
 from mansion_assets.catalogue import Catalogue
-from mansion_export.colliders import collision_box, ground_boxes
-from mansion_export.meshes import building_models
+from mansion_export.building_model import building_models
+from mansion_export.collision import collision_box, ground_boxes
 from mansion_export.model import Material, Mesh, Model, Node
-from mansion_export.solids import Box, WallBodies
-from mansion_export.stl import file_name, write_stl
+from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
+from mansion_export.solids import Box
+from mansion_export.walls import WallBodies
 from mansion_msgs_py.scene import FloorScene
 
-__all__ = ["SdfExport", "world_sdf"]
+__all__ = ["world_sdf"]
 
 
-@dataclass(frozen=True, slots=True)
-class SdfExport:
-    """A world and the files that it names.
-
-    Attributes
-    ----------
-    xml : str
-        The SDFormat document.
-    meshes : dict of str to bytes
-        Binary STL files by name, the same as those of the MuJoCo models.
-    """
-
-    xml: str
-    meshes: dict[str, bytes]
-
-
-def world_sdf(scenes: Sequence[FloorScene], mesh_dir: str = "meshes", catalogue: Catalogue | None = None) -> SdfExport:
+def world_sdf(
+    scenes: Sequence[FloorScene], mesh_dir: str = "meshes", catalogue: Catalogue | None = None
+) -> SimulatorModel:
     """Make a Gazebo world of all floors.
 
     Parameters
@@ -46,7 +32,7 @@ def world_sdf(scenes: Sequence[FloorScene], mesh_dir: str = "meshes", catalogue:
 
     Returns
     -------
-    SdfExport
+    SimulatorModel
         Each floor is a static model at its elevation, z up. Every wall, door leaf, window, stair and object is a link
         with its id; walls, floors, steps, leaves and objects have boxes to collide with.
     """
@@ -57,7 +43,7 @@ def world_sdf(scenes: Sequence[FloorScene], mesh_dir: str = "meshes", catalogue:
         for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered)
     ]
     name = ordered[0].building_id if ordered else "building"
-    return SdfExport(_world(name, models), dict(sorted(files.items())))
+    return SimulatorModel(_world(name, models), dict(sorted(files.items())))
 
 
 def _world(name: str, models: Sequence[str]) -> str:
@@ -116,10 +102,10 @@ def _link(name: str, position: tuple[float, float, float], rotation: float, part
 def _visuals(node: Node, mesh: Mesh, mesh_dir: str, files: dict[str, bytes]) -> list[str]:
     scale = ""
     if node.scale != (1.0, 1.0, 1.0):
-        scale = f"<scale>{_numbers(node.scale)}</scale>"
+        scale = f"<scale>{number_list(node.scale)}</scale>"
     visuals = []
     for i, surface in enumerate(mesh.surfaces):
-        file = file_name(mesh.name, i)
+        file = mesh_file_name(mesh.name, i)
         if file not in files:
             files[file] = write_stl(surface)
         uri = f"{mesh_dir}/{file}" if mesh_dir else file
@@ -131,7 +117,7 @@ def _visuals(node: Node, mesh: Mesh, mesh_dir: str, files: dict[str, bytes]) -> 
 
 
 def _material(material: Material) -> str:
-    color = f"{_numbers(material.color)} {material.alpha:g}"
+    color = f"{number_list(material.color)} {material.alpha:g}"
     clear = f"<transparency>{1.0 - material.alpha:g}</transparency>" if material.alpha < 1 else ""
     return (
         f"{clear}<material><ambient>{color}</ambient><diffuse>{color}</diffuse>"
@@ -143,7 +129,7 @@ def _material(material: Material) -> str:
 def _collision(number: int, box: Box) -> str:
     return (
         f'<collision name="collision_{number}">{_pose(box.center, box.rotation)}'
-        f"<geometry><box><size>{_numbers(box.size)}</size></box></geometry></collision>"
+        f"<geometry><box><size>{number_list(box.size)}</size></box></geometry></collision>"
     )
 
 
@@ -151,8 +137,4 @@ def _pose(position: tuple[float, float, float], rotation: float) -> str:
     yaw = round(float(np.radians(rotation)), 7) + 0.0
     if not any(position) and not yaw:
         return ""
-    return f"<pose>{_numbers(position)} 0 0 {yaw:g}</pose>"
-
-
-def _numbers(values: Sequence[float]) -> str:
-    return " ".join(f"{round(float(value), 5) + 0.0:g}" for value in values)
+    return f"<pose>{number_list(position)} 0 0 {yaw:g}</pose>"

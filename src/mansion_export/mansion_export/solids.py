@@ -1,32 +1,17 @@
-"""Walls cut at their openings and joined at their corners, as intervals and as boxes."""
+"""Boxes and prisms as triangles."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+from shapely.geometry import Polygon
+from shapely.geometry.polygon import orient
 
-from mansion_msgs_py.scene import FloorScene, Wall
-from mansion_msgs_py.shapes import Segment
+from mansion_export.model import Material, Surface
+from mansion_msgs_py.shapes import Point, Segment
 
-__all__ = ["Box", "Opening", "WallBodies", "box_between", "segment_box", "span"]
-
-FloatArray = npt.NDArray[np.float64]
-
-SEAM = 0.002
-"""Metres by which a lengthened wall stays behind the face it meets, so that no two faces coincide."""
-
-NEAR = 0.05
-
-
-@dataclass(frozen=True, slots=True)
-class Opening:
-    """A hole in a wall, in metres along its centre line and above the floor."""
-
-    id: str
-    low: float
-    high: float
-    sill: float
-    head: float
+__all__ = ["Box", "box_between", "boxes_surface", "polygon_surface", "segment_box", "triangulate"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,133 +39,131 @@ def segment_box(segment: Segment, thickness: float, height: float, base: float =
     return Box(center, (length, thickness, height), rotation)
 
 
-def span(wall: Wall, segment: Segment) -> tuple[float, float]:
-    """Project a segment on a wall's centre line; metres from the wall's start, ascending."""
-    (ax, ay), (bx, by) = wall.segment
-    length = float(np.hypot(bx - ax, by - ay)) or 1.0
-    ux, uy = (bx - ax) / length, (by - ay) / length
-    t = sorted((x - ax) * ux + (y - ay) * uy for x, y in segment)
-    return t[0], t[1]
+CORNERS = np.array([(x, y, z) for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)], dtype=float)
+SIDES = np.array(
+    [
+        (0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
+        (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5),
+    ]
+)  # fmt: skip
 
 
-class WallBodies:
-    """The bodies of a floor's walls.
+def boxes_surface(boxes: Sequence[Box], material: Material) -> Surface:
+    """Return boxes as one surface of outward triangles, 12 a box."""
+    if not boxes:
+        return Surface(material, np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64))
+    centers = np.array([box.center for box in boxes])
+    sizes = np.array([box.size for box in boxes])
+    angles = np.radians([box.rotation for box in boxes])
+    local = CORNERS[None] * sizes[:, None, :]
+    c, s = np.cos(angles)[:, None], np.sin(angles)[:, None]
+    x = local[..., 0] * c - local[..., 1] * s
+    y = local[..., 0] * s + local[..., 1] * c
+    vertices = np.stack([x, y, local[..., 2]], axis=-1) + centers[:, None, :]
+    faces = SIDES[None] + 8 * np.arange(len(boxes))[:, None, None]
+    return Surface(material, vertices.reshape(-1, 3), faces.reshape(-1, 3).astype(np.int64))
 
-    Parameters
-    ----------
-    scene : FloorScene
+
+def polygon_surface(polygon: Polygon, bottom: float, top: float, material: Material, sides: bool = True) -> Surface:
+    """Return an upright prism over a polygon with holes; without `sides` only its upper face."""
+    flat, faces = triangulate(polygon)
+    count = len(flat)
+    upper = np.column_stack([flat, np.full(count, top)])
+    if not sides:
+        return Surface(material, upper, faces)
+    lower = np.column_stack([flat, np.full(count, bottom)])
+    vertices, triangles = [upper, lower], [faces, faces[:, ::-1] + count]
+    offset = 2 * count
+    oriented = orient(polygon)
+    for ring in (oriented.exterior, *oriented.interiors):
+        points = np.asarray(ring.coords, dtype=float)[:-1]
+        n = len(points)
+        following = np.roll(np.arange(n), -1)
+        i = np.arange(n)
+        vertices += [np.column_stack([points, np.full(n, bottom)]), np.column_stack([points, np.full(n, top)])]
+        triangles.append(np.column_stack([i, following, following + n]) + offset)
+        triangles.append(np.column_stack([i, following + n, i + n]) + offset)
+        offset += 2 * n
+    return Surface(material, np.concatenate(vertices), np.concatenate(triangles).astype(np.int64))
+
+
+def triangulate(polygon: Polygon) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
+    """Triangulate a polygon with holes by ear clipping, holes joined to the outer ring first.
+
+    Returns
+    -------
+    (vertices, faces)
+        Points (n, 2) and counter-clockwise triangles (m, 3).
     """
+    ring = _bridge(orient(polygon))
+    points = np.array(ring, dtype=float)
+    remaining = list(range(len(ring)))
+    faces: list[tuple[int, int, int]] = []
+    guard = len(remaining) ** 2
+    k = 0
+    while len(remaining) > 3 and guard > 0:
+        guard -= 1
+        n = len(remaining)
+        a, b, c = remaining[k % n], remaining[(k + 1) % n], remaining[(k + 2) % n]
+        if _is_ear(points, remaining, a, b, c):
+            if _cross(points[a], points[b], points[c]) > 1e-12:
+                faces.append((a, b, c))
+            remaining.pop((k + 1) % n)
+        else:
+            k = (k + 1) % n
+    if len(remaining) == 3:
+        faces.append((remaining[0], remaining[1], remaining[2]))
+    return points, np.array(faces, dtype=np.int64).reshape(-1, 3)
 
-    def __init__(self, scene: FloorScene) -> None:
-        walls = scene.walls
-        starts = np.array([wall.segment[0] for wall in walls], dtype=float).reshape(-1, 2)
-        ends = np.array([wall.segment[1] for wall in walls], dtype=float).reshape(-1, 2)
-        vectors = ends - starts
-        self._lengths = np.maximum(np.hypot(vectors[:, 0], vectors[:, 1]), 1e-9)
-        self._units = vectors / self._lengths[:, None]
-        self._starts, self._ends = starts, ends
-        self._half = np.array([wall.thickness / 2 for wall in walls])
-        self._beyond_ends = self._extensions()
-        self._index = {wall.id: i for i, wall in enumerate(walls)}
-        self._openings: dict[str, list[Opening]] = {wall.id: [] for wall in walls}
-        by_id = {wall.id: wall for wall in walls}
-        for door in scene.doors:
-            wall = by_id.get(door.wall)
-            if wall is not None:
-                low, high = span(wall, door.segment)
-                head = min(door.height, wall.height)
-                self._openings[wall.id].append(Opening(door.id, low, high, 0.0, head))
-        for window in scene.windows:
-            wall = by_id.get(window.wall)
-            if wall is not None:
-                low, high = span(wall, window.segment)
-                head = min(window.sill + window.height, wall.height)
-                self._openings[wall.id].append(Opening(window.id, low, high, window.sill, head))
-        for found in self._openings.values():
-            found.sort(key=lambda opening: opening.low)
 
-    def openings(self, wall: Wall) -> list[Opening]:
-        """Return the doors and windows of a wall from its start to its end."""
-        return self._openings[wall.id]
+def _cross(a: npt.NDArray[np.float64], b: npt.NDArray[np.float64], c: npt.NDArray[np.float64]) -> float:
+    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
 
-    def stretch(self, wall: Wall) -> tuple[float, float]:
-        """Return from where to where a wall goes along its centre line, lengthened to close corners."""
-        i = self._index[wall.id]
-        before, after = self._beyond_ends[i].tolist()
-        return -before, float(self._lengths[i]) + after
 
-    def pieces(self, wall: Wall) -> list[tuple[float, float]]:
-        """Return the full-height parts of a wall between its openings, lengthened to close corners."""
-        reached, end = self.stretch(wall)
-        pieces = []
-        for opening in self._openings[wall.id]:
-            if opening.low > reached + 1e-6:
-                pieces.append((reached, opening.low))
-            reached = max(reached, opening.high)
-        if end > reached + 1e-6:
-            pieces.append((reached, end))
-        return pieces
+def _is_ear(points: npt.NDArray[np.float64], remaining: list[int], a: int, b: int, c: int) -> bool:
+    """Tell whether no other vertex lies in the corner at `b`; a flat corner may always go."""
+    area = _cross(points[a], points[b], points[c])
+    if abs(area) <= 1e-12:
+        return True
+    if area < 0.0:
+        return False
+    others = points[remaining]
+    pa, pb, pc = points[a], points[b], points[c]
+    inside = np.ones(len(others), dtype=bool)
+    for p, q in ((pa, pb), (pb, pc), (pc, pa)):
+        inside &= (q[0] - p[0]) * (others[:, 1] - p[1]) - (q[1] - p[1]) * (others[:, 0] - p[0]) > 1e-12
+    corner = (others[:, None, :] == np.stack([pa, pb, pc])[None]).all(-1).any(-1)
+    return not bool((inside & ~corner).any())
 
-    def boxes(self, wall: Wall) -> list[Box]:
-        """Return a wall as boxes between, below and above its openings; local x runs along the wall."""
-        parts = [(low, high, 0.0, wall.height) for low, high in self.pieces(wall)]
-        for opening in self._openings[wall.id]:
-            if opening.sill > 0.0:
-                parts.append((opening.low, opening.high, 0.0, opening.sill))
-            if opening.head < wall.height - 1e-6:
-                parts.append((opening.low, opening.high, opening.head, wall.height))
-        i = self._index[wall.id]
-        (ax, ay), (ux, uy) = self._starts[i].tolist(), self._units[i].tolist()
-        rotation = float(np.degrees(np.arctan2(uy, ux)))
-        boxes = []
-        for low, high, bottom, top in parts:
-            middle = (low + high) / 2
-            center = (ax + ux * middle, ay + uy * middle, (bottom + top) / 2)
-            boxes.append(Box(center, (high - low, wall.thickness, top - bottom), rotation))
-        return boxes
 
-    def _extensions(self) -> FloatArray:
-        """How far walls go on beyond start and end, (n, 2): to the far face at a corner, to the middle at a T."""
-        count = len(self._half)
-        found = np.zeros((count, 2))
-        if not count:
-            return found
-        cross = np.outer(self._units[:, 0], self._units[:, 1])
-        cross -= np.outer(self._units[:, 1], self._units[:, 0])
-        parallel = np.abs(cross) < 0.05
-        reach = np.add.outer(self._half, self._half) + NEAR
-        for side, (points, sign) in enumerate(((self._starts, -1.0), (self._ends, 1.0))):
-            to_start = self._starts[None] - points[:, None]
-            to_end = self._ends[None] - points[:, None]
-            along = np.clip(-np.einsum("ijk,jk->ij", to_start, self._units), 0.0, self._lengths[None])
-            nearest = to_start + along[..., None] * self._units[None]
-            gap = np.minimum(np.hypot(*np.moveaxis(to_start, 2, 0)), np.hypot(*np.moveaxis(to_end, 2, 0)))
-            goes_on = parallel & (gap < NEAR)
-            np.fill_diagonal(goes_on, False)
-            close = ~parallel & (np.hypot(nearest[..., 0], nearest[..., 1]) < reach)
-            for i in np.flatnonzero(close.any(1) & ~goes_on.any(1)):
-                others = np.flatnonzero(close[i])
-                found[i, side] = self._beyond(
-                    int(i), others, sign * cross[i, others], to_start[i, others], to_end[i, others], sign
-                )
-        return found
+def _bridge(polygon: Polygon) -> list[Point]:
+    """Join each hole to the outer ring by a doubled edge to a vertex that it sees."""
+    ring = [(float(x), float(y)) for x, y in list(polygon.exterior.coords)[:-1]]
+    holes = [[(float(x), float(y)) for x, y in list(hole.coords)[:-1]] for hole in polygon.interiors]
+    holes.sort(key=lambda hole: -max(hole)[0])
+    for hole in holes:
+        start = hole.index(max(hole))
+        x, y = hole[start]
+        best = min(range(len(ring)), key=lambda i: (not _sees(ring, holes, (x, y), ring[i]), _far(ring[i], (x, y)), i))
+        around = [*hole[start:], *hole[: start + 1]]
+        ring = [*ring[: best + 1], *around, *ring[best:]]
+    return ring
 
-    def _beyond(
-        self,
-        i: int,
-        others: npt.NDArray[np.int64],
-        cross: FloatArray,
-        to_start: FloatArray,
-        to_end: FloatArray,
-        sign: float,
-    ) -> float:
-        """How far wall `i` goes on among the walls that its end meets."""
-        ahead = sign * self._units[i]
-        # Where this wall's line meets the other's, counted from the end.
-        meets = (to_start[:, 0] * self._units[others, 1] - to_start[:, 1] * self._units[others, 0]) / cross
-        sides = np.stack([ahead[0] * to[:, 1] - ahead[1] * to[:, 0] for to in (to_start, to_end)])
-        wide = float(self._half[i]) + NEAR
-        if (sides.max(0) > wide).any() and (sides.min(0) < -wide).any():
-            return max(float(meets.max()), 0.0)
-        corner = meets + self._half[others] / np.abs(cross) - SEAM
-        return max(float(corner.max()), 0.0)
+
+def _far(a: Point, b: Point) -> float:
+    return (a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2
+
+
+def _sees(ring: list[Point], holes: list[list[Point]], a: Point, b: Point) -> bool:
+    """Tell whether no edge properly crosses the line from a to b."""
+    for loop in (ring, *holes):
+        for p, q in zip(loop, loop[1:] + loop[:1]):
+            if a in (p, q) or b in (p, q):
+                continue
+            d1 = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+            d2 = (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0])
+            d3 = (q[0] - p[0]) * (a[1] - p[1]) - (q[1] - p[1]) * (a[0] - p[0])
+            d4 = (q[0] - p[0]) * (b[1] - p[1]) - (q[1] - p[1]) * (b[0] - p[0])
+            if d1 * d2 <= 0 and d3 * d4 <= 0:
+                return False
+    return True

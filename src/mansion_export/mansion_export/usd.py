@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from mansion_assets.catalogue import Catalogue
-from mansion_export.appearance import linear
-from mansion_export.meshes import building_models
+from mansion_export.building_model import building_models
+from mansion_export.materials import linear
 from mansion_export.model import Material, Mesh, Model, Node
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene

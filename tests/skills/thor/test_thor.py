@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from invariants import check_world
 from mansion_export.thor import house
-from mansion_geometry.thor.axes import from_point, heading, thor_heading, thor_point
+from mansion_geometry.thor.house_format import floor_heading, floor_point, thor_heading, thor_point
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
@@ -71,10 +71,10 @@ def nodes(scene: dict[str, Any]) -> list[str]:
 
 
 def test_axes_convert_there_and_back() -> None:
-    assert from_point(thor_point(1.0, 2.0, 3.0)) == (1.0, 2.0, 3.0)
+    assert floor_point(thor_point(1.0, 2.0, 3.0)) == (1.0, 2.0, 3.0)
     assert thor_point(1.0, 2.0, 3.0) == {"x": 1.0, "y": 3.0, "z": 2.0}
     assert [thor_heading(yaw) for yaw in (0.0, 90.0, 180.0)] == [90.0, 0.0, 270.0]
-    assert all(heading(thor_heading(yaw)) == yaw for yaw in (0.0, 30.0, 90.0, 275.5))
+    assert all(floor_heading(thor_heading(yaw)) == yaw for yaw in (0.0, 30.0, 90.0, 275.5))
 
 
 def test_the_agent_stands_where_the_robot_does(gym: ThorGym, thor: ThorDouble) -> None:

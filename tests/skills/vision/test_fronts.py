@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_export.object_meshes import _surfaces as surfaces_of
-from mansion_export.stl import write_stl
+from mansion_export.building_model import asset_surfaces
+from mansion_export.simulator_files import write_stl
 from mansion_msgs_py.scene import SceneObject
 from mansion_skills.vision.fronts import hinges_of, part_of, read_stl
 
@@ -27,7 +27,7 @@ def openable(asset: str, category: str) -> SceneObject:
 
 
 def triangles_of(asset: str) -> np.ndarray:
-    parts = surfaces_of(asset, load_catalogue(), "")
+    parts = asset_surfaces(asset, load_catalogue(), "")
     return np.concatenate([part.vertices[part.faces] for part in parts])
 
 
@@ -60,7 +60,7 @@ def test_what_opens_nowhere_has_no_parts() -> None:
 
 
 def test_meshes_are_read_as_they_were_written(tmp_path: Path) -> None:
-    surface = surfaces_of("Fridge_28", load_catalogue(), "")[0]
+    surface = asset_surfaces("Fridge_28", load_catalogue(), "")[0]
     (tmp_path / "part.stl").write_bytes(write_stl(surface))
     read = read_stl(tmp_path / "part.stl")
     assert np.allclose(read, surface.vertices[surface.faces], atol=1e-5)

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mansion_export.opening_meshes import leaf_nodes
+from mansion_export.opening_meshes import leaf_parts
 from mansion_msgs_py.scene import Door
 from mansion_skills.vision.leaves import leaves_of
 from sample_building import scene
@@ -43,7 +43,7 @@ def test_leaves_are_where_the_exported_model_has_them(
         is_open=is_open,
     )
     SCENE.doors[:] = [door]
-    expected = [node for node, _ in leaf_nodes(SCENE)]
+    expected = [node for node, _ in leaf_parts(SCENE)]
     leaves = leaves_of(door, 1.0 if is_open else 0.0, room_at)
     assert [leaf.name for leaf in leaves] == [node.id for node in expected]
     for leaf, node in zip(leaves, expected):

@@ -12,7 +12,7 @@ import numpy as np
 from mansion_editing.physics.overlap import depth, upright
 from mansion_editing.physics.problem import PosedBox, SettleProblem, mass
 from mansion_export.thor import house
-from mansion_geometry.thor.axes import thor_euler, thor_point
+from mansion_geometry.thor.house_format import thor_euler, thor_point
 from mansion_msgs_py.scene import FloorScene, SceneRoom, SpawnPose, Wall
 from mansion_msgs_py.shapes import Point, Point3
 

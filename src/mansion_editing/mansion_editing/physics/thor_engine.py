@@ -11,8 +11,8 @@ import numpy as np
 from mansion_editing.physics.overlap import OrientedBox, depth
 from mansion_editing.physics.problem import SLOW, SLOW_TURN, SettleProblem, SettleResult
 from mansion_editing.physics.thor_bodies import BODY, Body, house_of, runtime_asset, thor_bodies, thor_shift
-from mansion_geometry.thor.axes import from_point, matrix
 from mansion_geometry.thor.controller import Controller, act, first_line, start_controller
+from mansion_geometry.thor.house_format import floor_point, rotation_matrix
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.shapes import Point3
 
@@ -130,9 +130,9 @@ def _poses(controller: Controller, bodies: list[Body], shift: Point3) -> Poses:
         if entry is None:
             raise _unavailable(f"its scene lacks {body.name}")
         # The middle of the box around a turned box is the turned box's own.
-        there = from_point(entry["axisAlignedBoundingBox"]["center"], DIGITS)
+        there = floor_point(entry["axisAlignedBoundingBox"]["center"], DIGITS)
         x, y, z = (value - way for value, way in zip(there, shift, strict=True))
-        poses[body.name] = OrientedBox((x, y, z), body.box.size, matrix(entry["rotation"]))
+        poses[body.name] = OrientedBox((x, y, z), body.box.size, rotation_matrix(entry["rotation"]))
     return poses
 
 

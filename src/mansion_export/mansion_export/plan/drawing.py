@@ -10,7 +10,7 @@ from mansion_export.plan.labels import draw_rooms, label_rooms
 from mansion_export.plan.openings import draw_doors, draw_walls, draw_windows
 from mansion_export.plan.palette import INK
 from mansion_export.plan.shapes import Area, Canvas, Label, Line, Shape, circle, rectangle
-from mansion_export.titles import floor_title
+from mansion_export.presentation import floor_title
 from mansion_msgs_py.scene import FloorScene
 
 __all__ = ["Drawing", "draw_plan"]

@@ -1,16 +1,19 @@
-"""Rooms as tinted areas, and names and areas where they can be read."""
+"""Rooms of a plan: tinted areas, and their names and areas where they cover least of the furniture."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import ceil
 
 import numpy as np
+import numpy.typing as npt
 
-from mansion_export.plan.label_places import LabelBox, place_label
 from mansion_export.plan.palette import INK, room_tint
 from mansion_export.plan.shapes import Area, Canvas, Label, Shape
+from mansion_export.presentation import room_title
 from mansion_msgs_py.scene import FloorScene, SceneRoom
+from mansion_msgs_py.shapes import Point
 
-__all__ = ["draw_rooms", "label_rooms", "room_title"]
+__all__ = ["LabelBox", "LabelPlace", "draw_rooms", "label_rooms", "place_label"]
 
 LETTER = 0.62
 """Mean width of a letter over the height of its font."""
@@ -37,13 +40,6 @@ def draw_rooms(scene: FloorScene) -> list[Canvas]:
         for room in scene.rooms
         if room.kind not in ("stair", "elevator")
     ]
-
-
-def room_title(room: SceneRoom) -> str:
-    """Return the name that a person reads: the room's own, or its type in words."""
-    name = room.name or room.id.rsplit("/", 1)[-1]
-    words = name.replace("_", " ").strip()
-    return words[:1].upper() + words[1:]
 
 
 def label_rooms(scene: FloorScene) -> list[Canvas]:
@@ -113,3 +109,152 @@ def _wraps(words: Sequence[str]) -> list[list[str]]:
                 row = f"{row} {word}".strip()
         wraps.append([*rows, row])
     return wraps
+
+
+Floats = npt.NDArray[np.float64]
+Bools = npt.NDArray[np.bool_]
+
+_CELL, _MOST = 0.12, 90
+"""Side of a cell, metres, and most cells along a side of a room."""
+
+_MARGIN = 1.0
+"""Around a room, metres."""
+
+_COVERED, _TURNED, _ASIDE = 4.0, 0.15, 0.12
+"""What it costs to cover furniture (for the whole label), to be turned, and to be off the middle."""
+
+_LEAVING = (0.4, 60.0)
+"""What it costs to touch a wall at all, and for the whole label: any label that fits is better."""
+
+_WALL = 0.08
+"""From a room's outline to where its letters may stand, metres: half a wall and a little paper."""
+
+
+@dataclass(frozen=True)
+class LabelBox:
+    """A label as wide and as high as its text, metres; `worth` grows with its letters."""
+
+    width: float
+    height: float
+    worth: float
+
+
+@dataclass(frozen=True)
+class LabelPlace:
+    """The label that was chosen (an index), its middle, and whether it is turned by 90 degrees."""
+
+    option: int
+    at: Point
+    turned: bool
+
+
+def place_label(scene: FloorScene, room: SceneRoom, boxes: Sequence[LabelBox]) -> LabelPlace:
+    """Choose among labels and places.
+
+    Parameters
+    ----------
+    scene : FloorScene
+        Whose furniture and door swings are kept legible.
+    room : SceneRoom
+    boxes : sequence of LabelBox
+        In falling order of their worth.
+    """
+    xs, ys, inside = _cells(room.polygon, room.holes)
+    covered = _covered(scene, room, xs, ys)
+    clear = _clear_of_walls(room, xs, ys)
+    outside_sums, covered_sums = _sums(~clear), _sums(covered & inside)
+    aside = np.hypot(
+        (xs[None, :] - xs[inside.any(0)].mean()) / np.ptp(xs), (ys[:, None] - ys[inside.any(1)].mean()) / np.ptp(ys)
+    )
+    best, found = -np.inf, LabelPlace(0, (float(xs[0]), float(ys[0])), False)
+    for option, box in enumerate(boxes):
+        if box.worth <= best:
+            break
+        for turned in (False, True):
+            across, up = (box.height, box.width) if turned else (box.width, box.height)
+            outside = _share(outside_sums, across, up, xs, ys)
+            cost = _COVERED * _share(covered_sums, across, up, xs, ys)
+            cost += np.where(outside > 0.0, _LEAVING[0] + _LEAVING[1] * outside, 0.0)
+            value = box.worth - cost - _ASIDE * aside - (_TURNED if turned else 0.0)
+            value = np.where(inside, value, -np.inf)
+            j, i = np.unravel_index(int(np.argmax(value)), value.shape)
+            if value[j, i] > best + 1e-9:
+                best = float(value[j, i])
+                found = LabelPlace(option, (float(xs[i]), float(ys[j])), turned)
+    return found
+
+
+def _covered(scene: FloorScene, room: SceneRoom, xs: Floats, ys: Floats) -> Bools:
+    """Return the cells that furniture, a door's leaf or its swing takes."""
+    taken = np.zeros((len(ys), len(xs)), dtype=bool)
+    for item in scene.objects:
+        if item.room != room.id or item.mount != "floor" or item.size[2] <= 0.05:
+            continue
+        c, s = np.cos(np.radians(item.rotation)), np.sin(np.radians(item.rotation))
+        dx, dy = xs[None, :] - item.position[0], ys[:, None] - item.position[1]
+        taken |= (np.abs(dx * c + dy * s) < item.size[0] / 2) & (np.abs(dy * c - dx * s) < item.size[1] / 2)
+    for door in scene.doors:
+        if room.id in door.rooms and door.kind not in ("open", "frame", "doorway", "sliding"):
+            (ax, ay), (bx, by) = door.segment
+            reach = 0.75 * door.width
+            near = np.hypot(xs[None, :] - (ax + bx) / 2, ys[:, None] - (ay + by) / 2) < reach
+            taken |= near
+    return taken
+
+
+def _cells(ring: Sequence[Point], holes: Sequence[Sequence[Point]]) -> tuple[Floats, Floats, Bools]:
+    """Return cell centres and which of them lie in the room."""
+    points = np.asarray(ring, dtype=float)
+    (x0, y0), (x1, y1) = points.min(0), points.max(0)
+    # A margin around the room, so that a label that leaves it is seen to.
+    x0, y0, x1, y1 = x0 - _MARGIN, y0 - _MARGIN, x1 + _MARGIN, y1 + _MARGIN
+    nx = int(np.clip((x1 - x0) / _CELL, 3, _MOST))
+    ny = int(np.clip((y1 - y0) / _CELL, 3, _MOST))
+    xs = x0 + (np.arange(nx) + 0.5) * (x1 - x0) / nx
+    ys = y0 + (np.arange(ny) + 0.5) * (y1 - y0) / ny
+    inside = _inside(points, xs, ys)
+    for hole in holes:
+        inside &= ~_inside(np.asarray(hole, dtype=float), xs, ys)
+    if not inside.any():
+        inside[ny // 2, nx // 2] = True
+    return xs, ys, inside
+
+
+def _clear_of_walls(room: SceneRoom, xs: Floats, ys: Floats) -> Bools:
+    """Return the cells of the room that no wall takes."""
+    clear = np.ones((len(ys), len(xs)), dtype=bool)
+    for dx, dy in ((-_WALL, -_WALL), (-_WALL, _WALL), (_WALL, -_WALL), (_WALL, _WALL)):
+        clear &= _inside(np.asarray(room.polygon, dtype=float), xs + dx, ys + dy)
+        for hole in room.holes:
+            clear &= ~_inside(np.asarray(hole, dtype=float), xs + dx, ys + dy)
+    return clear
+
+
+def _inside(ring: Floats, xs: Floats, ys: Floats) -> Bools:
+    result = np.zeros((len(ys), len(xs)), dtype=bool)
+    for (ax, ay), (bx, by) in zip(ring, np.roll(ring, -1, axis=0)):
+        if ay == by:
+            continue
+        rows = (ay > ys) != (by > ys)
+        cross = (bx - ax) * (ys - ay) / (by - ay) + ax
+        result ^= rows[:, None] & (xs[None, :] < cross[:, None])
+    return result
+
+
+def _sums(cells: Bools) -> Floats:
+    """Return sums over all cells below and left of each corner."""
+    sums = np.zeros((cells.shape[0] + 1, cells.shape[1] + 1))
+    sums[1:, 1:] = cells.cumsum(0).cumsum(1)
+    return sums
+
+
+def _share(sums: Floats, width: float, height: float, xs: Floats, ys: Floats) -> Floats:
+    """Return the share of marked cells in a window around each cell."""
+    ny, nx = sums.shape[0] - 1, sums.shape[1] - 1
+    rx = max(1, ceil(width / 2 / float(xs[1] - xs[0]) - 0.5))
+    ry = max(1, ceil(height / 2 / float(ys[1] - ys[0]) - 0.5))
+    i0, i1 = np.clip(np.arange(nx) - rx, 0, nx), np.clip(np.arange(nx) + rx + 1, 0, nx)
+    j0, j1 = np.clip(np.arange(ny) - ry, 0, ny), np.clip(np.arange(ny) + ry + 1, 0, ny)
+    total = sums[np.ix_(j1, i1)] - sums[np.ix_(j0, i1)] - sums[np.ix_(j1, i0)] + sums[np.ix_(j0, i0)]
+    share: Floats = total / ((2 * ry + 1) * (2 * rx + 1))
+    return share

@@ -7,8 +7,8 @@ import shapely.affinity
 from shapely.geometry import LineString, Polygon, box
 from shapely.geometry.base import BaseGeometry
 
-from mansion_export.shafts import shaft_of
-from mansion_export.solids import WallBodies
+from mansion_export.door_sides import shaft_of
+from mansion_export.walls import WallBodies
 from mansion_geometry.object_footprints import footprint
 from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.scene import Door, FloorScene, LiftDetails, SceneCore, SceneObject

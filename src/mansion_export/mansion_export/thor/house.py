@@ -1,46 +1,30 @@
 """A floor as an AI2-THOR house, schema 1.0.0 (``ProceduralTools.CreateHouse``)."""
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
 import shapely
 from shapely.geometry import Polygon, box
 
-from mansion_export.frames import thor_heading, thor_point, thor_ring
-from mansion_export.thor.layers import COLOURS, four_colours, layer_name
-from mansion_export.thor.materials import SKYBOXES, ceiling_material, floor_material, room_type
-from mansion_export.thor.objects import build_objects
-from mansion_export.thor.reachability import GRID, reachable
+from mansion_export.thor.layers import room_layers
+from mansion_export.thor.reachability import ENOUGH_POSITIONS, GRID, connected_positions
+from mansion_export.thor.vocabulary import AGENT_MODES, LAYERS, SCHEMA, ceiling_material, floor_material, room_type, sky
 from mansion_export.thor.walls import build_structure
-from mansion_msgs_py.scene import FloorScene, Light, SceneRoom
+from mansion_geometry.thor.house_format import AGENT_HEIGHT, thor_euler, thor_heading, thor_point, upright
+from mansion_msgs_py.scene import FloorScene, Light, SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point
 
-__all__ = ["SCHEMA", "house"]
+__all__ = ["house"]
 
 Json: TypeAlias = dict[str, Any]
 
-SCHEMA = "1.0.0"
-
-AGENT_HEIGHT = 0.95
-"""Height at which ProcTHOR sets the agent down, metres."""
-
-PHASES = 3
+GRID_SHIFTS = 3
 """Shifts of the agent's grid that are tried in each direction."""
 
-ENOUGH = 5
-"""Grid points that ``House.validate`` asks of each room."""
-
 SLIT = 0.002
-"""Width of the cut that joins a hole to the outer ring: AI2-THOR's floor polygons have no holes."""
-
-SUNS = {
-    "Midday": ((66.0, 75.0), 1.0, (1.0, 1.0, 1.0)),
-    "GoldenHour": ((6.0, -166.0), 1.0, (1.0, 0.694, 0.78)),
-    "BlueHour": ((82.0, -30.0), 0.5, (0.638, 0.843, 1.0)),
-}
-"""Pitch and yaw, intensity and colour of the sun by the time of the sky box (ProcTHOR, supplement)."""
+"""Width of the cut that joins a hole to the outer ring, metres: AI2-THOR's floor polygons have no holes."""
 
 
 def house(scene: FloorScene) -> Json:
@@ -60,13 +44,11 @@ def house(scene: FloorScene) -> Json:
     rooms = [room for room in scene.rooms if room.kind not in ("stair", "elevator")]
     height = round(max((wall.height for wall in scene.walls), default=scene.height - 0.2), 4)
     structure = build_structure(scene, height)
-    layers = four_colours([room.id for room in rooms], structure.neighbours, structure.merged)
-    for wall in structure.walls:
-        wall["layer"] = layer_name(layers[wall["roomId"]])
-    objects, omitted = build_objects(scene, layers)
+    layers = room_layers([room.id for room in rooms], structure.neighbours, structure.merged)
+    objects, omitted = _objects(scene, layers)
     made: Json = {
         "rooms": [_room(room, layers[room.id]) for room in rooms],
-        "walls": structure.walls,
+        "walls": [{**wall, "layer": layers[wall["roomId"]]} for wall in structure.walls],
         "doors": structure.doors,
         "windows": structure.windows,
         "objects": objects,
@@ -74,29 +56,32 @@ def house(scene: FloorScene) -> Json:
     }
     agent = _agent(scene, made)
     warnings = dict.fromkeys(structure.misplaced, "no wall was found for this opening")
-    locobot = {key: value for key, value in agent.items() if key != "standing"}
-    made["metadata"] = {
+    metadata = {
         "schema": SCHEMA,
         "roomSpecId": scene.building_id,
         "agent": agent,
-        "agentPoses": {"default": agent, "arm": agent, "stretch": agent, "locobot": locobot},
+        "agentPoses": {mode: _pose(agent, mode) for mode in AGENT_MODES},
         "warnings": warnings,
         "mansion": _provenance(scene, omitted),
     }
-    return made
+    return {**made, "metadata": metadata}
 
 
-def _room(room: SceneRoom, layer: int) -> Json:
+def _pose(agent: Json, mode: str) -> Json:
+    return {key: value for key, value in agent.items() if mode != "locobot" or key != "standing"}
+
+
+def _room(room: SceneRoom, layer: str) -> Json:
     ring = _without_holes(room.polygon, room.holes)
     return {
         "id": room.id,
         "roomType": room_type(room.room_type),
         "name": room.name or room.room_type,
-        "floorPolygon": thor_ring(ring),
+        "floorPolygon": [thor_point(x, y, 0.0) for x, y in reversed(ring)],
         "floorMaterial": floor_material(room.floor_material),
         "ceilings": [{"material": ceiling_material(room.ceiling_material)}],
         "children": [],
-        "layer": layer_name(layer),
+        "layer": layer,
     }
 
 
@@ -115,9 +100,8 @@ def _without_holes(ring: Sequence[Point], holes: Sequence[Sequence[Point]]) -> S
     return list(shapely.geometry.polygon.orient(Polygon(outer)).exterior.coords)[:-1]
 
 
-def _parameters(scene: FloorScene, rooms: list[SceneRoom], layers: dict[str, int], height: float) -> Json:
-    _, time, skybox = next(entry for entry in SKYBOXES if entry[0] in scene.sky.name)
-    (pitch, yaw), intensity, (r, g, b) = SUNS[time]
+def _parameters(scene: FloorScene, rooms: list[SceneRoom], layers: Mapping[str, str], height: float) -> Json:
+    skybox, pitch, yaw, intensity, (r, g, b) = sky(scene.sky.name)
     sun: Json = {
         "id": "DirectionalLight",
         "type": "directional",
@@ -140,8 +124,8 @@ def _parameters(scene: FloorScene, rooms: list[SceneRoom], layers: dict[str, int
     }
 
 
-def _lamp(light: Light, layers: dict[str, int], height: float) -> Json:
-    """A room's lamp as a point light that shines on its own layer only."""
+def _lamp(light: Light, layers: Mapping[str, str], height: float) -> Json:
+    """Return a room's lamp as a point light that shines on the room's own layer only."""
     layer = layers[light.room or ""]
     red, green, blue = (int(light.color[i : i + 2], 16) / 255.0 for i in (1, 3, 5))
     x, y, z = light.position
@@ -154,8 +138,8 @@ def _lamp(light: Light, layers: dict[str, int], height: float) -> Json:
         "indirectMultiplier": 1.0,
         "rgb": {"r": round(red, 4), "g": round(green, 4), "b": round(blue, 4), "a": 1},
         "shadow": _shadow(0.05),
-        "layer": layer_name(layer),
-        "cullingMaskOff": [layer_name(other) for other in range(COLOURS) if other != layer],
+        "layer": layer,
+        "cullingMaskOff": [other for other in LAYERS if other != layer],
     }
 
 
@@ -171,7 +155,7 @@ def _shadow(bias: float) -> Json:
 
 
 def _agent(scene: FloorScene, made: Json) -> Json:
-    """The spawn pose, moved to the nearest grid point from which the agent reaches most rooms.
+    """Return the spawn pose, moved to the nearest grid point from which the agent reaches most rooms.
 
     AI2-THOR's grid starts where the agent stands. Where a grid through multiples of `GRID` misses a narrow passage, one
     that is shifted by multiples of a third of `GRID` may find it.
@@ -185,9 +169,9 @@ def _agent(scene: FloorScene, made: Json) -> Json:
     rings = [[(p["x"], p["z"]) for p in room["floorPolygon"]] for room in made["rooms"]]
     best: tuple[int, int] = (-1, -1)
     points: list[Point] = []
-    for i, j in sorted(itertools.product(range(PHASES), repeat=2), key=max):
-        start = (corner[0] + i * GRID / PHASES, corner[1] + j * GRID / PHASES)
-        for component in reachable(made, start, everywhere=True):
+    for i, j in sorted(itertools.product(range(GRID_SHIFTS), repeat=2), key=max):
+        start = (corner[0] + i * GRID / GRID_SHIFTS, corner[1] + j * GRID / GRID_SHIFTS)
+        for component in connected_positions(made, start):
             score = (_served(component, rings), len(component))
             if score > best:
                 best, points = score, component
@@ -195,20 +179,15 @@ def _agent(scene: FloorScene, made: Json) -> Json:
             break
     if points:
         x, y = min(points, key=lambda p: ((p[0] - x) ** 2 + (p[1] - y) ** 2, p))
-    return {
-        "position": thor_point(x, y, AGENT_HEIGHT),
-        "rotation": {"x": 0, "y": heading, "z": 0},
-        "horizon": 30,
-        "standing": True,
-    }
+    return {"position": thor_point(x, y, AGENT_HEIGHT), "rotation": upright(heading), "horizon": 30, "standing": True}
 
 
 def _served(points: Sequence[Point], rings: Sequence[Sequence[Point]]) -> int:
     """Count the rooms that hold enough of the points."""
-    if len(points) < ENOUGH:
+    if len(points) < ENOUGH_POSITIONS:
         return 0
     x, y = np.array(points).T
-    return sum(int(shapely.contains_xy(Polygon(ring), x, y).sum()) >= ENOUGH for ring in rings)
+    return sum(int(shapely.contains_xy(Polygon(ring), x, y).sum()) >= ENOUGH_POSITIONS for ring in rings)
 
 
 def _provenance(scene: FloorScene, omitted: list[Json]) -> Json:
@@ -226,10 +205,66 @@ def _provenance(scene: FloorScene, omitted: list[Json]) -> Json:
                 "floors": core.floors,
                 "entrance": {
                     "position": thor_point(core.entrance[0], core.entrance[1], AGENT_HEIGHT),
-                    "rotation": {"x": 0, "y": thor_heading(core.entrance[2]), "z": 0},
+                    "rotation": upright(thor_heading(core.entrance[2])),
                 },
             }
             for core in scene.cores
         ],
         "omitted": omitted,
     }
+
+
+def _objects(scene: FloorScene, layers: Mapping[str, str]) -> tuple[list[Json], list[Json]]:
+    """Return the trees of a floor's objects, and the objects that the house leaves out with the reason of each.
+
+    Left out is what AI2-THOR has no asset for, and what would hang in the air without one of those.
+    """
+    items = {item.id: item for item in scene.objects}
+    made: dict[str, Json] = {}
+    omitted: dict[str, Json] = {}
+    roots: list[Json] = []
+
+    def add(item: SceneObject) -> None:
+        """Add an object after what carries it."""
+        if item.id in made or item.id in omitted:
+            return
+        parent = items.get(item.parent or "")
+        if parent is not None and parent is not item:
+            add(parent)
+        reason = ""
+        if item.asset_id is None:
+            reason = "AI2-THOR has no such asset"
+        elif parent is not None and parent.id in omitted:
+            reason = f"{parent.id}, which carries it, is left out"
+        if reason:
+            omitted[item.id] = {"id": item.id, "category": item.category, "reason": reason}
+            return
+        made[item.id] = _object(item, layers)
+        siblings = made[parent.id]["children"] if parent is not None else roots
+        siblings.append(made[item.id])
+
+    for item in scene.objects:
+        add(item)
+    return roots, list(omitted.values())
+
+
+def _object(item: SceneObject, layers: Mapping[str, str]) -> Json:
+    """Return an object's node without what it carries; its position is the centre of its bounding box."""
+    width, depth, height = item.size
+    made: Json = {
+        "id": item.id,
+        "assetId": item.asset_id,
+        "position": thor_point(*item.position),
+        "rotation": thor_euler(item.rotation),
+        "kinematic": not item.pickupable,
+        "roomId": item.room,
+        "size": thor_point(width, depth, height),
+        "children": [],
+    }
+    if item.room in layers:
+        made["layer"] = layers[item.room]
+    if "open" in item.states:
+        made["openness"] = float(item.states["open"])
+    if "on" in item.states:
+        made["isOn"] = bool(item.states["on"])
+    return made

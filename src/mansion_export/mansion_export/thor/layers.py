@@ -2,27 +2,26 @@
 
 from collections.abc import Iterable, Sequence
 
+from mansion_export.thor.vocabulary import LAYERS
 from mansion_msgs_py.errors import MansionError
 
-__all__ = ["COLOURS", "four_colours", "layer_name"]
+__all__ = ["four_colours", "room_layers"]
 
-COLOURS = 4
-
-TRIES = 200_000
+MOST_ASSIGNMENTS = 200_000
 """Assignments that the search may try; planar graphs of a floor's size need about one a room."""
 
 
-def layer_name(colour: int) -> str:
-    """Return AI2-THOR's name of a layer."""
-    return f"Procedural{colour}"
+def room_layers(
+    rooms: Sequence[str], neighbours: Iterable[tuple[str, str]], merged: Iterable[tuple[str, str]]
+) -> dict[str, str]:
+    """Return the layer of each room; see `four_colours`."""
+    return {room: LAYERS[colour] for room, colour in four_colours(rooms, neighbours, merged).items()}
 
 
 def four_colours(
     rooms: Sequence[str], neighbours: Iterable[tuple[str, str]], merged: Iterable[tuple[str, str]] = ()
 ) -> dict[str, int]:
     """Colour rooms so that neighbours differ and merged ones agree.
-
-    Most constrained first (DSATUR), with backtracking.
 
     Parameters
     ----------
@@ -41,6 +40,14 @@ def four_colours(
     ------
     MansionError
         ``INFEASIBLE`` where four colours do not do, which no planar floor is.
+
+    Notes
+    -----
+    The room with most colours among its neighbours comes first, as in DSATUR, with backtracking [1]_.
+
+    References
+    ----------
+    .. [1] Brélaz, D. (1979). New methods to color the vertices of a graph. Communications of the ACM, 22(4), 251-256.
     """
     root = {room: room for room in rooms}
 
@@ -58,28 +65,30 @@ def four_colours(
             links[find(a)][find(b)] = None
             links[find(b)][find(a)] = None
     colours: dict[str, int] = {}
-    if not _colour(groups, links, colours, [TRIES]):
-        raise MansionError("INFEASIBLE", "the rooms of this floor cannot be given four layers")
-    return {room: colours[find(room)] for room in rooms}
-
-
-def _colour(groups: list[str], links: dict[str, dict[str, None]], colours: dict[str, int], tries: list[int]) -> bool:
-    open_groups = [group for group in groups if group not in colours]
-    if not open_groups:
-        return True
+    assignments = 0
 
     def used(group: str) -> set[int]:
         return {colours[other] for other in links[group] if other in colours}
 
-    group = max(open_groups, key=lambda g: (len(used(g)), len(links[g])))
-    for colour in range(COLOURS):
-        if colour in used(group):
-            continue
-        tries[0] -= 1
-        if tries[0] < 0:
-            return False
-        colours[group] = colour
-        if _colour(groups, links, colours, tries):
+    def complete() -> bool:
+        """Colour the groups that have no colour yet; leave `colours` as it was where that fails."""
+        nonlocal assignments
+        uncoloured = [group for group in groups if group not in colours]
+        if not uncoloured:
             return True
-        del colours[group]
-    return False
+        group = max(uncoloured, key=lambda g: (len(used(g)), len(links[g])))
+        for colour in range(len(LAYERS)):
+            if colour in used(group):
+                continue
+            assignments += 1
+            if assignments > MOST_ASSIGNMENTS:
+                return False
+            colours[group] = colour
+            if complete():
+                return True
+            del colours[group]
+        return False
+
+    if not complete():
+        raise MansionError("INFEASIBLE", "the rooms of this floor cannot be given four layers")
+    return {room: colours[find(room)] for room in rooms}

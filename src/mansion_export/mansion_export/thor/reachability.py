@@ -6,11 +6,14 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_geometry.compiled import kernel
+from mansion_geometry.thor.house_format import object_nodes
+from mansion_msgs_py.shapes import Point
 
-__all__ = ["GRID", "RADIUS", "reachable"]
+__all__ = ["ENOUGH_POSITIONS", "GRID", "connected_positions", "reachable_positions"]
 
 Json: TypeAlias = dict[str, Any]
 Bools: TypeAlias = npt.NDArray[np.bool_]
+Floats: TypeAlias = npt.NDArray[np.float64]
 
 GRID = 0.25
 """AI2-THOR's default ``gridSize``, metres."""
@@ -22,53 +25,71 @@ AGENT_TOP = 1.8
 """Height of the capsule; what hangs higher is no obstacle."""
 
 STEP_OVER = 0.05
+"""Height that the agent steps over, metres."""
+
+ENOUGH_POSITIONS = 5
+"""Reachable grid points that ``House.validate`` of ProcTHOR asks of each room."""
 
 
-def reachable(house: Json, start: tuple[float, float], everywhere: bool = False) -> list[list[tuple[float, float]]]:
-    """Return the grid points (x, z) where the agent fits, connected by steps of `GRID` in four directions.
+def connected_positions(house: Json, start: Point) -> list[list[Point]]:
+    """Return the grid points (x, z) where the agent fits, in sets that steps of `GRID` in four directions connect.
 
     Parameters
     ----------
     house : dict
         House JSON; objects need ``size``.
     start : (x, z)
-        A point of the grid.
-    everywhere : bool
-        Return all connected sets instead of the one that holds `start`.
+        A point of the grid, metres.
+    """
+    xs, zs, labels = _labelled_grid(house, start)
+    return [_points(xs, zs, labels == label) for label in range(1, int(labels.max()) + 1)]
+
+
+def reachable_positions(house: Json, start: Point) -> list[Point]:
+    """Return the grid points (x, z) that the agent reaches from `start`, as ``GetReachablePositions`` does.
+
+    Parameters
+    ----------
+    house : dict
+        House JSON; objects need ``size``.
+    start : (x, z)
+        A point of the grid, metres.
 
     Returns
     -------
-    list of list of (x, z)
-        Empty where `start` is no free point.
+    list of (x, z)
+        Empty where the agent does not fit at `start`.
     """
+    xs, zs, labels = _labelled_grid(house, start)
+    label = labels[int(np.argmin(np.abs(zs - start[1]))), int(np.argmin(np.abs(xs - start[0])))]
+    return _points(xs, zs, labels == label) if label else []
+
+
+def _points(xs: Floats, zs: Floats, chosen: Bools) -> list[Point]:
+    return [(round(float(xs[j]), 4), round(float(zs[i]), 4)) for i, j in np.argwhere(chosen)]
+
+
+def _labelled_grid(house: Json, start: Point) -> tuple[Floats, Floats, npt.NDArray[np.int32]]:
+    """Return the coordinates of a grid through `start` and the number of each point's connected set, 0 for none."""
     xs, zs = _axes(house, start)
     free = _inside(house, xs, zs)
     passages = _steps(house, xs, zs)
-    for item in _flatten(house["objects"]):
+    for item in object_nodes(house["objects"]):
         bottom = item["position"]["y"] - item["size"]["y"] / 2
         if bottom < AGENT_TOP and bottom + item["size"]["y"] > STEP_OVER:
-            _block(free, item, xs, zs)
-    labels = _components(free, *passages)
-    wanted: list[int] = list(range(1, int(labels.max()) + 1))
-    if not everywhere:
-        i = int(np.argmin(np.abs(zs - start[1])))
-        j = int(np.argmin(np.abs(xs - start[0])))
-        wanted = [int(labels[i, j])] if labels[i, j] else []
-    found = []
-    for label in wanted:
-        rows, columns = np.nonzero(labels == label)
-        found.append([(round(float(xs[j]), 4), round(float(zs[i]), 4)) for i, j in zip(rows, columns)])
-    return found
+            rows, columns, hit = _covered(item, xs, zs)
+            free[rows, columns] &= ~hit
+    return xs, zs, _components(free, *passages)
 
 
-def _axes(house: Json, start: tuple[float, float]) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+def _axes(house: Json, start: Point) -> tuple[Floats, Floats]:
     points = np.array([[p["x"], p["z"]] for room in house["rooms"] for p in room["floorPolygon"]])
     low = np.floor((points.min(0) - start) / GRID).astype(int)
     high = np.ceil((points.max(0) - start) / GRID).astype(int)
     return (start[0] + GRID * np.arange(low[0], high[0] + 1), start[1] + GRID * np.arange(low[1], high[1] + 1))
 
 
-def _inside(house: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]) -> Bools:
+def _inside(house: Json, xs: Floats, zs: Floats) -> Bools:
     inside = np.zeros((len(zs), len(xs)), dtype=bool)
     for room in house["rooms"]:
         ring = [(p["x"], p["z"]) for p in room["floorPolygon"]]
@@ -104,7 +125,7 @@ def _solid_parts(house: Json) -> list[tuple[float, float, float, float]]:
     return parts
 
 
-def _steps(house: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]) -> tuple[Bools, Bools, Bools]:
+def _steps(house: Json, xs: Floats, zs: Floats) -> tuple[Bools, Bools, Bools]:
     """Points too near to a wall, and steps to the right and upwards that cross one."""
     near = np.zeros((len(zs), len(xs)), dtype=bool)
     right = np.zeros_like(near)
@@ -122,13 +143,7 @@ def _steps(house: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]
     return near, right, up
 
 
-def _distance(
-    x: npt.NDArray[np.float64],
-    z: npt.NDArray[np.float64],
-    dx: float,
-    dz: float,
-    part: tuple[float, float, float, float],
-) -> npt.NDArray[np.float64]:
+def _distance(x: Floats, z: Floats, dx: float, dz: float, part: tuple[float, float, float, float]) -> Floats:
     """Distance of a wall from points, or from the middle third of a step from them."""
     ax, az, bx, bz = part
     length = (bx - ax) ** 2 + (bz - az) ** 2
@@ -179,8 +194,8 @@ def _label(free: Bools, go_right: Bools, go_up: Bools, labels: npt.NDArray[np.in
                     size += 1
 
 
-def _block(free: Bools, item: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray[np.float64]) -> None:
-    """Take the points that an object's box is too near to."""
+def _covered(item: Json, xs: Floats, zs: Floats) -> tuple[slice, slice, Bools]:
+    """Return a window of the grid around an object, and which of its points the object's box is too near to."""
     angle = np.radians(item["rotation"]["y"])
     c, s = float(np.cos(angle)), float(np.sin(angle))
     x, z = item["position"]["x"], item["position"]["z"]
@@ -192,8 +207,4 @@ def _block(free: Bools, item: Json, xs: npt.NDArray[np.float64], zs: npt.NDArray
     # Turning clockwise by the angle maps local (w, d) to (w c + d s, d c - w s).
     w = np.maximum(np.abs(dx * c - dz * s) - a, 0.0)
     d = np.maximum(np.abs(dx * s + dz * c) - b, 0.0)
-    free[rows, columns] &= np.hypot(w, d) >= RADIUS - 1e-6
-
-
-def _flatten(objects: list[Json]) -> list[Json]:
-    return [part for item in objects for part in (item, *_flatten(item["children"]))]
+    return rows, columns, np.hypot(w, d) < RADIUS - 1e-6

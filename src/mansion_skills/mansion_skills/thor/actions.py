@@ -4,11 +4,10 @@ from itertools import pairwise
 from math import atan2, degrees, dist
 from typing import Any
 
-from mansion_geometry.thor.axes import thor_heading, thor_point
+from mansion_geometry.thor.house_format import AGENT_HEIGHT, thor_heading, thor_point, upright
 from mansion_msgs_py.skills import MoveAheadArgs, PlaceArgs, SessionArgs
 from mansion_msgs_py.world import Pose2D, SkillResult
 from mansion_skills.skills.outcome import number
-from mansion_skills.thor.houses import AGENT_HEIGHT
 from mansion_skills.world.robot_body import RobotBody, turn_between
 from mansion_skills.world.world import World
 
@@ -35,7 +34,7 @@ def teleport(pose: Pose2D, pitch: float, **more: Any) -> Action:
     return {
         "action": "Teleport",
         "position": thor_point(pose.x, pose.y, AGENT_HEIGHT),
-        "rotation": {"x": 0.0, "y": thor_heading(pose.yaw), "z": 0.0},
+        "rotation": upright(thor_heading(pose.yaw)),
         "horizon": min(max(-pitch, HORIZONS[0]), HORIZONS[1]),
         "standing": True,
         **more,

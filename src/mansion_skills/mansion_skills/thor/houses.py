@@ -4,11 +4,10 @@ Step 1 of the UseElevator card: what the robot holds leaves the house of one flo
 """
 
 import json
-from collections.abc import Iterator
 from math import cos, radians, sin
 from typing import Any, TypeAlias
 
-from mansion_geometry.thor.axes import thor_euler, thor_heading, thor_point
+from mansion_geometry.thor.house_format import AGENT_HEIGHT, object_nodes, thor_euler, thor_heading, thor_point, upright
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.shapes import Point3
 from mansion_msgs_py.world import ObjectState, Pose2D
@@ -16,12 +15,9 @@ from mansion_skills.building import LoadedBuilding
 from mansion_skills.world.carrying import placed_at
 from mansion_skills.world.world import World
 
-__all__ = ["AGENT_HEIGHT", "Houses"]
+__all__ = ["Houses"]
 
 Json: TypeAlias = dict[str, Any]
-
-AGENT_HEIGHT = 0.95
-"""Height at which ProcTHOR sets the agent down, metres."""
 
 HAND_AHEAD, HAND_HEIGHT = 0.45, 1.1
 """Where what is held enters a floor's house, to be picked up there; metres from the agent's axis and above ground."""
@@ -44,7 +40,7 @@ class Houses:
         self._houses = {floor: _read(building, floor) for floor in building.floors}
         self._nodes: dict[str, Json] = {}
         for house in self._houses.values():
-            for node in _walk(house["objects"]):
+            for node in object_nodes(house["objects"]):
                 self._nodes[node["id"]] = node
 
     def __contains__(self, name: str) -> bool:
@@ -119,12 +115,6 @@ def _read(building: LoadedBuilding, floor: int) -> Json:
     return house
 
 
-def _walk(nodes: list[Json]) -> Iterator[Json]:
-    for node in nodes:
-        yield node
-        yield from _walk(node.get("children", []))
-
-
 def _placed(node: Json, state: ObjectState, layers: dict[str, Any]) -> Json:
     """Return an object's node where its state says."""
     assert state.position is not None
@@ -162,7 +152,7 @@ def _in_hand(world: World, floor: int, pose: Pose2D, carried: str) -> list[Objec
 
 def _agent(pose: Pose2D) -> Json:
     place: Point3 = (pose.x, pose.y, AGENT_HEIGHT)
-    return {"position": thor_point(*place), "rotation": {"x": 0, "y": thor_heading(pose.yaw), "z": 0}}
+    return {"position": thor_point(*place), "rotation": upright(thor_heading(pose.yaw))}
 
 
 def _door(door: Json, is_open: bool | None) -> Json:

@@ -6,7 +6,7 @@ from typing import Any
 
 import msgspec
 
-from mansion_geometry.thor.axes import from_point, heading, rotation
+from mansion_geometry.thor.house_format import floor_heading, floor_point, floor_rotation
 from mansion_msgs_py.shapes import Point3
 from mansion_msgs_py.world import ObjectState, Pose2D, SkillChange
 from mansion_skills.skills.surfaces import can_contain
@@ -59,8 +59,8 @@ def read_back(world: World, robot: RobotBody, metadata: Mapping[str, Any]) -> li
 
 
 def _read_agent(robot: RobotBody, agent: Mapping[str, Any]) -> None:
-    x, y, _ = from_point(agent["position"])
-    yaw = heading(float(agent["rotation"]["y"]))
+    x, y, _ = floor_point(agent["position"])
+    yaw = floor_heading(float(agent["rotation"]["y"]))
     moved = dist((x, y), robot.place) > SAME_PLACE
     if moved or abs(turn_between(robot.pose.yaw, yaw)) > SAME_TURN:
         robot.move(Pose2D(x=x, y=y, yaw=yaw))
@@ -86,7 +86,7 @@ def _read_object(world: World, robot: RobotBody, name: str, entry: Mapping[str, 
         if state.held_by is None:
             take_up(world.objects, name, robot.session)
         return
-    place, turn = _center(entry), rotation(float(entry["rotation"]["y"]))
+    place, turn = _center(entry), floor_rotation(float(entry["rotation"]["y"]))
     room = world.view(robot.floor).map.room_at(place[0], place[1])
     if state.held_by is None:
         _move(world, state, entry, place, turn, room)
@@ -140,7 +140,7 @@ def _read_states(world: World, name: str, entry: Mapping[str, Any]) -> None:
 def _center(entry: Mapping[str, Any]) -> Point3:
     """Return the middle of an object's box: its ``position`` may be its foot."""
     box = entry.get("axisAlignedBoundingBox")
-    return from_point(box["center"] if box else entry["position"])
+    return floor_point(box["center"] if box else entry["position"])
 
 
 def _named_parent(world: World, state: ObjectState, entry: Mapping[str, Any]) -> str | None:

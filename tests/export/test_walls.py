@@ -5,8 +5,7 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from mansion_export.solids import WallBodies
-from mansion_export.wall_meshes import wall_surfaces
+from mansion_export.walls import WallBodies, wall_surfaces
 
 
 def corners(surfaces):

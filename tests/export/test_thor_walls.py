@@ -5,7 +5,7 @@ import itertools
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mansion_export.boundary import stretches
+from mansion_export.thor.walls import stretches
 
 
 @settings(deadline=None, max_examples=40)

@@ -3,9 +3,8 @@
 import numpy as np
 
 from mansion_export.model import Material
-from mansion_export.solids import Box
-from mansion_export.solids3d import boxes_surface
-from mansion_export.welding import corner_normals
+from mansion_export.normals import corner_normals
+from mansion_export.solids import Box, boxes_surface
 
 
 def cylinder(sides: int) -> tuple[np.ndarray, np.ndarray]:

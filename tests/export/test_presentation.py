@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from mansion_export.titles import building_title, floor_title
+from mansion_export.presentation import building_title, floor_title
 from mansion_msgs_py.scene import FloorScene
 
 

@@ -1,4 +1,4 @@
-"""Materials of the library as the 3D formats need them, and colours of the sky and lamps."""
+"""Materials of the library as the 3D formats need them, and conversions of colours."""
 
 from functools import cache
 

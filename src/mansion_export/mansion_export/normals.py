@@ -1,4 +1,4 @@
-"""Normals of a mesh's corners: smooth over flat angles, sharp over steep ones."""
+"""Vertex normals: smooth over flat angles, sharp over steep ones."""
 
 import numpy as np
 import numpy.typing as npt

@@ -2,7 +2,7 @@
 
 from types import SimpleNamespace
 
-from mansion_export.plan.label_places import LabelBox, place_label
+from mansion_export.plan.labels import LabelBox, place_label
 
 ROOM = SimpleNamespace(id="F1/room", polygon=[(0, 0), (6, 0), (6, 4), (0, 4)], holes=[])
 

@@ -1,10 +1,12 @@
-"""What pictures of a building and of its floors are titled with."""
+"""How a building is presented to people: titles of floors and rooms, and the side that faces the viewer."""
 
 from collections.abc import Sequence
 
-from mansion_msgs_py.scene import FloorScene
+import numpy as np
 
-__all__ = ["building_title", "floor_name", "floor_title"]
+from mansion_msgs_py.scene import FloorScene, SceneRoom
+
+__all__ = ["building_title", "floor_name", "floor_title", "quarter_turns", "room_title"]
 
 _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 
@@ -46,3 +48,29 @@ def floor_title(scene: FloorScene) -> str:
 
 def _count(number: int) -> str:
     return _COUNTS[number] if number < len(_COUNTS) else str(number)
+
+
+def room_title(room: SceneRoom) -> str:
+    """Return the name that a person reads: the room's own, or its type in words."""
+    name = room.name or room.id.rsplit("/", 1)[-1]
+    words = name.replace("_", " ").strip()
+    return words[:1].upper() + words[1:]
+
+
+def quarter_turns(scenes: Sequence[FloorScene]) -> int:
+    """Return by how many quarters to turn a building so that its long side and its entrance face the viewer."""
+    above = (scene for scene in scenes if scene.floor >= 1)
+    ground = min(above, key=lambda scene: scene.floor, default=None)
+    if ground is None:
+        return 0
+    points = np.array(ground.outline)
+    low, high = points.min(0), points.max(0)
+    turns = 1 if high[1] - low[1] > 1.1 * (high[0] - low[0]) else 0
+    door = next((door for door in ground.doors if None in door.rooms), None)
+    if door is None:
+        return turns
+    x, y = np.mean(door.segment, axis=0)
+    # Sides in the order in which quarter turns bring them round to the south.
+    sides = [y - low[1], x - low[0], high[1] - y, high[0] - x]
+    side = int(np.argmin(sides))
+    return turns if (side - turns) % 4 in (0, 3) else turns + 2

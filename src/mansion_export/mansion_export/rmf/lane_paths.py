@@ -1,4 +1,4 @@
-"""Straight ways through a piece of floor: shortest paths on a grid that like distance from things, pulled straight."""
+"""Straight lanes through a piece of free floor: shortest paths that keep clear of its edge, pulled straight."""
 
 import heapq
 import math

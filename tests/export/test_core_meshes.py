@@ -5,8 +5,8 @@ from math import cos, radians, sin
 import numpy as np
 import pytest
 
-from mansion_export.core_signs import core_sign
-from mansion_export.meshes import floor_model
+from mansion_export.building_model import floor_model
+from mansion_export.core_meshes import core_sign
 from mansion_msgs_py.scene import FloorScene, SceneCore
 
 

@@ -1,18 +1,83 @@
-"""Collision boxes with room for what lies in or under them, so that loose objects rest and nothing bursts apart."""
+"""Boxes that collide: floors, steps, furniture and door leaves, with cavities for loose objects."""
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
+from shapely.geometry import Polygon
+from shapely.geometry import box as shapely_box
 
 from mansion_assets.catalogue import Catalogue, load_catalogue
 from mansion_assets.meshes import collision_boxes
-from mansion_export.object_meshes import object_asset
-from mansion_export.solids import Box
-from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_export.model import Mesh, Node
+from mansion_export.solids import Box, box_between
+from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 
-__all__ = ["is_loose", "loose_colliders"]
+__all__ = ["collision_box", "ground_boxes", "is_loose", "loose_colliders"]
+
+FLAT = 0.05
+"""Lower objects, rugs say, stop nobody; metres."""
+
+FLOOR_DEPTH = 0.2
+"""Thickness of the ground below the finished floor, metres."""
+
+
+def ground_boxes(scene: FloorScene) -> list[tuple[str, Box]]:
+    """The ground of rooms, landings and lift cabins, and the steps of stairs, as upright boxes."""
+    boxes = []
+    for room in scene.rooms:
+        for i, solid in enumerate(_strips(Polygon(room.polygon, room.holes), room.kind == "stair")):
+            boxes.append((f"{room.id}/ground/{i}", solid))
+    for core in scene.cores:
+        details = core.details
+        if details is None:
+            continue
+        if isinstance(details, StairDetails):
+            solids = [*details.treads, *details.landings]
+            for i, (low, high) in enumerate(solids):
+                boxes.append((f"{core.id}/step/{i}", box_between(low, high)))
+            if len(details.floor_landing) >= 3:
+                for i, solid in enumerate(_strips(Polygon(details.floor_landing))):
+                    boxes.append((f"{core.id}/ground/{i}", solid))
+        else:
+            (x0, y0, _), (x1, y1, _) = details.cabin
+            boxes.append((f"{core.id}/ground", box_between((x0, y0, -FLOOR_DEPTH), (x1, y1, 0.0))))
+    return boxes
+
+
+def _strips(polygon: Polygon, skip: bool = False) -> list[Box]:
+    """Cut a polygon into upright strips at its corners; exact where its sides are upright or level."""
+    if skip:
+        return []
+    rings = [polygon.exterior, *polygon.interiors]
+    xs = sorted({round(float(x), 6) for ring in rings for x, _ in ring.coords})
+    _, low_y, _, high_y = polygon.bounds
+    boxes = []
+    for x0, x1 in itertools.pairwise(xs):
+        cut = polygon.intersection(shapely_box(x0, low_y - 1.0, x1, high_y + 1.0))
+        parts = [cut] if cut.geom_type == "Polygon" else list(getattr(cut, "geoms", []))
+        for part in parts:
+            if part.geom_type == "Polygon" and part.area > 1e-6:
+                _, y0, _, y1 = part.bounds
+                boxes.append(box_between((x0, y0, -FLOOR_DEPTH), (x1, y1, 0.0)))
+    return boxes
+
+
+def collision_box(node: Node, mesh: Mesh, item: SceneObject | None) -> Box | None:
+    """Return the box of an object or door leaf in its body's frame, if it stops anybody."""
+    if item is not None:
+        if item.size[2] <= FLAT and item.mount == "floor":
+            return None
+        return Box((0.0, 0.0, 0.0), item.size)
+    if node.group == "doors" and "/leaf" in node.id:
+        points = np.concatenate([surface.vertices for surface in mesh.surfaces])
+        low, high = points.min(0), points.max(0)
+        center, size = (low + high) / 2, high - low
+        return Box(tuple(center.tolist()), tuple(size.tolist()))
+    return None
+
 
 Bounds: TypeAlias = tuple[float, float, float, float, float, float]
 """Lowest x, y, z and highest x, y, z."""
@@ -133,7 +198,7 @@ def _carved(item: SceneObject, catalogue: Catalogue, guests: Sequence[_Guest]) -
 
 def _asset_bounds(item: SceneObject, catalogue: Catalogue) -> list[Bounds]:
     """Return the boxes of an object's asset at the object's size."""
-    asset = object_asset(catalogue, item)
+    asset = catalogue.assets.get(item.asset)
     if asset is None:
         return [_whole(item)]
     scale = [mine / its for mine, its in zip(item.size, asset.size)]

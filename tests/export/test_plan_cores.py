@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from shapely.geometry import Point, Polygon, box
 
+from mansion_export.plan.cores import stair_shapes
 from mansion_export.plan.shapes import Label, Line
-from mansion_export.plan.stair_symbol import stair_shapes
 from mansion_msgs_py.program import CorePlan
 from mansion_msgs_py.scene import SceneCore
 from mansion_scene.structure.stairs import stair_details, stair_frame
