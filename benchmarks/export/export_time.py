@@ -18,8 +18,7 @@ from mansion_export.nav2 import map_pgm
 from mansion_export.overview import overview_png
 from mansion_export.plan import plan_png, plan_svg
 from mansion_export.sdf import world_sdf
-from mansion_export.thor import house
-from mansion_export.thor.validation import validate_house
+from mansion_export.thor import house, validate_house
 from mansion_msgs_py.scene import FloorScene
 
 FLOOR: dict[str, Callable[[FloorScene], int]] = {

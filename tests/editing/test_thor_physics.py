@@ -19,7 +19,7 @@ from mansion_editing.physics.thor_bodies import house_of, thor_bodies, thor_shif
 from mansion_editing.physics.thor_engine import BUILD, ThorEngine, parameters
 from mansion_editing.state import SceneState
 from mansion_editing.tools.placing import place_in_container, place_on_surface
-from mansion_export.thor.validation import validate_house
+from mansion_export.thor import validate_house
 from mansion_geometry.thor.controller import start_controller
 from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import MansionError

@@ -6,9 +6,8 @@ import json
 import pytest
 from shapely.geometry import Polygon
 
-from mansion_export.thor import house
+from mansion_export.thor import house, validate_house
 from mansion_export.thor.layers import four_colours
-from mansion_export.thor.validation import validate_house
 
 
 @pytest.fixture

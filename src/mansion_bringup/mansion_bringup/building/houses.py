@@ -49,7 +49,7 @@ def check_houses(
         Gets a line for each such room.
     """
     from mansion_assets.catalogue import load_catalogue
-    from mansion_export.thor.validation import validate_house
+    from mansion_export.thor import validate_house
 
     known = {asset.asset_id for asset in load_catalogue().assets.values() if asset.asset_id}
     for fault in validate_house(house, known):
