@@ -222,8 +222,8 @@ def run_protocol(
     seed : int
         Added to each problem's own seed.
     """
-    from mansion_planner.solver.warming import warm
-    from mansion_planner.solver.workers import solve_timed
+    from mansion_planner.solver.batch import solve_timed
+    from mansion_planner.solver.solve import warm
 
     warm()
     layouts = [solve_timed(msgspec.structs.replace(problem, seed=problem.seed + seed), options) for problem in problems]
