@@ -28,7 +28,7 @@ Validator = Callable[[Scenes, Scenes], Sequence[str]]
 """Gets the floors before and after, and returns the faults that are new."""
 
 
-class BuildingIndex(msgspec.Struct, kw_only=True):
+class BuildingIndex(msgspec.Struct, frozen=True, kw_only=True):
     """What of ``building.json`` an editor needs."""
 
     building_id: str

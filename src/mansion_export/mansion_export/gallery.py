@@ -34,7 +34,7 @@ PANEL = (560, 420)
 _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 
 
-class GalleryPage(msgspec.Struct, kw_only=True):
+class GalleryPage(msgspec.Struct, frozen=True, kw_only=True):
     """One page: its picture, the room, and which system each panel shows."""
 
     page: str
@@ -42,7 +42,7 @@ class GalleryPage(msgspec.Struct, kw_only=True):
     panels: dict[str, str]
 
 
-class GalleryKey(msgspec.Struct, kw_only=True):
+class GalleryKey(msgspec.Struct, frozen=True, kw_only=True):
     """What the pages do not say."""
 
     seed: int
@@ -50,7 +50,7 @@ class GalleryKey(msgspec.Struct, kw_only=True):
     pages: list[GalleryPage]
 
 
-class Answer(msgspec.Struct, kw_only=True):
+class Answer(msgspec.Struct, frozen=True, kw_only=True):
     """What a participant chose on a page: a panel's letter for each question."""
 
     page: str

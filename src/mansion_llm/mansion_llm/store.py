@@ -12,7 +12,7 @@ from mansion_msgs_py.files import write_atomic
 __all__ = ["AnswerStore", "CacheFolder", "Recorder", "Recording", "RunSettings", "StoredAnswer"]
 
 
-class StoredAnswer(msgspec.Struct, kw_only=True):
+class StoredAnswer(msgspec.Struct, frozen=True, kw_only=True):
     """An answer and what it took.
 
     Attributes
@@ -66,7 +66,7 @@ class CacheFolder:
         write_atomic(self._file(answer.digest), msgspec.json.encode(answer))
 
 
-class RunSettings(msgspec.Struct, kw_only=True):
+class RunSettings(msgspec.Struct, frozen=True, kw_only=True):
     """What a replay must share with the run that was recorded: the first line of a recording."""
 
     pieces: tuple[str, ...]

@@ -18,7 +18,7 @@ def answer_schema(kind: Any) -> dict[str, Any]:
 
     Examples
     --------
-    >>> class Pair(msgspec.Struct):
+    >>> class Pair(msgspec.Struct, frozen=True):
     ...     left: int = 0
     >>> answer_schema(Pair)["required"]
     ['left']

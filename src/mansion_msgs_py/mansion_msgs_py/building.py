@@ -12,7 +12,7 @@ from mansion_msgs_py.usage import LlmUsage
 __all__ = ["Building", "BuildingReport", "FloorEntry", "FloorReport", "LoadBuilding"]
 
 
-class FloorEntry(msgspec.Struct, kw_only=True):
+class FloorEntry(msgspec.Struct, frozen=True, kw_only=True):
     """Where a floor's files are, relative to the building's folder; empty for a file that is not there."""
 
     floor: int
@@ -25,7 +25,7 @@ class FloorEntry(msgspec.Struct, kw_only=True):
     files: dict[str, str]
 
 
-class Building(msgspec.Struct, kw_only=True):
+class Building(msgspec.Struct, frozen=True, kw_only=True):
     """The content of ``building.json``."""
 
     building_id: Identifier
@@ -40,7 +40,7 @@ class Building(msgspec.Struct, kw_only=True):
     schema_version: Literal[1] = 1
 
 
-class FloorReport(msgspec.Struct, kw_only=True):
+class FloorReport(msgspec.Struct, frozen=True, kw_only=True):
     """What one floor asked for and got."""
 
     floor: int
@@ -54,7 +54,7 @@ class FloorReport(msgspec.Struct, kw_only=True):
     objects_placed: int
 
 
-class BuildingReport(msgspec.Struct, kw_only=True):
+class BuildingReport(msgspec.Struct, frozen=True, kw_only=True):
     """The content of ``report.json``; the only file of a building that holds times.
 
     Attributes
@@ -75,7 +75,7 @@ class BuildingReport(msgspec.Struct, kw_only=True):
     schema_version: Literal[1] = 1
 
 
-class LoadBuilding(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class LoadBuilding(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Arguments of the ``load_building`` service: the folder that ``mansion build`` wrote.
 
     Attributes

@@ -49,13 +49,13 @@ Text = Annotated[str, msgspec.Meta(max_length=400)]
 Coordinate = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
 
 
-class ToolArgs(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class ToolArgs(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Which open building a call is for: the one opened last under the empty name when absent."""
 
     editor: Text = ""
 
 
-class OpenEditorArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class OpenEditorArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Open the building folder `path` under the name `editor`.
 
     Attributes
@@ -71,7 +71,7 @@ class OpenEditorArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
     autosave: bool = True
 
 
-class EditorInfo(msgspec.Struct, kw_only=True):
+class EditorInfo(msgspec.Struct, frozen=True, kw_only=True):
     """An open building."""
 
     building_id: str
@@ -83,14 +83,14 @@ class EditorInfo(msgspec.Struct, kw_only=True):
     autosave: bool = True
 
 
-class CheckPathArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class CheckPathArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Both ends may be left out: from the entrance, to every room. A room, core or object, by id or words."""
 
     start: Text = ""
     end: Text = ""
 
 
-class SearchAssetsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class SearchAssetsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Words for a new object, how many hits, and properties that each must have (``Pickable``, ``Receptacle``, ...)."""
 
     query: Text
@@ -98,7 +98,7 @@ class SearchAssetsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
     properties: Annotated[list[Text], msgspec.Meta(max_length=8)] = []
 
 
-class ListObjectsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class ListObjectsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Filters: a room (id or words, with a floor where it matters), a keyword or an id."""
 
     room: Text = ""
@@ -107,21 +107,21 @@ class ListObjectsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
     limit: Annotated[int, msgspec.Meta(ge=1, le=500)] = 100
 
 
-class CheckSurfaceArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class CheckSurfaceArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """The receptacle, by keyword or by id."""
 
     keyword: Text = ""
     id: Text = ""
 
 
-class SearchContentsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class SearchContentsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """The container, by keyword or by id."""
 
     keyword: Text = ""
     id: Text = ""
 
 
-class PlaceInContainerArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class PlaceInContainerArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """A new object of the catalogue, and the container to put it into; `color` is a word for its main material."""
 
     asset_id: Text
@@ -129,7 +129,7 @@ class PlaceInContainerArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
     color: Text = ""
 
 
-class PlaceOnSurfaceArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class PlaceOnSurfaceArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """A new object of the catalogue, and what to put it on; a room's id is its floor, for furniture.
 
     Attributes
@@ -146,14 +146,14 @@ class PlaceOnSurfaceArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
     near: Text = ""
 
 
-class RemoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class RemoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """One object with what it carries, or all that a receptacle carries."""
 
     object_id: Text = ""
     receptacle_id: Text = ""
 
 
-class MoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class MoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Where an object goes: on or in a receptacle, or to a point of its floor; with it goes what it carries.
 
     Attributes
@@ -171,7 +171,7 @@ class MoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
     rotation: Annotated[float, msgspec.Meta(ge=-3600.0, le=3600.0)] | None = None
 
 
-class SetStateArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class SetStateArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """States to set: ``open`` of what opens, ``on`` of what switches."""
 
     object_id: Text
@@ -179,20 +179,20 @@ class SetStateArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
     on: bool | None = None
 
 
-class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """An instruction for the editing agent; `planner` as in a `BuildRequest`."""
 
     instruction: Annotated[str, msgspec.Meta(max_length=4000)]
     planner: Literal["rules", "llm"] = "rules"
 
 
-class ProvisionArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True):
+class ProvisionArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """A task that shall become possible: what it needs is checked, and provided where it is missing."""
 
     task: Task
 
 
-class PathStep(msgspec.Struct, kw_only=True):
+class PathStep(msgspec.Struct, frozen=True, kw_only=True):
     """A place on the way and the door into it; a stair or a lift comes once for each floor."""
 
     place: str
@@ -223,7 +223,7 @@ class PathReport(msgspec.Struct, kw_only=True):
     cut_rooms: list[str] = []
 
 
-class AssetInfo(msgspec.Struct, kw_only=True):
+class AssetInfo(msgspec.Struct, frozen=True, kw_only=True):
     """An asset of the catalogue; `asset_id` is what the Place tools take."""
 
     asset_id: str
@@ -235,14 +235,14 @@ class AssetInfo(msgspec.Struct, kw_only=True):
     properties: list[str] = []
 
 
-class AssetHits(msgspec.Struct, kw_only=True):
+class AssetHits(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of SearchAssets, the best first."""
 
     message: str
     assets: list[AssetInfo]
 
 
-class ObjectInfo(msgspec.Struct, kw_only=True):
+class ObjectInfo(msgspec.Struct, frozen=True, kw_only=True):
     """An object of the scene with the properties that the catalogue knows of its asset."""
 
     id: str
@@ -259,7 +259,7 @@ class ObjectInfo(msgspec.Struct, kw_only=True):
     states: dict[str, bool | float | str] = {}
 
 
-class ObjectList(msgspec.Struct, kw_only=True):
+class ObjectList(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of ListObjects; `total` counts those beyond the limit too."""
 
     message: str
@@ -267,14 +267,14 @@ class ObjectList(msgspec.Struct, kw_only=True):
     objects: list[ObjectInfo]
 
 
-class ReceptacleContents(msgspec.Struct, kw_only=True):
+class ReceptacleContents(msgspec.Struct, frozen=True, kw_only=True):
     """One receptacle and what geometry finds on or in it."""
 
     receptacle: ObjectInfo
     objects: list[ObjectInfo]
 
 
-class ReceptacleReport(msgspec.Struct, kw_only=True):
+class ReceptacleReport(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of CheckSurface and of SearchContents: one entry for each receptacle that fits."""
 
     message: str
@@ -296,7 +296,7 @@ class ObjectChange(msgspec.Struct, kw_only=True, frozen=True):
         return "" if found is None else found.id
 
 
-class Transaction(msgspec.Struct, kw_only=True):
+class Transaction(msgspec.Struct, frozen=True, kw_only=True):
     """A line of the edit log: what landed together.
 
     Attributes
@@ -324,7 +324,7 @@ class Transaction(msgspec.Struct, kw_only=True):
     schema_version: Literal[1] = 1
 
 
-class EditResult(msgspec.Struct, kw_only=True):
+class EditResult(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of every tool that changes something.
 
     Attributes
@@ -344,14 +344,14 @@ class EditResult(msgspec.Struct, kw_only=True):
     revisions: dict[str, int] = {}
 
 
-class DiffReport(msgspec.Struct, kw_only=True):
+class DiffReport(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of Diff: changes that wait for Save."""
 
     message: str
     changes: list[ObjectChange]
 
 
-class AgentStep(msgspec.Struct, kw_only=True):
+class AgentStep(msgspec.Struct, frozen=True, kw_only=True):
     """One turn of the agent: what it thought, the tool it called and what it saw."""
 
     thought: str

@@ -41,7 +41,7 @@ class ErrorInfo(msgspec.Struct, kw_only=True):
     details: dict[str, Any] = {}
 
 
-class ErrorReply(msgspec.Struct, kw_only=True):
+class ErrorReply(msgspec.Struct, frozen=True, kw_only=True):
     """The body of a failed reply: ``{"error": {...}}``."""
 
     error: ErrorInfo

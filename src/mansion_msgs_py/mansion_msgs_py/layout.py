@@ -27,7 +27,7 @@ __all__ = [
 PlanId: TypeAlias = str | int | float | bool | None
 
 
-class ProblemCore(msgspec.Struct, kw_only=True):
+class ProblemCore(msgspec.Struct, frozen=True, kw_only=True):
     """A stair or lift shaft: ground that no room may take, and a node that edges may name."""
 
     id: Identifier
@@ -36,14 +36,14 @@ class ProblemCore(msgspec.Struct, kw_only=True):
     door_side: Literal["north", "south", "east", "west"] | None = None
 
 
-class FixedRoom(msgspec.Struct, kw_only=True):
+class FixedRoom(msgspec.Struct, frozen=True, kw_only=True):
     """A room whose polygon is given; it takes part in edges and is returned unchanged."""
 
     id: Identifier
     polygon: Annotated[Ring, msgspec.Meta(min_length=3)]
 
 
-class SeedRange(msgspec.Struct, kw_only=True):
+class SeedRange(msgspec.Struct, frozen=True, kw_only=True):
     """An axis-aligned box in which a room's centroid is wished."""
 
     x: Point
@@ -96,7 +96,7 @@ class FloorProblem(msgspec.Struct, kw_only=True):
     schema_version: Literal[1] = 1
 
 
-class LayoutRoom(msgspec.Struct, kw_only=True):
+class LayoutRoom(msgspec.Struct, frozen=True, kw_only=True):
     """A room of the layout: a counter-clockwise polygon on wall centre lines, with clockwise holes."""
 
     id: Identifier
@@ -123,7 +123,7 @@ class RealisedEdge(msgspec.Struct, kw_only=True):
     length: float = 0.0
 
 
-class UnmetEdge(msgspec.Struct, kw_only=True):
+class UnmetEdge(msgspec.Struct, frozen=True, kw_only=True):
     """An edge that the layout does not realise, and why it was relaxed."""
 
     source: Identifier
@@ -132,7 +132,7 @@ class UnmetEdge(msgspec.Struct, kw_only=True):
     reason: str
 
 
-class CutRoundRecord(msgspec.Struct, kw_only=True):
+class CutRoundRecord(msgspec.Struct, frozen=True, kw_only=True):
     """One round of the breadth-first cut schedule: who was split into whom, and by which search."""
 
     parent: str

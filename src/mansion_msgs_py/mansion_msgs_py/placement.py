@@ -27,18 +27,18 @@ RelationKind: TypeAlias = Literal["near", "far", "in_front_of", "around", "side_
 Count: TypeAlias = Annotated[int, msgspec.Meta(ge=1, le=10_000)]
 
 
-class SingleStructure(msgspec.Struct, tag_field="kind", tag="single"):
+class SingleStructure(msgspec.Struct, frozen=True, tag_field="kind", tag="single"):
     """Copies stand on their own."""
 
 
-class MatrixStructure(msgspec.Struct, tag_field="kind", tag="matrix"):
+class MatrixStructure(msgspec.Struct, frozen=True, tag_field="kind", tag="matrix"):
     """`rows` x `cols` copies in one grid."""
 
     rows: Count
     cols: Count
 
 
-class PairedStructure(msgspec.Struct, tag_field="kind", tag="paired"):
+class PairedStructure(msgspec.Struct, frozen=True, tag_field="kind", tag="paired"):
     """One copy for each copy of the object named in ``with``."""
 
     with_: str = msgspec.field(name="with")
@@ -47,14 +47,14 @@ class PairedStructure(msgspec.Struct, tag_field="kind", tag="paired"):
 Structure: TypeAlias = SingleStructure | MatrixStructure | PairedStructure
 
 
-class Relation(msgspec.Struct, kw_only=True):
+class Relation(msgspec.Struct, frozen=True, kw_only=True):
     """A wish about another object of the room, by name."""
 
     kind: RelationKind
     target: str
 
 
-class PlacementObject(msgspec.Struct, kw_only=True):
+class PlacementObject(msgspec.Struct, frozen=True, kw_only=True):
     """An object to place, `quantity` times.
 
     Attributes
@@ -77,7 +77,7 @@ class PlacementObject(msgspec.Struct, kw_only=True):
     smaller: list[Size3] = []
 
 
-class PlacementOpening(msgspec.Struct, kw_only=True):
+class PlacementOpening(msgspec.Struct, frozen=True, kw_only=True):
     """A door or window of the room: the segment of its wall that it takes.
 
     Attributes
@@ -91,7 +91,7 @@ class PlacementOpening(msgspec.Struct, kw_only=True):
     sill: float = 0.9
 
 
-class PlacementRoom(msgspec.Struct, kw_only=True):
+class PlacementRoom(msgspec.Struct, frozen=True, kw_only=True):
     """One room to furnish; its polygon is the net interior."""
 
     room_id: Identifier
@@ -103,7 +103,7 @@ class PlacementRoom(msgspec.Struct, kw_only=True):
     holes: list[Ring] = []
 
 
-class PlacedObject(msgspec.Struct, kw_only=True):
+class PlacedObject(msgspec.Struct, frozen=True, kw_only=True):
     """A copy of an object where it stands; at rotation 0 its front faces +y, degrees counter-clockwise."""
 
     id: Identifier
@@ -113,7 +113,7 @@ class PlacedObject(msgspec.Struct, kw_only=True):
     size: Size3
 
 
-class Discarded(msgspec.Struct, kw_only=True):
+class Discarded(msgspec.Struct, frozen=True, kw_only=True):
     """Copies that could not be placed, and why."""
 
     name: str

@@ -18,7 +18,7 @@ __all__ = [
 ]
 
 
-class CorePlan(msgspec.Struct, kw_only=True):
+class CorePlan(msgspec.Struct, frozen=True, kw_only=True):
     """A vertical core, an axis-aligned box at the same place on every floor that it serves.
 
     Attributes
@@ -77,7 +77,7 @@ class RoomProgram(msgspec.Struct, kw_only=True):
     notes: str = ""
 
 
-class AreaSummary(msgspec.Struct, kw_only=True):
+class AreaSummary(msgspec.Struct, frozen=True, kw_only=True):
     """How a floor's areas add up: `reserve_ratio` is what circulation and cores keep of the gross area."""
 
     sum_rooms: float
@@ -119,7 +119,7 @@ class FloorProgram(msgspec.Struct, kw_only=True):
     copy: int | None = None
 
 
-class TraceEntry(msgspec.Struct, kw_only=True):
+class TraceEntry(msgspec.Struct, frozen=True, kw_only=True):
     """Which words of the brief (or which rule, when `words` is empty) led to which decision."""
 
     words: str
@@ -128,7 +128,7 @@ class TraceEntry(msgspec.Struct, kw_only=True):
     end: int | None = None
 
 
-class Downgrade(msgspec.Struct, kw_only=True):
+class Downgrade(msgspec.Struct, frozen=True, kw_only=True):
     """A wish that is not met, or met in part, and why."""
 
     wish: str

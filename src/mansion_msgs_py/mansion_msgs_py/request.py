@@ -11,7 +11,7 @@ from mansion_msgs_py.shapes import Area, Ring
 __all__ = ["BuildRequest", "Footprint", "identified"]
 
 
-class Footprint(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class Footprint(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """The building envelope, ``P_env`` of section C.1.
 
     Attributes
@@ -26,7 +26,7 @@ class Footprint(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     holes: list[Ring] = []
 
 
-class BuildRequest(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class BuildRequest(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """One sentence and optional numeric constraints (section C.1).
 
     Attributes

@@ -39,7 +39,7 @@ DoorKind: TypeAlias = Literal[
 Mount: TypeAlias = Literal["floor", "wall", "ceiling", "surface", "inside"]
 
 
-class SceneRoom(msgspec.Struct, kw_only=True):
+class SceneRoom(msgspec.Struct, frozen=True, kw_only=True):
     """A room of a furnished floor.
 
     Attributes
@@ -70,7 +70,7 @@ class SceneRoom(msgspec.Struct, kw_only=True):
     open_relation: Literal["open", "door"] = "door"
 
 
-class Wall(msgspec.Struct, kw_only=True):
+class Wall(msgspec.Struct, frozen=True, kw_only=True):
     """A straight wall.
 
     Attributes
@@ -95,7 +95,7 @@ class Wall(msgspec.Struct, kw_only=True):
     right_material: str = ""
 
 
-class Door(msgspec.Struct, kw_only=True):
+class Door(msgspec.Struct, frozen=True, kw_only=True):
     """A passage between two rooms, a room and a core, or a room and the outside.
 
     Attributes
@@ -127,7 +127,7 @@ class Door(msgspec.Struct, kw_only=True):
     material: str = ""
 
 
-class Window(msgspec.Struct, kw_only=True):
+class Window(msgspec.Struct, frozen=True, kw_only=True):
     """A window in an outer wall; `sill` is the height of its lower edge, metres."""
 
     id: Identifier
@@ -139,7 +139,7 @@ class Window(msgspec.Struct, kw_only=True):
     kind: str = "fixed"
 
 
-class SceneObject(msgspec.Struct, kw_only=True):
+class SceneObject(msgspec.Struct, frozen=True, kw_only=True):
     """An object that stands, hangs or lies somewhere.
 
     Attributes
@@ -180,7 +180,7 @@ class SceneObject(msgspec.Struct, kw_only=True):
     states: dict[str, bool | float | str] = {}
 
 
-class Light(msgspec.Struct, kw_only=True):
+class Light(msgspec.Struct, frozen=True, kw_only=True):
     """A lamp or the sun; `color` is ``#rrggbb``."""
 
     id: Identifier
@@ -192,7 +192,7 @@ class Light(msgspec.Struct, kw_only=True):
     room: str | None = None
 
 
-class Sky(msgspec.Struct, kw_only=True):
+class Sky(msgspec.Struct, frozen=True, kw_only=True):
     """Sky box and the sun's position; angles in degrees, azimuth from +y clockwise."""
 
     name: str = "clear_noon"
@@ -202,7 +202,7 @@ class Sky(msgspec.Struct, kw_only=True):
     color: str = "#bfd9ff"
 
 
-class SpawnPose(msgspec.Struct, kw_only=True):
+class SpawnPose(msgspec.Struct, frozen=True, kw_only=True):
     """Where the robot starts; yaw in degrees counter-clockwise from +x."""
 
     x: float
@@ -215,7 +215,7 @@ Box3: TypeAlias = tuple[Point3, Point3]
 """An axis-aligned box: lower and upper corner, z above the finished floor; metres."""
 
 
-class StairDetails(msgspec.Struct, kw_only=True, tag_field="kind", tag="stair"):
+class StairDetails(msgspec.Struct, frozen=True, kw_only=True, tag_field="kind", tag="stair"):
     """The flights that leave this floor upwards, and the openings that stairs need.
 
     Attributes
@@ -247,7 +247,7 @@ class StairDetails(msgspec.Struct, kw_only=True, tag_field="kind", tag="stair"):
     ceiling_opening: Ring = []
 
 
-class LiftButton(msgspec.Struct, kw_only=True):
+class LiftButton(msgspec.Struct, frozen=True, kw_only=True):
     """A button of the cabin's panel: the floor it calls, what it says, and where it sits."""
 
     floor: int
@@ -255,7 +255,7 @@ class LiftButton(msgspec.Struct, kw_only=True):
     position: Point3
 
 
-class LiftDetails(msgspec.Struct, kw_only=True, tag_field="kind", tag="elevator"):
+class LiftDetails(msgspec.Struct, frozen=True, kw_only=True, tag_field="kind", tag="elevator"):
     """The shaft on this floor, the cabin when it stands here, and the panels.
 
     Attributes
@@ -284,7 +284,7 @@ class LiftDetails(msgspec.Struct, kw_only=True, tag_field="kind", tag="elevator"
 CoreDetails: TypeAlias = StairDetails | LiftDetails
 
 
-class SceneCore(msgspec.Struct, kw_only=True):
+class SceneCore(msgspec.Struct, frozen=True, kw_only=True):
     """A stair or a lift as it is on this floor.
 
     Attributes
@@ -310,7 +310,7 @@ class SceneCore(msgspec.Struct, kw_only=True):
     details: CoreDetails | None = None
 
 
-class Discard(msgspec.Struct, kw_only=True):
+class Discard(msgspec.Struct, frozen=True, kw_only=True):
     """Objects that a room was to have and has not, and why."""
 
     room: str

@@ -39,39 +39,39 @@ __all__ = [
 ]
 
 
-class SessionArgs(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class SessionArgs(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Which robot a call is for (the default one when absent), and the token of who drives it, if someone does."""
 
     session: str = ""
     token: str = ""
 
 
-class ControlArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class ControlArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Ask to be the only driver of a session; `client` says who asks."""
 
     client: str = ""
     force: bool = False
 
 
-class UseElevatorArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class UseElevatorArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Skill card UseElevator: a floor number, or a label where it is unambiguous."""
 
     target_floor: Any
 
 
-class TakeStairsArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class TakeStairsArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Skill card TakeStairs: ``Up`` or ``Down``."""
 
     direction: Any
 
 
-class GoToLandmarkArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class GoToLandmarkArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """A room, a core, or ``elevator`` or ``stairs`` for the nearest of its kind on this floor."""
 
     landmark: Any
 
 
-class MoveToArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class MoveToArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """A point of this floor in metres; the robot ends with `yaw` (degrees), or as it arrives."""
 
     x: Any
@@ -79,60 +79,60 @@ class MoveToArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
     yaw: Any = None
 
 
-class MoveAheadArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class MoveAheadArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Metres straight ahead; negative ones go backwards."""
 
     distance: Any = 0.25
 
 
-class RotateArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class RotateArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Degrees to turn on the spot, counter-clockwise."""
 
     degrees: Any = 90.0
 
 
-class LookArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class LookArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Degrees to tilt the camera."""
 
     degrees: Any = 30.0
 
 
-class ObjectArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class ObjectArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """An object: its id, or the end of it where that is unambiguous on this floor (``desk_1/mug_2``, ``mug_2``)."""
 
     object: Any
 
 
-class NearObjectArgs(ObjectArgs, kw_only=True, forbid_unknown_fields=True):
+class NearObjectArgs(ObjectArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """An object or a door of this floor."""
 
 
-class DoorArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class DoorArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """A door of this floor: its id, or the nearest one when absent."""
 
     door: Any = ""
 
 
-class PlaceArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class PlaceArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Put what is held ``on``, ``in`` or ``in_front`` of `target`; ``floor`` is the floor before the robot."""
 
     target: Any
     relation: Any = "on"
 
 
-class VisibleArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class VisibleArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """How far to look, metres."""
 
     distance: Any = None
 
 
-class RouteArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True):
+class RouteArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Where a route shall lead: a room or core of any floor (``F3/office_1``), or an object, by its id."""
 
     target: Any
 
 
-class LandmarkInfo(msgspec.Struct, kw_only=True):
+class LandmarkInfo(msgspec.Struct, frozen=True, kw_only=True):
     """A place that a robot can be sent to."""
 
     name: str
@@ -141,7 +141,7 @@ class LandmarkInfo(msgspec.Struct, kw_only=True):
     pose: Pose2D
 
 
-class Landmarks(msgspec.Struct, kw_only=True):
+class Landmarks(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of ``skills/list_landmarks``."""
 
     floor: int
@@ -150,7 +150,7 @@ class Landmarks(msgspec.Struct, kw_only=True):
     session: str = ""
 
 
-class VisibleObject(msgspec.Struct, kw_only=True):
+class VisibleObject(msgspec.Struct, frozen=True, kw_only=True):
     """Something the robot sees; `distance` (metres) and `bearing` (degrees, left is positive) from the robot."""
 
     id: str
@@ -167,7 +167,7 @@ class VisibleObject(msgspec.Struct, kw_only=True):
     states: dict[str, bool | float | str] = {}
 
 
-class VisibleObjects(msgspec.Struct, kw_only=True):
+class VisibleObjects(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of ``skills/list_visible``, nearest first."""
 
     floor: int
@@ -188,7 +188,7 @@ class RouteLeg(msgspec.Struct, kw_only=True):
     points: list[tuple[float, float]] = []
 
 
-class Route(msgspec.Struct, kw_only=True):
+class Route(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of ``skills/plan_route``."""
 
     legs: list[RouteLeg]
@@ -198,7 +198,7 @@ class Route(msgspec.Struct, kw_only=True):
     session: str = ""
 
 
-class WhereAmI(msgspec.Struct, kw_only=True):
+class WhereAmI(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of ``skills/where_am_i``."""
 
     floor: int
@@ -209,7 +209,7 @@ class WhereAmI(msgspec.Struct, kw_only=True):
     session: str = ""
 
 
-class Control(msgspec.Struct, kw_only=True):
+class Control(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of ``skills/take_control``: the token that every call of the session now needs."""
 
     session: str
@@ -217,7 +217,7 @@ class Control(msgspec.Struct, kw_only=True):
     client: str = ""
 
 
-class Loaded(msgspec.Struct, kw_only=True):
+class Loaded(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of ``load_building``."""
 
     building_id: str
@@ -230,7 +230,7 @@ class Loaded(msgspec.Struct, kw_only=True):
     notes: list[str] = []
 
 
-class CameraNames(msgspec.Struct, kw_only=True):
+class CameraNames(msgspec.Struct, frozen=True, kw_only=True):
     """What the labels of segmentation images mean.
 
     Attributes

@@ -14,7 +14,7 @@ from mansion_msgs_py.usage import LlmUsage
 __all__ = ["BuildJob", "BuildReply", "FurnishRequest", "PlanReply"]
 
 
-class PlanReply(msgspec.Struct, kw_only=True):
+class PlanReply(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of ``plan_program``: the program, and for each floor its room graph and solver problem.
 
     Attributes
@@ -33,7 +33,7 @@ class PlanReply(msgspec.Struct, kw_only=True):
     llm: LlmUsage | None = None
 
 
-class FurnishRequest(msgspec.Struct, kw_only=True):
+class FurnishRequest(msgspec.Struct, frozen=True, kw_only=True):
     """Arguments of ``furnish_floor``: all that a floor's scene is made from.
 
     Attributes
@@ -58,7 +58,7 @@ class FurnishRequest(msgspec.Struct, kw_only=True):
     description: str = ""
 
 
-class BuildJob(BuildRequest, kw_only=True, forbid_unknown_fields=True):
+class BuildJob(BuildRequest, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Arguments of ``build_building``: a request, and where its folder is to go.
 
     Attributes
@@ -78,7 +78,7 @@ class BuildJob(BuildRequest, kw_only=True, forbid_unknown_fields=True):
         return BuildRequest(**fields)
 
 
-class BuildReply(msgspec.Struct, kw_only=True):
+class BuildReply(msgspec.Struct, frozen=True, kw_only=True):
     """Reply of ``build_building``: the index of the finished building, and its folder when one was asked for."""
 
     building: Building

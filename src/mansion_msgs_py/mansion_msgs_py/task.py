@@ -59,7 +59,7 @@ class Difficulty(StrEnum):
     HARD = "hard"
 
 
-class Goal(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class Goal(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A statement that must hold at the end, of any one of the things named.
 
     Attributes
@@ -77,7 +77,7 @@ class Goal(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     distance: float = 1.5
 
 
-class Need(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class Need(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Something that the building must hold for the task to make sense, in words.
 
     Attributes
@@ -104,21 +104,21 @@ class Need(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     role: Literal["target", "destination", "other"] = "other"
 
 
-class SkillCall(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class SkillCall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A skill and its arguments, as ``mansion skill`` takes them."""
 
     skill: str
     arguments: dict[str, Any] = {}
 
 
-class TaskStart(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class TaskStart(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Where the robot stands when the task begins."""
 
     floor: int
     pose: Pose2D
 
 
-class Task(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class Task(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A task in a building.
 
     Attributes
@@ -168,7 +168,7 @@ class ProgressScore(msgspec.Struct, kw_only=True, frozen=True, forbid_unknown_fi
     success: bool = False
 
 
-class TaskSet(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class TaskSet(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Tasks of one building, as ``mansion task generate`` writes them.
 
     Attributes

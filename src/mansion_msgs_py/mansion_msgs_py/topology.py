@@ -14,7 +14,7 @@ NodeKind: TypeAlias = Literal["main", "Entities", "area", "stair", "elevator"]
 EdgeKind: TypeAlias = Literal["access", "adjacent"]
 
 
-class TopologyNode(msgspec.Struct, kw_only=True):
+class TopologyNode(msgspec.Struct, frozen=True, kw_only=True):
     """A room, a zone or a core of the room graph."""
 
     id: Identifier
@@ -34,7 +34,7 @@ class Edge(msgspec.Struct, kw_only=True, frozen=True):
     kind: EdgeKind = "access"
 
 
-class FloorTopology(msgspec.Struct, kw_only=True):
+class FloorTopology(msgspec.Struct, frozen=True, kw_only=True):
     """Symbolic connectivity of one floor, ``G_i`` of Algorithm 1, line 7; cores included."""
 
     nodes: Annotated[list[TopologyNode], msgspec.Meta(min_length=1)]
@@ -44,7 +44,7 @@ class FloorTopology(msgspec.Struct, kw_only=True):
     schema_version: Literal[1] = 1
 
 
-class SeedBox(msgspec.Struct, kw_only=True):
+class SeedBox(msgspec.Struct, frozen=True, kw_only=True):
     """Where a child room should lie within its parent.
 
     Attributes
@@ -64,7 +64,7 @@ class SeedBox(msgspec.Struct, kw_only=True):
     reason: str = ""
 
 
-class SeedPlan(msgspec.Struct, kw_only=True):
+class SeedPlan(msgspec.Struct, frozen=True, kw_only=True):
     """Seed boxes for the cut rounds of one floor, ``sigma_t`` of Algorithm 3, line 3."""
 
     boxes: list[SeedBox]

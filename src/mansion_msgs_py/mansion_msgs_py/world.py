@@ -36,7 +36,7 @@ class Pose2D(msgspec.Struct, kw_only=True):
     yaw: float = 0.0
 
 
-class RobotState(msgspec.Struct, kw_only=True):
+class RobotState(msgspec.Struct, frozen=True, kw_only=True):
     """Where a robot is and what it holds."""
 
     session: str
@@ -86,7 +86,7 @@ class LiftRequestType(IntEnum):
     HUMAN_MODE = 2
 
 
-class LiftRequest(msgspec.Struct, kw_only=True):
+class LiftRequest(msgspec.Struct, frozen=True, kw_only=True):
     """Ask for a lift, or let it go; field names and numbers are those of ``rmf_lift_msgs/LiftRequest``.
 
     Attributes
@@ -114,7 +114,7 @@ class LiftCall(msgspec.Struct, kw_only=True, frozen=True):
     mode: LiftMode = LiftMode.AGV
 
 
-class LiftState(msgspec.Struct, kw_only=True):
+class LiftState(msgspec.Struct, frozen=True, kw_only=True):
     """One lift; field names and numbers are those of ``rmf_lift_msgs/LiftState``.
 
     Attributes
@@ -156,7 +156,7 @@ class SkillStatus(StrEnum):
     CANCELED = "CANCELED"
 
 
-class SkillChange(msgspec.Struct, kw_only=True):
+class SkillChange(msgspec.Struct, frozen=True, kw_only=True):
     """One fact of the world that a skill changed."""
 
     what: str
@@ -178,7 +178,7 @@ class SkillResult(msgspec.Struct, kw_only=True):
     schema_version: Literal[1] = 1
 
 
-class ObjectState(msgspec.Struct, kw_only=True):
+class ObjectState(msgspec.Struct, frozen=True, kw_only=True):
     """Where an object is now: on a floor, or held (`floor` is then ``None``).
 
     Attributes
@@ -200,7 +200,7 @@ class ObjectState(msgspec.Struct, kw_only=True):
     states: dict[str, bool | float | str] = {}
 
 
-class WorldState(msgspec.Struct, kw_only=True):
+class WorldState(msgspec.Struct, frozen=True, kw_only=True):
     """The overlay of a running session: everything that differs from the scenes on disk.
 
     Sessions that share a building write the whole of what they share, each after its own skills: of several overlays
@@ -237,7 +237,7 @@ class WorldState(msgspec.Struct, kw_only=True):
     schema_version: Literal[1] = 1
 
 
-class SkillProgress(msgspec.Struct, kw_only=True):
+class SkillProgress(msgspec.Struct, frozen=True, kw_only=True):
     """How far a running skill is.
 
     Attributes
@@ -259,7 +259,7 @@ class SkillProgress(msgspec.Struct, kw_only=True):
     schema_version: Literal[1] = 1
 
 
-class WorldEvent(msgspec.Struct, kw_only=True):
+class WorldEvent(msgspec.Struct, frozen=True, kw_only=True):
     """What one finished skill changed."""
 
     step: int
@@ -272,7 +272,7 @@ class WorldEvent(msgspec.Struct, kw_only=True):
     schema_version: Literal[1] = 1
 
 
-class Progress(msgspec.Struct, kw_only=True):
+class Progress(msgspec.Struct, frozen=True, kw_only=True):
     """How far a long job is: `done` of `total` steps."""
 
     stage: str

@@ -27,7 +27,7 @@ __all__ = [
 ]
 
 
-class StructureAnswer(msgspec.Struct):
+class StructureAnswer(msgspec.Struct, frozen=True):
     """``single``, ``matrix`` with rows and columns, or ``paired`` with another object."""
 
     kind: str
@@ -36,14 +36,14 @@ class StructureAnswer(msgspec.Struct):
     with_: str | None = msgspec.field(name="with", default=None)
 
 
-class RelationAnswer(msgspec.Struct):
+class RelationAnswer(msgspec.Struct, frozen=True):
     """A relative position constraint."""
 
     kind: str
     target: str
 
 
-class ObjectAnswer(msgspec.Struct):
+class ObjectAnswer(msgspec.Struct, frozen=True):
     """A kind of object in the room."""
 
     name: str
@@ -54,7 +54,7 @@ class ObjectAnswer(msgspec.Struct):
     relative: list[RelationAnswer] = []
 
 
-class ObjectsAnswer(msgspec.Struct):
+class ObjectsAnswer(msgspec.Struct, frozen=True):
     """What a room is furnished with, the most important first."""
 
     objects: list[ObjectAnswer]

@@ -22,7 +22,7 @@ DATA = Path(__file__).parent / "data"
 T = TypeVar("T")
 
 
-class _ThorTable(msgspec.Struct, kw_only=True):
+class _ThorTable(msgspec.Struct, frozen=True, kw_only=True):
     types: dict[str, list[tuple[str, float, float, float, str]]]
 
 

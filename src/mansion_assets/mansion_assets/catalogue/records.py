@@ -28,7 +28,7 @@ Probability: TypeAlias = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
 Snake: TypeAlias = Annotated[str, msgspec.Meta(pattern=r"^[a-z][a-z0-9_]*$", max_length=80)]
 
 
-class CategoryRecord(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class CategoryRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A kind of object and its variants.
 
     Attributes
@@ -60,7 +60,7 @@ class CategoryRecord(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     tags: list[str] = []
 
 
-class AssetRecord(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class AssetRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A user's asset: a GLB file (glTF axes: y up, front +z) or a recipe, and its facts.
 
     Attributes
@@ -91,7 +91,7 @@ class AssetRecord(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     tags: list[str] = []
 
 
-class Count(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class Count(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """How many: one for each `per` square metres within [`min`, `max`], or `times` for each copy of `each`."""
 
     per: Annotated[float, msgspec.Meta(gt=0)] | None = None
@@ -101,7 +101,7 @@ class Count(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     times: float = 1.0
 
 
-class MatrixShape(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class MatrixShape(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """How a matrix spreads: greatest numbers of rows and columns, and free space around a copy, metres."""
 
     max_rows: int = 12
@@ -109,14 +109,14 @@ class MatrixShape(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     gap: tuple[float, float] = (0.9, 0.9)
 
 
-class Extent(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class Extent(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Which assets of a category will do: bounds of width, depth and height, metres."""
 
     min: tuple[float, float, float] = (0.0, 0.0, 0.0)
     max: tuple[float, float, float] = (99.0, 99.0, 99.0)
 
 
-class Item(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class Item(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A floor object of a room program.
 
     Attributes
@@ -144,7 +144,7 @@ class Item(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     extent: Extent | None = None
 
 
-class HangItem(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class HangItem(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A wall or ceiling object.
 
     Attributes
@@ -170,7 +170,7 @@ class HangItem(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     min_area: float = 0.0
 
 
-class RugItem(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class RugItem(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A rug below a floor object; `margin` metres beyond it; an empty `under` puts it in the middle."""
 
     category: str | list[str] = "rug"
@@ -180,7 +180,7 @@ class RugItem(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     count: int = 1
 
 
-class Slot(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class Slot(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A small object with a place of its own: (u, v) in [0, 1] from the surface's left back corner.
 
     Attributes
@@ -197,7 +197,7 @@ class Slot(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     jitter: float = 0.02
 
 
-class Scatter(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class Scatter(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Small objects without a place of their own: between `min` and `max` of them, on or in the receptacle."""
 
     category: str | list[str]
@@ -208,7 +208,7 @@ class Scatter(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     line: bool = False
 
 
-class Arrangement(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class Arrangement(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """What lies on or in a receptacle.
 
     Attributes
@@ -230,7 +230,7 @@ class Arrangement(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     p: Probability = 1.0
 
 
-class RoomRecord(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+class RoomRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """What a room type is furnished with.
 
     Attributes

@@ -29,7 +29,7 @@ Tools and their arguments:
 """
 
 
-class Turn(msgspec.Struct, kw_only=True):
+class Turn(msgspec.Struct, frozen=True, kw_only=True):
     """An answer of the model."""
 
     thought: str

@@ -19,7 +19,7 @@ __all__ = [
 ]
 
 
-class NumbersAnswer(msgspec.Struct):
+class NumbersAnswer(msgspec.Struct, frozen=True):
     """Type, style and numbers of a building (section C.1)."""
 
     reasoning: str
@@ -29,7 +29,7 @@ class NumbersAnswer(msgspec.Struct):
     floor_area: float
 
 
-class MaterialAnswer(msgspec.Struct):
+class MaterialAnswer(msgspec.Struct, frozen=True):
     """Materials of one room type."""
 
     room_type: str
@@ -37,13 +37,13 @@ class MaterialAnswer(msgspec.Struct):
     wall_material: str
 
 
-class MaterialsAnswer(msgspec.Struct):
+class MaterialsAnswer(msgspec.Struct, frozen=True):
     """The palette of a building."""
 
     palette: list[MaterialAnswer]
 
 
-class CoreAnswer(msgspec.Struct):
+class CoreAnswer(msgspec.Struct, frozen=True):
     """A stair or lift of Fig. 23."""
 
     type: str
@@ -51,7 +51,7 @@ class CoreAnswer(msgspec.Struct):
     y: tuple[float, float]
 
 
-class CoresAnswer(msgspec.Struct):
+class CoresAnswer(msgspec.Struct, frozen=True):
     """``vertical_connectivity`` of Fig. 23."""
 
     method: str
@@ -59,7 +59,7 @@ class CoresAnswer(msgspec.Struct):
     justification: str = ""
 
 
-class RoomAnswer(msgspec.Struct):
+class RoomAnswer(msgspec.Struct, frozen=True):
     """A room of Fig. 23: an id and no type."""
 
     id: str
@@ -69,7 +69,7 @@ class RoomAnswer(msgspec.Struct):
     notes: str = ""
 
 
-class FloorAnswer(msgspec.Struct):
+class FloorAnswer(msgspec.Struct, frozen=True):
     """A floor of Fig. 23, or the short form ``{"index": k, "copy": j}``."""
 
     index: int
@@ -79,7 +79,7 @@ class FloorAnswer(msgspec.Struct):
     reserve_justification: str = ""
 
 
-class ProgramAnswer(msgspec.Struct):
+class ProgramAnswer(msgspec.Struct, frozen=True):
     """Fig. 23. The area summary is worked out here rather than believed."""
 
     reasoning: str
@@ -87,7 +87,7 @@ class ProgramAnswer(msgspec.Struct):
     floors: list[FloorAnswer]
 
 
-class NodeAnswer(msgspec.Struct):
+class NodeAnswer(msgspec.Struct, frozen=True):
     """A node of Fig. 24."""
 
     id: str
@@ -98,7 +98,7 @@ class NodeAnswer(msgspec.Struct):
     open_relation: str = "door"
 
 
-class EdgeAnswer(msgspec.Struct):
+class EdgeAnswer(msgspec.Struct, frozen=True):
     """An edge of Fig. 24."""
 
     source: str
@@ -106,14 +106,14 @@ class EdgeAnswer(msgspec.Struct):
     kind: str = "access"
 
 
-class TopologyAnswer(msgspec.Struct):
+class TopologyAnswer(msgspec.Struct, frozen=True):
     """Fig. 24."""
 
     nodes: list[NodeAnswer]
     edges: list[EdgeAnswer]
 
 
-class SeedAnswer(msgspec.Struct):
+class SeedAnswer(msgspec.Struct, frozen=True):
     """A box of Fig. 25."""
 
     room_id: str
@@ -123,7 +123,7 @@ class SeedAnswer(msgspec.Struct):
     reason: str = ""
 
 
-class SeedsAnswer(msgspec.Struct):
+class SeedsAnswer(msgspec.Struct, frozen=True):
     """Fig. 25; a bare array fills `boxes`."""
 
     boxes: list[SeedAnswer]

@@ -29,7 +29,7 @@ Skills:
 _FILL: Final = """Give the parameters of the chosen skill as JSON alone, with the fields that it takes."""
 
 
-class SkillChoice(msgspec.Struct, kw_only=True):
+class SkillChoice(msgspec.Struct, frozen=True, kw_only=True):
     """The first answer of a step."""
 
     thought: str = ""
@@ -37,7 +37,7 @@ class SkillChoice(msgspec.Struct, kw_only=True):
     skill: str
 
 
-class Arguments(msgspec.Struct, kw_only=True):
+class Arguments(msgspec.Struct, frozen=True, kw_only=True):
     """The second answer of a step; a skill takes some of the fields."""
 
     thought: str = ""

@@ -33,7 +33,7 @@ Functions:
 """
 
 
-class WrittenPlan(msgspec.Struct, kw_only=True):
+class WrittenPlan(msgspec.Struct, frozen=True, kw_only=True):
     """An answer of the model."""
 
     thought: str = ""

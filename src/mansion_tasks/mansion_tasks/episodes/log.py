@@ -17,7 +17,7 @@ __all__ = ["EpisodeEnd", "EpisodeLog", "EpisodeStart", "EpisodeStep", "StopReaso
 StopReason = Literal["success", "agent_stopped", "step_limit", "agent_failed"]
 
 
-class EpisodeStart(msgspec.Struct, kw_only=True, tag="start", tag_field="line"):
+class EpisodeStart(msgspec.Struct, frozen=True, kw_only=True, tag="start", tag_field="line"):
     """What was to be done, where and by whom."""
 
     task: Task
@@ -59,7 +59,7 @@ class EpisodeStep(msgspec.Struct, kw_only=True, tag="step", tag_field="line"):
     notes: dict[str, Any] = {}
 
 
-class EpisodeEnd(msgspec.Struct, kw_only=True, tag="end", tag_field="line"):
+class EpisodeEnd(msgspec.Struct, frozen=True, kw_only=True, tag="end", tag_field="line"):
     """How it ended.
 
     Attributes
@@ -89,7 +89,7 @@ class EpisodeEnd(msgspec.Struct, kw_only=True, tag="end", tag_field="line"):
     seconds: float = 0.0
 
 
-class EpisodeLog(msgspec.Struct, kw_only=True):
+class EpisodeLog(msgspec.Struct, frozen=True, kw_only=True):
     """A whole episode."""
 
     start: EpisodeStart

@@ -11,7 +11,7 @@ from mansion_tasks.episodes.statistics import bootstrap_interval, wilson_interva
 __all__ = ["BenchResult", "EpisodeRow", "GroupRow", "render", "row_of", "summarise"]
 
 
-class EpisodeRow(msgspec.Struct, kw_only=True):
+class EpisodeRow(msgspec.Struct, frozen=True, kw_only=True):
     """One episode; `log` is its file, relative to the results."""
 
     agent: str
@@ -31,7 +31,7 @@ class EpisodeRow(msgspec.Struct, kw_only=True):
     log: str = ""
 
 
-class GroupRow(msgspec.Struct, kw_only=True):
+class GroupRow(msgspec.Struct, frozen=True, kw_only=True):
     """The episodes of an agent that span so many floors (0 for all), with 95% intervals.
 
     Attributes
@@ -54,7 +54,7 @@ class GroupRow(msgspec.Struct, kw_only=True):
     seconds: float
 
 
-class BenchResult(msgspec.Struct, kw_only=True):
+class BenchResult(msgspec.Struct, frozen=True, kw_only=True):
     """The content of ``results.json``."""
 
     seed: int
