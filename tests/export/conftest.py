@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+import msgspec
 import pytest
 from shapely.geometry import Polygon
 
@@ -54,6 +55,7 @@ def make_floor(floor: int, floors: int = 2) -> FloorScene:
     if floor == 1:
         doors.append(_entrance(name))
     walls = _walls(name, rings, doors)
+    doors = [_in_wall(door, walls) for door in doors]
     return FloorScene(
         building_id="sample_house",
         floor=floor,
@@ -193,10 +195,13 @@ def _walls(floor: str, rings: dict, doors: list[Door]) -> list[Wall]:
                     right=stretch.neighbour,
                 )
             )
-    for door in doors:
-        if door.kind != "open":
-            door.wall = next(w.id for w in walls if _holds(w, door))
     return walls
+
+
+def _in_wall(door: Door, walls: list[Wall]) -> Door:
+    if door.kind == "open":
+        return door
+    return msgspec.structs.replace(door, wall=next(wall.id for wall in walls if _holds(wall, door)))
 
 
 def _holds(wall: Wall, door: Door) -> bool:

@@ -2,6 +2,7 @@
 
 from math import cos, radians, sin
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -16,7 +17,7 @@ def door_of(scene: FloorScene, core: SceneCore):
 
 @pytest.mark.parametrize("kind", ["stair", "elevator"])
 def test_a_sign_hangs_over_the_door_on_the_side_of_its_entrance(ground, kind):
-    ground.building_type = "office"
+    ground = msgspec.structs.replace(ground, building_type="office")
     core = next(core for core in ground.cores if core.type == kind)
     plate, letters = core_sign(ground, core)
     door, yaw = door_of(ground, core), radians(core.entrance[2])
@@ -34,7 +35,7 @@ def test_a_sign_hangs_over_the_door_on_the_side_of_its_entrance(ground, kind):
 
 
 def test_the_letters_read_from_left_to_right_as_one_faces_them(ground):
-    ground.building_type = "office"
+    ground = msgspec.structs.replace(ground, building_type="office")
     core = next(core for core in ground.cores if core.type == "elevator")
     yaw = radians(core.entrance[2])
     left = np.array([sin(yaw), -cos(yaw)])
@@ -48,12 +49,12 @@ def test_the_letters_read_from_left_to_right_as_one_faces_them(ground):
 
 
 def test_nobody_puts_a_sign_over_the_stairs_at_home(ground):
-    ground.building_type = "single_family_house"
+    ground = msgspec.structs.replace(ground, building_type="single_family_house")
     signs = {core.type: bool(core_sign(ground, core)) for core in ground.cores}
     assert signs == {"stair": False, "elevator": True}
 
 
 def test_the_floors_model_has_the_signs(ground):
-    ground.building_type = "office"
+    ground = msgspec.structs.replace(ground, building_type="office")
     nodes = {node.id for node in floor_model(ground).nodes}
     assert {f"{core.id}/sign" for core in ground.cores} <= nodes

@@ -125,7 +125,9 @@ def test_mujoco_loads_the_floor_and_names_bodies_after_objects(ground, tmp_path)
 def test_mujoco_drops_free_objects_on_what_carries_them(ground):
     mujoco = pytest.importorskip("mujoco")
     cup = next(item for item in ground.objects if item.pickupable)
-    cup.position = (6.8, 7.9, 1.2)
+    others = [item for item in ground.objects if item is not cup]
+    raised = msgspec.structs.replace(cup, position=(6.8, 7.9, 1.2))
+    ground = msgspec.structs.replace(ground, objects=[*others, raised])
     export = floor_mjcf(ground, "", free_pickupables=True)
     model = mujoco.MjModel.from_xml_string(export.xml, export.meshes)
     data = mujoco.MjData(model)
@@ -152,7 +154,7 @@ def test_mujoco_leaves_free_objects_where_they_lie_in_and_on_others(ground):
     can = copied(shelf, "can", (6.1, 7.5, 0.15), (0.1, 0.1, 0.2), "inside", crate.id)
     under = copied(shelf, "bag", (7.0, 8.2, 0.15), (0.2, 0.2, 0.3), "floor", None)
     things = [crate, inner, top, can, under]
-    ground.objects = [shelf, *things]
+    ground = msgspec.structs.replace(ground, objects=[shelf, *things])
     export = floor_mjcf(ground, "", free_pickupables=True)
     model = mujoco.MjModel.from_xml_string(export.xml, export.meshes)
     data = mujoco.MjData(model)
@@ -180,7 +182,7 @@ def copied(like, name, position, size, mount, parent):
 def test_mujoco_has_memory_for_the_pairs_of_a_floor_of_many_objects(ground):
     mujoco = pytest.importorskip("mujoco")
     first = ground.objects[0]
-    ground.objects = [
+    copies = [
         msgspec.structs.replace(
             first,
             id=f"F1/kitchen/thing_{i}",
@@ -190,7 +192,7 @@ def test_mujoco_has_memory_for_the_pairs_of_a_floor_of_many_objects(ground):
         )
         for i in range(1500)
     ]
-    export = floor_mjcf(ground, "")
+    export = floor_mjcf(msgspec.structs.replace(ground, objects=copies), "")
     model = mujoco.MjModel.from_xml_string(export.xml, export.meshes)
     assert model.narena >= 8 * model.nbody**2
 
@@ -212,9 +214,8 @@ def test_the_overview_has_a_picture_for_each_floor(building):
 def test_floors_that_share_a_folder_never_give_one_name_to_two_meshes(building):
     for scene, risers in zip(building, (2, 0)):
         treads = [((i * 0.3, 0.0, 0.0), (i * 0.3 + 0.3, 1.2, 0.18 * (i + 1))) for i in range(risers)]
-        stair = next(core for core in scene.cores if core.type == "stair")
-        stair.id = "stair_1"
-        stair.details = StairDetails(
+        index, stair = next((i, core) for i, core in enumerate(scene.cores) if core.type == "stair")
+        details = StairDetails(
             form="dog_leg",
             risers=risers,
             riser=0.18,
@@ -224,6 +225,7 @@ def test_floors_that_share_a_folder_never_give_one_name_to_two_meshes(building):
             treads=treads,
             rails=[((0.0, 0.0, 1.0), (1.0 + risers, 0.0, 1.0))],
         )
+        scene.cores[index] = msgspec.structs.replace(stair, id="stair_1", details=details)
     files = {}
     for scene in building:
         for name, data in floor_mjcf(scene).meshes.items():

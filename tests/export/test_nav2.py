@@ -2,6 +2,7 @@
 
 import json
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -39,7 +40,7 @@ def test_furniture_blocks_and_rugs_do_not(ground):
 
 @pytest.mark.parametrize(("is_open", "expected"), [(True, FREE), (False, OCCUPIED)])
 def test_open_doors_are_passable_and_closed_ones_are_not(ground, is_open, expected):
-    ground.doors[0].is_open = is_open
+    ground.doors[0] = msgspec.structs.replace(ground.doors[0], is_open=is_open)
     grid = occupancy(ground)
     assert value(grid, 2.45, 6.0) == expected
 

@@ -3,6 +3,7 @@
 import copy
 import json
 
+import msgspec
 import pytest
 from shapely.geometry import Polygon
 
@@ -61,8 +62,8 @@ def test_objects_without_an_asset_are_listed_and_not_exported(made, ground):
 
 
 def test_what_an_omitted_object_carries_is_omitted_with_the_reason(ground):
-    table = next(item for item in ground.objects if item.category == "dining_table")
-    table.asset_id = None
+    index, table = next((i, item) for i, item in enumerate(ground.objects) if item.category == "dining_table")
+    ground.objects[index] = msgspec.structs.replace(table, asset_id=None)
     omitted = {e["id"]: e["reason"] for e in house(ground)["metadata"]["mansion"]["omitted"]}
     assert table.id in omitted["F1/kitchen_1/cup_1"]
 
@@ -96,8 +97,8 @@ def test_doors_to_cores_stay_shut_and_their_poses_are_told(made):
 
 
 def test_a_room_with_a_hole_becomes_one_simple_polygon(ground):
-    hub = next(room for room in ground.rooms if room.id == "F1/hub")
-    hub.holes = [[(4.0, 4.5), (5.0, 4.5), (5.0, 5.5), (4.0, 5.5)]]
+    index, hub = next((i, room) for i, room in enumerate(ground.rooms) if room.id == "F1/hub")
+    ground.rooms[index] = msgspec.structs.replace(hub, holes=[[(4.0, 4.5), (5.0, 4.5), (5.0, 5.5), (4.0, 5.5)]])
     room = next(room for room in house(ground)["rooms"] if room["id"] == "F1/hub")
     ring = Polygon([(p["x"], p["z"]) for p in room["floorPolygon"]])
     assert ring.is_valid
@@ -181,9 +182,9 @@ def test_unknown_assets_are_faults(made):
 
 
 def test_a_full_room_is_reported_as_unreachable(ground):
-    block = copy.deepcopy(ground.objects[0])
-    block.id, block.position, block.size = "F1/block", (10.0, 9.0, 0.5), (1.5, 1.5, 1.0)
-    block.room = "F1/storage_1"
+    block = msgspec.structs.replace(
+        ground.objects[0], id="F1/block", position=(10.0, 9.0, 0.5), size=(1.5, 1.5, 1.0), room="F1/storage_1"
+    )
     ground.objects.append(block)
     faults = validate_house(house(ground))
     assert [fault.where for fault in faults if fault.kind == "reach"] == ["F1/storage_1"]

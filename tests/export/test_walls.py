@@ -2,6 +2,7 @@
 
 from collections import Counter
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -36,7 +37,7 @@ def test_a_wall_has_the_volume_of_its_boxes_so_that_its_faces_look_outwards(grou
 def test_left_and_right_faces_carry_the_materials_of_their_rooms(ground):
     bodies = WallBodies(ground)
     wall = next(wall for wall in ground.walls if not wall.exterior and wall.left and wall.right)
-    wall.left_material, wall.right_material = "blue_wall", "white_wall"
+    wall = msgspec.structs.replace(wall, left_material="blue_wall", right_material="white_wall")
     left, right, _ = wall_surfaces(wall, bodies)
     (ax, ay), (bx, by) = wall.segment
     to_left = np.array([-(by - ay), bx - ax]) / np.hypot(bx - ax, by - ay)

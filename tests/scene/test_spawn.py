@@ -2,6 +2,7 @@
 
 from types import ModuleType
 
+import msgspec
 import pytest
 from shapely.geometry import LineString, Point, Polygon
 
@@ -55,6 +56,5 @@ def test_a_room_full_to_the_brim_is_refused(sample_floors: ModuleType) -> None:
 def test_what_hangs_high_is_no_obstacle(sample_floors: ModuleType) -> None:
     structure = build_structure(sample_floors.flat())
     hub = structure.rooms[0]
-    lamp = block(hub, 3.0, 2.0, 9.0, 9.0)
-    lamp.mount, lamp.position = "ceiling", (3.0, 2.0, 2.5)
+    lamp = msgspec.structs.replace(block(hub, 3.0, 2.0, 9.0, 9.0), mount="ceiling", position=(3.0, 2.0, 2.5))
     assert place_spawn(hub, structure.doors, [lamp]) == place_spawn(hub, structure.doors, [])

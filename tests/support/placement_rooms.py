@@ -9,6 +9,8 @@ from mansion_msgs_py.placement import (
     PlacementOpening,
     PlacementRoom,
     Relation,
+    SingleStructure,
+    Structure,
 )
 
 Point = tuple[float, float]
@@ -26,7 +28,12 @@ def item(
     **relative: str,
 ) -> PlacementObject:
     """Return an object; keyword arguments are relations, ``near="bed"``."""
-    obj = PlacementObject(
+    structure: Structure = SingleStructure()
+    if matrix:
+        structure, quantity = MatrixStructure(rows=matrix[0], cols=matrix[1]), matrix[0] * matrix[1]
+    if paired:
+        structure = PairedStructure(with_=paired)
+    return PlacementObject(
         name=name,
         category=name.replace("_", " "),
         size=size,
@@ -34,13 +41,8 @@ def item(
         global_=where,
         smaller=list(smaller),
         relative=[Relation(kind=k, target=t) for k, t in relative.items()],
+        structure=structure,
     )
-    if matrix:
-        obj.structure = MatrixStructure(rows=matrix[0], cols=matrix[1])
-        obj.quantity = matrix[0] * matrix[1]
-    if paired:
-        obj.structure = PairedStructure(with_=paired)
-    return obj
 
 
 def room(

@@ -3,6 +3,8 @@
 from itertools import pairwise
 from pathlib import Path
 
+import msgspec
+
 from mansion_msgs_py.building import Building, FloorEntry
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.program import AreaSummary, BuildingProgram, CorePlan, FloorProgram, VerticalConnectivity
@@ -153,11 +155,11 @@ def scene(floor: int, floors: list[int]) -> FloorScene:
 def with_outer_walls(made: FloorScene) -> FloorScene:
     """Return a floor with walls all around, as the exporters expect."""
     corners = [*made.outline, made.outline[0]]
-    made.walls += [
+    outer = [
         Wall(id=f"outer_{i}", segment=segment, thickness=0.12, height=2.8)
         for i, segment in enumerate(pairwise(corners))
     ]
-    return made
+    return msgspec.structs.replace(made, walls=[*made.walls, *outer])
 
 
 def write_building(folder: Path, floors: list[int] | None = None) -> Path:

@@ -29,22 +29,25 @@ class Meter:
         price_in, price_out = self._prices
         with self._lock:
             usage = self._usage
-            usage.answers += 1
-            usage.from_store += from_store
-            usage.input_tokens += answer.input_tokens
-            usage.output_tokens += answer.output_tokens
-            usage.seconds += answer.seconds
-            usage.cost += answer.input_tokens * price_in + answer.output_tokens * price_out
+            self._usage = msgspec.structs.replace(
+                usage,
+                answers=usage.answers + 1,
+                from_store=usage.from_store + from_store,
+                input_tokens=usage.input_tokens + answer.input_tokens,
+                output_tokens=usage.output_tokens + answer.output_tokens,
+                seconds=usage.seconds + answer.seconds,
+                cost=usage.cost + (answer.input_tokens * price_in + answer.output_tokens * price_out),
+            )
 
     def retry(self) -> None:
         """Count a repeated request."""
         with self._lock:
-            self._usage.retries += 1
+            self._usage = msgspec.structs.replace(self._usage, retries=self._usage.retries + 1)
 
     def asked_again(self) -> None:
         """Count a faulty answer that is asked for again."""
         with self._lock:
-            self._usage.asked_again += 1
+            self._usage = msgspec.structs.replace(self._usage, asked_again=self._usage.asked_again + 1)
 
     def usage(self) -> LlmUsage:
         """Return the account so far."""

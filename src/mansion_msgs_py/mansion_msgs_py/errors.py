@@ -32,7 +32,7 @@ class ErrorCode:
     """A fault of Mansion itself; the log has the traceback."""
 
 
-class ErrorInfo(msgspec.Struct, kw_only=True):
+class ErrorInfo(msgspec.Struct, frozen=True, kw_only=True):
     """What was wrong, where, and what would be accepted."""
 
     code: str
@@ -75,6 +75,10 @@ class MansionError(Exception):
     def from_info(cls, info: ErrorInfo) -> "MansionError":
         """Make the exception that `info` describes."""
         return cls(info.code, info.message, path=info.path, details=info.details)
+
+    def with_message(self, message: str) -> "MansionError":
+        """Return the same error with another message."""
+        return MansionError.from_info(msgspec.structs.replace(self.info, message=message))
 
     @property
     def code(self) -> str:

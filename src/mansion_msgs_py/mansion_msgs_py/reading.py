@@ -39,8 +39,7 @@ def decode_from(kind: type[T], data: str | bytes, source: object) -> T:
     try:
         return decode(kind, data)
     except MansionError as error:
-        error.info.message = f"{source}: {error.info.message}"
-        raise
+        raise error.with_message(f"{source}: {error.info.message}") from None
 
 
 def read_payload(kind: type[T], file: Path, expected: str = "") -> T:

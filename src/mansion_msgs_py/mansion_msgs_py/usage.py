@@ -5,7 +5,7 @@ import msgspec
 __all__ = ["LlmUsage", "total_usage"]
 
 
-class LlmUsage(msgspec.Struct, kw_only=True):
+class LlmUsage(msgspec.Struct, frozen=True, kw_only=True):
     """Answers of a language model and what they took.
 
     Attributes

@@ -67,8 +67,7 @@ class Robot:
         try:
             payload = convert(found.arguments, {"session": self.session, **arguments})
         except MansionError as error:
-            error.info.message = f"{found.name}: {error.info.message}"
-            raise
+            raise error.with_message(f"{found.name}: {error.info.message}") from None
         return self.engine.run(name, payload)
 
     def _do(self, name: str, **arguments: Any) -> SkillResult:

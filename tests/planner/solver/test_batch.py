@@ -7,6 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from mansion_msgs_py.codec import encode_bytes
@@ -85,8 +86,9 @@ def test_the_protocol_compares_rooms_of_the_same_id_only() -> None:
     left, right = box(0, 0, 2, 4), box(2, 0, 4, 4)
     problem = FloorProblem(boundary=box(0, 0, 4, 4), nodes=nodes)
     layout = solve_floor(problem)
-    rooms = {room.id: room for room in layout.rooms}
-    rooms["a"].polygon, rooms["b"].polygon = left, right
+    halves = {"a": left, "b": right}
+    rooms = {room.id: msgspec.structs.replace(room, polygon=halves[room.id]) for room in layout.rooms}
+    layout = msgspec.structs.replace(layout, rooms=list(rooms.values()))
     fields = {name: getattr(problem, name) for name in FloorProblem.__struct_fields__}
     swapped = [type(r)(id=i, polygon=r.polygon) for i, r in (("b", rooms["a"]), ("a", rooms["b"]))]
     assert score_plan(TrueProblem(**fields, truth=swapped), layout).intersection == 0

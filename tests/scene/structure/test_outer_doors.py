@@ -2,6 +2,7 @@
 
 import math
 
+import msgspec
 import pytest
 
 from mansion_scene.structure import build_structure
@@ -21,10 +22,12 @@ def with_garage(sample_floors, floor=1, seed=3):
             outer[wall.left] = max(outer.get(wall.left, 0.0), length)
     entered = {door.rooms[0] for door in plain.doors if None in door.rooms}
     chosen = max((room for room in outer if room not in entered), key=lambda room: outer[room])
-    for node in request.topology.nodes:
-        if f"F{floor}/{node.id}" == chosen:
-            node.room_type = "garage"
-    return request, chosen
+    nodes = [
+        msgspec.structs.replace(node, room_type="garage") if f"F{floor}/{node.id}" == chosen else node
+        for node in request.topology.nodes
+    ]
+    topology = msgspec.structs.replace(request.topology, nodes=nodes)
+    return msgspec.structs.replace(request, topology=topology), chosen
 
 
 def garage_doors(structure):

@@ -4,6 +4,7 @@ import threading
 import time
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from mansion_msgs_py.building import LoadBuilding
@@ -78,8 +79,7 @@ def test_lift_requests_hold_and_release_as_open_rmf_does(building: Path) -> None
     assert motions >= {LiftMotion.UP, LiftMotion.STOPPED}
     robot.go_to_landmark("elevator")
     assert robot.call_elevator().status is SkillStatus.PRECONDITION_FAILURE
-    request.request_type = LiftRequestType.END_SESSION
-    engine.request_lift(request)
+    engine.request_lift(msgspec.structs.replace(request, request_type=LiftRequestType.END_SESSION))
     assert robot.call_elevator().status is SkillStatus.SUCCESS
     with pytest.raises(MansionError, match="does not serve"):
         engine.request_lift(LiftRequest(lift_name="elevator_1", session_id="x", destination_floor="9"))

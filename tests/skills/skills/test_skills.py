@@ -3,6 +3,7 @@
 from math import atan2, copysign, degrees, dist
 from pathlib import Path
 
+import msgspec
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -298,8 +299,8 @@ def without(building: Path, *kinds: str) -> Robot:
     """Return a robot in the building with its cores of these kinds walled up."""
     for file in sorted(building.glob("floors/*/scene.json")):
         scene = decode(FloorScene, file.read_bytes())
-        scene.cores = [core for core in scene.cores if core.type not in kinds]
-        file.write_bytes(encode_bytes(scene))
+        left = [core for core in scene.cores if core.type not in kinds]
+        file.write_bytes(encode_bytes(msgspec.structs.replace(scene, cores=left)))
     return Robot(building)
 
 

@@ -37,9 +37,11 @@ def folder(tmp_path: Path) -> Path:
     for entry in index.floors:
         file = made / entry.files["scene"]
         scene = msgspec.json.decode(file.read_bytes(), type=FloorScene)
-        for thing in scene.objects:
-            if not thing.id.endswith(LACKING):
-                thing.asset_id = f"{thing.category.title()}_1"
+        objects = [
+            item if item.id.endswith(LACKING) else msgspec.structs.replace(item, asset_id=f"{item.category.title()}_1")
+            for item in scene.objects
+        ]
+        scene = msgspec.structs.replace(scene, objects=objects)
         file.write_bytes(encode_bytes(scene))
         entry.files["house"] = str(Path(entry.files["scene"]).with_name("house.json"))
         (made / entry.files["house"]).write_bytes(msgspec.json.encode(house(scene)))

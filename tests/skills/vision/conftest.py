@@ -24,9 +24,10 @@ def write_model(folder: Path, floor: int) -> None:
     """Write a floor's model, the fridge with a door of its own."""
     path = folder / "floors" / f"floor_{floor}"
     scene = msgspec.json.decode((path / "scene.json").read_bytes(), type=FloorScene)
-    for thing in scene.objects:
-        if thing.category == "fridge":
-            thing.asset = FRIDGE
+    objects = [
+        msgspec.structs.replace(item, asset=FRIDGE) if item.category == "fridge" else item for item in scene.objects
+    ]
+    scene = msgspec.structs.replace(scene, objects=objects)
     (path / "scene.json").write_bytes(encode_bytes(scene))
     model = floor_mjcf(scene)
     (path / "model.xml").write_text(model.xml)

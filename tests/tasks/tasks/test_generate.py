@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from mansion_msgs_py.codec import encode_bytes
@@ -100,7 +101,7 @@ def test_a_building_without_things_has_no_tasks(tmp_path: Path) -> None:
     folder = write_building(tmp_path / "bare", [1])
     file = folder / "floors" / "floor_1" / "scene.json"
     scene = decode(FloorScene, file.read_bytes())
-    scene.objects = [thing for thing in scene.objects if not thing.pickupable]
-    file.write_bytes(encode_bytes(scene))
+    fixed = [item for item in scene.objects if not item.pickupable]
+    file.write_bytes(encode_bytes(msgspec.structs.replace(scene, objects=fixed)))
     with pytest.raises(MansionError, match="nothing for a task"):
         generate(Sandbox(folder), 3)

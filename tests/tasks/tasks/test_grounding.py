@@ -21,10 +21,11 @@ def paint(building: Path, floor: int, thing: str, material: str) -> None:
     """Give an object of a floor another material."""
     file = building / "floors" / f"floor_{floor}" / "scene.json"
     scene = decode(FloorScene, file.read_bytes())
-    for entry in scene.objects:
-        if entry.id.endswith(thing):
-            entry.material = material
-    file.write_bytes(encode_bytes(scene))
+    objects = [
+        msgspec.structs.replace(entry, material=material) if entry.id.endswith(thing) else entry
+        for entry in scene.objects
+    ]
+    file.write_bytes(encode_bytes(msgspec.structs.replace(scene, objects=objects)))
 
 
 @pytest.fixture
@@ -152,10 +153,11 @@ def test_a_paper_task_is_grounded_where_its_needs_are_met(building: Path) -> Non
     entry = paper_task("orange_toolbox")
     file = building / "floors" / "floor_2" / "scene.json"
     scene = decode(FloorScene, file.read_bytes())
-    for thing in scene.objects:
-        if thing.category == "mug":
-            thing.category, thing.material = "toolbox", "metal_orange"
-    file.write_bytes(encode_bytes(scene))
+    objects = [
+        msgspec.structs.replace(item, category="toolbox", material="metal_orange") if item.category == "mug" else item
+        for item in scene.objects
+    ]
+    file.write_bytes(encode_bytes(msgspec.structs.replace(scene, objects=objects)))
     needs = [
         msgspec.structs.replace(entry.task.needs[0], floor=2),
         msgspec.structs.replace(entry.task.needs[1], floor=3),

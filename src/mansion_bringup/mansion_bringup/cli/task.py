@@ -50,7 +50,8 @@ def _set_sandbox(read: TaskSet, tasks: Path, building: Path | None) -> "Sandbox"
         sandbox = _sandbox(building or tasks.parent / read.building)
     except MansionError as error:
         if building is None and error.code == ErrorCode.NOT_FOUND:
-            error.info.message += f"; {tasks} names it, --building DIR names where it is now"
+            advice = f"{tasks} names it, --building DIR names where it is now"
+            raise error.with_message(f"{error.info.message}; {advice}") from None
         raise
     _check_building(read, tasks, sandbox)
     return sandbox
@@ -117,8 +118,7 @@ def _advised(error: MansionError, name: str, building: Path) -> MansionError:
         advice = f'a building that has it: `mansion build "{entry.sentence}" -o DIR`'
     else:
         advice = "rooms and floors cannot be added: ground it in another building"
-    error.info.message += f"; {advice}"
-    return error
+    return error.with_message(f"{error.info.message}; {advice}")
 
 
 def _check_building(read: TaskSet, tasks: Path, sandbox: "Sandbox") -> None:

@@ -29,7 +29,7 @@ class EpisodeStart(msgspec.Struct, frozen=True, kw_only=True, tag="start", tag_f
     schema_version: Literal[1] = 1
 
 
-class EpisodeStep(msgspec.Struct, kw_only=True, tag="step", tag_field="line"):
+class EpisodeStep(msgspec.Struct, frozen=True, kw_only=True, tag="step", tag_field="line"):
     """One skill and what came of it.
 
     Attributes

@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import msgspec
+
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import SkillCall, Task
@@ -141,8 +143,7 @@ def _steps(
         result = invalid_call(call.skill, refusal, wish) if refusal else port.call(call)
         course.last_call, course.last = choice, result
         step = _step(port, tracker, course, call, result)
-        step.refused, step.notes = bool(refusal), agent.notes()
-        course.steps.append(step)
+        course.steps.append(msgspec.structs.replace(step, refused=bool(refusal), notes=agent.notes()))
 
 
 def _place_of(error: Exception) -> str:
