@@ -6,6 +6,7 @@ from contextlib import contextmanager
 from time import monotonic
 from typing import Any
 
+import msgspec
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rosgraph_msgs.msg import Clock
 
@@ -181,8 +182,7 @@ class SkillServer(MansionNode):
     def _bound(call: Callable[[Any], Any], session: str) -> Callable[[Any], Any]:
         def run(arguments: Any) -> Any:
             known = arguments if arguments is not None else SessionArgs()
-            known.session = session
-            return call(known)
+            return call(msgspec.structs.replace(known, session=session))
 
         return run
 
