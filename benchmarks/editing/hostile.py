@@ -18,8 +18,7 @@ from typing import Any
 import msgspec
 
 from mansion_bringup.cli.edit import open_editor
-from mansion_editing.agent.controller import run_agent
-from mansion_editing.agent.instruct import instruct
+from mansion_editing.agent.instruct import instruct, run_agent
 from mansion_editing.agent.protocol import Action, Policy, Verdict
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError

@@ -15,12 +15,10 @@ from pathlib import Path
 import numpy as np
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_editing.packing import ledges_of
-from mansion_editing.physics.engines import engine_named
-from mansion_editing.physics.problem import PosedBox, SettleProblem
-from mansion_editing.physics.shell import half_diagonal, receptacle_shell, support_boxes
+from mansion_editing.physics.engine import PosedBox, SettleProblem, engine_named
+from mansion_editing.receptacles import half_diagonal, ledges_of, receptacle_shell, support_boxes
 from mansion_editing.state import SceneState
-from mansion_editing.tools.placing import place_in_container, place_on_surface
+from mansion_editing.tools.placement import place_in_container, place_on_surface
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import MansionError

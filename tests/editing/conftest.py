@@ -7,7 +7,7 @@ import pytest
 
 from mansion_assets.catalogue import Catalogue, load_catalogue
 from mansion_editing.editor import SceneEditor
-from mansion_editing.physics.static import StaticEngine
+from mansion_editing.physics.engine import StaticEngine
 from mansion_editing.state import SceneState
 from mansion_editing.storage import BuildingStore, Validator
 from mansion_msgs_py.building import FloorEntry

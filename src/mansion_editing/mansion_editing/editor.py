@@ -7,12 +7,12 @@ import msgspec
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.retrieval.retriever import Retriever
-from mansion_editing.merging import net_changes
+from mansion_editing.changes import net_changes
 from mansion_editing.passages import passages_of
-from mansion_editing.physics.problem import PhysicsEngine
+from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.state import SceneState
 from mansion_editing.storage import BuildingStore
-from mansion_editing.tools import changing, paths, perception, placing
+from mansion_editing.tools import manipulation, paths, perception, placement
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.editing import (
     CheckPathArgs,
@@ -159,18 +159,18 @@ class SceneEditor:
     def _act(self, tool: str, args: Any) -> str:
         state, engine = self.state, self.engine
         if tool == "PlaceInContainer":
-            item = placing.place_in_container(state, args, engine)
+            item = placement.place_in_container(state, args, engine)
             return f"{item.id} is in {item.parent}"
         if tool == "PlaceOnSurface":
-            item = placing.place_on_surface(state, args, engine, self._acceptable)
+            item = placement.place_on_surface(state, args, engine, self._acceptable)
             return f"{item.id} is on {item.parent or 'the floor of ' + item.room}"
         if tool == "RemoveObject":
-            gone = changing.remove_object(state, args)
+            gone = manipulation.remove_object(state, args)
             return f"removed {', '.join(gone)}" if gone else "there was nothing to remove"
         if tool == "MoveObject":
-            item = changing.move_object(state, args, engine)
+            item = manipulation.move_object(state, args, engine)
             return f"{item.id} is now on {item.parent or 'the floor of ' + item.room}"
-        item = changing.set_state(state, args)
+        item = manipulation.set_state(state, args)
         return f"{item.id}: {encode(item.states)}"
 
     def _acceptable(self, floor: int, item: SceneObject) -> bool:

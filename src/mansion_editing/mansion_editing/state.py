@@ -3,20 +3,19 @@
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 
-import msgspec
 import numpy as np
 import numpy.typing as npt
 
 from mansion_assets.catalogue import Asset, Catalogue
 from mansion_assets.retrieval.retriever import Retriever, TextRetriever
+from mansion_editing.changes import changed, inverse
 from mansion_editing.passages import Passages, passages_of
-from mansion_editing.vocabulary import Vocabulary, vocabulary_of
 from mansion_msgs_py.editing import ObjectChange
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_scene.decor.frames import room_polygon
 
-__all__ = ["FloorIndex", "SceneState", "changed", "inverse"]
+__all__ = ["FloorIndex", "SceneState"]
 
 
 class FloorIndex:
@@ -82,11 +81,6 @@ class SceneState:
         self.scenes = {scene.floor: scene for scene in scenes}
         self.pending: list[ObjectChange] = []
         self._indexes: dict[int, FloorIndex] = {}
-
-    @property
-    def vocabulary(self) -> Vocabulary:
-        """The words by which objects are known."""
-        return vocabulary_of(self.catalogue)
 
     @property
     def floors(self) -> list[int]:
@@ -190,39 +184,3 @@ class SceneState:
             change = self.pending.pop()
             self.scenes[change.floor] = changed(self.scenes[change.floor], inverse(change))
             self._indexes.pop(change.floor, None)
-
-
-def inverse(change: ObjectChange) -> ObjectChange:
-    """Return the change that takes `change` back."""
-    return msgspec.structs.replace(change, before=change.after, after=change.before)
-
-
-def changed(scene: FloorScene, change: ObjectChange) -> FloorScene:
-    """Return `scene` with one change done.
-
-    Raises
-    ------
-    MansionError
-        ``CONFLICT`` when the object is not as the change has it before.
-    """
-    objects = list(scene.objects)
-    before, after = change.before, change.after
-    if before is not None:
-        at = next((i for i, item in enumerate(objects) if item.id == before.id), None)
-        if at is None or objects[at] != before:
-            state = "is gone" if at is None else "was changed"
-            raise MansionError(
-                ErrorCode.CONFLICT,
-                f"{before.id} {state} since this edit began; look again and repeat the edit",
-                details={"object": before.id},
-            )
-        objects.pop(at)
-        if after is not None:
-            objects.insert(at, after)
-    elif after is not None:
-        if any(item.id == after.id for item in objects):
-            raise MansionError(
-                ErrorCode.CONFLICT, f"the id {after.id} is taken by now; repeat the edit", details={"object": after.id}
-            )
-        objects.insert(min(change.index, len(objects)), after)
-    return msgspec.structs.replace(scene, objects=objects)

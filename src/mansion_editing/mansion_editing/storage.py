@@ -4,24 +4,27 @@
 the scenes, then into the log; whoever takes the lock next finishes what a killed process left.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import fcntl
+import math
+import os
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 import msgspec
 
-from mansion_editing.files import append_line, locked
-from mansion_editing.merging import rebase
-from mansion_editing.sessions import refuse_touched
-from mansion_editing.state import changed, inverse
+from mansion_editing.changes import changed, inverse, rebase
 from mansion_msgs_py.building import FloorEntry
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.editing import ObjectChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.reading import decode_from
-from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_msgs_py.world import ObjectState, WorldState
 
-__all__ = ["BuildingStore", "Validator"]
+__all__ = ["BuildingStore", "Validator", "append_line", "locked", "refuse_touched"]
 
 Scenes = Mapping[int, FloorScene]
 Validator = Callable[[Scenes, Scenes], Sequence[str]]
@@ -279,3 +282,116 @@ def _stacks(log: Iterable[Transaction], who: str) -> tuple[list[Transaction], li
             else:
                 redoable.clear()
     return undoable, redoable
+
+
+PATIENCE = 30.0
+"""Seconds to wait for another editor; one holds the lock for a single transaction."""
+
+
+def append_line(path: Path, line: bytes) -> None:
+    """Append one line, after dropping what an interrupted writer left of a former one."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("ab+") as stream:
+        end = stream.seek(0, os.SEEK_END)
+        stream.seek(0)
+        whole = stream.read().rfind(b"\n") + 1 if end else 0
+        stream.truncate(whole)
+        stream.seek(0, os.SEEK_END)
+        stream.write(line + b"\n")
+        stream.flush()
+        os.fsync(stream.fileno())
+
+
+@contextmanager
+def locked(path: Path, patience: float = PATIENCE) -> Iterator[None]:
+    """Hold the lock file, waiting for its holder.
+
+    Raises
+    ------
+    MansionError
+        ``CONFLICT`` when another process keeps it for longer than `patience` seconds.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("a") as stream:
+        deadline = time.monotonic() + patience
+        while True:
+            try:
+                fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                break
+            except OSError:
+                if time.monotonic() >= deadline:
+                    raise MansionError(ErrorCode.CONFLICT, f"another editor holds {path}; try again") from None
+                time.sleep(0.02)
+        try:
+            yield
+        finally:
+            fcntl.flock(stream, fcntl.LOCK_UN)
+
+
+def refuse_touched(folder: Path, changes: Iterable[ObjectChange], scenes: Mapping[int, FloorScene]) -> None:
+    """Refuse changes of what a session has in its overlay.
+
+    Parameters
+    ----------
+    scenes : mapping
+        The floors before the changes.
+
+    Raises
+    ------
+    MansionError
+        ``CONFLICT`` naming the object and the session.
+
+    Notes
+    -----
+    An object that a robot moved, holds or switched is the session's; what is put on a receptacle concerns the
+    session only when the receptacle is no longer where the scene has it.
+    """
+    overlays = _overlays(folder)
+    if not overlays:
+        return
+    where = {item.id: (floor, item) for floor, s in scenes.items() for item in s.objects}
+    for change in changes:
+        for session, touched in overlays.items():
+            if change.id in touched:
+                raise _conflict(change.id, session)
+            for parent in {item.parent for item in (change.before, change.after) if item}:
+                state = touched.get(parent or "")
+                if state is not None and _moved(state, where.get(parent or "")):
+                    raise _conflict(str(parent), session)
+
+
+def _overlays(folder: Path) -> dict[str, dict[str, ObjectState]]:
+    out = {}
+    for file in sorted(folder.glob("state/*/world.json")):
+        try:
+            world = decode(WorldState, file.read_bytes())
+        except FileNotFoundError:
+            continue
+        except MansionError as error:
+            raise MansionError(
+                ErrorCode.CONFLICT, f"{file} cannot be read ({error.info.message}); remove it to edit the building"
+            ) from None
+        touched = {state.id: state for state in world.objects}
+        if world.robot.held is not None:
+            held = world.robot.held
+            touched.setdefault(held, ObjectState(id=held, held_by=world.session))
+        out[world.session or file.parent.name] = touched
+    return out
+
+
+def _moved(state: ObjectState, there: tuple[int, SceneObject] | None) -> bool:
+    if there is None or state.held_by is not None:
+        return True
+    if state.position is None:
+        return False
+    floor, item = there
+    return state.floor != floor or math.dist(state.position, item.position) > 1e-3
+
+
+def _conflict(object_id: str, session: str) -> MansionError:
+    return MansionError(
+        ErrorCode.CONFLICT,
+        f"{object_id} is in the hands of the running session {session!r}; load the building anew in that session "
+        "(reset) or remove its folder below `state` first",
+        details={"object": object_id, "session": session},
+    )

@@ -200,7 +200,7 @@ class PathStep(msgspec.Struct, frozen=True, kw_only=True):
     door: str = ""
 
 
-class PathReport(msgspec.Struct, kw_only=True):
+class PathReport(msgspec.Struct, kw_only=True, frozen=True):
     """Reply of CheckPath.
 
     Attributes
@@ -361,7 +361,7 @@ class AgentStep(msgspec.Struct, frozen=True, kw_only=True):
     refused: bool = False
 
 
-class AgentReport(msgspec.Struct, kw_only=True):
+class AgentReport(msgspec.Struct, kw_only=True, frozen=True):
     """Reply of ``scene/instruct`` and ``scene/provision``.
 
     Attributes

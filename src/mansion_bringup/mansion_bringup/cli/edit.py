@@ -93,7 +93,7 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "S
     from mansion_assets.retrieval.configured import configured_retriever
     from mansion_bringup.edit_hooks import new_faults
     from mansion_editing.editor import SceneEditor
-    from mansion_editing.physics.engines import engine_named
+    from mansion_editing.physics.engine import engine_named
     from mansion_editing.storage import BuildingStore
 
     if physics in _EXTRAS:

@@ -1,16 +1,209 @@
-"""One call for an instruction (the offline policy, or a language model) or for a task's needs."""
+"""Carry out an instruction or provision a task: the ReAct loop (supplement, D.1) over the editor's tools."""
 
-from mansion_editing.agent.controller import run_agent
-from mansion_editing.agent.needs import task_policy
-from mansion_editing.agent.offline import offline_policy
-from mansion_editing.agent.protocol import Policy
-from mansion_editing.agent.undoing import take_back, tool_asked
-from mansion_editing.editor import SceneEditor
-from mansion_msgs_py.editing import AgentReport
+import re
+from dataclasses import replace
+from typing import Any, Final
+
+import msgspec
+
+from mansion_editing.agent.discourse import parse_instruction
+from mansion_editing.agent.protocol import Action, Outcome, Policy, Verdict
+from mansion_editing.agent.provisioning import satisfy
+from mansion_editing.agent.sentences import ignored_adjectives
+from mansion_editing.agent.task_needs import task_policy
+from mansion_editing.editor import ACTION_TOOLS, PERCEPTION_TOOLS, SceneEditor
+from mansion_msgs_py.codec import decode, encode, to_builtins
+from mansion_msgs_py.editing import AgentReport, AgentStep, EditResult
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import Task
 
-__all__ = ["instruct", "provision"]
+__all__ = ["AGENT_TOOLS", "MOST_EDITS", "MOST_STEPS", "instruct", "provision", "run_agent", "take_back", "tool_asked"]
+
+_LAST: Final = (
+    r"(?:that|it|this|what you (?:just |have just )?(?:did|done)|"
+    r"(?:the|my|your|our) (?:last|latest|previous|most recent)(?: \w+)?)"
+)
+_BACK: Final = (
+    rf"(?P<undo>undo(?: {_LAST})?|(?:revert|reverse|take back|roll back) {_LAST}|(?:take|roll) {_LAST} back)|"
+    rf"(?P<redo>redo(?: {_LAST})?|do {_LAST} again)"
+)
+_ASKED: Final = re.compile(
+    rf"(?:(?:please|now|then|no|ok|okay|sorry|(?:could|can|would) you)[, ]+)*(?:{_BACK})(?:,? please| again| for me)*",
+    re.IGNORECASE,
+)
+
+
+def tool_asked(instruction: str) -> str:
+    """Return the tool, Undo or Redo, that an instruction as a whole asks for; empty for others.
+
+    Examples
+    --------
+    >>> tool_asked("Please undo that.")
+    'Undo'
+    >>> tool_asked("undo all edits of other people")
+    ''
+    """
+    match = _ASKED.fullmatch(" ".join(instruction.split()).strip(" .,!?"))
+    if match is None:
+        return ""
+    return "Undo" if match["undo"] else "Redo"
+
+
+def take_back(editor: SceneEditor, tool: str) -> AgentReport:
+    """Undo or redo this user's last edit, an instruction as a whole."""
+    thought = f"The last edit is to be {'taken back' if tool == 'Undo' else 'done again'}."
+    try:
+        done: EditResult = editor.call(tool)
+    except MansionError as error:
+        step = AgentStep(thought=thought, tool=tool, observation=to_builtins(error.reply()))
+        return AgentReport(message=str(error), done=False, steps=[step], failed=[str(error)])
+    return AgentReport(
+        message=done.message,
+        done=True,
+        steps=[AgentStep(thought=thought, tool=tool, observation=to_builtins(done))],
+        facts=[f"the last edit {'taken back' if tool == 'Undo' else 'done again'}"],
+        edits=1,
+        saved=done.saved,
+        transaction=done.transaction,
+        object_ids=done.object_ids,
+    )
+
+
+AGENT_TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS}
+"""All that an agent may call; walls, doors and cores have no tool, files and other buildings neither."""
+
+MOST_STEPS: Final = 400
+MOST_EDITS: Final = 120
+MOST_REFUSED: Final = 8
+
+
+def run_agent(editor: SceneEditor, policy: Policy, what: str) -> AgentReport:
+    """Let a policy work until it ends or a bound is reached.
+
+    Parameters
+    ----------
+    editor : SceneEditor
+        With nothing waiting to be saved.
+    what : str
+        The instruction, for the log.
+
+    Returns
+    -------
+    AgentReport
+        Edits land as one transaction when every fact holds, and not at all otherwise.
+
+    Raises
+    ------
+    MansionError
+        ``CONFLICT`` when edits wait in the editor already.
+    """
+    if editor.state.pending:
+        raise MansionError(ErrorCode.CONFLICT, "edits wait to be saved; save or undo them first")
+    autosave, editor.autosave = editor.autosave, False
+    run = _Run(editor)
+    try:
+        editor.reload()
+        verdict = run.drive(policy)
+        return run.finish(verdict, what, land=autosave)
+    finally:
+        editor.autosave = autosave
+        if autosave and editor.state.pending:
+            editor.reload()
+
+
+class _Run:
+    """The steps of one run."""
+
+    def __init__(self, editor: SceneEditor) -> None:
+        self.editor = editor
+        self.steps: list[AgentStep] = []
+        self.edits = 0
+        self.refused = 0
+
+    def drive(self, policy: Policy) -> Verdict:
+        """Answer a policy's actions until it returns."""
+        try:
+            action = next(policy)
+            while True:
+                if len(self.steps) >= MOST_STEPS or self.edits >= MOST_EDITS:
+                    return _stopped(f"stopped after {len(self.steps)} steps, {self.edits} edits")
+                if self.refused >= MOST_REFUSED:
+                    return _stopped(f"stopped: {self.refused} actions outside the tools")
+                action = policy.send(self.act(action))
+        except StopIteration as end:
+            verdict: Verdict = end.value
+            return verdict
+        except MansionError as error:
+            return Verdict(str(error), failed=[str(error)])
+
+    def act(self, action: Action) -> Outcome:
+        """Check an action against the tools' schemas and run it."""
+        try:
+            arguments = _checked(action)
+        except MansionError as error:
+            self.refused += 1
+            self._note(action, error.reply(), refused=True)
+            return Outcome(error=error)
+        try:
+            value = self.editor.call(action.tool, arguments)
+        except MansionError as error:
+            self._note(action, error.reply())
+            return Outcome(error=error)
+        if action.tool in ACTION_TOOLS and value.object_ids:
+            self.edits += 1
+        self._note(action, value)
+        return Outcome(value)
+
+    def _note(self, action: Action, observation: Any, refused: bool = False) -> None:
+        self.steps.append(
+            AgentStep(
+                thought=action.thought,
+                tool=action.tool[:80],
+                arguments=action.arguments,
+                observation=to_builtins(observation),
+                refused=refused,
+            )
+        )
+
+    def finish(self, verdict: Verdict, instruction: str, *, land: bool) -> AgentReport:
+        """Land the edits when all facts hold, else drop them."""
+        report = AgentReport(
+            message=verdict.summary,
+            done=not verdict.failed,
+            steps=self.steps,
+            facts=verdict.facts,
+            failed=list(verdict.failed),
+            edits=self.edits,
+        )
+        if verdict.failed:
+            self.editor.reload()
+            return report
+        pending = self.editor.state.pending
+        if not land or not pending:
+            return msgspec.structs.replace(report, object_ids=list(dict.fromkeys(change.id for change in pending)))
+        try:
+            saved = self.editor.save(instruction)
+        except MansionError as error:
+            message = f"the edits were refused: {error}"
+            return msgspec.structs.replace(report, message=message, done=False, failed=[str(error)])
+        return msgspec.structs.replace(report, saved=True, transaction=saved.transaction, object_ids=saved.object_ids)
+
+
+def _stopped(reason: str) -> Verdict:
+    return Verdict(reason, failed=[reason])
+
+
+def _checked(action: Action) -> Any:
+    kind = AGENT_TOOLS.get(action.tool)
+    if kind is None:
+        raise MansionError(
+            ErrorCode.NOT_FOUND,
+            f"there is no tool {str(action.tool)[:80]!r}; tools are {', '.join(AGENT_TOOLS)}",
+            path="$.tool",
+        )
+    if "editor" in action.arguments:
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "an agent works in its own building alone", path="$.editor")
+    return decode(kind, encode(action.arguments))
 
 
 def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> AgentReport:
@@ -43,11 +236,34 @@ def provision(editor: SceneEditor, task: Task) -> AgentReport:
     return run_agent(editor, task_policy(editor, task), f"task {task.id}: {task.instruction}")
 
 
+def offline_policy(editor: SceneEditor, instruction: str) -> Policy:
+    """Work through the facts of an instruction without a language model.
+
+    Parameters
+    ----------
+    editor : SceneEditor
+        Its state names rooms and objects; it is only read.
+
+    Raises
+    ------
+    MansionError
+        See `parse_instruction`.
+    """
+    state = editor.state
+    verdict = yield from satisfy(parse_instruction(state, instruction), state)
+    ignored = ignored_adjectives(instruction)
+    if ignored:
+        return replace(
+            verdict, summary=f"{verdict.summary} (ignored, as scenes do not record it: {', '.join(ignored)})"
+        )
+    return verdict
+
+
 def _policy(editor: SceneEditor, instruction: str, planner: str) -> Policy:
     if planner == "rules":
         return offline_policy(editor, instruction)
     if planner == "llm":
-        from mansion_editing.agent.model import model_policy
+        from mansion_editing.agent.model_policy import model_policy
         from mansion_llm import LlmClient
 
         return model_policy(LlmClient.from_environment(), editor, instruction)

@@ -17,7 +17,7 @@ from mansion_assets.catalogue import load_catalogue
 from mansion_assets.retrieval.configured import configured_retriever
 from mansion_editing.agent.instruct import instruct, provision
 from mansion_editing.editor import TOOLS, SceneEditor
-from mansion_editing.physics.engines import engine_named
+from mansion_editing.physics.engine import engine_named
 from mansion_editing.storage import BuildingStore
 from mansion_msgs_py.editing import AgentReport, EditorInfo, InstructArgs, OpenEditorArgs, ProvisionArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from mansion_editing.physics.problem import SLOW, SLOW_TURN, PosedBox, SettleProblem, SettleResult, mass
+from mansion_editing.physics.engine import SLOW, SLOW_TURN, PosedBox, SettleProblem, SettleResult, mass
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["MujocoEngine"]

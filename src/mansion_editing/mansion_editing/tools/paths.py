@@ -51,29 +51,29 @@ def check_path(state: SceneState, args: CheckPathArgs) -> PathReport:
     ]
     lost = [place[1] for place in rooms if place not in reached]
     cuts = _cuts(state)
-    report = PathReport(
-        message="",
-        reachable=not lost,
+    route: list[PathStep] = []
+    end = ""
+    if args.end:
+        goal = place_named(state, args.end, "$.end")
+        end = goal[1]
+        route = _route(came, reached[goal]) if goal in reached else []
+        message = " > ".join(step.place for step in route) or f"no path leads from {start} to {end}"
+    elif lost:
+        message = f"{len(lost)} of {len(rooms)} rooms cannot be reached from {start}: {', '.join(lost[:8])}"
+    else:
+        message = f"all {len(rooms)} rooms can be reached from {start}"
+    if cuts and not route:
+        message += "; " + "; ".join(list(cuts.values())[:4])
+    return PathReport(
+        message=message,
+        reachable=bool(route) if args.end else not lost,
         start=start,
+        end=end,
+        route=route,
         unreachable=lost,
         blocked_doors=sorted(blocked),
         cut_rooms=sorted(cuts),
     )
-    if args.end:
-        end = place_named(state, args.end, "$.end")
-        report.end = end[1]
-        report.route = _route(came, reached[end]) if end in reached else []
-        report.reachable = bool(report.route)
-        way = " > ".join(step.place for step in report.route)
-        report.message = way or f"no way leads from {start} to {end[1]}"
-    elif lost:
-        names = ", ".join(lost[:8])
-        report.message = f"{len(lost)} of {len(rooms)} rooms cannot be reached from {start}: {names}"
-    else:
-        report.message = f"all {len(rooms)} rooms can be reached from {start}"
-    if cuts and not (args.end and report.reachable):
-        report.message += "; " + "; ".join(list(cuts.values())[:4])
-    return report
 
 
 def _cuts(state: SceneState) -> dict[str, str]:

@@ -1,0 +1,135 @@
+"""A task's needs as facts of a building (the check-and-provision workflow, supplement D.2)."""
+
+from collections.abc import Generator, Iterable
+
+from mansion_editing.agent.candidates import find_things, furnishable
+from mansion_editing.agent.protocol import Action, Fact, ObjectFact, Outcome, PathFact, Policy, Scope, Thing, Verdict
+from mansion_editing.agent.provisioning import satisfy
+from mansion_editing.editor import SceneEditor
+from mansion_editing.references import COLOUR_WORDS, find_rooms, stems, vocabulary_of
+from mansion_editing.state import SceneState
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.task import Need, Task, TaskStart
+
+__all__ = ["facts_of_needs", "task_policy"]
+
+
+def task_policy(editor: SceneEditor, task: Task) -> Policy:
+    """Check each need of a task and provide what is missing; then check the ways from the robot's start.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` for a task of another building or without needs; see `facts_of_needs`.
+    """
+    state = editor.state
+    own = editor.store.index.building_id
+    if task.building_id and task.building_id != own:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            f"task {task.id} is for building {task.building_id!r}, this is {own!r}",
+            path="$.building_id",
+        )
+    if not task.needs:
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"task {task.id} says nothing of what it needs", path="$.needs")
+    facts = facts_of_needs(state, task.needs)
+    things = yield from satisfy(facts, state)
+    if things.failed:
+        return things
+    ends = yield from _ends(facts, state)
+    start = _start(state, task.start)
+    ways: list[Fact] = [PathFact(start, end) for end in ends]
+    paths = yield from satisfy(ways, state)
+    return Verdict(
+        f"{len(facts)} needs and {len(ways)} ways hold" if not paths.failed else paths.summary,
+        [*things.facts, *paths.facts],
+        paths.failed,
+    )
+
+
+def facts_of_needs(state: SceneState, needs: Iterable[Need]) -> list[Fact]:
+    """Return a fact for each need; a room that is needed itself becomes a way to it.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for a room, a floor or a noun that is unknown here.
+    """
+    return [_fact(state, need, f"$.needs[{number}]") for number, need in enumerate(needs)]
+
+
+def _fact(state: SceneState, need: Need, path: str) -> Fact:
+    floor = need.floor
+    if floor is not None and floor not in state.scenes:
+        known = ", ".join(map(str, state.floors))
+        raise MansionError(
+            ErrorCode.NOT_FOUND, f"there is no floor {floor}; the building has floors {known}", path=f"{path}.floor"
+        )
+    rooms = _rooms(state, need.room, floor, f"{path}.room") if need.room else ()
+    if not need.noun:
+        if not rooms and floor is None:
+            raise _unknown(need.noun, f"{path}.noun")
+        return PathFact("", (rooms or furnishable(Scope(floor=floor), state))[0])
+    if state.find(need.noun) is None and not _is_thing(state, need.noun):
+        return PathFact("", _rooms(state, need.noun, floor, f"{path}.noun")[0])
+    receptacle = need.receptacle
+    if receptacle and state.find(receptacle) is None and not vocabulary_of(state.catalogue).nouns(receptacle):
+        raise _unknown(receptacle, f"{path}.receptacle")
+    scope = Scope(
+        relation=need.relation if receptacle else "room",
+        receptacle=receptacle,
+        rooms=rooms,
+        floor=floor,
+        colour=_colour(need.receptacle_color, f"{path}.receptacle_color"),
+    )
+    return ObjectFact(Thing(need.noun, 1, _colour(need.color, f"{path}.color")), scope)
+
+
+def _is_thing(state: SceneState, noun: str) -> bool:
+    """Whether a noun names things: exactly, or in part where no room is called so."""
+    words = vocabulary_of(state.catalogue)
+    if words.exact(stems(noun)):
+        return True
+    return bool(words.nouns(noun)) and not find_rooms(state, noun)
+
+
+def _rooms(state: SceneState, words: str, floor: int | None, path: str) -> tuple[str, ...]:
+    found = tuple(room.id for _, room in find_rooms(state, words, floor)) if words else ()
+    if not found:
+        raise _unknown(words, path)
+    return found
+
+
+def _unknown(words: str, path: str) -> MansionError:
+    return MansionError(
+        ErrorCode.NOT_FOUND,
+        f"{words[:80]!r} is no room of this building and nothing that the catalogue knows",
+        path=path,
+    )
+
+
+def _colour(word: str, path: str) -> str:
+    if word and word.lower() not in COLOUR_WORDS:
+        known = ", ".join(sorted(set(COLOUR_WORDS.values())))
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"unknown colour {word[:40]!r}; known are {known}", path=path)
+    return COLOUR_WORDS[word.lower()] if word else ""
+
+
+def _ends(facts: Iterable[Fact], state: SceneState) -> Generator[Action, Outcome, list[str]]:
+    """Return the rooms in which the needs are met."""
+    out: dict[str, None] = {}
+    for fact in facts:
+        if isinstance(fact, PathFact):
+            out[fact.end] = None
+        elif isinstance(fact, ObjectFact):
+            found = yield from find_things(fact.thing, fact.where, state)
+            if not isinstance(found, str) and found:
+                out[found[0].room] = None
+    return list(out)
+
+
+def _start(state: SceneState, start: TaskStart | None) -> str:
+    if start is None or start.floor not in state.scenes:
+        return ""
+    room = state.index(start.floor).room_at(start.pose.x, start.pose.y)
+    return "" if room is None else room.id

@@ -1,0 +1,335 @@
+"""Receptacles: their ledges, the free places on them, and their collision shapes for one placement."""
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from mansion_assets.builder import Box
+from mansion_assets.catalogue import Asset
+from mansion_assets.meshes import collision_boxes, mesh
+from mansion_editing.physics.engine import PosedBox
+from mansion_editing.state import FloorIndex
+from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.shapes import Point, Point3
+from mansion_scene.decor.frames import to_floor, to_local
+
+__all__ = ["Ledge", "Place", "free_places", "ledges_of", "receptacle_shell", "support_boxes"]
+
+GAP = 0.008
+"""Least distance between neighbours, metres."""
+
+HAND = 0.05
+"""Distance to neighbours that leaves room for a hand, metres."""
+
+HEADROOM = 0.01
+STEP = 0.02
+"""Least distance between places that are tried, metres."""
+
+EDGE = 0.01
+BESIDE = 20.0
+"""Cost of a metre from what an object shall lie beside."""
+
+MOST_ROWS = 80
+
+
+class Ledge(NamedTuple):
+    """A flat place of a receptacle, in its frame: a surface, or the floor of an inner box.
+
+    Attributes
+    ----------
+    z : float
+        Of the flat, above the centre of the receptacle's box.
+    clearance : float
+        Free height above it.
+    vessel : bool
+        Of something open at the top (a bowl), out of which a thing may stand by less than half.
+    """
+
+    kind: str
+    inside: bool
+    x: float
+    y: float
+    z: float
+    w: float
+    d: float
+    clearance: float
+    round: bool = False
+    vessel: bool = False
+
+    @property
+    def headroom(self) -> float:
+        """Greatest height of what lies there, metres."""
+        return self.clearance * (2.0 if self.vessel else 1.0)
+
+
+class Place(NamedTuple):
+    """A free place: centre in the receptacle's frame, degrees of turn, and its cost (less is better)."""
+
+    ledge: Ledge
+    x: float
+    y: float
+    turn: float
+    cost: float
+
+
+def ledges_of(asset: Asset, *, inside: bool) -> list[Ledge]:
+    """Return the ledges on, or in, a receptacle; those at a good height for a hand first.
+
+    Shelves count as both.
+    """
+    out = [
+        Ledge(s.kind, False, s.x, s.y, s.z, s.w, s.d, s.clearance, s.round)
+        for s in asset.surfaces
+        if not inside or s.kind == "shelf"
+    ]
+    if inside:
+        bare = asset.pickupable and not asset.openable
+        out = [Ledge(v.kind, True, v.x, v.y, v.z - v.h / 2, v.w, v.d, v.h, vessel=bare) for v in asset.volumes] + out
+    return out
+
+
+def free_places(
+    index: FloorIndex,
+    receptacle: SceneObject,
+    ledges: Sequence[Ledge],
+    size: Point3,
+    skip: Iterable[str] = (),
+    most: int = 6,
+    near: Sequence[float] | None = None,
+) -> list[Place]:
+    """Return free places for an object, the best first.
+
+    Parameters
+    ----------
+    size : (w, d, h)
+        Of the object.
+    skip : iterable of str
+        Objects that are no obstacle, because they are what is being moved.
+    most : int
+        Greatest number of places, spread over ledges and over each ledge.
+    near : (x, y), optional
+        Point of the floor that the object shall lie close to.
+    """
+    beside = None if near is None else to_local(receptacle, near)
+    boxes = _obstacles(index, receptacle, {receptacle.id, *skip})
+    found: list[Place] = []
+    for order, ledge in enumerate(_by_height(ledges, receptacle)):
+        if size[2] > ledge.headroom - HEADROOM:
+            continue
+        places = [
+            place
+            for turn in (0.0, 90.0)
+            for place in _on_ledge(ledge, boxes, size, turn, 0.4 * order + turn / 450.0, beside)
+        ]
+        places.sort(key=lambda p: p.cost)
+        found += _apart(places, 3)
+    found.sort(key=lambda p: p.cost)
+    return found[:most]
+
+
+def _by_height(ledges: Sequence[Ledge], receptacle: SceneObject) -> list[Ledge]:
+    return sorted(ledges, key=lambda ledge: abs(receptacle.position[2] + ledge.z - 1.0))
+
+
+def _obstacles(index: FloorIndex, receptacle: SceneObject, skip: set[str]) -> npt.NDArray[np.float64]:
+    """Objects near a receptacle in its frame: x, y, half extents along its axes, lower and upper end."""
+    ancestors = set(skip)
+    above = receptacle.parent
+    while above is not None and above not in ancestors and above in index.at:
+        ancestors.add(above)
+        above = index.objects[index.at[above]].parent
+    boxes = index.boxes
+    reach = math.hypot(receptacle.size[0], receptacle.size[1]) / 2 + 0.5
+    spread = np.hypot(boxes[:, 3], boxes[:, 4]) / 2
+    distance = np.hypot(boxes[:, 0] - receptacle.position[0], boxes[:, 1] - receptacle.position[1])
+    rows = []
+    for number in np.flatnonzero(distance < reach + spread):
+        item = index.objects[int(number)]
+        if item.id in ancestors:
+            continue
+        x, y = to_local(receptacle, item.position)
+        turn = math.radians(item.rotation - receptacle.rotation)
+        c, s = abs(math.cos(turn)), abs(math.sin(turn))
+        z = item.position[2] - receptacle.position[2]
+        rows.append(
+            (
+                x,
+                y,
+                (c * item.size[0] + s * item.size[1]) / 2,
+                (s * item.size[0] + c * item.size[1]) / 2,
+                z - item.size[2] / 2,
+                z + item.size[2] / 2,
+            )
+        )
+    return np.array(rows, dtype=float).reshape(-1, 6)
+
+
+def _on_ledge(
+    ledge: Ledge,
+    boxes: npt.NDArray[np.float64],
+    size: Point3,
+    turn: float,
+    handicap: float,
+    beside: Point | None = None,
+) -> list[Place]:
+    hw, hd = (size[0] / 2, size[1] / 2) if turn == 0.0 else (size[1] / 2, size[0] / 2)
+    rx, ry = ledge.w / 2 - hw - 0.002, ledge.d / 2 - hd - 0.002
+    if rx < 0 or ry < 0:
+        return []
+    xs, ys = ledge.x + _steps(rx), ledge.y + _steps(ry)
+    gx, gy = (grid.ravel() for grid in np.meshgrid(xs, ys))
+    if ledge.round:
+        ratio = np.hypot((np.abs(gx - ledge.x) + hw) / (ledge.w / 2), (np.abs(gy - ledge.y) + hd) / (ledge.d / 2))
+        gx, gy = gx[ratio <= 1.0], gy[ratio <= 1.0]
+    near = boxes[(boxes[:, 4] < ledge.z + size[2] + 0.002) & (boxes[:, 5] > ledge.z + 0.002)]
+    gap = np.full(len(gx), 1.0)
+    for x, y, half_w, half_d, _, _ in near:
+        apart = np.maximum(np.abs(gx - x) - hw - half_w, np.abs(gy - y) - hd - half_d)
+        gap = np.minimum(gap, apart)
+    edge = np.minimum(ledge.w / 2 - np.abs(gx - ledge.x) - hw, ledge.d / 2 - np.abs(gy - ledge.y) - hd)
+    front = ledge.y + ledge.d / 2 - hd - gy
+    cost = (
+        handicap
+        + 2.0 * np.maximum(0.0, HAND - gap) / HAND
+        + np.maximum(0.0, EDGE - edge) / EDGE * 0.5
+        + np.abs(front - min(0.08, ry)) * 1.5
+        + 0.3 * np.abs(gx - ledge.x)
+    )
+    if beside is not None:
+        cost += BESIDE * np.hypot(gx - beside[0], gy - beside[1])
+    free = np.flatnonzero(gap >= GAP)
+    order = free[np.argsort(cost[free], kind="stable")]
+    return [Place(ledge, float(gx[k]), float(gy[k]), turn, round(float(cost[k]), 6)) for k in order[:40]]
+
+
+def _steps(reach: float) -> npt.NDArray[np.float64]:
+    count = min(MOST_ROWS, int(2 * reach / STEP))
+    return np.linspace(-reach, reach, count + 1) if count else np.zeros(1)
+
+
+def _apart(places: Sequence[Place], most: int) -> list[Place]:
+    """Keep the best places that are not all beside each other."""
+    kept: list[Place] = []
+    for place in places:
+        if all(math.dist((place.x, place.y), (p.x, p.y)) > 0.1 for p in kept):
+            kept.append(place)
+        if len(kept) == most:
+            break
+    return kept
+
+
+SLAB = 0.03
+"""Thickness of what carries, metres."""
+
+SOFT = ("seat", "mattress")
+"""Kinds of surface whose mesh swells and sags."""
+
+MOST_SWELL = 0.05
+WALL = 0.01
+
+
+def support_boxes(
+    item: SceneObject, asset: Asset, ledge: Ledge, spot: tuple[float, float], reach: float
+) -> list[PosedBox]:
+    """Return what carries things on a ledge: a slab below it, and on soft tops the cushion below the object.
+
+    Parameters
+    ----------
+    spot : (x, y)
+        Where the object is to lie, in the receptacle's frame.
+    reach : float
+        Half diagonal of the object's rectangle, metres.
+    """
+    slab = Box((ledge.x, ledge.y, ledge.z - SLAB / 2), (ledge.w, ledge.d, SLAB))
+    boxes = [_posed(item, slab)]
+    if ledge.kind in SOFT:
+        swell = _swell(item, asset, ledge, spot, reach)
+        if swell > 1e-4:
+            side = min(2 * reach, ledge.w), min(2 * reach, ledge.d)
+            cushion = Box((*spot, ledge.z + swell / 2 - 0.01), (*side, swell + 0.02))
+            boxes.append(_posed(item, cushion))
+    return boxes
+
+
+def _swell(item: SceneObject, asset: Asset, ledge: Ledge, spot: tuple[float, float], reach: float) -> float:
+    """Height of the mesh above a ledge below an object, so that it lies on the cushion and not in it."""
+    steps = np.linspace(-0.7 * reach, 0.7 * reach, 5)
+    xs = np.clip(spot[0] + steps, ledge.x - ledge.w / 2, ledge.x + ledge.w / 2)
+    ys = np.clip(spot[1] + steps, ledge.y - ledge.d / 2, ledge.y + ledge.d / 2)
+    points = np.array([(x, y) for x in xs for y in ys])
+    heights = _heights(asset, points, ledge.z - MOST_SWELL, ledge.z + MOST_SWELL)
+    return float(max(0.0, heights.max() - ledge.z)) if heights.size else 0.0
+
+
+def _heights(asset: Asset, points: npt.NDArray[np.float64], low: float, high: float) -> npt.NDArray[np.float64]:
+    """Heights within [low, high] at which verticals through the points meet the mesh."""
+    found = []
+    for part in mesh(asset):
+        corners = part.vertices[part.faces]
+        a, b, c = (corners[:, k, :] for k in range(3))
+        area: npt.NDArray[np.float64]
+        area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
+        flat = np.abs(area) > 1e-12
+        a, b, c, area = a[flat], b[flat], c[flat], area[flat]
+        for x, y in points:
+            u = ((x - a[:, 0]) * (c[:, 1] - a[:, 1]) - (y - a[:, 1]) * (c[:, 0] - a[:, 0])) / area
+            v = ((b[:, 0] - a[:, 0]) * (y - a[:, 1]) - (b[:, 1] - a[:, 1]) * (x - a[:, 0])) / area
+            hit = (u >= 0) & (v >= 0) & (u + v <= 1)
+            z = a[hit, 2] + u[hit] * (b[hit, 2] - a[hit, 2]) + v[hit] * (c[hit, 2] - a[hit, 2])
+            found += z[(z >= low) & (z <= high)].tolist()
+    return np.array(found)
+
+
+def receptacle_shell(item: SceneObject, asset: Asset, ledge: Ledge, size: Point3) -> list[PosedBox]:
+    """Return the boxes that an object on a ledge could run into.
+
+    Notes
+    -----
+    Inside a container these are the walls of its inner box, its door open: the front is left free. Elsewhere they are
+    the asset's collision boxes, less those that fill the room above the whole ledge, which stand for a hollow body.
+    """
+    if ledge.inside:
+        return [_posed(item, wall) for wall in _walls(ledge)]
+    return [
+        _posed(item, box)
+        for box in collision_boxes(asset)
+        if box.center[2] + box.size[2] / 2 > ledge.z + 0.004
+        and box.center[2] - box.size[2] / 2 < ledge.z + size[2] + 0.01
+        and not _fills(box, ledge)
+    ]
+
+
+def _walls(ledge: Ledge) -> Sequence[Box]:
+    middle = ledge.z + ledge.clearance / 2
+    left, right = ledge.x - ledge.w / 2 - WALL / 2, ledge.x + ledge.w / 2 + WALL / 2
+    upright = (WALL, ledge.d, ledge.clearance)
+    return [
+        Box((left, ledge.y, middle), upright),
+        Box((right, ledge.y, middle), upright),
+        Box((ledge.x, ledge.y - ledge.d / 2 - WALL / 2, middle), (ledge.w, WALL, ledge.clearance)),
+    ]
+
+
+def _fills(box: Box, ledge: Ledge) -> bool:
+    over = [
+        min(box.center[k] + box.size[k] / 2, center + extent / 2)
+        - max(box.center[k] - box.size[k] / 2, center - extent / 2)
+        for k, center, extent in ((0, ledge.x, ledge.w), (1, ledge.y, ledge.d))
+    ]
+    covered = max(0.0, over[0]) * max(0.0, over[1])
+    through = box.center[2] - box.size[2] / 2 < ledge.z + 0.004
+    return through and covered > 0.9 * ledge.w * ledge.d
+
+
+def _posed(item: SceneObject, box: Box) -> PosedBox:
+    x, y = to_floor(item, (box.center[0], box.center[1]))
+    sizes = tuple(max(float(value), 1e-3) for value in box.size)
+    return PosedBox((x, y, item.position[2] + box.center[2]), (sizes[0], sizes[1], sizes[2]), item.rotation)
+
+
+def half_diagonal(size: Point3) -> float:
+    """Return half the diagonal of an object's rectangle, metres."""
+    return math.hypot(size[0], size[1]) / 2
