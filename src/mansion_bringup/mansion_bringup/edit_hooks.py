@@ -3,11 +3,12 @@
 import hashlib
 import math
 from collections import OrderedDict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 
 import msgspec
 
-from mansion_bringup.building.floor_files import scene_files
+from mansion_bringup.building.files import building_exports as building_files
+from mansion_bringup.building.files import floor_exports as floor_files
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.identity import check_identity
 from mansion_bringup.check.objects import check_objects
@@ -107,17 +108,3 @@ def _obstacles(scene: FloorScene) -> dict[str, object]:
         for thing in scene.objects
         if thing.mount in ("floor", "wall")
     }
-
-
-def floor_files(scene: FloorScene) -> dict[str, bytes]:
-    """Return the files made from one scene, the scene itself left out."""
-    files = scene_files(scene)
-    return {name: data for name, data in files.items() if not name.endswith("/scene.json")}
-
-
-def building_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
-    """Return the files made from all scenes."""
-    from mansion_export.glb import building_glb
-    from mansion_export.overview import overview_png
-
-    return {"building.glb": building_glb(scenes), "building.png": overview_png(scenes)}

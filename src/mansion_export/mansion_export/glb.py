@@ -13,9 +13,10 @@ from mansion_export.materials import linear
 from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.normals import corner_normals
 from mansion_export.presentation import building_title, floor_title, quarter_turns
+from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.scene import FloorScene
 
-__all__ = ["building_glb", "floor_glb", "write_glb"]
+__all__ = ["building_files", "building_glb", "floor_files", "floor_glb", "write_glb"]
 
 
 def building_glb(
@@ -55,6 +56,16 @@ def floor_glb(scene: FloorScene, *, ceilings: bool = True, catalogue: Catalogue 
     return write_glb(
         [floor_model(scene, ceilings=ceilings, catalogue=catalogue)], scene.building_id, floor_title(scene)
     )
+
+
+def building_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+    """Return ``building.glb`` by its path in the building's folder."""
+    return {"building.glb": building_glb(scenes)}
+
+
+def floor_files(scene: FloorScene) -> dict[str, bytes]:
+    """Return ``floor.glb`` of a floor by its path in the building's folder."""
+    return {f"{floor_directory(scene.floor)}/floor.glb": floor_glb(scene)}
 
 
 Json: TypeAlias = dict[str, Any]

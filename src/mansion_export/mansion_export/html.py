@@ -10,7 +10,7 @@ from importlib import resources
 from mansion_export.glb import building_glb
 from mansion_msgs_py.scene import FloorScene
 
-__all__ = ["view_page"]
+__all__ = ["page_files", "view_page"]
 
 SCRIPTS = ("matrix.js", "scene.js", "renderer.js", "camera.js", "labels.js", "input.js", "main.js")
 
@@ -40,6 +40,11 @@ def view_page(building: bytes | Sequence[FloorScene]) -> str:
     for key, value in parts.items():
         page = page.replace("{{" + key + "}}", value)
     return page
+
+
+def page_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+    """Return ``view.html`` by its path in the building's folder."""
+    return {"view.html": view_page(scenes).encode()}
 
 
 def _text(name: str) -> str:

@@ -15,9 +15,10 @@ from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
 from mansion_export.solids import Box
 from mansion_export.walls import WallBodies
+from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.scene import FloorScene, Wall
 
-__all__ = ["floor_mjcf"]
+__all__ = ["floor_mjcf", "mjcf_files"]
 
 STRUCTURE_GROUP, OBJECT_GROUP, CEILING_GROUP, COLLISION_GROUP = 0, 1, 2, 3
 """Geom groups; MuJoCo draws 0 to 2, so that boxes to collide with stay unseen. Switch 2 off to look from above."""
@@ -75,6 +76,13 @@ def floor_mjcf(
     for name, solid in ground_boxes(scene):
         writer.solid(name, solid)
     return SimulatorModel(_document(scene, model, writer, mesh_dir), writer.files)
+
+
+def mjcf_files(scene: FloorScene) -> dict[str, bytes]:
+    """Return ``model.xml`` of a floor and its meshes by their paths in the building's folder."""
+    model = floor_mjcf(scene)
+    meshes = {f"meshes/{name}": data for name, data in sorted(model.meshes.items())}
+    return {f"{floor_directory(scene.floor)}/model.xml": model.xml.encode(), **meshes}
 
 
 @dataclass(slots=True)

@@ -8,10 +8,11 @@ import numpy.typing as npt
 
 from mansion_export.solids import Box, segment_box
 from mansion_export.walls import WallBodies
+from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
 from mansion_msgs_py.shapes import Point
 
-__all__ = ["FREE", "OCCUPIED", "UNKNOWN", "OccupancyMap", "map_pgm", "map_yaml", "occupancy"]
+__all__ = ["FREE", "OCCUPIED", "OccupancyMap", "UNKNOWN", "map_files", "map_pgm", "map_yaml", "occupancy"]
 
 FREE, OCCUPIED, UNKNOWN = 0, 100, -1
 """Values of ``nav_msgs/OccupancyGrid``."""
@@ -88,6 +89,12 @@ def occupancy(scene: FloorScene, resolution: float = 0.05) -> OccupancyMap:
         box = segment_box(door.segment, thickness.get(door.wall, 0.12), door.height)
         grid.block(box, FREE if _passable(door) else OCCUPIED, only=None if door.wall else UNKNOWN)
     return OccupancyMap(grid.data, resolution, grid.origin)
+
+
+def map_files(scene: FloorScene) -> dict[str, bytes]:
+    """Return ``map.pgm`` and ``map.yaml`` of a floor by their paths in the building's folder."""
+    folder = floor_directory(scene.floor)
+    return {f"{folder}/map.pgm": map_pgm(scene), f"{folder}/map.yaml": map_yaml(scene).encode()}
 
 
 def map_pgm(scene: FloorScene, resolution: float = 0.05) -> bytes:

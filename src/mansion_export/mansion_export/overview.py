@@ -27,7 +27,7 @@ from mansion_export.presentation import quarter_turns
 from mansion_export.renderer import flatten
 from mansion_export.solids import triangulate
 
-__all__ = ["overview_png"]
+__all__ = ["overview_files", "overview_png"]
 
 WIDTH = 1600
 PAPER = (0.965, 0.968, 0.974)
@@ -110,6 +110,11 @@ def overview_png(
     buffer = io.BytesIO()
     sheet.save(buffer, format="PNG", compress_level=4)
     return buffer.getvalue()
+
+
+def overview_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+    """Return ``building.png`` by its path in the building's folder."""
+    return {"building.png": overview_png(scenes)}
 
 
 def _layout(floors: Sequence[Triangles], width: int) -> _Sheet:

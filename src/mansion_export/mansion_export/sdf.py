@@ -14,7 +14,7 @@ from mansion_export.solids import Box
 from mansion_export.walls import WallBodies
 from mansion_msgs_py.scene import FloorScene
 
-__all__ = ["world_sdf"]
+__all__ = ["sdf_files", "world_sdf"]
 
 
 def world_sdf(
@@ -44,6 +44,12 @@ def world_sdf(
     ]
     name = ordered[0].building_id if ordered else "building"
     return SimulatorModel(_world(name, models), dict(sorted(files.items())))
+
+
+def sdf_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+    """Return ``building.sdf`` and its meshes by their paths in the building's folder."""
+    world = world_sdf(scenes)
+    return {"building.sdf": world.xml.encode(), **{f"meshes/{name}": data for name, data in world.meshes.items()}}
 
 
 def _world(name: str, models: Sequence[str]) -> str:

@@ -15,7 +15,7 @@ from mansion_export.model import Material, Mesh, Model, Node
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
 
-__all__ = ["building_usd"]
+__all__ = ["building_usd", "usd_files"]
 
 
 def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = None) -> bytes:
@@ -60,6 +60,11 @@ def building_usd(scenes: Sequence[FloorScene], catalogue: Catalogue | None = Non
         path = Path(folder) / "building.usdc"
         stage.GetRootLayer().Export(str(path))
         return path.read_bytes()
+
+
+def usd_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
+    """Return ``building.usdc`` by its path in the building's folder."""
+    return {"building.usdc": building_usd(scenes)}
 
 
 class _Writer:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from mansion_bringup import __version__
-from mansion_bringup.building.floor_files import FLOOR_FILES
+from mansion_bringup.building.files import building_file_names, floor_file_names
 from mansion_msgs_py.building import Building, BuildingReport, FloorEntry, FloorReport
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.layout import FloorLayout
@@ -33,7 +33,7 @@ def building_index(request: BuildRequest, plan: PlanReply, scenes: Sequence[Floo
             "doors": sum(len(scene.doors) for scene in scenes),
             "objects": sum(len(scene.objects) for scene in scenes),
         },
-        files={"report": "report.json", "model": "building.glb", "picture": "building.png"},
+        files=building_file_names(),
     )
 
 
@@ -52,7 +52,7 @@ def _entry(scene: FloorScene) -> FloorEntry:
         area=round(sum(room.area for room in scene.rooms), 3),
         rooms=_rooms(scene),
         objects=len(scene.objects),
-        files={key: f"{folder}/{name}" for key, name in FLOOR_FILES.items()},
+        files={key: f"{folder}/{name}" for key, name in floor_file_names().items()},
     )
 
 

@@ -9,12 +9,13 @@ from typing import TypeVar
 
 import msgspec
 
-from mansion_bringup.building.floor_files import floor_files
+from mansion_bringup.building.files import floor_files
 from mansion_bringup.building.report import building_index, building_report
 from mansion_bringup.building.workspace import Workspace
 from mansion_bringup.pipeline import floors as steps
 from mansion_bringup.pipeline.crew import Crew, local_crew, remote_crew
 from mansion_bringup.pipeline.stages import LocalStages, Stages
+from mansion_export.formats import built_building_outputs
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
@@ -220,20 +221,8 @@ def _result(waiting: dict[int, Future[T]], index: int) -> T:
 def _write_building(job: _Job, workspace: Workspace, crew: Crew, index: Building, scenes: list[FloorScene]) -> None:
     job.step("export", "writing the 3D building")
     started = time.perf_counter()
-    waiting = [crew.exporter.submit(_model, scenes), crew.exporter.submit(_picture, scenes)]
+    waiting = [crew.exporter.submit(output.make, scenes) for output in built_building_outputs()]
     for made in waiting:
         workspace.write(steps.at_stage("export", made.result))
     workspace.write({"building.json": encode_bytes(index, indent=1)})
     job.timed("export_building", time.perf_counter() - started)
-
-
-def _model(scenes: list[FloorScene]) -> dict[str, bytes]:
-    from mansion_export.glb import building_glb
-
-    return {"building.glb": building_glb(scenes)}
-
-
-def _picture(scenes: list[FloorScene]) -> dict[str, bytes]:
-    from mansion_export.overview import overview_png
-
-    return {"building.png": overview_png(scenes)}

@@ -8,18 +8,18 @@ import signal
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass
+from importlib import import_module
 from multiprocessing import active_children, get_context
 from types import TracebackType
 from typing import Any, TypeVar
 
 from mansion_bringup.graph.child import end_with_parent
 from mansion_bringup.pipeline.stages import LocalStages, Stages
+from mansion_export.formats import built_building_outputs, built_floor_outputs
 
 __all__ = ["Crew", "export_pool", "local_crew", "remote_crew"]
 
 T = TypeVar("T")
-
-PRELOAD = ["mansion_export.plan", "mansion_export.glb", "mansion_export.overview"]
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ def remote_crew(stages: Stages, jobs: int, exporter: Executor | None) -> Crew:
 def export_pool(workers: int) -> ProcessPoolExecutor:
     """Return processes for exports that end with this one, made without forking it."""
     context = get_context("forkserver")
-    context.set_forkserver_preload(PRELOAD)
+    context.set_forkserver_preload(_export_modules())
     return ProcessPoolExecutor(workers, mp_context=context, initializer=_tie_to_parent)
 
 
@@ -91,9 +91,13 @@ def _tie_to_parent() -> None:
     end_with_parent(os.getppid())
 
 
+def _export_modules() -> list[str]:
+    """Return the modules of the formats that a build writes."""
+    return [output.module for output in (*built_floor_outputs(), *built_building_outputs())]
+
+
 def _import_stages() -> None:
     """Import what the workers need before they are forked, once instead of in each."""
-    import mansion_export.glb
-    import mansion_export.overview
-    import mansion_export.plan  # noqa: F401
+    for module in _export_modules():
+        import_module(module)
     import mansion_planner.solver  # noqa: F401

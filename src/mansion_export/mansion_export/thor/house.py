@@ -13,10 +13,12 @@ from mansion_export.thor.reachability import ENOUGH_POSITIONS, GRID, connected_p
 from mansion_export.thor.vocabulary import AGENT_MODES, LAYERS, SCHEMA, ceiling_material, floor_material, room_type, sky
 from mansion_export.thor.walls import build_structure
 from mansion_geometry.thor.house_format import AGENT_HEIGHT, thor_euler, thor_heading, thor_point, upright
+from mansion_msgs_py.building_folder import floor_directory
+from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.scene import FloorScene, Light, SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point
 
-__all__ = ["house"]
+__all__ = ["house", "house_files"]
 
 Json: TypeAlias = dict[str, Any]
 
@@ -65,6 +67,11 @@ def house(scene: FloorScene) -> Json:
         "mansion": _provenance(scene, omitted),
     }
     return {**made, "metadata": metadata}
+
+
+def house_files(scene: FloorScene) -> dict[str, bytes]:
+    """Return ``house.json`` of a floor by its path in the building's folder."""
+    return {f"{floor_directory(scene.floor)}/house.json": encode_bytes(house(scene))}
 
 
 def _pose(agent: Json, mode: str) -> Json:

@@ -1,0 +1,108 @@
+"""A format is registered once; command line, its help, the build's files and the documentation follow."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+from pkgutil import resolve_name
+
+import pytest
+
+from mansion_export import formats
+from mansion_export.formats import Format, Output, export_formats, register
+from mansion_msgs_py.building_folder import BuildingFolder, floor_directory
+from sample_building import write_building
+
+PAGE = (Path(__file__).parents[2] / "docs" / "exports.md").read_text()
+
+FORMAT = '''
+"""The names of rooms, a line for each."""
+
+from mansion_export.formats import Format, Output, register
+
+
+def floor_names(scene):
+    return {f"floors/floor_{scene.floor}/rooms.txt": "\\n".join(room.id for room in scene.rooms).encode()}
+
+
+def all_names(scenes):
+    return {"rooms.txt": "\\n".join(room.id for scene in scenes for room in scene.rooms).encode()}
+
+
+register(
+    Format(
+        "rooms",
+        "names of rooms",
+        building=Output("room_names:all_names", ("rooms.txt",)),
+        floor=Output("room_names:floor_names", ("rooms.txt",), ("rooms",)),
+    )
+)
+'''
+
+
+@pytest.fixture
+def registered(tmp_path, monkeypatch):
+    """A module outside the package that registers a format of its own, for the length of a test."""
+    (tmp_path / "room_names.py").write_text(FORMAT)
+    monkeypatch.syspath_prepend(str(tmp_path))
+    monkeypatch.setattr(formats, "_formats", export_formats())
+    resolve_name("room_names")
+    yield tmp_path
+    sys.modules.pop("room_names")
+
+
+def test_a_registered_format_makes_its_files(registered, ground):
+    made = export_formats()["rooms"].make([ground])
+    names = "\n".join(room.id for room in ground.rooms).encode()
+    assert made == {"rooms.txt": names, f"{floor_directory(ground.floor)}/rooms.txt": names}
+
+
+def test_a_build_and_an_edit_write_the_files_of_a_registered_format_that_have_keys(registered, ground):
+    from mansion_bringup.building.files import building_file_names, floor_exports, floor_file_names
+
+    assert floor_file_names()["rooms"] == "rooms.txt"
+    assert "rooms.txt" not in building_file_names().values()
+    assert f"{floor_directory(ground.floor)}/rooms.txt" in floor_exports(ground)
+
+
+def test_the_command_line_offers_a_registered_format(registered, tmp_path):
+    script = "import room_names; from mansion_bringup.cli.app import app; app()"
+
+    def mansion(*arguments: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, "-c", script, *arguments]
+        return subprocess.run(command, cwd=registered, capture_output=True, text=True, timeout=120)
+
+    assert re.search(r"\brmf,\s*[│|]?\s*[│|]?\s*rooms\b", mansion("export", "--help").stdout)
+    folder = write_building(tmp_path / "building")
+    done = mansion("export", str(folder), "--to", "rooms")
+    assert done.returncode == 0, done.stderr
+    assert (folder / "rooms.txt").read_text().splitlines() == [
+        room.id for scene in BuildingFolder(folder).scenes() for room in scene.rooms
+    ]
+    unknown = mansion("export", str(folder), "--to", "stone")
+    assert unknown.returncode and "rooms" in unknown.stderr
+
+
+def test_a_name_is_taken_once():
+    with pytest.raises(ValueError, match="already called 'thor'"):
+        register(Format("thor", "another"))
+
+
+def test_files_and_keys_are_as_many():
+    with pytest.raises(ValueError, match="2 files have 1 keys"):
+        register(Format("two", "two files", floor=Output("two:files", ("a", "b"), ("a",))))
+
+
+@pytest.mark.parametrize("entry", export_formats().values(), ids=lambda entry: entry.name)
+def test_every_format_can_be_imported_and_stands_on_the_page(entry):
+    outputs = [output for output in (entry.building, entry.floor) if output is not None]
+    for output in outputs:
+        assert callable(resolve_name(output.function))
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in PAGE.splitlines() if line.startswith("| `")]
+    (row,) = [row for row in rows if row[0] == f"`{entry.name}`"]
+    paths = [*(entry.building.files if entry.building else ())]
+    paths += [f"floors/floor_N/{name}" for name in (entry.floor.files if entry.floor else ())]
+    built = [name for output in outputs if output.keys for name in output.files]
+    assert row[1] == entry.title
+    assert re.findall(r"`([^`]+)`", row[3]) == paths
+    assert re.findall(r"`([^`]+)`", row[4]) == built
