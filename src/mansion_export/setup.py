@@ -23,6 +23,7 @@ setup(
     install_requires=[
         "mansion_assets",
         "mansion_geometry",
+        "mansion_knowledge",
         "mansion_msgs_py",
         "mansion_scene",
         "msgspec>=0.19",

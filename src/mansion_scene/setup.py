@@ -23,6 +23,7 @@ setup(
     install_requires=[
         "mansion_assets",
         "mansion_geometry",
+        "mansion_knowledge",
         "mansion_llm",
         "mansion_msgs_py",
         "matplotlib>=3.6",

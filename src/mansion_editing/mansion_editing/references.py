@@ -7,6 +7,7 @@ from typing import Final
 
 from mansion_assets.catalogue import Catalogue
 from mansion_editing.state import SceneState
+from mansion_knowledge import interchangeable_names
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore, SceneObject, SceneRoom
 from mansion_msgs_py.wording import ORDINALS
@@ -188,26 +189,6 @@ def vocabulary_of(catalogue: Catalogue) -> Vocabulary:
     return Vocabulary(catalogue)
 
 
-_ALIKE = (
-    ("restroom", "bathroom", "toilet", "washroom", "lavatory", "wc", "loo", "toilets", "restrooms"),
-    ("living room", "lounge", "sitting room", "family room"),
-    ("kitchen", "kitchenette", "galley", "pantry"),
-    ("meeting room", "conference room", "boardroom", "board room", "huddle room"),
-    ("lobby", "foyer", "entrance hall", "entry hall", "hall", "vestibule", "entryway", "entrance"),
-    ("reception", "reception area", "front desk", "lobby", "waiting room", "waiting area"),
-    ("corridor", "hallway", "passage", "hall", "passageway", "aisle"),
-    ("cafeteria", "canteen", "dining hall", "dining room", "dining area", "mess hall"),
-    ("break room", "staff room", "tea kitchen", "coffee room", "lounge", "staff lounge"),
-    ("private office", "office", "study", "workroom", "executive office", "open office"),
-    ("storage", "storage room", "store room", "storeroom", "closet", "supply room", "utility room"),
-    ("bedroom", "sleeping room", "master bedroom", "guest room", "hotel room"),
-    ("print room", "copy room", "printer room", "copier room"),
-    ("server room", "data center", "data centre", "it room"),
-    ("mail room", "mailroom", "post room"),
-    ("security room", "guard room", "security office"),
-)
-"""Names of rooms that people use for each other, where a building has none of the very name."""
-
 _TO = r"\b(?:on |at |of |from |to |in )?(?:the )?"
 _FLOOR_WORDS = r"(?:floor|storey|story|level)"
 
@@ -346,7 +327,7 @@ def _by_synonym(rooms: Sequence[tuple[int, SceneRoom]], text: str) -> list[tuple
     """Return the rooms that another word for the same kind of room names."""
     number = re.search(r"\s(?:number |no\.? )?(\d+)$", text.strip())
     words = stems(text[: number.start()] if number else text)
-    group = next((names for names in _ALIKE if any(stems(name) == words for name in names)), ())
+    group = next((names for name, names in interchangeable_names().items() if stems(name) == words), ())
     kinds = [stems(name) for name in group]
     return [
         pair

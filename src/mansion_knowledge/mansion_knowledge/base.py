@@ -1,17 +1,18 @@
 """Load, validate and extend the knowledge base.
 
-Three files of one format each: ``room_types.csv``, ``building_types.toml`` and ``styles.toml``. A user's folder with
-files of the same names adds records, or replaces those of the same name.
+Four files of one format each: ``room_types.csv``, ``room_words.csv``, ``building_types.toml`` and ``styles.toml``. A
+user's folder with files of the same names adds records, or replaces those of the same name.
 """
 
 import csv
 import io
+import os
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import lru_cache
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any, TypeAlias, get_args
 
 from mansion_knowledge.types import (
     BuildingType,
@@ -20,6 +21,7 @@ from mansion_knowledge.types import (
     Parti,
     RoomEntry,
     RoomType,
+    RoomWord,
     Storey,
     Style,
     Zone,
@@ -27,19 +29,28 @@ from mansion_knowledge.types import (
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["KnowledgeBase", "default_knowledge", "load_knowledge"]
+__all__ = ["FOLDERS", "KnowledgeBase", "default_knowledge", "load_knowledge"]
+
+FOLDERS = "MANSION_KNOWLEDGE"
+"""Environment variable with folders of a user's knowledge, separated as in ``PATH``."""
 
 _DATA = Path(__file__).parent / "data"
 _STOREYS = ("single", "ground", "second", "upper", "top", "basement")
 _WALLS = ("dry", "wet", "circulation", "industrial")
 _FLAGS = ("daylight", "wet", "open", "flex", "unit")
+_OWN = ("name", "synonyms", "kin")
+"""Cells of a room type that its kin does not fill."""
+
+_FACTS = ("classes", "uses", "keeps", "called")
+_LEVELS = ("", "goal", "talk", "loose")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class KnowledgeBase:
-    """Room types, building types and styles by name."""
+    """Room types, words in names of rooms, building types and styles, each by name."""
 
     rooms: dict[str, RoomType]
+    words: dict[str, RoomWord]
     buildings: dict[str, BuildingType]
     styles: dict[str, Style]
 
@@ -48,9 +59,8 @@ class KnowledgeBase:
         return self.rooms.get(name) or self.rooms["storage"]
 
 
-@cache
 def default_knowledge() -> KnowledgeBase:
-    """Return the knowledge base that Mansion ships, loaded once."""
+    """Return the knowledge base that Mansion ships, with the folders that ``MANSION_KNOWLEDGE`` names; loaded once."""
     return load_knowledge()
 
 
@@ -60,23 +70,36 @@ def load_knowledge(folders: Sequence[Path] = ()) -> KnowledgeBase:
     Parameters
     ----------
     folders : sequence of Path
-        Each may hold ``room_types.csv``, ``building_types.toml`` and ``styles.toml``; later ones win.
+        Each may hold any of the four files. They follow those that the environment variable ``MANSION_KNOWLEDGE``
+        names for every stage and export at once; later ones win.
 
     Raises
     ------
     MansionError
         ``INVALID_PAYLOAD`` naming file, record and fault; ``NOT_FOUND`` for a folder that does not exist.
+
+    Notes
+    -----
+    Cached for each tuple of folders; a knowledge base is not written to.
     """
-    rooms: dict[str, RoomType] = {}
+    named = [Path(name) for name in os.environ.get(FOLDERS, "").split(os.pathsep) if name]
+    return _load((*named, *folders))
+
+
+@lru_cache(maxsize=8)
+def _load(folders: tuple[Path, ...]) -> KnowledgeBase:
+    rows: dict[str, tuple[Path, _Row]] = {}
+    words: dict[str, RoomWord] = {}
     buildings: dict[str, BuildingType] = {}
     styles: dict[str, Style] = {}
     for folder in (_DATA, *folders):
         if not folder.is_dir():
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no knowledge folder {folder}")
-        rooms |= _read_rooms(folder / "room_types.csv")
+        rows |= _read_rows(folder / "room_types.csv", "name")
+        words |= {name: _word(file, row) for name, (file, row) in _read_rows(folder / "room_words.csv", "word").items()}
         styles |= _read_styles(folder / "styles.toml")
         buildings |= _read_buildings(folder / "building_types.toml")
-    knowledge = KnowledgeBase(rooms, buildings, styles)
+    knowledge = KnowledgeBase(_rooms(rows), words, buildings, styles)
     _check_references(knowledge)
     return knowledge
 
@@ -89,27 +112,54 @@ def _fault(file: Path, record: str, what: str) -> MansionError:
     )
 
 
-def _read_rooms(file: Path) -> dict[str, RoomType]:
+_Row: TypeAlias = Mapping[str, str]
+
+
+def _read_rows(file: Path, key: str) -> dict[str, tuple[Path, _Row]]:
+    """Read the rows of a table by name, each with its file; cells that a row lacks are empty."""
     if not file.exists():
         return {}
-    rooms: dict[str, RoomType] = {}
-    for row in csv.DictReader(io.StringIO(file.read_text(encoding="utf-8"))):
-        name = row.get("name") or "?"
-        try:
-            room = _room(row)
-        except (TypeError, ValueError, AttributeError) as error:
-            raise _fault(file, name, str(error)) from None
-        if name in rooms:
+    rows: dict[str, tuple[Path, _Row]] = {}
+    for cells in csv.DictReader(io.StringIO(file.read_text(encoding="utf-8"))):
+        row = {column: text for column, text in cells.items() if isinstance(text, str)}
+        name = row.get(key) or "?"
+        if name in rows:
             raise _fault(file, name, "listed twice")
-        rooms[name] = room
+        rows[name] = (file, row)
+    return rows
+
+
+def _rooms(rows: Mapping[str, tuple[Path, _Row]]) -> dict[str, RoomType]:
+    rooms = {}
+    for name, (file, row) in rows.items():
+        try:
+            rooms[name] = _room(_filled(row, rows))
+        except (KeyError, TypeError, ValueError, AttributeError) as error:
+            raise _fault(file, name, str(error)) from None
     return rooms
 
 
-def _room(row: dict[str, str]) -> RoomType:
+def _filled(row: _Row, rows: Mapping[str, tuple[Path, _Row]]) -> _Row:
+    """Return a row whose empty cells are those of its kin, or of the kin of that."""
+    lineage = [row.get("name", "")]
+    filled, kin = dict(row), row.get("kin")
+    while kin:
+        if kin not in rows:
+            raise ValueError(f"kin {kin!r} is no room type")
+        if kin in lineage:
+            raise ValueError(f"{' -> '.join([*lineage, kin])} is kin of itself")
+        lineage.append(kin)
+        other = rows[kin][1]
+        filled |= {column: text for column, text in other.items() if column not in _OWN and not filled.get(column)}
+        kin = other.get("kin")
+    return filled
+
+
+def _room(row: _Row) -> RoomType:
     least, usual, most = (float(row[key]) for key in ("least", "usual", "most"))
     if not 1.0 <= least <= usual <= most:
         raise ValueError(f"areas must be 1 <= least <= usual <= most, not {least}, {usual}, {most}")
-    flags = row["flags"].split()
+    flags = row.get("flags", "").split()
     for flag in flags:
         if flag not in _FLAGS:
             raise ValueError(f"flag {flag!r} is none of {', '.join(_FLAGS)}")
@@ -121,14 +171,35 @@ def _room(row: dict[str, str]) -> RoomType:
         zone=_one_of(Zone, row["zone"]),
         storey=_one_of(Storey, row["floors"]),
         finish=_one_of(Finish, row["finish"]),
-        synonyms=_parts(row["synonyms"]),
-        near=_parts(row["near"]),
+        synonyms=_parts(row.get("synonyms", "")),
+        near=_parts(row.get("near", "")),
         daylight="daylight" in flags,
         wet="wet" in flags,
         open="open" in flags,
         flexible="flex" in flags,
         unit="unit" in flags,
-        suite=tuple(parse_entry(part) for part in _parts(row["suite"])),
+        suite=tuple(parse_entry(part) for part in _parts(row.get("suite", ""))),
+        kin=row.get("kin", ""),
+    )
+
+
+def _word(file: Path, row: _Row) -> RoomWord:
+    classes, uses, keeps, called = (tuple(row.get(fact, "").split()) for fact in _FACTS)
+    groups = []
+    for text in called:
+        group, _, level = text.partition(":")
+        if level not in _LEVELS:
+            raise _fault(file, row.get("word", "?"), f"{text!r} is not a group of names or GROUP:goal, :talk or :loose")
+        groups.append((group, level))
+    return RoomWord(
+        word=row.get("word", ""),
+        like=row.get("like", ""),
+        classes=classes,
+        colour=row.get("colour", ""),
+        thor=row.get("thor", ""),
+        uses=uses,
+        keeps=keeps,
+        called=tuple(groups),
     )
 
 

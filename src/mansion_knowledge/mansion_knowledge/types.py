@@ -11,6 +11,7 @@ __all__ = [
     "Parti",
     "RoomEntry",
     "RoomType",
+    "RoomWord",
     "Storey",
     "Style",
     "Zone",
@@ -99,6 +100,9 @@ class RoomType:
         Which floor material of a style it takes.
     suite : tuple of RoomEntry
         Rooms that are reached through it (a hotel room's bathroom).
+    kin : str
+        Room type as which it is furnished, coloured and used, and whose facts fill what its row leaves empty; empty
+        for one that stands for itself.
     """
 
     name: str
@@ -116,6 +120,42 @@ class RoomType:
     flexible: bool = False
     unit: bool = False
     suite: tuple[RoomEntry, ...] = ()
+    kin: str = ""
+
+
+@dataclass(frozen=True)
+class RoomWord:
+    """What a word says of the rooms in whose names it stands, known types or not.
+
+    Attributes
+    ----------
+    word : str
+        Snake case.
+    like : str
+        Room type as which a room of exactly this name is furnished.
+    classes : tuple of str
+        Classes of a room with this among the words of its name.
+    colour : str
+        Colour family, on plans, of a room with this as any part of its name.
+    thor : str
+        AI2-THOR's room type for a room with this as any part of its name.
+    uses : tuple of str
+        Uses of a room whose name ends with this.
+    keeps : tuple of str
+        Kinds of things that a room called so usually keeps.
+    called : tuple of (str, str)
+        Groups of names that people use for each other, and how closely the name belongs to each: empty for the same
+        room, ``goal`` where the goal of a task takes it for that, ``talk`` and ``loose`` where people may mean it.
+    """
+
+    word: str
+    like: str = ""
+    classes: tuple[str, ...] = ()
+    colour: str = ""
+    thor: str = ""
+    uses: tuple[str, ...] = ()
+    keeps: tuple[str, ...] = ()
+    called: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)

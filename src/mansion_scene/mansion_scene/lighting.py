@@ -8,9 +8,9 @@ import shapely
 from shapely.geometry import Polygon
 
 from mansion_geometry.randomness import item_generator
+from mansion_knowledge import is_class
 from mansion_msgs_py.scene import Light, SceneObject, SceneRoom, Sky
 from mansion_msgs_py.shapes import Point
-from mansion_scene.structure.room_classes import is_class
 
 __all__ = ["LightPlan", "choose_sky", "light_plan", "room_lights", "sun"]
 

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from typing import Literal, TypeAlias
 
 from mansion_assets.catalogue.records import RoomRecord
+from mansion_knowledge import default_knowledge, kin_of
 
 __all__ = ["FALLBACK", "RoomIndex", "normalise"]
 
@@ -60,6 +61,10 @@ class RoomIndex:
     def __init__(self, records: Iterable[RoomRecord]) -> None:
         self._names: dict[str, tuple[str, How]] = {}
         entries = list(records)
+        own = {record.room_type for record in entries}
+        for word in default_knowledge().words.values():
+            if word.like in own:
+                self._names.setdefault(word.word, (word.like, "synonym"))
         for record in entries:
             for synonym in record.synonyms:
                 self._names.setdefault(normalise(synonym), (record.room_type, "synonym"))
@@ -87,6 +92,9 @@ class RoomIndex:
         flat = "_".join(_words(asked))
         if flat in self._names:
             return self._names[flat][0], "synonym"
+        kin = kin_of(asked)
+        if kin != asked:
+            return self.resolve(kin)[0], "similar"
         best, best_score = FALLBACK, 0.34
         for name, (target, _) in self._names.items():
             score = _similarity(asked, name)

@@ -10,6 +10,7 @@ from mansion_editing.agent.protocol import Action, Outcome, Scope, Thing
 from mansion_editing.references import colour_of, stems, vocabulary_of
 from mansion_editing.state import SceneState
 from mansion_editing.tools.placement import COOLING
+from mansion_knowledge import words_by
 from mansion_msgs_py.editing import AssetHits, AssetInfo, ObjectInfo, ObjectList, ReceptacleReport
 from mansion_msgs_py.errors import ErrorCode
 from mansion_msgs_py.scene import SceneRoom
@@ -200,9 +201,6 @@ def surfaces_of(where: Scope, state: SceneState, noun: str = "") -> Generator[Ac
     return [name for _, name in sorted(found, key=lambda pair: pair[0])]
 
 
-PASSAGES: Final = frozenset(["corridor", "hallway", "entryway"])
-"""Room types to walk through: furniture that they have none of comes there only when they are named."""
-
 CROWDED: Final = 0.1
 """Share of a room's area by which furniture may go beyond what its program covers."""
 
@@ -250,7 +248,7 @@ def rooms_for(where: Scope, state: SceneState, category: str, size: tuple[float,
                 continue
             belongs = at_home(state, room, [category])
             card = state.catalogue.room_program(room.room_type)
-            if not (belongs or where.rooms) and card.room_type in PASSAGES:
+            if not (belongs or where.rooms) and card.room_type in words_by("uses")["passing"]:
                 continue
             covered = sum(
                 item.size[0] * item.size[1] for item in index.objects if item.room == room.id and item.mount == "floor"

@@ -1,5 +1,7 @@
 """Colours of a plan: a tint for each family of rooms, and the inks."""
 
+from mansion_knowledge import kin_of, words_by
+
 __all__ = ["FAMILIES", "INK", "room_tint"]
 
 INK = {
@@ -22,48 +24,18 @@ INK = {
     "rug": "#ebe2d3",
 }
 
-FAMILIES: tuple[tuple[str, tuple[str, ...]], ...] = (
-    (
-        "#d5ebee",
-        ("bath", "toilet", "wc", "shower", "restroom", "laundry", "wash", "locker", "pool", "spa"),
-    ),
-    (
-        "#fbeccb",
-        ("kitchen", "dining", "cafe", "restaurant", "canteen", "pantry", "bar", "food", "break"),
-    ),
-    (
-        "#e4efda",
-        ("class", "library", "reading", "school", "kinder", "play", "lecture", "seminar", "study"),
-    ),
-    (
-        "#e6e4ea",
-        (
-            "stor", "closet", "utility", "server", "archive", "mechanic", "electric", "janitor",
-            "technical", "garage", "warehouse", "plant_room",
-        ),
-    ),
-    (
-        "#f6e3de",
-        (
-            "patient", "ward", "exam", "surgery", "operating", "treatment", "clinic", "pharmacy",
-            "nurse", "therapy", "icu", "radiology", "consult", "medical", "doctor",
-        ),
-    ),
-    ("#f5e6d6", ("bed", "living", "lounge", "guest", "hotel", "suite", "sleep", "family")),
-    (
-        "#dfe9f6",
-        ("office", "meeting", "conference", "work", "lab", "desk", "copy", "studio", "control"),
-    ),
-    ("#efe3f1", ("shop", "store", "retail", "market", "checkout", "gallery", "exhibit", "gym")),
-    (
-        "#f5f2ea",
-        (
-            "hall", "lobby", "corridor", "hub", "main", "reception", "foyer", "entrance", "landing",
-            "atrium", "waiting", "vestibule",
-        ),
-    ),
-)  # fmt: skip
-"""Tint and the parts of room types that it stands for; the first that fits is taken."""
+FAMILIES = {
+    "washing": "#d5ebee",
+    "eating": "#fbeccb",
+    "learning": "#e4efda",
+    "storing": "#e6e4ea",
+    "caring": "#f6e3de",
+    "resting": "#f5e6d6",
+    "working": "#dfe9f6",
+    "trading": "#efe3f1",
+    "passing": "#f5f2ea",
+}
+"""Tints of the families of rooms that the words of their names tell; the first that fits is taken."""
 
 OTHER = ("#e9eedd", "#f2e7e2", "#e2ecec", "#ece6f0", "#f3eddc")
 
@@ -78,10 +50,10 @@ def room_tint(room_type: str, kind: str) -> str:
     kind : str
         Node kind; ``main`` is always drawn as circulation.
     """
-    name = room_type.lower()
     if kind == "main":
-        return FAMILIES[-1][0]
-    for tint, words in FAMILIES:
-        if any(word in name for word in words):
+        return FAMILIES["passing"]
+    name, parts = kin_of(room_type).lower(), words_by("colour")
+    for family, tint in FAMILIES.items():
+        if any(part in name for part in parts[family]):
             return tint
     return OTHER[sum(name.encode()) % len(OTHER)]

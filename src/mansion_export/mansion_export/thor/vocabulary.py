@@ -3,6 +3,7 @@
 from typing import Any, Final, NamedTuple, TypeAlias
 
 from mansion_export.materials import hex_color
+from mansion_knowledge import kin_of, words_by
 from mansion_scene.structure.materials import library, match_material
 
 __all__ = [
@@ -75,11 +76,8 @@ _SKIES: Final = (
 )
 """Word in the name of a scene's sky, and the sky for it; the last stands for all others."""
 
-_ROOM_TYPES: Final = (
-    ("Bathroom", ("bath", "toilet", "wc", "shower", "restroom", "washroom")),
-    ("Kitchen", ("kitchen", "kitchenette", "pantry")),
-    ("Bedroom", ("bedroom", "guest_room", "hotel_room", "patient_room", "suite", "dorm")),
-)
+_ROOM_TYPES: Final = ("Bathroom", "Kitchen", "Bedroom")
+"""ProcTHOR's room types besides the living room; the first that a name fits is taken."""
 
 AssetSizes: TypeAlias = dict[str, tuple[float, float]]
 """Width and height of the hole that an asset closes, metres, by asset id."""
@@ -149,8 +147,8 @@ def sky(name: str) -> Sky:
 
 def room_type(words: str) -> str:
     """Return which of ProcTHOR's four room types comes nearest."""
-    text = words.lower()
-    return next((name for name, keys in _ROOM_TYPES if any(key in text for key in keys)), "LivingRoom")
+    text, parts = kin_of(words).lower(), words_by("thor")
+    return next((name for name in _ROOM_TYPES if any(part in text for part in parts[name])), "LivingRoom")
 
 
 def floor_material(words: str) -> dict[str, Any]:

@@ -2,6 +2,8 @@
 
 import re
 
+from mansion_knowledge import kin_of, words_by
+
 __all__ = ["Role", "is_public_room", "role_of"]
 
 _WORDS = re.compile(r"[a-z]+")
@@ -25,10 +27,6 @@ _SYMMETRIC = _set("plant lamp bin basket vase can pot tree stand rack umbrella p
 _SCREENS = _set("tv television")
 _TABLES = _set("table desk island workbench counter")
 _ENTRANCE = _set("host hostess reception umbrella coat shoe doormat checkout cashier ticket turnstile")
-_PRIVATE = _set(
-    "bedroom bathroom living kitchen home apartment toilet closet pantry study nursery dressing"
-    " laundry guest balcony attic garage lounge den dorm dormitory"
-)
 
 
 class Role:
@@ -68,5 +66,5 @@ def role_of(name: str, category: str) -> Role:
 
 def is_public_room(room_type: str) -> bool:
     """Tell whether a room of this type needs the wider public aisle."""
-    words = _WORDS.findall(room_type.lower().replace("_", " "))
-    return bool(words) and not any(word in _PRIVATE for word in words)
+    words = _WORDS.findall(kin_of(room_type).lower().replace("_", " "))
+    return bool(words) and not set(words_by("classes")["domestic"]).intersection(words)

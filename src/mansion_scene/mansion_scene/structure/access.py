@@ -4,6 +4,7 @@ from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from mansion_knowledge import is_class
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.program import Downgrade
@@ -11,7 +12,6 @@ from mansion_msgs_py.topology import FloorTopology
 from mansion_scene.structure.boundaries import Stretch
 from mansion_scene.structure.dimensions import INTERIOR_THICKNESS, MIN_CLEAR_WIDTH
 from mansion_scene.structure.regions import FloorRegions, Region
-from mansion_scene.structure.room_classes import is_class
 
 __all__ = ["AccessPlan", "Pair", "Passage", "pair_key", "plan_access", "shared_stretches"]
 

@@ -6,6 +6,7 @@ from typing import Literal
 
 from shapely.geometry import Polygon
 
+from mansion_knowledge import is_class
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.scene import DoorKind
@@ -16,7 +17,6 @@ from mansion_scene.structure.dimensions import CLEAR_WIDTH, INTERIOR_THICKNESS, 
 from mansion_scene.structure.frontage import Frontage, Position, approach_zone, choose_position, ranked_positions
 from mansion_scene.structure.interiors import Partition
 from mansion_scene.structure.regions import FloorRegions, Region
-from mansion_scene.structure.room_classes import is_class
 from mansion_scene.structure.stairs import landing_zone
 
 __all__ = [

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import shapely
 from shapely.geometry import LineString, Point, Polygon
 
+from mansion_knowledge import is_class
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
 from mansion_scene.structure.boundaries import Stretch, reentrant_corners, usable_part
@@ -12,7 +13,6 @@ from mansion_scene.structure.dimensions import CLEAR_WIDTH, WALL_END
 from mansion_scene.structure.frontage import Frontage, approach_zone, choose_position
 from mansion_scene.structure.openings import Opening, OpeningKind, entrance_kind, is_circulation, take
 from mansion_scene.structure.regions import FloorRegions, Region
-from mansion_scene.structure.room_classes import is_class
 
 __all__ = ["entrance_room", "facades_of", "is_residential", "place_entrance", "place_garage_doors"]
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 
+from mansion_knowledge import is_class
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.scene import Door, SceneRoom, Wall, Window
@@ -21,7 +22,6 @@ from mansion_scene.structure.interiors import Partition
 from mansion_scene.structure.materials import DEFAULT_FACADE, match_material
 from mansion_scene.structure.openings import Opening
 from mansion_scene.structure.regions import FloorRegions, Region, ring_points
-from mansion_scene.structure.room_classes import is_class
 from mansion_scene.structure.windows import WindowOpening
 
 __all__ = ["number_doors", "number_walls", "number_windows", "scene_rooms"]

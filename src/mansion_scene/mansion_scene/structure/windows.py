@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from mansion_knowledge import is_class
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.structure.boundaries import Stretch, reentrant_corners, usable_part
 from mansion_scene.structure.openings import Opening
 from mansion_scene.structure.regions import FloorRegions, Region
-from mansion_scene.structure.room_classes import is_class
 
 __all__ = ["WindowKind", "WindowOpening", "place_windows", "window_kind"]
 

@@ -2,6 +2,7 @@
 
 from typing import Final
 
+from mansion_knowledge import words_by
 from mansion_tasks.agents.words import match_score
 
 __all__ = ["likelihood", "shut_away_in"]
@@ -12,40 +13,37 @@ _KEPT: Final = (
          "water bottle", "milk carton", "cup", "mug", "glass", "plate", "bowl", "fork", "knife", "butter knife",
          "spoon", "pan", "pot", "kettle", "salt shaker", "pepper shaker", "cutting board", "spatula", "ladle",
          "dish sponge", "detergent", "wine bottle", "wine glass", "lunch box"),
-        ("kitchen", "break room", "cafeteria", "pantry", "dining room", "restaurant", "canteen", "bar"),
+        "food",
     ),
     (
         ("keyboard", "mouse", "laptop", "notebook", "pen", "pencil", "paper stack", "folder", "stapler", "headphone",
          "desk phone", "monitor", "tablet", "document", "binder", "calculator", "marker", "desk lamp"),
-        ("office", "meeting room", "study", "classroom", "print room", "reception", "training room", "library",
-         "teachers room"),
+        "office",
     ),
     (
         ("package", "box", "cardboard box", "toolbox", "spray bottle", "bucket", "broom", "crate", "basket", "drill",
          "hammer", "screwdriver"),
-        ("storage", "mail room", "utility room", "janitor closet", "garage", "workshop", "laundry room", "stockroom"),
+        "tools",
     ),
     (
         ("towel", "soap bar", "soap bottle", "toothpaste", "toothbrush", "toilet paper", "shampoo", "hand towel"),
-        ("bathroom", "restroom", "laundry room", "changing room"),
+        "washing",
     ),
     (
         ("pillow", "blanket", "alarm clock", "teddy bear", "table lamp", "hair brush"),
-        ("bedroom", "master bedroom", "guest room", "patient room", "ward", "hotel room"),
+        "sleeping",
     ),
     (
         ("remote control", "vase", "candle", "newspaper", "magazine", "book", "cloth", "key chain", "picture frame"),
-        ("living room", "lounge", "library", "dining room", "study"),
+        "reading",
     ),
 )  # fmt: skip
-"""Things, and the rooms where most of them are."""
+"""Things, and what the rooms where most of them are usually keep."""
 
 _CHILLED: Final = (
     "apple", "banana", "bread", "egg", "lettuce", "potato", "tomato", "juice carton", "can", "cola can", "bottle",
     "water bottle", "milk carton", "wine bottle", "lunch box",
 )  # fmt: skip
-
-_BARE: Final = ("corridor", "restroom", "staircase", "elevator lobby", "shaft")
 
 
 def likelihood(noun: str, room: str) -> int:
@@ -56,12 +54,13 @@ def likelihood(noun: str, room: str) -> int:
     >>> likelihood("potato", "break_room"), likelihood("potato", "office 2"), likelihood("potato", "corridor")
     (2, 1, 0)
     """
-    for things, rooms in _KEPT:
+    keeps = words_by("keeps")
+    for things, kept in _KEPT:
         if any(match_score(noun, thing) == 3 for thing in things) and any(
-            match_score(name, room) > 1 for name in rooms
+            match_score(name, room) > 1 for name in keeps[kept]
         ):
             return 2
-    return 0 if any(match_score(name, room) > 1 for name in _BARE) else 1
+    return 0 if any(match_score(name, room) > 1 for name in keeps["nothing"]) else 1
 
 
 def shut_away_in(noun: str) -> str:

@@ -2,6 +2,8 @@
 
 from typing import Final, NamedTuple
 
+from mansion_knowledge import name_groups
+
 __all__ = ["ROOMS", "THINGS", "Synonyms"]
 
 
@@ -43,12 +45,8 @@ THINGS: Final = (
     Synonyms(("lift",), talk=("elevator",)),
 )
 
-ROOMS: Final = (
-    Synonyms(("bathroom", "restroom", "toilet", "washroom", "wc", "lavatory")),
-    Synonyms(("meeting room",), goal=("conference room",)),
-    Synonyms(("living room",), goal=("sitting room",), talk=("lounge",)),
-    Synonyms(("kitchen",), goal=("kitchenette",)),
-    Synonyms(("corridor", "hallway"), talk=("hall", "passage")),
-    Synonyms(("storage",), goal=("storage room", "storeroom")),
-    Synonyms(("lobby",), talk=("entrance hall", "foyer", "reception")),
+ROOMS: Final = tuple(
+    Synonyms(*(tuple(name for name, level in names.items() if level == wanted) for wanted in ("", "goal", "talk")))
+    for names in name_groups().values()
+    if "" in names.values()
 )

@@ -2,7 +2,7 @@
 
 import pytest
 
-from mansion_scene.structure.room_classes import is_class
+from mansion_knowledge import is_class
 
 
 @pytest.mark.parametrize(
