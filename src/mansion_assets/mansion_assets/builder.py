@@ -84,7 +84,7 @@ class Builder:
         """Return the material of a role of the recipe."""
         return self.asset.materials.get(role, default)
 
-    def raw(self, vertices: Floats, faces: Ints, material: str, part: str, solid: bool = False) -> None:
+    def raw(self, vertices: Floats, faces: Ints, material: str, part: str, *, solid: bool = False) -> None:
         """Add triangles; a solid's bounding box takes part in collisions."""
         key = (part, material)
         self.pieces.setdefault(key, Piece(part, material)).add(vertices, faces)
@@ -105,12 +105,13 @@ class Builder:
         z: tuple[float, float],
         material: str,
         part: str = "body",
+        *,
         solid: bool = True,
     ) -> None:
         """Add an axis-aligned box; a thin one that is no solid is lifted off the face of the asset that it lies in."""
         if not solid:
             x, y, z = (self._lifted(x, self.w / 2), self._lifted(y, self.d / 2), self._lifted(z, self.h))
-        self.raw(*box_solid(x, y, z), material, part, solid)
+        self.raw(*box_solid(x, y, z), material, part, solid=solid)
 
     @staticmethod
     def _lifted(span: tuple[float, float], limit: float) -> tuple[float, float]:
@@ -126,10 +127,11 @@ class Builder:
         part: str = "body",
         n: int = 20,
         stretch: tuple[float, float] = (1.0, 1.0),
+        *,
         solid: bool = True,
     ) -> None:
         """Add a body of revolution about a vertical axis; `profile` lists (radius, height) from pole to pole."""
-        self.raw(*revolved(profile, at, n, stretch), material, part, solid)
+        self.raw(*revolved(profile, at, n, stretch), material, part, solid=solid)
 
     def cyl(
         self,
@@ -141,16 +143,17 @@ class Builder:
         part: str = "body",
         r2: float | None = None,
         n: int = 16,
+        *,
         solid: bool = True,
     ) -> None:
         """Add an upright cylinder, or a cone frustum whose upper radius is `r2`."""
         self.lathe([(r, z[0]), (r if r2 is None else r2, z[1])], material, (x, y), part, n, solid=solid)
 
     def rod(
-        self, start: Vec3, end: Vec3, r: float, material: str, part: str = "frame", n: int = 8, solid: bool = False
+        self, start: Vec3, end: Vec3, r: float, material: str, part: str = "frame", n: int = 8, *, solid: bool = False
     ) -> None:
         """Add a round bar between two points."""
-        self.raw(*bar(start, end, r, n), material, part, solid)
+        self.raw(*bar(start, end, r, n), material, part, solid=solid)
 
     def path(self, points: Sequence[Vec3], r: float, material: str, part: str = "frame") -> None:
         """Add round bars along a line of points."""
@@ -158,7 +161,7 @@ class Builder:
             self.rod(start, end, r, material, part)
 
     def ball(
-        self, center: Vec3, radii: Vec3, material: str, part: str = "body", n: int = 12, solid: bool = True
+        self, center: Vec3, radii: Vec3, material: str, part: str = "body", n: int = 12, *, solid: bool = True
     ) -> None:
         """Add an ellipsoid."""
         self.cushion(
@@ -181,10 +184,11 @@ class Builder:
         part: str = "cushion",
         round_: float = 0.45,
         n: int = 10,
+        *,
         solid: bool = True,
     ) -> None:
         """Add a box with rounded edges; `round_` 1 makes an ellipsoid."""
-        self.raw(*rounded_box(x, y, z, round_, n), material, part, solid)
+        self.raw(*rounded_box(x, y, z, round_, n), material, part, solid=solid)
 
     def prism(
         self,
@@ -193,12 +197,15 @@ class Builder:
         material: str,
         axis: Axis = "x",
         part: str = "body",
+        *,
         solid: bool = True,
     ) -> None:
         """Add a convex outline drawn out along an axis: (y, z) along x, (x, z) along y, (x, y) along z."""
-        self.raw(*extruded(outline, span, axis), material, part, solid)
+        self.raw(*extruded(outline, span, axis), material, part, solid=solid)
 
-    def legs(self, z: tuple[float, float], r: float, material: str, inset: float = 0.04, round_: bool = False) -> None:
+    def legs(
+        self, z: tuple[float, float], r: float, material: str, inset: float = 0.04, *, round_: bool = False
+    ) -> None:
         """Add four legs at the corners."""
         for sx in (-1, 1):
             for sy in (-1, 1):

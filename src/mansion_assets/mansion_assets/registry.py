@@ -1,60 +1,32 @@
-"""The recipes by name; a module of `recipes` adds its own when it is imported."""
+"""Mesh recipes and receptacle rules by name.
+
+The modules of `mansion_assets.recipes` enter theirs when they are imported. All modules of that folder are imported at
+the first look-up, so that a new one is known without being listed anywhere.
+"""
 
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
+from pkgutil import iter_modules
+from typing import TYPE_CHECKING, Any, TypeAlias
 
-from mansion_assets.builder import Builder
+if TYPE_CHECKING:
+    from mansion_assets.builder import Builder
+    from mansion_assets.catalogue.receptacles import Receptacle
+    from mansion_msgs_py.shapes import Size3
 
-__all__ = ["Recipe", "recipe", "recipe_named", "recipe_names"]
+__all__ = ["Recipe", "ReceptacleRule", "receptacle_rule", "receptacles", "recipe", "recipe_named", "recipe_names"]
 
-Recipe = Callable[[Builder], None]
-
-_MODULES = (
-    "appliances",
-    "small_appliances",
-    "bathroom",
-    "bathroom_fittings",
-    "beds",
-    "bins",
-    "containers",
-    "electronics",
-    "terminals",
-    "industry",
-    "kitchenware",
-    "boxes",
-    "leisure",
-    "lighting",
-    "machines",
-    "devices",
-    "optics",
-    "medical",
-    "museum",
-    "music",
-    "office",
-    "personal",
-    "plants",
-    "seating",
-    "benches",
-    "shop",
-    "sport",
-    "weights",
-    "storage",
-    "racks",
-    "tables",
-    "counters",
-    "workplaces",
-    "toys",
-    "vehicles",
-    "wall",
-    "panels",
-    "hangings",
-)
+Recipe: TypeAlias = "Callable[[Builder], None]"
+ReceptacleRule: TypeAlias = "Callable[[Size3, dict[str, Any]], list[Receptacle]]"
+"""From an asset's size and the parameters of its recipe to what carries and holds things."""
 
 _RECIPES: dict[str, Recipe] = {}
+_RULES: dict[str, ReceptacleRule] = {}
 
 
 def recipe(name: str) -> Callable[[Recipe], Recipe]:
-    """Enter a function under `name`."""
+    """Enter a function as the mesh recipe called `name`."""
 
     def enter(function: Recipe) -> Recipe:
         _RECIPES[name] = function
@@ -63,16 +35,34 @@ def recipe(name: str) -> Callable[[Recipe], Recipe]:
     return enter
 
 
+def receptacles(*names: str) -> Callable[[ReceptacleRule], ReceptacleRule]:
+    """Enter a function as the receptacle rule of the recipes called `names`."""
+
+    def enter(function: ReceptacleRule) -> ReceptacleRule:
+        _RULES.update(dict.fromkeys(names, function))
+        return function
+
+    return enter
+
+
+@cache
 def _load() -> None:
-    if not _RECIPES:
-        for module in _MODULES:
-            import_module(f"mansion_assets.recipes.{module}")
+    from mansion_assets import recipes
+
+    for module in iter_modules(recipes.__path__):
+        import_module(f"{recipes.__name__}.{module.name}")
 
 
 def recipe_named(name: str) -> Recipe | None:
     """Return the recipe called `name`, or None."""
     _load()
     return _RECIPES.get(name)
+
+
+def receptacle_rule(name: str) -> ReceptacleRule | None:
+    """Return the receptacle rule of the recipe called `name`, None where nothing lies on or in it."""
+    _load()
+    return _RULES.get(name)
 
 
 def recipe_names() -> list[str]:

@@ -6,8 +6,7 @@ import msgspec
 import pytest
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_assets.catalogue.search import search_assets
-from mansion_assets.catalogue.uses import use_of, uses_by_category
+from mansion_assets.catalogue.search import search_assets, use_of, uses_by_category
 from mansion_msgs_py.errors import MansionError
 
 

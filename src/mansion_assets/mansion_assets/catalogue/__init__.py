@@ -2,8 +2,7 @@
 
 from mansion_assets.catalogue.asset import Asset, Surface, Volume
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
-from mansion_assets.catalogue.furnish import furnish_request
-from mansion_assets.catalogue.furnishing import HangWish, RoomFurnishing, RugWish
+from mansion_assets.catalogue.furnish import HangWish, RoomFurnishing, RugWish, furnish_request
 from mansion_assets.catalogue.loading import load_catalogue
 
 __all__ = [

@@ -1,4 +1,4 @@
-"""From a room type and an area to wish lists: which objects, how many, with what constraints."""
+"""From a room type and an area to what the room is furnished with: objects, how many, with what constraints."""
 
 from collections.abc import Sequence
 
@@ -7,14 +7,75 @@ import numpy as np
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
-from mansion_assets.catalogue.counts import copies, grid, room_extent
-from mansion_assets.catalogue.furnishing import HangWish, RoomFurnishing, RugWish
+from mansion_assets.catalogue.quantities import (
+    copies,
+    grid,
+    room_extent,
+    seating_tables,
+    seats_around,
+    sits_around,
+    wanted_seats,
+)
 from mansion_assets.catalogue.records import Arrangement, HangItem, Item
-from mansion_assets.catalogue.seats import seating_tables, seats_around, sits_around, wanted_seats
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacementObject, SingleStructure, Structure
+from mansion_msgs_py.shapes import Size3
 
-__all__ = ["furnish_request"]
+__all__ = ["HangWish", "RoomFurnishing", "RugWish", "furnish_request"]
+
+
+class HangWish(msgspec.Struct, frozen=True, kw_only=True):
+    """A wall or ceiling asset, `count` times (see `HangItem` for the fields)."""
+
+    asset: Asset
+    count: int
+    place: str = "free"
+    height: float | None = None
+    above: str = ""
+    spacing: float = 3.0
+
+
+class RugWish(msgspec.Struct, frozen=True, kw_only=True):
+    """A rug below the floor object named (or of the category) `under`; the first asset that fits."""
+
+    assets: tuple[Asset, ...]
+    under: str = ""
+    margin: float = 0.4
+    count: int = 1
+
+
+class RoomFurnishing(msgspec.Struct, frozen=True, kw_only=True):
+    """The wish lists of a room.
+
+    Attributes
+    ----------
+    floor : list of PlacementObject
+        For the placer.
+    floor_assets : dict
+        The asset of each entry of `floor`, by its name.
+    alternatives : dict
+        Assets behind ``smaller``, in the same order.
+    small : list of Arrangement
+        What may lie on and in receptacles; the first that fits a receptacle counts.
+    """
+
+    room_id: str
+    room_type: str
+    program: str
+    floor: list[PlacementObject]
+    floor_assets: dict[str, Asset]
+    alternatives: dict[str, list[Asset]]
+    wall: list[HangWish]
+    ceiling: list[HangWish]
+    rugs: list[RugWish]
+    small: list[Arrangement]
+
+    def asset_for(self, name: str, size: Size3) -> Asset:
+        """Return the asset of a placed object: the first choice, or the smaller one of that size."""
+        first = self.floor_assets[name]
+        choices = [first, *self.alternatives.get(name, [])]
+        return min(choices, key=lambda a: sum(abs(p - q) for p, q in zip(a.size, size, strict=True)))
+
 
 _LOYALTY = 0.7
 """Probability that a room takes the building's own variant of a category."""

@@ -10,8 +10,8 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue
+from mansion_assets.catalogue.receptacles import receptacles_of
 from mansion_assets.catalogue.records import Arrangement, AssetRecord, CategoryRecord, Item, RoomRecord
-from mansion_assets.catalogue.surfaces import surfaces_of
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
@@ -113,7 +113,7 @@ def _variant(
     flags: str | None,
 ) -> Asset:
     size = (max(size[0], 0.003), max(size[1], 0.003), max(size[2], 0.003))
-    surfaces, volumes = surfaces_of(record.recipe, size, record.parameters)
+    surfaces, volumes = receptacles_of(record.recipe, size, record.parameters)
     materials = dict(record.materials)
     if record.finishes:
         materials["main"] = record.finishes[number % len(record.finishes)]
@@ -158,7 +158,7 @@ def _user_asset(file: Path, record: AssetRecord, rooms: tuple[str, ...]) -> Asse
         )
     surfaces, volumes = tuple(record.surfaces), tuple(record.volumes)
     if record.recipe and not surfaces and not volumes:
-        surfaces, volumes = surfaces_of(record.recipe, record.size, record.parameters)
+        surfaces, volumes = receptacles_of(record.recipe, record.size, record.parameters)
     return Asset(
         key=record.key,
         category=record.category,

@@ -1,6 +1,7 @@
 """Text search over the catalogue: BM25 over words, character trigrams for spelling, phrases of synonyms.
 
-BM25 after Robertson and Zaragoza, "The Probabilistic Relevance Framework" (2009), k1 = 1.2, b = 0.4.
+BM25 after S. Robertson and H. Zaragoza, "The Probabilistic Relevance Framework: BM25 and Beyond", Foundations and
+Trends in Information Retrieval 3(4), 2009, with k1 = 1.2 and b = 0.4.
 """
 
 import math
@@ -9,6 +10,7 @@ from collections import Counter
 from collections.abc import Sequence
 from difflib import SequenceMatcher
 from functools import cache, lru_cache
+from importlib.resources import files
 from typing import Final
 
 import msgspec
@@ -16,10 +18,24 @@ import msgspec
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue
 from mansion_assets.catalogue.palette import COLOURS, FAMILIES
-from mansion_assets.catalogue.uses import use_of
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["PROPERTIES", "SearchHit", "having", "mixed", "search_assets", "word_scores"]
+__all__ = ["PROPERTIES", "SearchHit", "having", "mixed", "search_assets", "use_of", "uses_by_category", "word_scores"]
+
+_FILE: Final = "uses.json"
+
+
+@cache
+def uses_by_category() -> dict[str, str]:
+    """Return what categories are used for; not all have an entry."""
+    text = files("mansion_assets.catalogue").joinpath("data", _FILE).read_bytes()
+    return msgspec.json.decode(text, type=dict[str, str])
+
+
+def use_of(category: str) -> str:
+    """Return what a category is used for, in a few words; empty where nothing is known."""
+    return uses_by_category().get(category, "")
+
 
 PROPERTIES: Final[dict[str, str]] = {
     "pickupable": "pickupable",

@@ -1,9 +1,12 @@
-"""Household and kitchen appliances."""
+"""Appliances of kitchen and house, large and small."""
 
 import itertools
+from typing import Any
 
 from mansion_assets.builder import Builder
-from mansion_assets.registry import recipe
+from mansion_assets.catalogue.receptacles import Receptacle, inset, surface, volume
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
 
@@ -19,18 +22,28 @@ def hollow(
     b.box(x, y, (z[1] - t, z[1]), material, "case")
 
 
+@receptacles("fridge")
+def _fridge_shelves(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    count = int(p.get("shelves", max(1, round(h / 0.42))))
+    wall, z0 = 0.05, min(0.12, h * 0.1)
+    step = (h - z0 - wall) / count
+    box = (-w / 2 + wall, w / 2 - wall, -d / 2 + wall, d / 2 - 0.09)
+    return [volume("shelf", box, z0 + i * step, z0 + (i + 1) * step - 0.02) for i in range(count)]
+
+
 @recipe("fridge")
 def fridge(b: Builder) -> None:
     """Case with boards inside, two doors with a gap, handles."""
     w, d, h = b.w, b.d, b.h
     main, face = b.mat(), d / 2 - 0.075
     hollow(b, (-w / 2, w / 2), (-d / 2, face), (0.02, h), 0.045, main)
-    b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + 0.03, face - 0.03), (0, 0.03), "plastic_black", "feet", False)
+    b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + 0.03, face - 0.03), (0, 0.03), "plastic_black", "feet", solid=False)
     for cell in b.cells:
         b.box((cell.x0, cell.x1), (cell.y0, min(cell.y1, face)), (cell.z - 0.012, cell.z), "glass_white", "boards")
     split = (0.03, h) if b.p.get("doors") == 1 else (0.03, h * 0.36, h)
     for z0, z1 in itertools.pairwise(split):
-        b.box((-w / 2, w / 2), (face + 0.006, d / 2 - 0.03), (z0, z1 - 0.008), main, "door", False)
+        b.box((-w / 2, w / 2), (face + 0.006, d / 2 - 0.03), (z0, z1 - 0.008), main, "door", solid=False)
         zm = z0 + 0.12 if z0 > 0.1 else z1 - 0.5 * (z1 - z0)
         b.box(
             (w / 2 - 0.08, w / 2 - 0.055),
@@ -38,9 +51,9 @@ def fridge(b: Builder) -> None:
             (zm, zm + min(0.45, (z1 - z0) * 0.4)),
             "metal_steel",
             "handle",
-            False,
+            solid=False,
         )
-    b.box((-w / 2, w / 2), (-d / 2, face), (h - 0.004, h), main, "case", False)
+    b.box((-w / 2, w / 2), (-d / 2, face), (h - 0.004, h), main, "case", solid=False)
 
 
 @recipe("display_fridge")
@@ -60,7 +73,7 @@ def display_fridge(b: Builder) -> None:
         for i in range(goods):
             x = -w / 2 + 0.08 + i * (w - 0.16) / goods
             color = ("paper_blue", "plastic_white", "paper_red", "paper_yellow", "paper_green")[(i // 3 + k) % 5]
-            b.box((x, x + 0.08), (-0.05, d / 2 - 0.14), (z, z + 0.18), color, "goods", False)
+            b.box((x, x + 0.08), (-0.05, d / 2 - 0.14), (z, z + 0.18), color, "goods", solid=False)
     if b.asset.openable:
         doors = max(1, round(w / 0.7))
         for k in range(doors):
@@ -71,7 +84,7 @@ def display_fridge(b: Builder) -> None:
                 (0.1, h - 0.16),
                 "glass_clear",
                 "door",
-                False,
+                solid=False,
             )
             b.box(
                 (x0 + w / doors - 0.08, x0 + w / doors - 0.06),
@@ -79,11 +92,23 @@ def display_fridge(b: Builder) -> None:
                 (h * 0.4, h * 0.6),
                 "metal_steel",
                 "handle",
-                False,
+                solid=False,
             )
     else:
         b.box((-w / 2, w / 2), (d / 2 - 0.2, d / 2), (0.0, 0.25), main, "front")
-    b.box((-w / 2, w / 2), (d / 2 - 0.05, d / 2 - 0.03), (h - 0.15, h), "light_white", "sign", False)
+    b.box((-w / 2, w / 2), (d / 2 - 0.05, d / 2 - 0.03), (h - 0.15, h), "light_white", "sign", solid=False)
+
+
+@receptacles("oven")
+def _oven_cavity(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    wall = min(0.05, w * 0.1)
+    box = (-w / 2 + wall, w / 2 - wall * (3 if p.get("panel") == "side" else 1), -d / 2 + wall, d / 2 - wall)
+    low = float(p.get("base", 0.25 if h > 0.6 else 0.03))
+    out: list[Receptacle] = [volume("cavity", box, low, h - max(0.04, h * 0.22 if h > 0.6 else 0.04))]
+    if 0.5 < h <= 1.2:
+        out.append(surface("top", inset(size, 0.05), h, 0.8))
+    return out
 
 
 @recipe("oven")
@@ -123,14 +148,14 @@ def _oven_door(b: Builder, right: float, front: tuple[float, float]) -> None:
     main = b.mat()
     cell = b.cells[0]
     t = min(0.03, w * 0.06)
-    b.box((-w / 2 + 0.005, right - 0.005), front, (cell.z - t, cell.top + t * 0.6), main, "door", False)
+    b.box((-w / 2 + 0.005, right - 0.005), front, (cell.z - t, cell.top + t * 0.6), main, "door", solid=False)
     b.box(
         (cell.x0 + 0.02, cell.x1 - 0.02),
         (front[1], front[1] + 0.003),
         (cell.z + 0.03, cell.top - 0.04),
         "glass_black",
         "window",
-        False,
+        solid=False,
     )
 
 
@@ -138,8 +163,8 @@ def _side_panel(b: Builder, right: float, face: float, grip: float) -> None:
     """Handle, display and buttons beside the door."""
     w, d, h = b.w, b.d, b.h
     cell = b.cells[0]
-    b.box((right - 0.02, right - 0.01), (grip, d / 2), (cell.z, cell.top), "metal_steel", "handle", False)
-    b.box((right + 0.01, w / 2 - 0.01), (face, face + 0.01), (h * 0.7, h * 0.85), "screen_green", "panel", False)
+    b.box((right - 0.02, right - 0.01), (grip, d / 2), (cell.z, cell.top), "metal_steel", "handle", solid=False)
+    b.box((right + 0.01, w / 2 - 0.01), (face, face + 0.01), (h * 0.7, h * 0.85), "screen_green", "panel", solid=False)
     for k in range(4):
         b.box(
             (right + 0.015, w / 2 - 0.015),
@@ -147,7 +172,7 @@ def _side_panel(b: Builder, right: float, face: float, grip: float) -> None:
             (h * (0.18 + 0.11 * k), h * (0.25 + 0.11 * k)),
             "plastic_dark",
             "buttons",
-            False,
+            solid=False,
         )
 
 
@@ -155,7 +180,9 @@ def _knobs(b: Builder, face: float, grip: float) -> None:
     """Handle and a row of knobs above the door."""
     w, d, h = b.w, b.d, b.h
     cell = b.cells[0]
-    b.box((-w * 0.38, w * 0.38), (grip, d / 2), (cell.top - 0.01, cell.top + 0.008), "metal_steel", "handle", False)
+    b.box(
+        (-w * 0.38, w * 0.38), (grip, d / 2), (cell.top - 0.01, cell.top + 0.008), "metal_steel", "handle", solid=False
+    )
     for k in range(4 if h > 0.6 else 2):
         x = -w * 0.3 + k * w * 0.2
         b.rod(
@@ -171,10 +198,20 @@ def _knobs(b: Builder, face: float, grip: float) -> None:
 def _hob(b: Builder, face: float) -> None:
     """Glass hob with four burners."""
     w, d, h = b.w, b.d, b.h
-    b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.04, face - 0.03), (h - 0.006, h), "glass_black", "hob", False)
+    b.box(
+        (-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.04, face - 0.03), (h - 0.006, h), "glass_black", "hob", solid=False
+    )
     for sx in (-1, 1):
         for sy in (-1, 1):
             b.cyl(sx * w * 0.24, sy * d * 0.2 - 0.01, (h - 0.005, h), 0.075, "metal_dark", "burners", n=20, solid=False)
+
+
+@receptacles("washer")
+def _washer_drum(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    high = h / int(p.get("stack", 1))
+    box = (-w * 0.3, w * 0.3, -d * 0.35, d * 0.3)
+    return [volume("drum", box, high * 0.2, high * 0.72)]
 
 
 @recipe("washer")
@@ -186,7 +223,7 @@ def washer(b: Builder) -> None:
         z0, z1 = h * k / count, h * (k + 1) / count
         top = z1 - 0.004 * (k < count - 1)
         hollow(b, (-w / 2, w / 2), (-d / 2, d / 2 - 0.06), (z0, top), 0.06, main)
-        b.box((-w / 2, w / 2), (d / 2 - 0.06, d / 2 - 0.05), (z0, top), main, "front", False)
+        b.box((-w / 2, w / 2), (d / 2 - 0.06, d / 2 - 0.05), (z0, top), main, "front", solid=False)
         zm, r = z0 + (z1 - z0) * 0.45, min(w, z1 - z0) * 0.3
         b.rod((0, d / 2 - 0.06, zm), (0, d / 2 - 0.012, zm), r, "metal_chrome", "door", 28)
         b.rod((0, d / 2 - 0.03, zm), (0, d / 2, zm), r * 0.78, "glass_black", "door", 28)
@@ -196,7 +233,7 @@ def washer(b: Builder) -> None:
             (z1 - (z1 - z0) * 0.16, z1 - 0.02),
             "plastic_dark",
             "panel",
-            False,
+            solid=False,
         )
         b.rod(
             (w * 0.3, d / 2 - 0.05, z1 - (z1 - z0) * 0.09),
@@ -212,7 +249,7 @@ def washer(b: Builder) -> None:
             (z1 - (z1 - z0) * 0.13, z1 - (z1 - z0) * 0.05),
             main,
             "drawer",
-            False,
+            solid=False,
         )
 
 
@@ -229,4 +266,111 @@ def hood(b: Builder) -> None:
         part="slope",
     )
     b.box((-0.14, 0.14), (-d / 2, -d / 2 + 0.22), (h * 0.45, h), b.mat(), "duct")
-    b.box((-w * 0.3, w * 0.3), (-d * 0.2, d * 0.3), (0, 0.004), "light_warm", "lamp", False)
+    b.box((-w * 0.3, w * 0.3), (-d * 0.2, d * 0.3), (0, 0.004), "light_warm", "lamp", solid=False)
+
+
+@recipe("coffee_machine")
+def coffee_machine(b: Builder) -> None:
+    """Housing with spout, drip tray, cup and hopper."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.14), b.mat(), "base")
+    b.box((-w / 2, w / 2), (-d / 2, -d * 0.08), (h * 0.14, h * 0.95), b.mat(), "body")
+    b.box((-w / 2, w / 2), (-d / 2, d * 0.3), (h * 0.68, h * 0.95), b.mat(), "head")
+    b.cyl(0, d * 0.14, (h * 0.58, h * 0.68), w * 0.07, "metal_steel", "spout", solid=False)
+    b.cyl(0, d * 0.14, (h * 0.15, h * 0.36), w * 0.12, "ceramic_white", "cup", w * 0.14, solid=False)
+    b.box((-w * 0.4, w * 0.4), (-d * 0.05, d * 0.45), (h * 0.14, h * 0.15), "metal_steel", "grid", solid=False)
+    b.box((-w * 0.3, w * 0.3), (-d * 0.45, 0), (h * 0.95, h), "glass_amber", "hopper", solid=False)
+    b.box((-w * 0.25, w * 0.25), (d * 0.3, d * 0.31), (h * 0.76, h * 0.88), "screen_blue", "panel", solid=False)
+
+
+@recipe("toaster")
+def toaster(b: Builder) -> None:
+    """Rounded housing with two slots and a lever."""
+    w, d, h = b.w, b.d, b.h
+    b.cushion((-w / 2, w / 2), (-d / 2, d / 2 - 0.02), (0.01, h), b.mat(), "body", 0.4, 12)
+    b.box((-w * 0.42, w * 0.42), (-d * 0.45, d * 0.42), (0, 0.02), "plastic_black", "feet")
+    for sx in (-1, 1):
+        b.box(
+            (sx * w * 0.18 - w * 0.08, sx * w * 0.18 + w * 0.08),
+            (-d * 0.36, d * 0.32),
+            (h - 0.002, h),
+            "plastic_black",
+            "slots",
+            solid=False,
+        )
+    b.box((-w * 0.1, w * 0.1), (d / 2 - 0.04, d / 2), (h * 0.55, h * 0.65), "plastic_black", "lever", solid=False)
+
+
+@recipe("kettle")
+def kettle(b: Builder) -> None:
+    """Pot with lid, spout to the front and handle behind; also tea pots and watering cans."""
+    w, d, h = b.w, b.d, b.h
+    r = w * 0.5
+    b.lathe(
+        [
+            (r * 0.85, 0),
+            (r, h * 0.08),
+            (r * 0.98, h * 0.35),
+            (r * 0.6, h * 0.75),
+            (r * 0.5, h * 0.82),
+            (r * 0.1, h * 0.9),
+        ],
+        b.mat(),
+        (0, 0),
+        n=20,
+    )
+    b.ball((0, 0, h * 0.94), (r * 0.14, r * 0.14, h * 0.06), "plastic_black", "knob", 8, solid=False)
+    b.rod((0, r * 0.7, h * 0.4), (0, d / 2 - 0.01, h * 0.75), min(w, d) * 0.08, b.mat(), "spout")
+    b.path(
+        [(0, -r * 0.7, h * 0.25), (0, -d / 2 + 0.012, h * 0.35), (0, -d / 2 + 0.012, h * 0.7), (0, -r * 0.5, h * 0.8)],
+        0.012,
+        "plastic_black",
+        "handle",
+    )
+
+
+@recipe("vacuum")
+def vacuum(b: Builder) -> None:
+    """Upright cleaner."""
+    w, d, h = b.w, b.d, b.h
+    b.cushion((-w / 2, w / 2), (0, d / 2), (0, 0.12), "plastic_dark", "head", 0.5)
+    b.rod((0, 0.05, 0.1), (0, -d / 2 + 0.1, h * 0.6), min(w, d) * 0.28, b.mat(), "body", 16, solid=True)
+    b.rod((0, -d / 2 + 0.12, h * 0.55), (0, -d / 2 + 0.02, h - 0.02), 0.018, "metal_steel", "handle")
+    b.cushion((-0.05, 0.05), (-d / 2, -d / 2 + 0.08), (h - 0.1, h), "plastic_black", "grip")
+
+
+@recipe("ironing_board")
+def ironing_board(b: Builder) -> None:
+    """Board on crossed legs."""
+    w, d, h = b.w, b.d, b.h
+    b.prism(
+        [(-w / 2, -d / 2), (w * 0.3, -d / 2), (w / 2, -d * 0.12), (w / 2, d * 0.12), (w * 0.3, d / 2), (-w / 2, d / 2)],
+        (h - 0.04, h),
+        b.mat(),
+        "z",
+        "board",
+    )
+    for sy in (-1, 1):
+        y = sy * (d / 2 - 0.05)
+        b.rod((-w * 0.35, y, 0), (w * 0.25, y * 0.5, h - 0.04), 0.013, "metal_white", "legs")
+        b.rod((w * 0.35, y, 0), (-w * 0.25, y * 0.5, h - 0.04), 0.013, "metal_white", "legs")
+
+
+@recipe("dispenser")
+def dispenser(b: Builder) -> None:
+    """Water cooler with a bottle on top."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.03), (0, h * 0.72), b.mat(), "case")
+    b.box(
+        (-w * 0.35, w * 0.35),
+        (d / 2 - 0.035, d / 2 - 0.028),
+        (h * 0.42, h * 0.64),
+        "plastic_dark",
+        "niche",
+        solid=False,
+    )
+    for x, color in ((-0.05, "plastic_red"), (0.05, "plastic_blue")):
+        b.box((x - 0.012, x + 0.012), (d / 2 - 0.03, d / 2), (h * 0.56, h * 0.6), color, "taps", solid=False)
+    b.box((-w * 0.35, w * 0.35), (d / 2 - 0.03, d / 2), (h * 0.4, h * 0.42), "metal_steel", "tray", solid=False)
+    r = min(w, d) * 0.42
+    b.lathe([(r * 0.4, h * 0.72), (r, h * 0.77), (r, h * 0.97), (r * 0.85, h)], "glass_blue", (0, -0.01), "bottle")

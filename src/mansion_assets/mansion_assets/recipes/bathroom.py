@@ -1,9 +1,19 @@
-"""Toilets, basins, tubs, showers and their stalls."""
+"""Sanitary ware, showers, stalls, and the fittings of bathrooms."""
+
+from typing import Any
 
 from mansion_assets.builder import Builder
-from mansion_assets.registry import recipe
+from mansion_assets.catalogue.receptacles import Receptacle, inset, surface, volume
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
+
+
+@receptacles("toilet")
+def _cistern_top(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    return [surface("tank", (-w * 0.38, w * 0.38, -d / 2 + 0.02, -d / 2 + min(0.17, d * 0.24)), h, 0.5)]
 
 
 @recipe("toilet")
@@ -25,7 +35,7 @@ def toilet(b: Builder) -> None:
         "seat",
         24,
         (w * 0.46, ry * 0.98),
-        False,
+        solid=False,
     )
     b.box((-w * 0.25, w * 0.25), (-d / 2, -d / 2 + tank + 0.1), (0, rim), b.mat(), "foot")
 
@@ -71,6 +81,28 @@ def _tap(b: Builder, x: float, z: float, y: float, high: float) -> None:
     )
 
 
+@receptacles("sink")
+def _sink_receptacles(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    rim = h - float(p.get("splash", 0.0))
+    basin = _basin(size)
+    out: list[Receptacle] = [volume("basin", basin, rim - min(0.14, rim * 0.6), rim)]
+    if basin[0] + w / 2 > 0.22:
+        box = (-w / 2 + 0.02, basin[0] - 0.03, -d / 2 + 0.05, d / 2 - 0.03)
+        out += [surface("top", box, rim, 0.5)]
+    if p.get("cabinet") and rim > 0.5:
+        body = (-w / 2 + 0.03, w / 2 - 0.03, -d / 2 + 0.03, d / 2 - 0.05)
+        out.append(volume("cell", body, 0.12, rim - 0.2))
+    return out
+
+
+def _basin(size: Size3) -> tuple[float, float, float, float]:
+    w, d, _ = size
+    half = min(w * 0.42, 0.26)
+    shift = max(0.0, min(w / 2 - half - 0.05, 0.12)) if w > 0.9 else 0.0
+    return (shift - half, shift + half, -d * 0.22, d * 0.4)
+
+
 @recipe("sink")
 def sink(b: Builder) -> None:
     """Basin in a top, on a cabinet, a pedestal or a steel frame; drop-in basins too."""
@@ -111,7 +143,7 @@ def sink(b: Builder) -> None:
                 "tap",
             )
     elif rim <= 0.5:
-        b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.004), top, "rim", False)
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.004), top, "rim", solid=False)
 
 
 def _below(b: Builder, high: float, deep: float, top: str) -> None:
@@ -122,11 +154,20 @@ def _below(b: Builder, high: float, deep: float, top: str) -> None:
             lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.02)))
             b.box((lo, hi), (-d / 2, d / 2 - 0.03), (0.1, high), main, "cabinet")
         b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.03), (0.1, 0.12), main, "cabinet")
-        b.box((-w / 2 + 0.04, w / 2 - 0.04), (-d / 2 + 0.03, d / 2 - 0.07), (0, 0.1), "plastic_dark", "plinth", False)
+        b.box(
+            (-w / 2 + 0.04, w / 2 - 0.04),
+            (-d / 2 + 0.03, d / 2 - 0.07),
+            (0, 0.1),
+            "plastic_dark",
+            "plinth",
+            solid=False,
+        )
         count = 2 if w > 0.5 else 1
         for k in range(count):
             x0, x1 = -w / 2 + k * w / count, -w / 2 + (k + 1) * w / count
-            b.box((x0 + 0.003, x1 - 0.003), (d / 2 - 0.03, d / 2 - 0.012), (0.11, high - 0.01), main, "doors", False)
+            b.box(
+                (x0 + 0.003, x1 - 0.003), (d / 2 - 0.03, d / 2 - 0.012), (0.11, high - 0.01), main, "doors", solid=False
+            )
             hx = x1 - 0.04 if k == 0 else x0 + 0.04
             b.box(
                 (hx - 0.006, hx + 0.006),
@@ -134,7 +175,7 @@ def _below(b: Builder, high: float, deep: float, top: str) -> None:
                 (high - 0.2, high - 0.08),
                 "metal_steel",
                 "handles",
-                False,
+                solid=False,
             )
     elif top.startswith("metal") and not b.p.get("pedestal"):
         b.legs((0, high), 0.02, "metal_steel", 0.01)
@@ -148,6 +189,12 @@ def _below(b: Builder, high: float, deep: float, top: str) -> None:
             16,
             (min(w, 0.5) / 2, min(d, 0.5) / 2),
         )
+
+
+@receptacles("bathtub")
+def _tub_inside(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    h = size[2]
+    return [volume("basin", inset(size, 0.1), h * 0.25, h)]
 
 
 @recipe("bathtub")
@@ -177,13 +224,13 @@ def shower(b: Builder) -> None:
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.01)))
         b.box((lo, hi), (-d / 2, d / 2), (0.06, h), "glass_clear", "glass")
     b.box((-w / 2, -0.02), (d / 2 - 0.01, d / 2), (0.06, h), "glass_clear", "glass")
-    b.box((0.0, w / 2), (d / 2 - 0.01, d / 2), (0.06, h), "glass_clear", "door", False)
-    b.box((-w / 2, w / 2), (d / 2 - 0.02, d / 2), (h - 0.03, h), "metal_chrome", "rail", False)
+    b.box((0.0, w / 2), (d / 2 - 0.01, d / 2), (0.06, h), "glass_clear", "door", solid=False)
+    b.box((-w / 2, w / 2), (d / 2 - 0.02, d / 2), (h - 0.03, h), "metal_chrome", "rail", solid=False)
     b.path(
         [(0, -d / 2 + 0.04, 1.0), (0, -d / 2 + 0.04, h - 0.08), (0, -d * 0.15, h - 0.08)], 0.012, "metal_chrome", "pipe"
     )
     b.cyl(0, -d * 0.15, (h - 0.12, h - 0.09), 0.09, "metal_chrome", "head", solid=False)
-    b.box((-0.1, 0.1), (-d / 2 + 0.01, -d / 2 + 0.06), (1.0, 1.05), "metal_chrome", "mixer", False)
+    b.box((-0.1, 0.1), (-d / 2 + 0.01, -d / 2 + 0.06), (1.0, 1.05), "metal_chrome", "mixer", solid=False)
 
 
 @recipe("stall")
@@ -199,15 +246,19 @@ def stall(b: Builder) -> None:
         b.rod((-w / 2, d / 2 - 0.03, h - 0.03), (w / 2, d / 2 - 0.03, h - 0.03), 0.015, "metal_chrome", "rail")
         for k in range(6):
             x = -w / 2 + 0.05 + k * 0.07
-            b.cushion((x, x + 0.07), (d / 2 - 0.08, d / 2), (0.1, h - 0.04), "fabric_red", "curtain", 0.9, 8, False)
+            b.cushion(
+                (x, x + 0.07), (d / 2 - 0.08, d / 2), (0.1, h - 0.04), "fabric_red", "curtain", 0.9, 8, solid=False
+            )
         b.box((-w * 0.3, w * 0.3), (-d / 2 + 0.02, -d / 2 + 0.35), (0.4, 0.45), "wood_oak", "seat")
-        b.box((-w * 0.3, w * 0.3), (-d / 2 + 0.02, -d / 2 + 0.03), (0.6, h - 0.2), "glass_mirror", "mirror", False)
+        b.box(
+            (-w * 0.3, w * 0.3), (-d / 2 + 0.02, -d / 2 + 0.03), (0.6, h - 0.2), "glass_mirror", "mirror", solid=False
+        )
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (0.0, 0.02), "wood_walnut", "floor")
         return
     for x0, x1 in ((-w / 2, -w * 0.32), (w * 0.32, w / 2)):
         b.box((x0, x1), (d / 2 - t, d / 2), (0, h), b.mat(), "front")
     b.box((-w * 0.31, w * 0.31), (d / 2 - t, d / 2 - 0.006), (foot, h - 0.05), b.mat(), "door")
-    b.box((w * 0.24, w * 0.27), (d / 2 - 0.006, d / 2), (1.0, 1.1), "metal_steel", "lock", False)
+    b.box((w * 0.24, w * 0.27), (d / 2 - 0.006, d / 2), (1.0, 1.1), "metal_steel", "lock", solid=False)
     b.lathe(
         [(0.55, 0), (0.5, 0.12), (0.95, 0.38), (1.0, 0.41)],
         "ceramic_white",
@@ -217,3 +268,94 @@ def stall(b: Builder) -> None:
         (0.18, 0.26),
     )
     b.box((-0.2, 0.2), (-d / 2 + 0.02, -d / 2 + 0.18), (0.4, 0.8), "ceramic_white", "tank")
+
+
+@recipe("towel_bar")
+def towel_bar(b: Builder) -> None:
+    """Bar on two brackets."""
+    w, d, h = b.w, b.d, b.h
+    r = min(0.014, h * 0.4, d * 0.2)
+    y, z = d / 2 - r, h / 2
+    b.rod((-w / 2, y, z), (w / 2, y, z), r, b.mat(), "bar", 10, solid=True)
+    for sx in (-1, 1):
+        x = sx * (w / 2 - min(0.03, w * 0.1))
+        b.rod((x, -d / 2, z), (x, y, z), r, b.mat(), "brackets")
+        b.box(
+            (x - min(0.02, w * 0.08), x + min(0.02, w * 0.08)),
+            (-d / 2, -d / 2 + 0.008),
+            (0, h),
+            b.mat(),
+            "plates",
+            solid=False,
+        )
+
+
+@recipe("paper_hanger")
+def paper_hanger(b: Builder) -> None:
+    """Holder with a roll."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + min(0.01, d * 0.3)), (0, h), b.mat(), "plate")
+    r = min(h, d) * 0.42
+    b.rod((-w * 0.3, d / 2 - r, h / 2), (w * 0.3, d / 2 - r, h / 2), r, "paper_white", "roll", 16)
+    b.rod((-w / 2, d / 2 - r, h / 2), (w / 2, d / 2 - r, h / 2), min(0.006, r * 0.3), b.mat(), "pin")
+
+
+@recipe("shower_head")
+def shower_head(b: Builder) -> None:
+    """Riser with hose and head."""
+    w, d, h = b.w, b.d, b.h
+    b.rod((0, -d / 2 + 0.02, 0), (0, -d / 2 + 0.02, h - 0.03), 0.012, b.mat(), "riser", 10, solid=True)
+    b.rod((0, -d / 2 + 0.02, h - 0.05), (0, d / 2 - 0.06, h - 0.02), 0.012, b.mat(), "arm")
+    b.cyl(0, d / 2 - w * 0.3, (h - 0.07, h), w * 0.3, b.mat(), "head", n=20)
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.05), (0.0, 0.06), b.mat(), "mixer")
+
+
+@recipe("faucet")
+def faucet(b: Builder) -> None:
+    """Spout with two handles."""
+    w, d, h = b.w, b.d, b.h
+    r = max(0.006, min(0.016, w * 0.1, h * 0.08))
+    y = -d / 2 + 2 * r
+    b.path([(0, y, 0), (0, y, h - r), (0, d / 2 - r, h - r), (0, d / 2 - r, h * 0.6)], r, b.mat(), "spout")
+    b.box((-r * 2, r * 2), (-d / 2, -d / 2 + 4 * r), (0, h * 0.2), b.mat(), "foot")
+    for sx in (-1, 1):
+        x = sx * (w / 2 - r)
+        b.rod((x, y, 0), (x, y, h * 0.4), r, b.mat(), "handles", solid=True)
+
+
+@recipe("curtain")
+def curtain(b: Builder) -> None:
+    """Folds on a rail, gathered at both sides; blinds; a curtain rail on the ceiling."""
+    w, d, h = b.w, b.d, b.h
+    main, style = b.mat(), b.p.get("style")
+    if style == "blinds":
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.75, h), "plastic_white", "box")
+        for k in range(4):
+            b.box((-w / 2, w / 2), (-d * 0.4, d * 0.4), (h * k * 0.18, h * k * 0.18 + h * 0.1), main, "slats")
+        return
+    r = min(0.014, d * 0.12)
+    y = 0.0 if style != "rail" else d / 2 - r
+    b.rod((-w / 2, y, h - r), (w / 2, y, h - r), r, "metal_steel", "rail", solid=True)
+    if style == "rail":
+        for x in (-w / 2 + r, w / 2 - r):
+            b.rod((x, -d / 2, h - r), (x, d / 2, h - r), r, "metal_steel", "rail")
+    count = 4
+    fold = min(0.07, w * 0.06)
+    for side in (-1, 1):
+        for k in range(count):
+            x = side * (w / 2 - fold * (k + 0.5))
+            depth = min(d / 2, 0.05)
+            b.cushion(
+                (x - fold / 2, x + fold / 2), (y - depth, min(d / 2, y + depth)), (0, h - r), main, "folds", 0.95, 8
+            )
+    if style != "rail":
+        b.box((-w / 2, -w / 2 + 0.01), (-d / 2, d / 2), (h - 0.06, h), "metal_steel", "end", solid=False)
+
+
+@recipe("toothbrush")
+def toothbrush(b: Builder) -> None:
+    """Cup with two brushes."""
+    w, h = b.w, b.h
+    b.lathe([(0.42, 0), (0.5, h * 0.5), (0.44, h * 0.5), (0.38, 0.01)], b.mat(), stretch=(w, b.d), n=14)
+    b.rod((-w * 0.1, 0, 0.01), (-w * 0.3, 0, h), 0.005, "plastic_red", "brush")
+    b.rod((w * 0.1, 0, 0.01), (w * 0.3, 0.01, h * 0.97), 0.005, "plastic_blue", "brush")

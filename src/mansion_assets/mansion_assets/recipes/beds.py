@@ -1,7 +1,11 @@
 """Beds: at home, bunks, cots, loungers, hospital, examination and operating tables."""
 
+from typing import Any
+
 from mansion_assets.builder import Builder
-from mansion_assets.registry import recipe
+from mansion_assets.catalogue.receptacles import Receptacle, surface
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
 
@@ -12,7 +16,12 @@ def _mattress(b: Builder, z: float, low: float, pillows: int, sheet: str, inset:
     x = (-w / 2 + inset, w / 2 - inset)
     b.cushion(x, (-d / 2 + 0.05, d / 2 - 0.03), (low, z - 0.004), "fabric_white", "mattress", 0.35, 12)
     b.box(
-        (x[0] - 0.006, x[1] + 0.006), (-d / 2 + min(0.6, d * 0.3), d / 2 - 0.02), (z - 0.05, z), sheet, "cover", False
+        (x[0] - 0.006, x[1] + 0.006),
+        (-d / 2 + min(0.6, d * 0.3), d / 2 - 0.02),
+        (z - 0.05, z),
+        sheet,
+        "cover",
+        solid=False,
     )
     for k in range(pillows):
         width = (x[1] - x[0]) / pillows
@@ -26,6 +35,17 @@ def _mattress(b: Builder, z: float, low: float, pillows: int, sheet: str, inset:
             0.6,
             10,
         )
+
+
+@receptacles("bed")
+def _mattresses(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    tiers = int(p.get("tiers", 2 if h > 1.5 else 1))
+    low = min(0.52, h * 0.62) if h > 0.5 else h - min(0.1, h / 2)
+    head, side = min(0.45, d * 0.22), 0.06
+    box = (-w / 2 + side, w / 2 - side, -d / 2 + head + 0.06, d / 2 - 0.08)
+    heights = [low] if tiers == 1 else [low, min(h - 0.3, low + 1.0)]
+    return [surface("mattress", box, z, 0.6) for z in heights]
 
 
 @recipe("bed")

@@ -1,9 +1,22 @@
 """Bins, baskets, sacks, and stands open at the top."""
 
+from typing import Any
+
 from mansion_assets.builder import Box, Builder
-from mansion_assets.registry import recipe
+from mansion_assets.catalogue.receptacles import Receptacle, inset, volume
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
+
+
+@receptacles("bin", "bowl")
+def _bin_inside(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    wall = min(0.03, 0.12 * min(w, d))
+    shrink = 0.72 if p.get("shape", "round") == "round" else 0.9
+    box = (-w / 2 * shrink + wall, w / 2 * shrink - wall, -d / 2 * shrink + wall, d / 2 * shrink - wall)
+    return [volume("inside", box, min(0.02, h * 0.15), h * 0.92)]
 
 
 @recipe("bin")
@@ -21,8 +34,8 @@ def bin_(b: Builder) -> None:
         _hollow(b, high, t, 1.0)
     if lid:
         cover = "plastic_dark" if lid == "slot" else b.mat()
-        b.box((-w / 2, w / 2), (-d / 2, d / 2), (high, h), cover, "lid", False)
-        b.box((-w * 0.3, w * 0.3), (-0.02, 0.0), (h - 0.003, h), "plastic_black", "slot", False)
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (high, h), cover, "lid", solid=False)
+        b.box((-w * 0.3, w * 0.3), (-0.02, 0.0), (h - 0.003, h), "plastic_black", "slot", solid=False)
 
 
 def _tapered_walls(b: Builder, high: float, t: float) -> None:
@@ -44,7 +57,7 @@ def _tapered_walls(b: Builder, high: float, t: float) -> None:
             "y",
             solid=False,
         )
-    b.box((-w * 0.45, w * 0.45), (-d * 0.47, d * 0.47), (0, t), main, "floor", False)
+    b.box((-w * 0.45, w * 0.45), (-d * 0.47, d * 0.47), (0, t), main, "floor", solid=False)
 
 
 def _hollow(b: Builder, high: float, t: float, shrink: float) -> None:
@@ -92,6 +105,14 @@ def sack(b: Builder) -> None:
     )
 
 
+@receptacles("open_top")
+def _open_tray(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    """A tray of goods: stands, chest freezers, cradles."""
+    h = size[2]
+    depth = float(p.get("depth", h * 0.3))
+    return [volume("tray", inset(size, 0.05), h - depth, h)]
+
+
 @recipe("open_top")
 def open_top(b: Builder) -> None:
     """Stand open at the top: fruit, frozen food, flowers, hot food, oil."""
@@ -100,7 +121,9 @@ def open_top(b: Builder) -> None:
     t = 0.05
     low = h - depth
     b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.02, d / 2 - 0.02), (0.06, low), main, "base")
-    b.box((-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.05, d / 2 - 0.05), (0, 0.06), "plastic_dark", "plinth", False)
+    b.box(
+        (-w / 2 + 0.05, w / 2 - 0.05), (-d / 2 + 0.05, d / 2 - 0.05), (0, 0.06), "plastic_dark", "plinth", solid=False
+    )
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - t)))
         b.box((lo, hi), (-d / 2, d / 2), (low - 0.1, h), main, "rim")
@@ -125,6 +148,6 @@ def _tray(b: Builder, fill: str, z: float, depth: float) -> None:
             x, y = (x0 + 0.01, x0 + w / cols - 0.01), (y0 + 0.01, y0 + d / rows - 0.01)
             color = colors[(i + 2 * j) % len(colors)]
             if fill in ("fruit", "flowers"):
-                b.cushion(x, y, (z - 0.02, z + depth * 0.75), color, "goods", 0.95, 8, False)
+                b.cushion(x, y, (z - 0.02, z + depth * 0.75), color, "goods", 0.95, 8, solid=False)
             else:
-                b.box(x, y, (z, z + depth * (0.45 + 0.1 * ((i + j) % 3))), color, "goods", False)
+                b.box(x, y, (z, z + depth * (0.45 + 0.1 * ((i + j) % 3))), color, "goods", solid=False)

@@ -1,9 +1,12 @@
 """Turned bodies: bottles, cups, jars, pans, racks of tubes."""
 
 import math
+from typing import Any
 
 from mansion_assets.builder import Builder
-from mansion_assets.registry import recipe
+from mansion_assets.catalogue.receptacles import Receptacle, surface
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
 
@@ -144,6 +147,12 @@ def mug(b: Builder) -> None:
     )
 
 
+@receptacles("plate")
+def _plate_face(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    return [surface("top", (-w * 0.3, w * 0.3, -d * 0.3, d * 0.3), h * 0.4, 0.3, round_=True)]
+
+
 @recipe("plate")
 def plate(b: Builder) -> None:
     """Flat dish with a rim."""
@@ -182,8 +191,8 @@ def fruit_bowl(b: Builder) -> None:
             (-0.18, 0.16, "orange"),
         )
     ):
-        b.ball((x * b.w, y * b.d, low * 0.85 + 0.004 * k), (r, r, r), f"food_{color}", "fruit", 10, False)
-    b.ball((0, 0, b.h - r), (r, r, r), "food_yellow", "fruit", 10, False)
+        b.ball((x * b.w, y * b.d, low * 0.85 + 0.004 * k), (r, r, r), f"food_{color}", "fruit", 10, solid=False)
+    b.ball((0, 0, b.h - r), (r, r, r), "food_yellow", "fruit", 10, solid=False)
 
 
 @recipe("roll")

@@ -1,9 +1,24 @@
 """Counters of shops, receptions and canteens, and checkouts."""
 
+from typing import Any
+
 from mansion_assets.builder import Builder
-from mansion_assets.registry import recipe
+from mansion_assets.catalogue.receptacles import Receptacle, inset, surface
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
+
+
+@receptacles("counter")
+def _counter_tops(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    ledge = float(p.get("ledge", 0.0))
+    if ledge <= 0.0:
+        return [surface("top", inset(size, 0.03), h, 1.0)]
+    work = (-w / 2 + 0.05, w / 2 - 0.05, -d / 2 + 0.03, d / 2 - 0.32)
+    raised = (-w / 2 + 0.02, w / 2 - 0.02, d / 2 - 0.28, d / 2 - 0.02)
+    return [surface("top", work, h - ledge, 1.0), surface("ledge", raised, h, 1.0)]
 
 
 @recipe("counter")
@@ -41,10 +56,10 @@ def _buffet(b: Builder) -> None:
             (0.92, 0.935),
             ("food_brown", "food_green", "food_orange")[k % 3],
             "food",
-            False,
+            solid=False,
         )
     for x in (-w / 2 + 0.05, w / 2 - 0.05):
-        b.box((x - 0.02, x + 0.02), (-0.12, -0.08), (0.92, h), "metal_steel", "posts", False)
+        b.box((x - 0.02, x + 0.02), (-0.12, -0.08), (0.92, h), "metal_steel", "posts", solid=False)
     b.prism(
         [(-0.2, h), (-0.2, h - 0.02), (d / 2 - 0.18, h - 0.18), (d / 2 - 0.18, h - 0.16)],
         (-w / 2, w / 2),
@@ -59,7 +74,7 @@ def _closed_front(b: Builder, work: float, back: float) -> None:
     w, d = b.w, b.d
     main = b.mat()
     b.box((-w / 2 + 0.03, w / 2 - 0.03), (-d / 2 + back, d / 2 - 0.04), (0, work - 0.04), main, "body")
-    b.box((-w / 2 + 0.05, w / 2 - 0.05), (d / 2 - 0.05, d / 2 - 0.03), (0, 0.06), "metal_dark", "plinth", False)
+    b.box((-w / 2 + 0.05, w / 2 - 0.05), (d / 2 - 0.05, d / 2 - 0.03), (0, 0.06), "metal_dark", "plinth", solid=False)
 
 
 def _reception(b: Builder, work: float) -> None:
@@ -72,7 +87,12 @@ def _reception(b: Builder, work: float) -> None:
     b.box((-w / 2, w / 2), (d / 2 - 0.07, d / 2 - 0.03), (0, h - 0.04), main, "front")
     b.box((-w / 2, w / 2), (d / 2 - 0.3, d / 2), (h - 0.04, h), b.mat("top", "stone_white"), "ledge")
     b.box(
-        (-w / 2 + 0.02, w / 2 - 0.02), (d / 2 - 0.03, d / 2 - 0.02), (h * 0.45, h * 0.5), "light_white", "strip", False
+        (-w / 2 + 0.02, w / 2 - 0.02),
+        (d / 2 - 0.03, d / 2 - 0.02),
+        (h * 0.45, h * 0.5),
+        "light_white",
+        "strip",
+        solid=False,
     )
 
 
@@ -97,7 +117,7 @@ def _worktop(b: Builder) -> None:
             (0.12, h - 0.12),
             main,
             "panels",
-            False,
+            solid=False,
         )
 
 
@@ -108,6 +128,6 @@ def checkout(b: Builder) -> None:
     z = h
     b.box((-w / 2, w / 2), (-d / 2 + 0.35, d / 2), (0.05, z - 0.05), b.mat(), "body")
     b.box((-w / 2, w / 2), (-d / 2 + 0.33, d / 2), (z - 0.06, z), "metal_steel", "top")
-    b.box((-w / 2 + 0.05, 0.2), (-d / 2 + 0.45, d / 2 - 0.08), (z - 0.004, z), "rubber_black", "belt", False)
+    b.box((-w / 2 + 0.05, 0.2), (-d / 2 + 0.45, d / 2 - 0.08), (z - 0.004, z), "rubber_black", "belt", solid=False)
     b.box((-0.45, 0.45), (-d / 2, -d / 2 + 0.36), (0.05, z * 0.72), b.mat(), "cash")
     b.box((-w / 2, w / 2), (-d / 2 + 0.34, d / 2), (0, 0.06), "metal_dark", "plinth")

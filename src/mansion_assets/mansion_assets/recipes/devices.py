@@ -17,7 +17,7 @@ def vending(b: Builder) -> None:
     b.box((-w / 2, -w * 0.44), (f - 0.05, f), (0.05, h), b.mat(), "front")
     for band in ((0.05, h * 0.3), (h * 0.93, h)):
         b.box((-w * 0.44, w * 0.18), (f - 0.05, f), band, b.mat(), "front")
-    b.box((-w * 0.44, w * 0.18), (f - 0.049, f - 0.045), (h * 0.3, h * 0.93), "light_white", "window", False)
+    b.box((-w * 0.44, w * 0.18), (f - 0.049, f - 0.045), (h * 0.3, h * 0.93), "light_white", "window", solid=False)
     for row in range(5):
         for col in range(5):
             x, z = -w * 0.41 + col * w * 0.115, h * 0.32 + row * h * 0.12
@@ -27,10 +27,10 @@ def vending(b: Builder) -> None:
                 (z, z + h * 0.08),
                 ("paper_red", "paper_yellow", "paper_blue", "paper_green", "paper_orange")[(row * 2 + col) % 5],
                 "goods",
-                False,
+                solid=False,
             )
-    b.box((-w * 0.36, w * 0.1), (f - 0.002, f), (h * 0.12, h * 0.22), "plastic_black", "hatch", False)
-    b.box((w * 0.25, w * 0.42), (f - 0.002, f), (h * 0.6, h * 0.72), "screen_green", "keypad", False)
+    b.box((-w * 0.36, w * 0.1), (f - 0.002, f), (h * 0.12, h * 0.22), "plastic_black", "hatch", solid=False)
+    b.box((w * 0.25, w * 0.42), (f - 0.002, f), (h * 0.6, h * 0.72), "screen_green", "keypad", solid=False)
 
 
 @recipe("arcade")
@@ -67,9 +67,9 @@ def arcade(b: Builder) -> None:
         part="screen",
         solid=False,
     )
-    b.box((-w / 2 + 0.03, w / 2 - 0.03), (0.0, d * 0.17), (h * 0.88, h * 0.99), "light_warm", "marquee", False)
+    b.box((-w / 2 + 0.03, w / 2 - 0.03), (0.0, d * 0.17), (h * 0.88, h * 0.99), "light_warm", "marquee", solid=False)
     for k, color in enumerate(("plastic_red", "plastic_yellow", "plastic_blue")):
-        b.ball((-w * 0.1 + k * w * 0.14, d * 0.36, h * 0.56), (0.02, 0.02, 0.02), color, "buttons", 8, False)
+        b.ball((-w * 0.1 + k * w * 0.14, d * 0.36, h * 0.56), (0.02, 0.02, 0.02), color, "buttons", 8, solid=False)
 
 
 @recipe("printer_3d")
@@ -82,7 +82,7 @@ def printer_3d(b: Builder) -> None:
         b.box((-w / 2, w / 2), (d / 2 - 0.03, d / 2), (z - 0.015, z + 0.015), b.mat(), "frame")
     b.box((-w * 0.4, w * 0.4), (-d * 0.4, d * 0.4), (h * 0.1, h * 0.13), "glass_black", "bed")
     b.box((-w / 2, w / 2), (-0.02, 0.02), (h * 0.6, h * 0.65), "metal_steel", "gantry")
-    b.box((-0.04, 0.04), (-0.02, 0.06), (h * 0.5, h * 0.68), "plastic_orange", "head", False)
+    b.box((-0.04, 0.04), (-0.02, 0.06), (h * 0.5, h * 0.68), "plastic_orange", "head", solid=False)
     b.lathe([(0.06, h * 0.13), (0.09, h * 0.3), (0.04, h * 0.42)], "plastic_orange", part="print", n=12, solid=False)
 
 
@@ -94,16 +94,16 @@ def fume_hood(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, f - 0.06), (0.06, 0.84), b.mat(), "cupboard")
     for k in range(2):
         x0 = -w / 2 + k * w / 2
-        b.box((x0 + 0.01, x0 + w / 2 - 0.01), (f - 0.06, f - 0.045), (0.1, 0.8), b.mat(), "doors", False)
+        b.box((x0 + 0.01, x0 + w / 2 - 0.01), (f - 0.06, f - 0.045), (0.1, 0.8), b.mat(), "doors", solid=False)
     b.box((-w / 2, w / 2), (-d / 2, f), (0.84, 0.9), "stone_black", "top")
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.06), (0.9, h), b.mat(), "back")
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.1)))
         b.box((lo, hi), (-d / 2, f - 0.02), (0.9, h), b.mat(), "sides")
     b.box((-w / 2, w / 2), (-d / 2, f - 0.02), (h - 0.35, h), b.mat(), "head")
-    b.box((-w / 2 + 0.1, w / 2 - 0.1), (f - 0.06, f - 0.05), (1.25, h - 0.3), "glass_clear", "sash", False)
-    b.box((-w / 2 + 0.1, w / 2 - 0.1), (f - 0.07, f - 0.03), (1.22, 1.26), "metal_steel", "sash", False)
-    b.box((-w * 0.3, -w * 0.1), (f - 0.021, f - 0.015), (h - 0.25, h - 0.12), "screen_green", "panel", False)
+    b.box((-w / 2 + 0.1, w / 2 - 0.1), (f - 0.06, f - 0.05), (1.25, h - 0.3), "glass_clear", "sash", solid=False)
+    b.box((-w / 2 + 0.1, w / 2 - 0.1), (f - 0.07, f - 0.03), (1.22, 1.26), "metal_steel", "sash", solid=False)
+    b.box((-w * 0.3, -w * 0.1), (f - 0.021, f - 0.015), (h - 0.25, h - 0.12), "screen_green", "panel", solid=False)
     for k, color in enumerate(("glass_blue", "glass_green")):
         b.lathe(
             [(0.07, 0.9), (0.07, 0.92), (0.025, 1.03), (0.03, 1.08)],
@@ -130,7 +130,7 @@ def mixing_desk(b: Builder) -> None:
         x = -w * 0.44 + k * w * 0.0587
         y = d * (0.2 + 0.1 * ((k * 3) % 4) / 3)
         z = h * 0.8 + (h * 0.2) * (0.5 - y / d)
-        b.box((x - 0.008, x + 0.008), (y - 0.02, y + 0.02), (z, z + 0.02), "plastic_white", "faders", False)
+        b.box((x - 0.008, x + 0.008), (y - 0.02, y + 0.02), (z, z + 0.02), "plastic_white", "faders", solid=False)
         for j in range(3):
             yy = -d * 0.35 + j * d * 0.14
             zz = h * 0.8 + h * 0.2 * (0.5 - yy / d)
@@ -144,4 +144,4 @@ def mixing_desk(b: Builder) -> None:
                 n=8,
                 solid=False,
             )
-    b.box((-w * 0.2, w * 0.2), (-d / 2, -d / 2 + 0.02), (h * 0.8, h), "screen_dark", "meters", False)
+    b.box((-w * 0.2, w * 0.2), (-d / 2, -d / 2 + 0.02), (h * 0.8, h), "screen_dark", "meters", solid=False)

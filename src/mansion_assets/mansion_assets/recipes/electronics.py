@@ -1,4 +1,4 @@
-"""Screens, computers, phones, clocks."""
+"""Screens, computers, phones, clocks, kiosks and tills."""
 
 import math
 
@@ -19,12 +19,17 @@ def screen(b: Builder) -> None:
         thick = min(0.05, d * 0.3)
         y0, y1 = -thick / 2, thick / 2
         b.box((-w * 0.26, w * 0.26), (-d / 2, d / 2), (0, 0.015), "plastic_black", "foot")
-        b.box((-0.03, 0.03), (y0 - 0.012, y0 + 0.01), (0.01, low + h * 0.3), "plastic_black", "stand", False)
+        b.box((-0.03, 0.03), (y0 - 0.012, y0 + 0.01), (0.01, low + h * 0.3), "plastic_black", "stand", solid=False)
     b.box((-w / 2, w / 2), (y0, y1 - 0.006), (low, h), b.mat(), "case")
     edge = min(0.016, w * 0.03)
-    b.box((-w / 2, w / 2), (y1 - 0.006, y1), (low, low + edge), b.mat(), "frame", False)
+    b.box((-w / 2, w / 2), (y1 - 0.006, y1), (low, low + edge), b.mat(), "frame", solid=False)
     b.box(
-        (-w / 2 + edge, w / 2 - edge), (y1 - 0.006, y1 - 0.002), (low + edge, h - edge), "screen_dark", "screen", False
+        (-w / 2 + edge, w / 2 - edge),
+        (y1 - 0.006, y1 - 0.002),
+        (low + edge, h - edge),
+        "screen_dark",
+        "screen",
+        solid=False,
     )
     b.box(
         (-w * 0.42, w * 0.1),
@@ -32,7 +37,7 @@ def screen(b: Builder) -> None:
         (low + (h - low) * 0.45, h - (h - low) * 0.14),
         "screen_blue",
         "screen",
-        False,
+        solid=False,
     )
     b.box(
         (w * 0.16, w * 0.42),
@@ -40,7 +45,7 @@ def screen(b: Builder) -> None:
         (low + (h - low) * 0.2, h - (h - low) * 0.14),
         "screen_light",
         "screen",
-        False,
+        solid=False,
     )
 
 
@@ -51,8 +56,15 @@ def laptop(b: Builder) -> None:
     base = min(0.022, h * 0.1)
     hinge = -d * 0.28 if h > 0.5 * d else -d / 2 + 0.01
     b.box((-w / 2, w / 2), (hinge, d / 2), (0, base), b.mat(), "base")
-    b.box((-w * 0.44, w * 0.44), (hinge + 0.02, hinge + d * 0.4), (base, base + 0.002), "plastic_black", "keys", False)
-    b.box((-w * 0.14, w * 0.14), (d * 0.26, d * 0.46), (base, base + 0.0015), "metal_grey", "pad", False)
+    b.box(
+        (-w * 0.44, w * 0.44),
+        (hinge + 0.02, hinge + d * 0.4),
+        (base, base + 0.002),
+        "plastic_black",
+        "keys",
+        solid=False,
+    )
+    b.box((-w * 0.14, w * 0.14), (d * 0.26, d * 0.46), (base, base + 0.0015), "metal_grey", "pad", solid=False)
     b.prism(
         [(hinge, base), (hinge + 0.012, base), (-d / 2 + 0.012, h), (-d / 2, h)], (-w / 2, w / 2), b.mat(), part="lid"
     )
@@ -83,9 +95,9 @@ def keyboard(b: Builder) -> None:
             (h * 0.6, h),
             "plastic_dark" if b.mat() == "plastic_black" else "plastic_light",
             "keys",
-            False,
+            solid=False,
         )
-        b.box((w * 0.33, w * 0.48), (y, y + d * 0.14), (h * 0.6, h), "plastic_dark", "keys", False)
+        b.box((w * 0.33, w * 0.48), (y, y + d * 0.14), (h * 0.6, h), "plastic_dark", "keys", solid=False)
 
 
 @recipe("phone")
@@ -94,7 +106,7 @@ def phone(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.85), b.mat(), "case")
     if b.mat().startswith("glass"):
-        b.box((-w * 0.44, w * 0.44), (-d * 0.46, d * 0.46), (h * 0.85, h), "screen_dark", "screen", False)
+        b.box((-w * 0.44, w * 0.44), (-d * 0.46, d * 0.46), (h * 0.85, h), "screen_dark", "screen", solid=False)
         return
     b.box(
         (-w * 0.4, w * 0.4),
@@ -102,7 +114,7 @@ def phone(b: Builder) -> None:
         (h * 0.85, h),
         "screen_green",
         "display",
-        False,
+        solid=False,
     )
     for i in range(3):
         for j in range(4):
@@ -113,7 +125,7 @@ def phone(b: Builder) -> None:
                 (h * 0.85, h),
                 "plastic_light",
                 "keys",
-                False,
+                solid=False,
             )
 
 
@@ -123,7 +135,7 @@ def desk_phone(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.prism([(-d / 2, 0), (d / 2, 0), (d / 2, h * 0.3), (-d / 2, h * 0.75)], (-w / 2, w / 2), b.mat())
     b.cushion((-w / 2, -w * 0.25), (-d / 2, d * 0.45), (h * 0.5, h), "plastic_dark", "receiver", 0.8)
-    b.box((-w * 0.15, w * 0.4), (-d * 0.35, -d * 0.1), (h * 0.62, h * 0.72), "screen_green", "display", False)
+    b.box((-w * 0.15, w * 0.4), (-d * 0.35, -d * 0.1), (h * 0.62, h * 0.72), "screen_green", "display", solid=False)
 
 
 @recipe("headphones")
@@ -147,7 +159,7 @@ def clock(b: Builder) -> None:
     style = b.p.get("style", "wall")
     r = min(w, h) / 2
     cz = h / 2
-    b.rod((0, -d / 2, cz), (0, d / 2 - 0.006, cz), r, b.mat(), "rim", 28, True)
+    b.rod((0, -d / 2, cz), (0, d / 2 - 0.006, cz), r, b.mat(), "rim", 28, solid=True)
     if style == "dart":
         for k, (share, color) in enumerate(
             ((0.9, "fabric_beige"), (0.62, "fabric_green"), (0.55, "fabric_black"), (0.12, "fabric_red"))
@@ -159,4 +171,74 @@ def clock(b: Builder) -> None:
     b.rod((0, d / 2 - 0.002, cz), (r * 0.42, d / 2 - 0.002, cz + r * 0.2), r * 0.04, "plastic_black", "hands", 6)
     if style == "desk":
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.08), b.mat(), "foot")
-        b.box((-w * 0.2, w * 0.2), (-d * 0.2, d * 0.2), (h * 0.94, h), "metal_steel", "bell", False)
+        b.box((-w * 0.2, w * 0.2), (-d * 0.2, d * 0.2), (h * 0.94, h), "metal_steel", "bell", solid=False)
+
+
+@recipe("kiosk")
+def kiosk(b: Builder) -> None:
+    """Terminal with a tilted screen on a column, or a closed machine."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.04), "metal_dark", "foot")
+    if b.p.get("style") == "block":
+        b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.1), (0.04, h), b.mat(), "case")
+        b.box((-w / 2, w / 2), (d / 2 - 0.1, d / 2), (0.04, 0.85), b.mat(), "case")
+        b.box(
+            (-w * 0.35, w * 0.35),
+            (d / 2 - 0.1, d / 2 - 0.095),
+            (1.0, min(1.4, h - 0.12)),
+            "screen_blue",
+            "screen",
+            solid=False,
+        )
+        b.box((-w * 0.2, w * 0.2), (d / 2 - 0.06, d / 2 - 0.02), (0.85, 0.87), "plastic_dark", "keys", solid=False)
+        b.box((-w * 0.4, w * 0.4), (d / 2 - 0.1, d / 2 - 0.09), (h - 0.1, h - 0.02), "light_white", "sign", solid=False)
+        return
+    b.box((-w * 0.18, w * 0.18), (-d * 0.3, d * 0.1), (0.04, h * 0.62), b.mat(), "column")
+    b.prism(
+        [(-d * 0.2, h * 0.58), (d / 2, h * 0.6), (d / 2 - 0.05, h * 0.63), (-d * 0.42, h), (-d / 2, h)],
+        (-w / 2, w / 2),
+        b.mat(),
+        part="head",
+    )
+    b.prism(
+        [(d / 2 - 0.055, h * 0.645), (d / 2 - 0.05, h * 0.65), (-d * 0.38, h * 0.98), (-d * 0.4, h * 0.975)],
+        (-w * 0.44, w * 0.44),
+        "screen_blue",
+        part="screen",
+        solid=False,
+    )
+
+
+@recipe("dock")
+def dock(b: Builder) -> None:
+    """Charging station: back panel, ramp, contacts, a light."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.1), (0, h), b.mat(), "panel")
+    b.prism(
+        [(-d / 2, 0), (d / 2, 0), (d / 2, 0.006), (-d / 2 + 0.1, 0.03)], (-w / 2, w / 2), "plastic_dark", part="ramp"
+    )
+    for sx in (-1, 1):
+        b.box(
+            (sx * 0.06 - 0.015, sx * 0.06 + 0.015),
+            (-d / 2 + 0.1, -d / 2 + 0.112),
+            (0.08, 0.13),
+            "metal_brass",
+            "contacts",
+            solid=False,
+        )
+    b.box((-w * 0.2, w * 0.2), (-d / 2 + 0.1, -d / 2 + 0.103), (h * 0.8, h * 0.84), "light_green", "light", solid=False)
+
+
+@recipe("register")
+def register(b: Builder) -> None:
+    """Till: drawer, sloped keyboard, display."""
+    w, d, h = b.w, b.d, b.h
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.3), b.mat(), "drawer")
+    b.prism(
+        [(-d / 2, h * 0.3), (d * 0.4, h * 0.3), (d * 0.4, h * 0.38), (-d * 0.1, h * 0.6), (-d / 2, h * 0.6)],
+        (-w * 0.46, w * 0.46),
+        "plastic_dark",
+        part="body",
+    )
+    b.box((-w * 0.35, w * 0.35), (-d * 0.4, -d * 0.3), (h * 0.6, h), "plastic_black", "display")
+    b.box((-w * 0.32, w * 0.32), (-d * 0.3, -d * 0.29), (h * 0.68, h * 0.96), "screen_green", "display", solid=False)

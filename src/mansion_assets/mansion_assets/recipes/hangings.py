@@ -16,7 +16,7 @@ def radiator(b: Builder) -> None:
     count = round(w / 0.06)
     for k in range(count - 1):
         x = -w / 2 + k * w / count
-        b.box((x + 0.008, x + 0.05), (-d / 2, d / 2), (0, h), b.mat(), "ribs", False)
+        b.box((x + 0.008, x + 0.05), (-d / 2, d / 2), (0, h), b.mat(), "ribs", solid=False)
     b.cyl(w / 2 - 0.025, 0, (0.06, 0.14), 0.025, "plastic_white", "valve", solid=False)
 
 
@@ -59,7 +59,7 @@ def hoop(b: Builder) -> None:
     """Backboard with ring and net."""
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.05), (0.1, h), b.mat(), "board")
-    b.box((-w * 0.2, w * 0.2), (-d / 2 + 0.05, -d / 2 + 0.055), (h * 0.3, h * 0.62), "paint_red", "square", False)
+    b.box((-w * 0.2, w * 0.2), (-d / 2 + 0.05, -d / 2 + 0.055), (h * 0.3, h * 0.62), "paint_red", "square", solid=False)
     r = min(0.23, d * 0.3)
     y = d / 2 - r
     points = [(r * math.cos(a), y + r * math.sin(a), h * 0.22) for a in [k * math.pi / 8 for k in range(17)]]
@@ -101,7 +101,7 @@ def tool_board(b: Builder) -> None:
             (z + h * 0.2, z + h * 0.28),
             "metal_steel",
             "tools",
-            False,
+            solid=False,
         )
 
 
@@ -127,12 +127,17 @@ def rug(b: Builder) -> None:
                     if not main.startswith("rubber")
                     else "rubber_red"
                 )
-                b.box((x, x + w / cols), (y, y + d / rows), (0, h), color, "tiles", False)
+                b.box((x, x + w / cols), (y, y + d / rows), (0, h), color, "tiles", solid=False)
         b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))
     else:
         e = min(w, d) * 0.07
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.8), main, "base")
-        b.box((-w / 2 + e, w / 2 - e), (-d / 2 + e, d / 2 - e), (h * 0.7, h * 0.9), other, "border", False)
+        b.box((-w / 2 + e, w / 2 - e), (-d / 2 + e, d / 2 - e), (h * 0.7, h * 0.9), other, "border", solid=False)
         b.box(
-            (-w / 2 + 1.6 * e, w / 2 - 1.6 * e), (-d / 2 + 1.6 * e, d / 2 - 1.6 * e), (h * 0.7, h), main, "field", False
+            (-w / 2 + 1.6 * e, w / 2 - 1.6 * e),
+            (-d / 2 + 1.6 * e, d / 2 - 1.6 * e),
+            (h * 0.7, h),
+            main,
+            "field",
+            solid=False,
         )

@@ -26,8 +26,8 @@ def conveyor(b: Builder) -> None:
                 b.mat(),
                 "legs",
             )
-        b.box((x - 0.02, x + 0.02), (-d / 2, d / 2), (0.2, 0.24), b.mat(), "legs", False)
-    b.box((w * 0.3, w * 0.42), (-d * 0.2, d * 0.2), (h - 0.32, h - 0.12), "paint_blue", "motor", False)
+        b.box((x - 0.02, x + 0.02), (-d / 2, d / 2), (0.2, 0.24), b.mat(), "legs", solid=False)
+    b.box((w * 0.3, w * 0.42), (-d * 0.2, d * 0.2), (h - 0.32, h - 0.12), "paint_blue", "motor", solid=False)
 
 
 @recipe("drill_press")
@@ -58,7 +58,7 @@ def table_saw(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - 0.05, z), b.mat(), "table")
     b.box((-w * 0.3, w * 0.3), (-d * 0.35, d * 0.35), (0.0, z - 0.05), "metal_dark", "cabinet")
     b.rod((-0.002, 0, z), (0.002, 0, z), 0.12, "metal_steel", "blade", 28)
-    b.box((w * 0.22, w * 0.27), (-d / 2, d / 2), (z, z + 0.06), "metal_blue", "fence", False)
+    b.box((w * 0.22, w * 0.27), (-d / 2, d / 2), (z, z + 0.06), "metal_blue", "fence", solid=False)
     b.rod((-w * 0.1, d * 0.35, 0.4), (-w * 0.1, d * 0.42, 0.4), 0.07, "plastic_black", "wheel", 16)
 
 
@@ -76,7 +76,7 @@ def sewing(b: Builder) -> None:
     b.box((-0.2, 0.24), (-0.07, 0.05), (h - 0.11, h), "plastic_white", "machine")
     b.cyl(-0.17, 0, (z + 0.05, h - 0.1), 0.012, "metal_steel", "needle", n=8, solid=False)
     b.rod((0.24, 0, h - 0.08), (0.27, 0, h - 0.08), 0.05, "metal_steel", "wheel", 16)
-    b.box((-w * 0.45, -0.25), (-d * 0.3, d * 0.3), (z, z + 0.02), "fabric_blue", "cloth", False)
+    b.box((-w * 0.45, -0.25), (-d * 0.3, d * 0.3), (z, z + 0.02), "fabric_blue", "cloth", solid=False)
 
 
 @recipe("forklift")
@@ -96,7 +96,7 @@ def forklift(b: Builder) -> None:
         b.box((sx * w * 0.25 - 0.07, sx * w * 0.25 + 0.07), (mast + 0.1, d / 2), (0.03, 0.08), "metal_dark", "forks")
         for y, r in ((rear + 0.45, 0.22), (mast - 0.18, 0.28)):
             b.rod((sx * w * 0.36, y, r), (sx * w * 0.5, y, r), r, "rubber_black", "wheels", 20)
-    b.box((-w * 0.42, w * 0.42), (rear + 0.3, mast - 0.3), (h - 0.06, h - 0.02), "metal_dark", "cage", False)
+    b.box((-w * 0.42, w * 0.42), (rear + 0.3, mast - 0.3), (h - 0.06, h - 0.02), "metal_dark", "cage", solid=False)
     b.box((-w * 0.4, w * 0.4), (mast + 0.1, mast + 0.15), (0.06, h * 0.35), "metal_dark", "carriage")
 
 
@@ -177,8 +177,8 @@ def mop_bucket(b: Builder) -> None:
     b.lathe([(0.4, 0.06), (0.5, 0.4), (0.46, 0.4), (0.36, 0.1)], b.mat(), stretch=(w, d), part="bucket", n=22)
     b.box((-w * 0.3, w * 0.3), (-d * 0.42, 0.0), (0.36, 0.55), b.mat(), "wringer")
     b.rod((0.05, 0.02, 0.15), (0.1, -d * 0.4, h - 0.02), 0.013, "wood_oak", "mop")
-    b.ball((0.05, 0.04, 0.3), (0.1, 0.08, 0.12), "fabric_white", "mop", 8, False)
-    b.box((0.08, 0.12), (-d / 2, -d * 0.4), (h - 0.05, h), "plastic_blue", "grip", False)
+    b.ball((0.05, 0.04, 0.3), (0.1, 0.08, 0.12), "fabric_white", "mop", 8, solid=False)
+    b.box((0.08, 0.12), (-d / 2, -d * 0.4), (h - 0.05, h), "plastic_blue", "grip", solid=False)
 
 
 @recipe("mower")

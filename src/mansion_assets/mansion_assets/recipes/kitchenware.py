@@ -23,7 +23,7 @@ def ball(b: Builder) -> None:
         b.cushion((-w / 2, w / 2), (-d / 2, d / 2), (0, h), b.mat(), "loaf", 0.8, 14)
         for k in range(3):
             y = -d * 0.25 + k * d * 0.25
-            b.box((-w * 0.25, w * 0.25), (y - 0.006, y + 0.006), (h * 0.97, h), "food_beige", "cuts", False)
+            b.box((-w * 0.25, w * 0.25), (y - 0.006, y + 0.006), (h * 0.97, h), "food_beige", "cuts", solid=False)
         return
     top = h * (0.93 if style == "apple" else 1.0)
     b.ball((0, 0, top / 2), (w / 2, d / 2, top / 2), b.mat(), "body", 16)
@@ -32,10 +32,10 @@ def ball(b: Builder) -> None:
     elif style == "leafy":
         for k in range(4):
             x, y = ((0.2, 0), (-0.2, 0.1), (0, 0.22), (0.05, -0.2))[k]
-            b.ball((x * w, y * d, h * 0.55), (w * 0.28, d * 0.28, h * 0.42), "leaf_green", "leaves", 8, False)
+            b.ball((x * w, y * d, h * 0.55), (w * 0.28, d * 0.28, h * 0.42), "leaf_green", "leaves", 8, solid=False)
     elif style == "seams":
         for r in ((w * 0.502, 0.008, h * 0.5), (0.008, d * 0.502, h * 0.502)):
-            b.ball((0, 0, h / 2), (max(r[0], 0.004), max(r[1], 0.004), r[2]), "rubber_black", "seams", 16, False)
+            b.ball((0, 0, h / 2), (max(r[0], 0.004), max(r[1], 0.004), r[2]), "rubber_black", "seams", 16, solid=False)
 
 
 @recipe("banana")
@@ -95,7 +95,7 @@ def _headed(b: Builder, style: str) -> None:
         main if style != "brush" else "wood_oak",
         "handle",
         8,
-        True,
+        solid=True,
     )
     if style == "spoon":
         b.ball((0, d / 2 - d * 0.16, h / 2), (w / 2, d * 0.16, h / 2), main, "bowl", 10)
@@ -116,16 +116,16 @@ def _straight(b: Builder, style: str) -> None:
     w, d, h = b.w, b.d, b.h
     main, r, z = b.mat(), min(w, h) / 2, h / 2
     if style == "pen":
-        b.rod((0, -d / 2, z), (0, d * 0.4, z), r, main, "barrel", 8, True)
+        b.rod((0, -d / 2, z), (0, d * 0.4, z), r, main, "barrel", 8, solid=True)
         b.rod((0, d * 0.4, z), (0, d / 2, z), r * 0.4, "plastic_black", "tip", 8)
     elif style == "hammer":
-        b.rod((0, -d / 2, z), (0, d * 0.4, z), h * 0.35, main, "handle", 8, True)
+        b.rod((0, -d / 2, z), (0, d * 0.4, z), h * 0.35, main, "handle", 8, solid=True)
         b.box((-w / 2, w / 2), (d * 0.36, d / 2), (0, h), "metal_steel", "head")
     elif style == "screwdriver":
-        b.rod((0, -d / 2, z), (0, -d * 0.02, z), r, main, "handle", 8, True)
-        b.rod((0, -d * 0.02, z), (0, d / 2, z), r * 0.3, "metal_steel", "shaft", 8, True)
+        b.rod((0, -d / 2, z), (0, -d * 0.02, z), r, main, "handle", 8, solid=True)
+        b.rod((0, -d * 0.02, z), (0, d / 2, z), r * 0.3, "metal_steel", "shaft", 8, solid=True)
     else:
-        b.rod((0, -d / 2, z), (0, d / 2, z), r, main, "body", 10, True)
+        b.rod((0, -d / 2, z), (0, d / 2, z), r, main, "body", 10, solid=True)
 
 
 def _upright(b: Builder, style: str) -> None:

@@ -14,7 +14,7 @@ def pingpong(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     z = h - 0.15
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - 0.025, z), b.mat(), "top")
-    b.box((-0.01, 0.01), (-d / 2, d / 2), (z, z + 0.001), "plastic_white", "lines", False)
+    b.box((-0.01, 0.01), (-d / 2, d / 2), (z, z + 0.001), "plastic_white", "lines", solid=False)
     for sx in (-1, 1):
         for sy in (-1, 1):
             b.box(
@@ -25,7 +25,7 @@ def pingpong(b: Builder) -> None:
                 "legs",
             )
             lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.02)))
-            b.box((lo, hi), (-d / 2, d / 2), (z, z + 0.001), "plastic_white", "lines", False)
+            b.box((lo, hi), (-d / 2, d / 2), (z, z + 0.001), "plastic_white", "lines", solid=False)
     b.box((-w / 2, w / 2), (-0.004, 0.004), (z, h), "fabric_dark", "net")
 
 
@@ -70,9 +70,9 @@ def pool_table(b: Builder) -> None:
                 ("paint_red", "paint_yellow", "paint_blue", "paint_green")[k % 4],
                 "balls",
                 8,
-                False,
+                solid=False,
             )
-        b.ball((0, d * 0.25, h - 0.007), (0.028, 0.028, 0.028), "plastic_white", "balls", 8, False)
+        b.ball((0, d * 0.25, h - 0.007), (0.028, 0.028, 0.028), "plastic_white", "balls", 8, solid=False)
 
 
 @recipe("foosball")
@@ -100,7 +100,7 @@ def foosball(b: Builder) -> None:
                 (h - 0.16, h - 0.03),
                 ("plastic_red", "plastic_blue")[k % 2],
                 "men",
-                False,
+                solid=False,
             )
     b.rod((-w / 2, 0, h - 0.1), (w / 2, 0, h - 0.1), 0.012, "plastic_black", "grips")
 
@@ -127,7 +127,7 @@ def pool(b: Builder) -> None:
                     ("plastic_red", "plastic_yellow", "plastic_blue", "plastic_green")[(i * 3 + j) % 4],
                     "balls",
                     8,
-                    False,
+                    solid=False,
                 )
         b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, d / 2 - t), (0, h * 0.55), "plastic_blue", "floor")
     else:
@@ -175,4 +175,4 @@ def hearth(b: Builder) -> None:
             "wood_brown",
             "logs",
         )
-        b.ball(((k - 1) * w * 0.1, 0, 0.24), (0.05, 0.04, 0.12), "light_orange", "fire", 8, False)
+        b.ball(((k - 1) * w * 0.1, 0, 0.24), (0.05, 0.04, 0.12), "light_orange", "fire", 8, solid=False)

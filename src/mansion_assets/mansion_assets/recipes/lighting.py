@@ -26,7 +26,7 @@ def lamp(b: Builder) -> None:
             20,
             (min(w, d), min(w, d)),
         )
-        b.ball((0, d / 2 - min(w, d) / 2, h * 0.75), (r * 0.4, r * 0.4, h * 0.05), "light_warm", "bulb", 8, False)
+        b.ball((0, d / 2 - min(w, d) / 2, h * 0.75), (r * 0.4, r * 0.4, h * 0.05), "light_warm", "bulb", 8, solid=False)
         return
     shade = h * (0.82 if style == "floor" else 0.55)
     b.lathe([(0.6, 0), (0.6, 0.02), (0.1, 0.035)], metal, part="foot", n=20, stretch=(r, r))
@@ -40,7 +40,7 @@ def lamp(b: Builder) -> None:
         )
     b.cyl(0, 0, (0.02, shade + 0.05), 0.012, metal, "stem", n=10)
     b.lathe([(0.5, shade), (0.36, h), (0.34, h), (0.48, shade + 0.004)], b.mat(), part="shade", n=24, stretch=(w, d))
-    b.ball((0, 0, shade + (h - shade) * 0.4), (0.04, 0.04, 0.05), "light_warm", "bulb", 8, False)
+    b.ball((0, 0, shade + (h - shade) * 0.4), (0.04, 0.04, 0.05), "light_warm", "bulb", 8, solid=False)
 
 
 @recipe("sconce")
@@ -58,7 +58,7 @@ def sconce(b: Builder) -> None:
         20,
         (w / 2 / r, 1.0),
     )
-    b.ball((0, d / 2 - r, h * 0.5), (0.03, 0.03, 0.04), "light_warm", "bulb", 8, False)
+    b.ball((0, d / 2 - r, h * 0.5), (0.03, 0.03, 0.04), "light_warm", "bulb", 8, solid=False)
 
 
 @recipe("dome")
@@ -95,10 +95,12 @@ def ceiling_panel(b: Builder) -> None:
     if b.p.get("style") == "vent":
         for k in range(7):
             y = -d * 0.44 + k * d * 0.13
-            b.box((-w * 0.46, w * 0.46), (y, y + d * 0.07), (0, h * 0.3), b.mat(), "slats", False)
+            b.box((-w * 0.46, w * 0.46), (y, y + d * 0.07), (0, h * 0.3), b.mat(), "slats", solid=False)
         return
     edge = min(0.02, d * 0.1)
-    b.box((-w / 2 + edge, w / 2 - edge), (-d / 2 + edge, d / 2 - edge), (0, h * 0.31), "light_white", "panel", False)
+    b.box(
+        (-w / 2 + edge, w / 2 - edge), (-d / 2 + edge, d / 2 - edge), (0, h * 0.31), "light_white", "panel", solid=False
+    )
 
 
 @recipe("pendant")
@@ -120,7 +122,7 @@ def pendant(b: Builder) -> None:
             x, y = math.cos(a) * (w / 2 - 0.035), math.sin(a) * (d / 2 - 0.035)
             b.path([(0, 0, h * 0.12), (x * 0.6, y * 0.6, h * 0.06), (x, y, h * 0.16)], 0.009, b.mat(), "arms")
             b.cyl(x, y, (h * 0.15, h * 0.17), 0.035, b.mat(), "cups", n=10, solid=False)
-            b.ball((x, y, h * 0.22), (0.018, 0.018, 0.04), "light_warm", "bulbs", 8, False)
+            b.ball((x, y, h * 0.22), (0.018, 0.018, 0.04), "light_warm", "bulbs", 8, solid=False)
         return
     top = min(0.3, h * 0.5)
     b.lathe(
@@ -130,7 +132,7 @@ def pendant(b: Builder) -> None:
         n=24,
         stretch=(w, d),
     )
-    b.ball((0, 0, top * 0.3), (0.05, 0.05, 0.06), "light_warm", "bulb", 10, False)
+    b.ball((0, 0, top * 0.3), (0.05, 0.05, 0.06), "light_warm", "bulb", 10, solid=False)
 
 
 @recipe("track")
@@ -141,7 +143,15 @@ def track(b: Builder) -> None:
     for k in range(3):
         x = -w * 0.35 + k * w * 0.35
         b.rod((x, 0, h - 0.03), (x, 0, h * 0.55), 0.008, b.mat(), "arms")
-        b.rod((x, -d / 2 + 0.03, h * 0.62), (x, d / 2 - 0.02, h * 0.2), min(0.035, h * 0.2), b.mat(), "spots", 14, True)
+        b.rod(
+            (x, -d / 2 + 0.03, h * 0.62),
+            (x, d / 2 - 0.02, h * 0.2),
+            min(0.035, h * 0.2),
+            b.mat(),
+            "spots",
+            14,
+            solid=True,
+        )
         b.rod((x, d / 2 - 0.02, h * 0.2), (x, d / 2 - 0.012, h * 0.17), min(0.03, h * 0.17), "light_warm", "lens", 14)
 
 
@@ -190,4 +200,4 @@ def studio_light(b: Builder) -> None:
         b.mat(),
         part="box",
     )
-    b.box((-w / 2, w / 2), (d / 2 - 0.02, d / 2), (h - 0.6, h), "light_white", "front", False)
+    b.box((-w / 2, w / 2), (d / 2 - 0.02, d / 2), (h - 0.6, h), "light_white", "front", solid=False)

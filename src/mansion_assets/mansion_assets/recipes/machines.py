@@ -1,9 +1,8 @@
-"""Machines with a case and a panel: in laboratories, hospitals and workshops; tanks and pumps."""
+"""Machines with a case and a panel: in offices, laboratories, hospitals and workshops; tanks and pumps."""
 
 import math
 
 from mansion_assets.builder import Builder
-from mansion_assets.recipes.office_machines import OFFICE_MACHINES
 from mansion_assets.registry import Recipe, recipe
 
 __all__: list[str] = []
@@ -21,7 +20,7 @@ def _centrifuge(b: Builder) -> None:
     m = b.mat()
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h * 0.85), m, "case")
     b.lathe([(0.42, h * 0.85), (0.4, h * 0.95), (0.2, h)], "plastic_grey", (0, -d * 0.04), "lid", 24, (w, w))
-    b.box((-w * 0.4, w * 0.4), (d / 2 - 0.001, d / 2), (h * 0.6, h * 0.78), "screen_blue", "panel", False)
+    b.box((-w * 0.4, w * 0.4), (d / 2 - 0.001, d / 2), (h * 0.6, h * 0.78), "screen_blue", "panel", solid=False)
 
 
 def _cabinet(b: Builder) -> None:
@@ -43,15 +42,22 @@ def _doors(b: Builder, foot: float) -> None:
     m = b.mat()
     for k in range(2):
         x0 = -w / 2 + k * w / 2
-        b.box((x0 + 0.01, x0 + w / 2 - 0.01), (d / 2 - 0.02, d / 2 - 0.006), (foot + 0.02, h - 0.02), m, "door", False)
-    b.box((-0.05, -0.03), (d / 2 - 0.006, d / 2), (h * 0.5, h * 0.58), "metal_dark", "handle", False)
+        b.box(
+            (x0 + 0.01, x0 + w / 2 - 0.01),
+            (d / 2 - 0.02, d / 2 - 0.006),
+            (foot + 0.02, h - 0.02),
+            m,
+            "door",
+            solid=False,
+        )
+    b.box((-0.05, -0.03), (d / 2 - 0.006, d / 2), (h * 0.5, h * 0.58), "metal_dark", "handle", solid=False)
     b.prism(
         [(w * 0.2, h * 0.7), (w * 0.3, h * 0.7), (w * 0.25, h * 0.8)],
         (d / 2 - 0.006, d / 2 - 0.003),
         "paint_yellow",
         "y",
         "warning",
-        False,
+        solid=False,
     )
 
 
@@ -61,14 +67,21 @@ def _vents(b: Builder, foot: float) -> None:
     style = str(b.p.get("style", "vent"))
     for k in range(6):
         z = foot + (h - foot) * (0.08 + 0.05 * k)
-        b.box((-w * 0.38, w * 0.38), (d / 2 - 0.02, d / 2), (z, z + (h - foot) * 0.025), "plastic_dark", "vents", False)
+        b.box(
+            (-w * 0.38, w * 0.38),
+            (d / 2 - 0.02, d / 2),
+            (z, z + (h - foot) * 0.025),
+            "plastic_dark",
+            "vents",
+            solid=False,
+        )
     b.box(
         (-w * 0.3, w * 0.05),
         (d / 2 - 0.02, d / 2 - 0.012),
         (h * 0.68, h * 0.86),
         "screen_dark" if style == "tower" else "screen_green",
         "panel",
-        False,
+        solid=False,
     )
     b.cyl(w * 0.25, 0, (h - 0.001, h), min(w, d) * 0.1, "plastic_dark", "cap", solid=False)
 
@@ -82,10 +95,10 @@ def _medical(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d * 0.4, d / 2), (h * 0.56, h * 0.62), m, "desk")
     for k in range(3):
         z = 0.22 + k * h * 0.12
-        b.box((-w * 0.3, w * 0.3), (d * 0.3, d * 0.32), (z, z + h * 0.09), "plastic_light", "drawers", False)
-    b.box((-0.03, 0.03), (-d * 0.2, -d * 0.1), (h * 0.6, h * 0.75), "metal_grey", "arm", False)
+        b.box((-w * 0.3, w * 0.3), (d * 0.3, d * 0.32), (z, z + h * 0.09), "plastic_light", "drawers", solid=False)
+    b.box((-0.03, 0.03), (-d * 0.2, -d * 0.1), (h * 0.6, h * 0.75), "metal_grey", "arm", solid=False)
     b.box((-w * 0.4, w * 0.4), (-d * 0.2, -d * 0.1), (h * 0.7, h), "plastic_dark", "screen")
-    b.box((-w * 0.36, w * 0.36), (-d * 0.1, -d * 0.095), (h * 0.72, h * 0.98), "screen_blue", "screen", False)
+    b.box((-w * 0.36, w * 0.36), (-d * 0.1, -d * 0.095), (h * 0.72, h * 0.98), "screen_blue", "screen", solid=False)
     b.path(
         [(w * 0.42, d * 0.1, h * 0.58), (w * 0.46, d * 0.3, h * 0.4), (w * 0.42, d * 0.2, h * 0.2)],
         0.012,
@@ -100,10 +113,12 @@ def _mill(b: Builder) -> None:
     m = b.mat()
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.08), (0.06, h), m, "case")
     b.box((-w / 2 + 0.04, w / 2 - 0.04), (-d / 2 + 0.04, d / 2 - 0.14), (0, 0.06), "metal_dark", "feet")
-    b.box((-w * 0.4, w * 0.18), (d / 2 - 0.08, d / 2 - 0.05), (h * 0.4, h * 0.88), "metal_light", "door", False)
-    b.box((-w * 0.34, w * 0.12), (d / 2 - 0.05, d / 2 - 0.04), (h * 0.5, h * 0.84), "glass_black", "window", False)
+    b.box((-w * 0.4, w * 0.18), (d / 2 - 0.08, d / 2 - 0.05), (h * 0.4, h * 0.88), "metal_light", "door", solid=False)
+    b.box(
+        (-w * 0.34, w * 0.12), (d / 2 - 0.05, d / 2 - 0.04), (h * 0.5, h * 0.84), "glass_black", "window", solid=False
+    )
     b.box((w * 0.24, w * 0.46), (d / 2 - 0.08, d / 2), (h * 0.5, h * 0.85), "plastic_dark", "panel")
-    b.box((w * 0.27, w * 0.43), (d / 2 - 0.002, d / 2), (h * 0.68, h * 0.82), "screen_blue", "panel", False)
+    b.box((w * 0.27, w * 0.43), (d / 2 - 0.002, d / 2), (h * 0.68, h * 0.82), "screen_blue", "panel", solid=False)
 
 
 def _lathe(b: Builder) -> None:
@@ -114,20 +129,10 @@ def _lathe(b: Builder) -> None:
     b.box((w * 0.25, w / 2), (-d * 0.4, d * 0.4), (0, h * 0.5), m, "base")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h * 0.5, h * 0.6), m, "bed")
     b.box((-w / 2, -w * 0.22), (-d * 0.4, d * 0.35), (h * 0.6, h), m, "head")
-    b.rod((-w * 0.22, 0, h * 0.78), (-w * 0.14, 0, h * 0.78), h * 0.1, "metal_steel", "chuck", 20, True)
+    b.rod((-w * 0.22, 0, h * 0.78), (-w * 0.14, 0, h * 0.78), h * 0.1, "metal_steel", "chuck", 20, solid=True)
     b.rod((-w * 0.14, 0, h * 0.78), (w * 0.3, 0, h * 0.78), 0.03, "metal_steel", "work")
     b.box((w * 0.3, w * 0.46), (-d * 0.2, d * 0.2), (h * 0.6, h * 0.86), m, "tail")
     b.box((0.0, w * 0.16), (-d * 0.3, d / 2), (h * 0.6, h * 0.7), "metal_steel", "slide")
-
-
-_MACHINES: dict[str, Recipe] = {
-    **OFFICE_MACHINES,
-    "centrifuge": _centrifuge,
-    "cnc": _mill,
-    "lathe": _lathe,
-    "medical": _medical,
-}
-"""Styles with a shape of their own; the others are cabinets."""
 
 
 @recipe("tank")
@@ -140,7 +145,7 @@ def tank(b: Builder) -> None:
         b.cyl(math.cos(a) * w * 0.34, math.sin(a) * d * 0.34, (0, 0.12), 0.03, "metal_dark", "feet", n=8)
     for x, color in ((-0.1, "metal_copper"), (0.1, "metal_copper")):
         b.cyl(x, 0, (h * 0.9, h), 0.02, color, "pipes", n=10, solid=False)
-    b.box((-0.1, 0.1), (d * 0.46, d * 0.5), (h * 0.35, h * 0.5), "plastic_grey", "panel", False)
+    b.box((-0.1, 0.1), (d * 0.46, d * 0.5), (h * 0.35, h * 0.5), "plastic_grey", "panel", solid=False)
 
 
 @recipe("pump")
@@ -149,8 +154,8 @@ def pump(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.08), "metal_dark", "frame")
     r = min(d * 0.42, h * 0.28)
-    b.rod((-w * 0.46, 0, 0.1 + r), (w * 0.46, 0, 0.1 + r), r, b.mat(), "tank", 24, True)
-    b.rod((-w * 0.3, 0, h * 0.76), (w * 0.05, 0, h * 0.76), min(0.14, h * 0.18), "metal_grey", "motor", 18, True)
+    b.rod((-w * 0.46, 0, 0.1 + r), (w * 0.46, 0, 0.1 + r), r, b.mat(), "tank", 24, solid=True)
+    b.rod((-w * 0.3, 0, h * 0.76), (w * 0.05, 0, h * 0.76), min(0.14, h * 0.18), "metal_grey", "motor", 18, solid=True)
     b.box((w * 0.1, w * 0.35), (-d * 0.2, d * 0.2), (h * 0.55, h * 0.85), b.mat(), "head")
     b.path(
         [(w * 0.22, 0, h * 0.8), (w * 0.22, 0, h - 0.03), (w * 0.45, 0, h - 0.03), (w * 0.45, 0, 0.3)],
@@ -158,3 +163,77 @@ def pump(b: Builder) -> None:
         "metal_copper",
         "pipes",
     )
+
+
+def _copier(b: Builder) -> None:
+    """Copier on the floor: trays below, scanner and panel on top."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.04), (0.04, h * 0.78), m, "case")
+    b.box((-w / 2 + 0.04, w / 2 - 0.04), (-d / 2 + 0.04, d / 2 - 0.1), (0, 0.04), "plastic_dark", "feet")
+    b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.08), (h * 0.86, h), m, "scanner")
+    b.box((-w * 0.3, w / 2), (-d / 2, d / 2 - 0.2), (h * 0.78, h * 0.86), "plastic_dark", "gap")
+    for k in range(3):
+        z = 0.1 + k * h * 0.19
+        b.box(
+            (-w * 0.46, w * 0.46),
+            (d / 2 - 0.04, d / 2 - 0.02),
+            (z, z + h * 0.16),
+            "plastic_light",
+            "trays",
+            solid=False,
+        )
+        b.box(
+            (-0.08, 0.08),
+            (d / 2 - 0.02, d / 2 - 0.01),
+            (z + h * 0.1, z + h * 0.12),
+            "plastic_dark",
+            "trays",
+            solid=False,
+        )
+    b.prism(
+        [(d / 2 - 0.12, h * 0.86), (d / 2, h * 0.84), (d / 2, h * 0.87), (d / 2 - 0.1, h * 0.93)],
+        (w * 0.05, w / 2),
+        "screen_blue",
+        part="panel",
+    )
+
+
+def _printer(b: Builder) -> None:
+    """Printer with a sheet in its mouth."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    b.cushion((-w / 2, w / 2), (-d / 2, d / 2 - 0.05), (0, h), m, "case", 0.25, 12)
+    b.box((-w * 0.34, w * 0.34), (d / 2 - 0.12, d / 2), (h * 0.25, h * 0.3), "paper_white", "paper")
+    b.box((-w * 0.36, w * 0.36), (d / 2 - 0.07, d / 2 - 0.045), (h * 0.3, h * 0.5), "plastic_dark", "slot", solid=False)
+    b.box((w * 0.15, w * 0.4), (d / 2 - 0.06, d / 2 - 0.045), (h * 0.68, h * 0.84), "screen_blue", "panel", solid=False)
+
+
+def _plotter(b: Builder) -> None:
+    """Plotter on two legs with a hanging sheet."""
+    w, d, h = b.w, b.d, b.h
+    m = b.mat()
+    for sx in (-1, 1):
+        x = sx * (w / 2 - 0.1)
+        b.box((x - 0.04, x + 0.04), (-d / 2, d / 2), (0, 0.06), "metal_dark", "feet")
+        b.box((x - 0.04, x + 0.04), (-0.06, 0.06), (0.05, h * 0.7), "metal_dark", "legs")
+    b.cushion((-w / 2, w / 2), (-d * 0.4, d * 0.4), (h * 0.68, h), m, "case", 0.35, 12)
+    b.prism(
+        [(d * 0.36, h * 0.74), (d * 0.38, h * 0.75), (d * 0.3, h * 0.25), (d * 0.28, h * 0.25)],
+        (-w * 0.4, w * 0.4),
+        "paper_white",
+        part="sheet",
+        solid=False,
+    )
+
+
+_MACHINES: dict[str, Recipe] = {
+    "centrifuge": _centrifuge,
+    "cnc": _mill,
+    "copier": _copier,
+    "lathe": _lathe,
+    "medical": _medical,
+    "plotter": _plotter,
+    "printer": _printer,
+}
+"""Styles with a shape of their own; the others are cabinets."""

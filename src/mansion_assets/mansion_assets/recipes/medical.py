@@ -14,7 +14,7 @@ def _star(b: Builder, r: float) -> None:
         a = math.pi / 2 + k * 2 * math.pi / 5
         x, y = math.cos(a) * (b.w / 2 - 0.03), math.sin(a) * (b.d / 2 - 0.03)
         b.rod((0, 0, 0.1), (x, y, 0.07), r, "metal_steel", "feet")
-        b.ball((x, y, 0.03), (0.03, 0.03, 0.03), "rubber_black", "wheels", 8, False)
+        b.ball((x, y, 0.03), (0.03, 0.03, 0.03), "rubber_black", "wheels", 8, solid=False)
     b.boxes.append(Box((0.0, 0.0, 0.05), (b.w * 0.8, b.d * 0.8, 0.1)))
 
 
@@ -25,9 +25,9 @@ def iv_stand(b: Builder) -> None:
     _star(b, 0.013)
     b.cyl(0, 0, (0.05, h - 0.03), 0.013, b.mat(), "pole", n=10)
     b.path([(-0.14, 0, h), (-0.14, 0, h - 0.05), (0.14, 0, h - 0.05), (0.14, 0, h)], 0.007, b.mat(), "hooks")
-    b.cushion((-0.19, -0.09), (-0.02, 0.02), (h - 0.34, h - 0.06), "glass_clear", "bag", 0.8, 8, False)
+    b.cushion((-0.19, -0.09), (-0.02, 0.02), (h - 0.34, h - 0.06), "glass_clear", "bag", 0.8, 8, solid=False)
     b.box((-0.07, 0.07), (0.01, 0.13), (h * 0.52, h * 0.64), "plastic_white", "pump")
-    b.box((-0.05, 0.05), (0.13, 0.132), (h * 0.56, h * 0.62), "screen_green", "pump", False)
+    b.box((-0.05, 0.05), (0.13, 0.132), (h * 0.56, h * 0.62), "screen_green", "pump", solid=False)
     b.path([(-0.14, 0.02, h - 0.34), (-0.1, 0.06, h * 0.7), (-0.03, 0.08, h * 0.64)], 0.004, "glass_clear", "tube")
 
 
@@ -38,7 +38,7 @@ def patient_monitor(b: Builder) -> None:
     _star(b, 0.018)
     b.cyl(0, 0, (0.05, h - 0.3), 0.02, "metal_steel", "pole", n=12)
     b.box((-w * 0.38, w * 0.38), (-0.08, 0.06), (h - 0.3, h), b.mat(), "monitor")
-    b.box((-w * 0.33, w * 0.33), (0.06, 0.064), (h - 0.26, h - 0.04), "screen_dark", "monitor", False)
+    b.box((-w * 0.33, w * 0.33), (0.06, 0.064), (h - 0.26, h - 0.04), "screen_dark", "monitor", solid=False)
     for k, color in enumerate(("light_green", "light_blue", "light_red")):
         z = h - 0.1 - k * 0.06
         b.path(
@@ -60,7 +60,7 @@ def scanner(b: Builder) -> None:
     for k in range(n):
         q = (k + 1) % n
         outer = [_to_box(ring[i], (0.0, cz), w / 2, 0.0, h) for i in (k, q)]
-        b.prism([ring[k], outer[0], outer[1], ring[q]], deep, b.mat(), "y", "ring", False)
+        b.prism([ring[k], outer[0], outer[1], ring[q]], deep, b.mat(), "y", "ring", solid=False)
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * 0.4))
         b.box((lo, hi), deep, (0, h), b.mat(), "case")
@@ -71,7 +71,7 @@ def scanner(b: Builder) -> None:
     b.cushion(
         (-0.16, 0.16), (deep[1] + 0.1, deep[1] + 0.4), (cz - 0.2, cz - 0.12), "fabric_white", "pillow", solid=False
     )
-    b.box((w * 0.3, w * 0.42), (deep[1], deep[1] + 0.01), (h * 0.6, h * 0.72), "screen_blue", "panel", False)
+    b.box((w * 0.3, w * 0.42), (deep[1], deep[1] + 0.01), (h * 0.6, h * 0.72), "screen_blue", "panel", solid=False)
 
 
 def _to_box(
@@ -109,8 +109,8 @@ def height_scale(b: Builder) -> None:
     """Scale with a measuring column."""
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.07), b.mat(), "platform")
-    b.box((-w * 0.4, w * 0.4), (-d * 0.2, d * 0.45), (0.07, 0.075), "rubber_black", "mat", False)
+    b.box((-w * 0.4, w * 0.4), (-d * 0.2, d * 0.45), (0.07, 0.075), "rubber_black", "mat", solid=False)
     b.box((-0.03, 0.03), (-d / 2, -d / 2 + 0.06), (0.07, h), b.mat(), "column")
     b.box((-0.12, 0.12), (-d / 2 + 0.04, -d / 2 + 0.1), (h * 0.6, h * 0.68), "plastic_white", "display")
-    b.box((-0.1, 0.1), (-d / 2 + 0.1, -d / 2 + 0.103), (h * 0.61, h * 0.67), "screen_green", "display", False)
-    b.box((-0.05, 0.05), (-d / 2 + 0.05, 0.05), (h - 0.06, h - 0.04), "metal_steel", "slide", False)
+    b.box((-0.1, 0.1), (-d / 2 + 0.1, -d / 2 + 0.103), (h * 0.61, h * 0.67), "screen_green", "display", solid=False)
+    b.box((-0.05, 0.05), (-d / 2 + 0.05, 0.05), (h - 0.06, h - 0.04), "metal_steel", "slide", solid=False)

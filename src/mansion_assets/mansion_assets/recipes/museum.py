@@ -35,7 +35,13 @@ def _figure(b: Builder, x: float, z: float, height: float, wide: float, deep: fl
             "arms",
         )
         b.rod(
-            (x + sx * wide * 0.15, 0, z), (x + sx * wide * 0.14, 0, z + h * 0.52), wide * 0.12, main, "legs", 10, True
+            (x + sx * wide * 0.15, 0, z),
+            (x + sx * wide * 0.14, 0, z + h * 0.52),
+            wide * 0.12,
+            main,
+            "legs",
+            10,
+            solid=True,
         )
         b.box(
             (x + sx * wide * 0.15 - wide * 0.08, x + sx * wide * 0.15 + wide * 0.08),
@@ -43,7 +49,7 @@ def _figure(b: Builder, x: float, z: float, height: float, wide: float, deep: fl
             (z, z + h * 0.03),
             main,
             "feet",
-            False,
+            solid=False,
         )
 
 
@@ -91,7 +97,7 @@ def _sculpture(b: Builder) -> None:
         for t in [k / 16 for k in range(17)]
     ]
     for p, q in itertools.pairwise(points):
-        b.rod(p, q, 0.07, main, "coil", 10, True)
+        b.rod(p, q, 0.07, main, "coil", 10, solid=True)
     b.ball((0, 0, h * 0.55), (w * 0.2, d * 0.2, h * 0.16), main, "core", 16)
     b.ball((points[-1][0] * 0.9, points[-1][1] * 0.9, h - 0.1), (0.1, 0.1, 0.1), "metal_brass", "tip", 12)
 
@@ -101,7 +107,9 @@ def _exhibit(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     base = h * 0.55
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, base), "stone_white", "base")
-    b.box((-w * 0.2, w * 0.2), (d / 2 - 0.002, d / 2 + 0.0), (base * 0.6, base * 0.7), "metal_brass", "label", False)
+    b.box(
+        (-w * 0.2, w * 0.2), (d / 2 - 0.002, d / 2 + 0.0), (base * 0.6, base * 0.7), "metal_brass", "label", solid=False
+    )
     if round(w * 1000) % 2:
         _bust(b, base)
     else:
@@ -141,7 +149,7 @@ def mannequin(b: Builder) -> None:
         "shirt",
         0.7,
         12,
-        False,
+        solid=False,
     )
     b.cushion(
         (-b.w * 0.3, b.w * 0.3),
@@ -151,7 +159,7 @@ def mannequin(b: Builder) -> None:
         "skirt",
         0.6,
         12,
-        False,
+        solid=False,
     )
 
 

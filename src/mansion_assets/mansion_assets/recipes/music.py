@@ -18,14 +18,14 @@ def piano(b: Builder) -> None:
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.05)))
         b.box((lo, hi), (-d / 2 + d * 0.5, d / 2), (0, 0.74), m, "arms")
-    b.box((-w / 2 + 0.06, w / 2 - 0.06), (d * 0.12, d * 0.46), (0.66, 0.69), "plastic_white", "keys", False)
+    b.box((-w / 2 + 0.06, w / 2 - 0.06), (d * 0.12, d * 0.46), (0.66, 0.69), "plastic_white", "keys", solid=False)
     for k in range(30):
         if k % 7 not in (2, 6):
             x = -w / 2 + 0.1 + k * (w - 0.2) / 30
-            b.box((x, x + 0.012), (d * 0.12, d * 0.32), (0.69, 0.702), "plastic_black", "keys", False)
-    b.box((-w * 0.3, w * 0.3), (0.0, 0.02), (0.74, 0.96), m, "desk", False)
+            b.box((x, x + 0.012), (d * 0.12, d * 0.32), (0.69, 0.702), "plastic_black", "keys", solid=False)
+    b.box((-w * 0.3, w * 0.3), (0.0, 0.02), (0.74, 0.96), m, "desk", solid=False)
     for x in (-0.05, 0.05):
-        b.box((x - 0.015, x + 0.015), (0.0, 0.12), (0.05, 0.07), "metal_brass", "pedals", False)
+        b.box((x - 0.015, x + 0.015), (0.0, 0.12), (0.05, 0.07), "metal_brass", "pedals", solid=False)
 
 
 @recipe("grand_piano")
@@ -46,7 +46,7 @@ def grand_piano(b: Builder) -> None:
     b.prism([(x, min(y, d * 0.3)) for x, y in outline], (h - 0.32, h - 0.03), m, "z", "case")
     b.prism([(x, min(y, d * 0.3)) for x, y in outline], (h - 0.03, h), m, "z", "lid")
     b.box((-w / 2, w / 2), (d * 0.28, d / 2), (h - 0.32, h - 0.2), m, "keybed")
-    b.box((-w / 2 + 0.1, w / 2 - 0.1), (d * 0.31, d * 0.46), (h - 0.2, h - 0.18), "plastic_white", "keys", False)
+    b.box((-w / 2 + 0.1, w / 2 - 0.1), (d * 0.31, d * 0.46), (h - 0.2, h - 0.18), "plastic_white", "keys", solid=False)
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.08)))
         b.box((lo, hi), (d * 0.28, d / 2), (h - 0.32, h - 0.12), m, "arms")
@@ -59,7 +59,7 @@ def grand_piano(b: Builder) -> None:
 def drums(b: Builder) -> None:
     """Bass drum, toms, snare, cymbals, stool."""
     w, d, h = b.w, b.d, b.h
-    b.rod((-0.02, d * 0.1, 0.3), (-0.02, d / 2, 0.3), 0.29, b.mat(), "bass", 28, True)
+    b.rod((-0.02, d * 0.1, 0.3), (-0.02, d / 2, 0.3), 0.29, b.mat(), "bass", 28, solid=True)
     b.rod((-0.02, d / 2 - 0.02, 0.3), (-0.02, d / 2 - 0.002, 0.3), 0.26, "plastic_white", "bass", 28)
     for x, y, z, r in (
         (-0.22, 0.18, 0.62, 0.15),
@@ -86,8 +86,8 @@ def guitar(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     if b.p.get("style") == "stand":
         r = w / 2
-        b.rod((0, 0.0, r * 0.9 + 0.08), (0, 0.09, r * 0.9 + 0.08), r * 0.98, b.mat(), "body", 24, True)
-        b.rod((0, 0.0, r * 1.9 + 0.1), (0, 0.09, r * 1.9 + 0.1), r * 0.74, b.mat(), "body", 24, True)
+        b.rod((0, 0.0, r * 0.9 + 0.08), (0, 0.09, r * 0.9 + 0.08), r * 0.98, b.mat(), "body", 24, solid=True)
+        b.rod((0, 0.0, r * 1.9 + 0.1), (0, 0.09, r * 1.9 + 0.1), r * 0.74, b.mat(), "body", 24, solid=True)
         b.rod((0, 0.085, r * 1.6 + 0.1), (0, 0.093, r * 1.6 + 0.1), 0.05, "plastic_black", "hole", 16)
         b.box((-0.028, 0.028), (0.04, 0.075), (r * 2.2, h - 0.12), "wood_brown", "neck")
         b.box((-0.04, 0.04), (0.03, 0.06), (h - 0.13, h), "wood_brown", "head")

@@ -35,10 +35,10 @@ def booth(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + t), (0, h), b.mat(), "back")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - t, h), b.mat(), "roof")
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.05), "fabric_dark", "floor")
-    b.box((-w / 2 + t, w / 2 - t), (d / 2 - 0.03, d / 2 - 0.01), (0.05, h - t), "glass_clear", "door", False)
+    b.box((-w / 2 + t, w / 2 - t), (d / 2 - 0.03, d / 2 - 0.01), (0.05, h - t), "glass_clear", "door", solid=False)
     b.box((-w / 2 + t, w / 2 - t), (-d / 2 + t, -d / 2 + t + 0.3), (1.0, 1.03), "wood_oak", "shelf")
-    b.box((w * 0.3, w * 0.33), (d / 2 - 0.012, d / 2), (0.9, 1.2), "metal_steel", "handle", False)
-    b.box((-0.1, 0.1), (-0.05, 0.05), (h - t - 0.01, h - t), "light_white", "lamp", False)
+    b.box((w * 0.3, w * 0.33), (d / 2 - 0.012, d / 2), (0.9, 1.2), "metal_steel", "handle", solid=False)
+    b.box((-0.1, 0.1), (-0.05, 0.05), (h - t - 0.01, h - t), "light_white", "lamp", solid=False)
 
 
 @recipe("platform")
@@ -56,7 +56,7 @@ def platform(b: Builder) -> None:
         return
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.3), (0, h), b.mat(), "deck")
     b.box((-w / 2, w / 2), (d / 2 - 0.3, d / 2), (0, h / 2), b.mat(), "step")
-    b.box((-w / 2, w / 2), (d / 2 - 0.32, d / 2 - 0.3), (h - 0.02, h), "metal_brass", "edge", False)
+    b.box((-w / 2, w / 2), (d / 2 - 0.32, d / 2 - 0.3), (h - 0.02, h), "metal_brass", "edge", solid=False)
 
 
 @recipe("turnstile")
@@ -66,8 +66,8 @@ def turnstile(b: Builder) -> None:
     b.cushion((-w * 0.35, w * 0.35), (-d / 2, d / 2), (0, h), b.mat(), "case", 0.3, 12)
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * w * 0.3))
-        b.box((lo, hi), (-0.006, 0.006), (h * 0.25, h * 0.9), "glass_clear", "wings", False)
-    b.box((-w * 0.15, w * 0.15), (d * 0.3, d * 0.42), (h - 0.001, h), "light_green", "reader", False)
+        b.box((lo, hi), (-0.006, 0.006), (h * 0.25, h * 0.9), "glass_clear", "wings", solid=False)
+    b.box((-w * 0.15, w * 0.15), (d * 0.3, d * 0.42), (h - 0.001, h), "light_green", "reader", solid=False)
 
 
 @recipe("barrier")
@@ -97,9 +97,9 @@ def arch(b: Builder) -> None:
     for sx in (-1, 1):
         lo, hi = sorted((sx * w / 2, sx * (w / 2 - 0.1)))
         b.box((lo, hi), (-d / 2, d / 2), (0, h), b.mat(), "posts")
-        b.box((lo + 0.04, hi - 0.04), (d / 2 - 0.002, d / 2), (h * 0.3, h * 0.8), "light_green", "lights", False)
+        b.box((lo + 0.04, hi - 0.04), (d / 2 - 0.002, d / 2), (h * 0.3, h * 0.8), "light_green", "lights", solid=False)
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.22, h), b.mat(), "head")
-    b.box((-0.12, 0.12), (d / 2 - 0.002, d / 2), (h - 0.16, h - 0.06), "screen_blue", "display", False)
+    b.box((-0.12, 0.12), (d / 2 - 0.002, d / 2), (h - 0.16, h - 0.06), "screen_blue", "display", solid=False)
 
 
 _GARMENTS = ("fabric_blue", "fabric_red", "fabric_dark", "fabric_beige", "fabric_green", "fabric_white")
@@ -163,6 +163,6 @@ def _airer(b: Builder) -> None:
             (h * 0.5, h - 0.01),
             color,
             "laundry",
-            False,
+            solid=False,
         )
     b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))

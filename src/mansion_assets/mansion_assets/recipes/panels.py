@@ -18,16 +18,16 @@ def _face(b: Builder, face: str, x: tuple[float, float], z: tuple[float, float],
     w, h = x[1] - x[0], z[1] - z[0]
     thin = 0.0015
     if face not in ("art", "map"):
-        b.box(x, (y - thin, y), z, face, "face", False)
+        b.box(x, (y - thin, y), z, face, "face", solid=False)
         return
     key = sum(ord(c) for c in b.mat()) + round(1000 * (b.w + b.h))
     colors = _ART[key % 3] if face == "art" else ("paper_blue", "paper_green", "paper_beige", "paper_green")
-    b.box(x, (y - 2 * thin, y - thin), z, colors[0], "face", False)
+    b.box(x, (y - 2 * thin, y - thin), z, colors[0], "face", solid=False)
     for k in range(5):
         u, v = ((key * (k + 3)) % 17) / 17 * 0.6, ((key * (k + 5)) % 13) / 13 * 0.6
         bw, bh = (0.15 + 0.25 * ((key + k) % 3) / 2), (0.12 + 0.2 * ((key + 2 * k) % 3) / 2)
         patch = ((x[0] + u * w, x[0] + min(0.96, u + bw) * w), (z[0] + v * h, z[0] + min(0.96, v + bh) * h))
-        b.box(patch[0], (y - thin, y - thin * 0.5 + 0.0001 * k), patch[1], colors[1 + k % 3], "face", False)
+        b.box(patch[0], (y - thin, y - thin * 0.5 + 0.0001 * k), patch[1], colors[1 + k % 3], "face", solid=False)
 
 
 @recipe("panel")
@@ -127,7 +127,7 @@ def _roller_screen(b: Builder) -> None:
     face = str(b.p.get("face", "paper_white"))
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.1, h), b.mat(), "case")
     b.box((-w / 2 + 0.04, w / 2 - 0.04), (-0.004, 0.004), (0, h - 0.1), face, "screen")
-    b.box((-w / 2 + 0.03, w / 2 - 0.03), (-0.012, 0.012), (0, 0.025), "plastic_black", "bar", False)
+    b.box((-w / 2 + 0.03, w / 2 - 0.03), (-0.012, 0.012), (0, 0.025), "plastic_black", "bar", solid=False)
 
 
 def _framed(b: Builder, y: tuple[float, float], from_z: float) -> None:
@@ -138,12 +138,12 @@ def _framed(b: Builder, y: tuple[float, float], from_z: float) -> None:
     (y0, y1), z0, z1 = y, from_z, b.h
     b.box((-w / 2, w / 2), (y0, y1 - 0.008 if d > 0.02 else y1 - 0.004), (z0, z1), b.mat(), "back")
     for side in ((-w / 2, -w / 2 + rim), (w / 2 - rim, w / 2)):
-        b.box(side, (y0, y1), (z0, z1), b.mat(), "frame", False)
+        b.box(side, (y0, y1), (z0, z1), b.mat(), "frame", solid=False)
     for level in ((z0, z0 + rim), (z1 - rim, z1)):
-        b.box((-w / 2, w / 2), (y0, y1), level, b.mat(), "frame", False)
+        b.box((-w / 2, w / 2), (y0, y1), level, b.mat(), "frame", solid=False)
     _face(b, face, (-w / 2 + rim, w / 2 - rim), (z0 + rim, z1 - rim), y1 - (0.004 if d > 0.02 else 0.001))
     if b.p.get("tray"):
-        b.box((-w * 0.3, w * 0.3), (y1 - 0.03, y1), (0, 0.015), "metal_steel", "tray", False)
+        b.box((-w * 0.3, w * 0.3), (y1 - 0.03, y1), (0, 0.015), "metal_steel", "tray", solid=False)
     if b.p.get("notes"):
         _notes(b, y1)
 
@@ -159,5 +159,5 @@ def _notes(b: Builder, y1: float) -> None:
             (z, z + h * 0.24),
             ("paper_white", "paper_yellow", "paper_blue", "paper_pink")[k % 4],
             "notes",
-            False,
+            solid=False,
         )

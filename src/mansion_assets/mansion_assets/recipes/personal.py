@@ -25,13 +25,13 @@ def book(b: Builder) -> None:
                 (0, high),
                 _COVERS[(k * 5 + k // 3) % 6],
                 "books",
-                False,
+                solid=False,
             )
         b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))
         return
     if style == "upright":
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, h), b.mat(), "cover")
-        b.box((-w * 0.3, w * 0.3), (d / 2 - 0.001, d / 2), (h * 0.4, h * 0.7), "paper_white", "label", False)
+        b.box((-w * 0.3, w * 0.3), (d / 2 - 0.001, d / 2), (h * 0.4, h * 0.7), "paper_white", "label", solid=False)
         return
     count = int(b.p.get("stack", 1))
     for k in range(count):
@@ -40,11 +40,16 @@ def book(b: Builder) -> None:
         cover = b.mat() if k == 0 else _COVERS[(k * 2 + 1) % 6]
         t = (z1 - z0) * 0.16
         x, y = (-w / 2 * shrink, w / 2 * shrink), (-d / 2 * shrink, d / 2 * shrink)
-        b.box(x, y, (z0, z0 + t), cover, "cover", False)
-        b.box(x, y, (z1 - t, z1), cover, "cover", False)
-        b.box((x[0], x[0] + 0.004), y, (z0, z1), cover, "cover", False)
+        b.box(x, y, (z0, z0 + t), cover, "cover", solid=False)
+        b.box(x, y, (z1 - t, z1), cover, "cover", solid=False)
+        b.box((x[0], x[0] + 0.004), y, (z0, z1), cover, "cover", solid=False)
         b.box(
-            (x[0] + 0.003, x[1] - 0.004), (y[0] + 0.004, y[1] - 0.004), (z0 + t, z1 - t), "paper_light", "pages", False
+            (x[0] + 0.003, x[1] - 0.004),
+            (y[0] + 0.004, y[1] - 0.004),
+            (z0 + t, z1 - t),
+            "paper_light",
+            "pages",
+            solid=False,
         )
     b.boxes.append(Box((0.0, 0.0, h / 2), (w, d, h)))
 
@@ -99,9 +104,9 @@ def hair_dryer(b: Builder) -> None:
     """Pistol shape: dryer, cordless drill."""
     w, d, h = b.w, b.d, b.h
     r = min(d / 2, h * 0.22)
-    b.rod((-w / 2 + w * 0.15, 0, h - r), (w * 0.2, 0, h - r), r, b.mat(), "body", 16, True)
+    b.rod((-w / 2 + w * 0.15, 0, h - r), (w * 0.2, 0, h - r), r, b.mat(), "body", 16, solid=True)
     b.rod((w * 0.2, 0, h - r), (w / 2, 0, h - r), r * 0.5, "plastic_black", "nozzle", 12)
-    b.ball((-w / 2 + w * 0.15, 0, h - r), (w * 0.15, r, r), b.mat(), "back", 10, False)
+    b.ball((-w / 2 + w * 0.15, 0, h - r), (w * 0.15, r, r), b.mat(), "back", 10, solid=False)
     b.box((-w * 0.25, -w * 0.02), (-d * 0.3, d * 0.3), (0, h - r), "plastic_black", "grip")
 
 
@@ -125,7 +130,9 @@ def coat_rack(b: Builder) -> None:
             b.mat(),
             "hooks",
         )
-    b.cushion((w * 0.12, w * 0.44), (-d * 0.18, d * 0.18), (h * 0.42, h - 0.2), "fabric_blue", "coat", 0.6, 10, False)
+    b.cushion(
+        (w * 0.12, w * 0.44), (-d * 0.18, d * 0.18), (h * 0.42, h - 0.2), "fabric_blue", "coat", 0.6, 10, solid=False
+    )
 
 
 @recipe("toy_car")

@@ -69,7 +69,7 @@ def _planter(b: Builder) -> None:
         (low - 0.01, low + 0.004),
         "leaf_soil",
         "soil",
-        False,
+        solid=False,
     )
     count = max(2, round(w / 0.28))
     for k in range(count):
@@ -80,7 +80,7 @@ def _planter(b: Builder) -> None:
             "leaf_green",
             "leaves",
             10,
-            False,
+            solid=False,
         )
 
 
@@ -109,7 +109,7 @@ def _fir(b: Builder) -> None:
             ("paint_red", "metal_brass")[k % 2],
             "balls",
             8,
-            False,
+            solid=False,
         )
 
 
@@ -143,7 +143,7 @@ def _flowers(b: Builder, low: float) -> None:
             ("leaf_red", "leaf_yellow", "leaf_pink", "leaf_white")[k % 4],
             "blossoms",
             8,
-            False,
+            solid=False,
         )
     _crown(b, low, (w * 0.5, d * 0.5), 8, low, w * 0.07)
 
@@ -181,7 +181,7 @@ def globe(b: Builder) -> None:
             "leaf_green",
             "land",
             8,
-            False,
+            solid=False,
         )
     b.lathe(
         [(0.5, z - 0.01), (0.5, z + 0.01), (0.47, z + 0.01)],

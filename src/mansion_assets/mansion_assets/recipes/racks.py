@@ -1,7 +1,11 @@
 """Pallets, racks, crates and glass cases."""
 
+from typing import Any
+
 from mansion_assets.builder import Box, Builder
-from mansion_assets.registry import recipe
+from mansion_assets.catalogue.receptacles import Receptacle, volume
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
 
@@ -63,7 +67,7 @@ def pallet(b: Builder) -> None:
                 (z, z + high - 0.05),
                 "wood_birch",
                 "blocks",
-                False,
+                solid=False,
             )
         for j in range(5):
             y = -d / 2 + j * (d - 0.12) / 4
@@ -73,13 +77,13 @@ def pallet(b: Builder) -> None:
                 (z + high - 0.05, z + high - 0.01 * (count > 1)),
                 "wood_birch",
                 "boards",
-                False,
+                solid=False,
             )
     if count > 1:
         b.boxes.append(_whole(b))
-        b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.02, h), "wood_birch", "boards", False)
+        b.box((-w / 2, w / 2), (-d / 2, d / 2), (h - 0.02, h), "wood_birch", "boards", solid=False)
         return
-    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, high), "wood_birch", "deck", False)
+    b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, high), "wood_birch", "deck", solid=False)
     rows = max(1, round((h - high) / 0.3))
     step = (h - high) / rows
     for k in range(rows):
@@ -94,7 +98,7 @@ def pallet(b: Builder) -> None:
                     (z, z + step - (0.006 if k < rows - 1 else 0)),
                     color,
                     "cartons",
-                    False,
+                    solid=False,
                 )
     b.boxes.append(_whole(b))
 
@@ -135,7 +139,7 @@ def server_rack(b: Builder) -> None:
             (z, z + 0.075),
             "metal_dark" if k % 3 else "metal_grey",
             "units",
-            False,
+            solid=False,
         )
         b.box(
             (w / 2 - 0.12, w / 2 - 0.09),
@@ -143,11 +147,11 @@ def server_rack(b: Builder) -> None:
             (z + 0.03, z + 0.045),
             "light_green" if k % 4 else "light_blue",
             "leds",
-            False,
+            solid=False,
         )
     for x in (-w / 2 + 0.025, w / 2 - 0.025):
-        b.box((x - 0.025, x + 0.025), (d / 2 - 0.03, d / 2), (0.05, h), b.mat(), "door", False)
-    b.box((-w / 2, w / 2), (d / 2 - 0.03, d / 2), (h - 0.06, h), b.mat(), "door", False)
+        b.box((x - 0.025, x + 0.025), (d / 2 - 0.03, d / 2), (0.05, h), b.mat(), "door", solid=False)
+    b.box((-w / 2, w / 2), (d / 2 - 0.03, d / 2), (h - 0.06, h), b.mat(), "door", solid=False)
 
 
 @recipe("luggage_rack")
@@ -162,6 +166,16 @@ def luggage_rack(b: Builder) -> None:
     for sy in (-1, 1):
         y = sy * (d / 2 - 0.018)
         b.rod((-w / 2, y, h - 0.02), (w / 2, y, h - 0.02), 0.018, b.mat(), "rails")
+
+
+@receptacles("vitrine")
+def _vitrine_levels(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    base = float(p.get("base", min(0.9, h * 0.55)))
+    box = (-w / 2 + 0.04, w / 2 - 0.04, -d / 2 + 0.04, d / 2 - 0.04)
+    count = int(p.get("levels", 1))
+    step = (h - 0.03 - base) / count
+    return [volume("case", box, base + i * step, base + (i + 1) * step - 0.02) for i in range(count)]
 
 
 @recipe("vitrine")
@@ -189,7 +203,7 @@ def vitrine(b: Builder) -> None:
             (z - 0.02, z),
             "fabric_white" if fill == "exhibit" else main,
             "boards",
-            False,
+            solid=False,
         )
         _exhibits(b, str(fill), z, step)
 
@@ -203,7 +217,7 @@ def _exhibits(b: Builder, fill: str, z: float, room: float) -> None:
             (z, z + room * 0.85),
             "glass_blue",
             "water",
-            False,
+            solid=False,
         )
         for k in range(6):
             x = -w * 0.35 + k * w * 0.14
@@ -213,7 +227,7 @@ def _exhibits(b: Builder, fill: str, z: float, room: float) -> None:
                 "paint_orange",
                 "fish",
                 8,
-                False,
+                solid=False,
             )
     elif fill == "cradle":
         b.cushion((-w * 0.4, w * 0.4), (-d * 0.38, d * 0.38), (z, z + 0.06), "fabric_white", "mattress", solid=False)
@@ -226,5 +240,5 @@ def _exhibits(b: Builder, fill: str, z: float, room: float) -> None:
                 ("food_brown", "food_beige")[k % 2],
                 "bread",
                 8,
-                False,
+                solid=False,
             )

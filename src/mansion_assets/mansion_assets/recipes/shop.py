@@ -14,11 +14,11 @@ def beer_tap(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     b.box((-w / 2, w / 2), (-d / 2, d / 2), (0, 0.03), "metal_steel", "tray")
     b.cyl(0, -d * 0.1, (0.03, h * 0.7), 0.035, b.mat(), "tower")
-    b.rod((-w * 0.46, -d * 0.1, h * 0.7), (w * 0.46, -d * 0.1, h * 0.7), 0.03, b.mat(), "arm", 12, True)
+    b.rod((-w * 0.46, -d * 0.1, h * 0.7), (w * 0.46, -d * 0.1, h * 0.7), 0.03, b.mat(), "arm", 12, solid=True)
     for k, color in enumerate(("plastic_black", "paint_red", "wood_walnut")):
         x = -w * 0.3 + k * w * 0.3
         b.rod((x, 0.0, h * 0.7), (x, d * 0.2, h * 0.6), 0.012, b.mat(), "taps")
-        b.cyl(x, 0, (h * 0.72, h), 0.014, color, "handles", 0.02, 10, False)
+        b.cyl(x, 0, (h * 0.72, h), 0.014, color, "handles", 0.02, 10, solid=False)
 
 
 @recipe("carousel")
@@ -45,7 +45,7 @@ def scanner_belt(b: Builder) -> None:
     """Baggage scanner: tunnel over a belt that runs along y."""
     w, d, h = b.w, b.d, b.h
     b.box((-w * 0.4, w * 0.4), (-d / 2, d / 2), (0.55, 0.7), "metal_grey", "belt")
-    b.box((-w * 0.36, w * 0.36), (-d / 2, d / 2), (0.7, 0.71), "rubber_black", "belt", False)
+    b.box((-w * 0.36, w * 0.36), (-d / 2, d / 2), (0.7, 0.71), "rubber_black", "belt", solid=False)
     for y in (-d * 0.42, d * 0.42):
         b.box((-w * 0.36, w * 0.36), (y - 0.05, y + 0.05), (0, 0.55), "metal_dark", "legs")
     b.box((-w / 2, w / 2), (-d * 0.25, d * 0.25), (0.1, 0.6), b.mat(), "case")
@@ -62,9 +62,9 @@ def scanner_belt(b: Builder) -> None:
                 (0.72, 1.12),
                 "rubber_black",
                 "flaps",
-                False,
+                solid=False,
             )
-    b.box((-0.2, 0.2), (-0.15, 0.15), (h - 0.01, h), "plastic_black", "top", False)
+    b.box((-0.2, 0.2), (-0.15, 0.15), (h - 0.01, h), "plastic_black", "top", solid=False)
 
 
 @recipe("shopping_cart")
@@ -110,6 +110,6 @@ def luggage_cart(b: Builder) -> None:
                 [(x, y, 0.2), (x, y, h * 0.75), (x * 0.6, y * 0.5, h * 0.95), (0, 0, h - 0.03)], 0.022, b.mat(), "frame"
             )
     b.rod((-w / 2 + 0.2, 0, h * 0.9), (w / 2 - 0.2, 0, h * 0.9), 0.015, b.mat(), "bar")
-    b.ball((0, 0, h - 0.02), (0.03, 0.03, 0.02), b.mat(), "knob", 8, False)
+    b.ball((0, 0, h - 0.02), (0.03, 0.03, 0.02), b.mat(), "knob", 8, solid=False)
     b.box((-w * 0.35, 0.0), (-d * 0.3, d * 0.3), (0.25, 0.6), "leather_brown", "cases")
     b.box((0.03, w * 0.35), (-d * 0.3, d * 0.2), (0.25, 0.5), "plastic_blue", "cases")

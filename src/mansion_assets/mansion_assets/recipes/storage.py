@@ -1,8 +1,11 @@
 """Shelves, cabinets, racks, boxes."""
 
+from typing import Any
+
 from mansion_assets.builder import Builder, Rect
-from mansion_assets.catalogue.carriers import BOARD
-from mansion_assets.registry import recipe
+from mansion_assets.catalogue.receptacles import BOARD, Receptacle, inset, surface, volume
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
 
@@ -47,16 +50,50 @@ def goods(b: Builder, fill: str, cell: Rect, depth: float, key: int) -> None:
         elif fill == "books" and mark == 3:
             continue
         else:
-            b.box((x0 + 0.002, x0 + step - 0.002), (back, front), (cell.z, cell.z + height), color, "goods", False)
+            b.box(
+                (x0 + 0.002, x0 + step - 0.002), (back, front), (cell.z, cell.z + height), color, "goods", solid=False
+            )
+
+
+@receptacles("shelf")
+def _free_boards(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    heights = _board_heights(size, p)
+    gap = (h - heights[0]) / len(heights) - BOARD
+    sides = [(-d / 2 + 0.02, d / 2 - 0.02)]
+    if p.get("sides") == 2:
+        sides = [(0.02, d / 2 - 0.02), (-d / 2 + 0.02, -0.02)]
+    out: list[Receptacle] = [
+        surface("shelf", (-w / 2 + 0.04, w / 2 - 0.04, y0, y1), heights[i], gap)
+        for i in _free_levels(len(heights), p)
+        for y0, y1 in sides
+    ]
+    if h <= 1.3 and not p.get("no_top"):
+        out.append(surface("top", inset(size, 0.03), h, 0.8))
+    return out
+
+
+def _board_heights(size: Size3, p: dict[str, Any]) -> list[float]:
+    """Heights of the upper faces of a shelf's boards, from the lowest to the one below the top."""
+    h = size[2]
+    count = int(p.get("levels", max(2, round(h / 0.38))))
+    base = float(p.get("base", 0.08 if h > 0.5 else 0.03))
+    return [base + (h - base) * i / count for i in range(count)]
+
+
+def _free_levels(count: int, p: dict[str, Any]) -> list[int]:
+    """Indices of the boards that stay free of the goods that the mesh shows."""
+    free = int(p.get("free", count if p.get("fill", "none") == "none" else min(2, count)))
+    middle = sorted(range(count), key=lambda i: (abs(i - (count - 1) / 2), i))
+    return sorted(middle[:free])
 
 
 @recipe("shelf")
 def shelf(b: Builder) -> None:
     """Boards between sides or posts; filled where the surface rule says that they are not free."""
     w, d, h = b.w, b.d, b.h
-    count = int(b.p.get("levels", max(2, round(h / 0.38))))
-    base = float(b.p.get("base", 0.08 if h > 0.5 else 0.03))
-    heights = [base + (h - base) * i / count for i in range(count)]
+    heights = _board_heights((w, d, h), b.p)
+    base = heights[0]
     main, posts, double = b.mat(), b.p.get("frame") == "posts", b.p.get("sides") == 2
     if posts:
         b.legs((0, h), 0.018, main, 0.0)
@@ -71,18 +108,36 @@ def shelf(b: Builder) -> None:
     for z in (*heights, h):
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - BOARD, z), main, "boards")
     if base > 0.05 and not posts:
-        b.box((-w / 2, w / 2), (-d / 2 + 0.01, d / 2 - 0.02), (0, base - BOARD), main, "plinth", False)
+        b.box((-w / 2, w / 2), (-d / 2 + 0.01, d / 2 - 0.02), (0, base - BOARD), main, "plinth", solid=False)
     free = {round(t.z, 2) for t in b.tops}
     fill = str(b.p.get("fill", "none"))
     if fill == "none":
         return
-    gap = (h - base) / count - BOARD
+    gap = (h - base) / len(heights) - BOARD
     sides = [(0.014, d / 2 - 0.01), (-d / 2 + 0.01, -0.014)] if double else [(-d / 2 + 0.012, d / 2 - 0.01)]
     for level, z in enumerate(heights):
         if round(z, 2) in free:
             continue
         for y0, y1 in sides:
             goods(b, fill, Rect(-w / 2 + 0.03, w / 2 - 0.03, y0, y1, z, z + gap), y1 - y0, level)
+
+
+@receptacles("cabinet")
+def _cabinet_receptacles(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    cols, rows = int(p.get("cols", 2)), int(p.get("rows", 1))
+    plinth = float(p.get("plinth", min(0.08, h * 0.1)))
+    width, height = (w - BOARD) / cols, (h - plinth - BOARD) / rows
+    out: list[Receptacle] = []
+    if h <= 1.45 and not p.get("no_top"):
+        out.append(surface("top", inset(size, 0.02), h, 1.0))
+    for row in range(rows):
+        for col in range(cols):
+            x0 = -w / 2 + BOARD + col * width
+            z0 = plinth + BOARD + row * height
+            box = (x0 + 0.005, x0 + width - BOARD - 0.005, -d / 2 + BOARD, d / 2 - BOARD - 0.01)
+            out.append(volume("drawer" if rows > cols else "cell", box, z0, z0 + height - BOARD))
+    return out
 
 
 @recipe("cabinet")
@@ -126,11 +181,11 @@ def _front(b: Builder, style: str, x: Span, z: Span, face: float, place: tuple[i
     main, y = b.mat(), (face + 0.001, face + 0.016)
     grip = (y[1], b.d / 2)
     if style == "glass":
-        b.box(x, y, z, "glass_clear", "doors", False)
+        b.box(x, y, z, "glass_clear", "doors", solid=False)
         for z0, z1 in ((z[0], z[0] + 0.04), (z[1] - 0.04, z[1])):
-            b.box(x, y, (z0, z1), main, "doors", False)
+            b.box(x, y, (z0, z1), main, "doors", solid=False)
     else:
-        b.box(x, y, z, main, "doors" if style != "drawers" else "drawers", False)
+        b.box(x, y, z, main, "doors" if style != "drawers" else "drawers", solid=False)
     if style in ("recycle", "slot"):
         _slots(b, style, x, z[1], grip, place[1])
         return
@@ -143,13 +198,18 @@ def _slots(b: Builder, style: str, x: Span, top: float, y: Span, column: int) ->
     """A letter slot; or a label in the colour of what is collected, and the slot below it."""
     if style == "slot":
         slot = (x[0] + 0.1, x[1] - 0.1)
-        b.box(slot, y, (top - 0.25, top - 0.18), "plastic_black", "slots", False)
+        b.box(slot, y, (top - 0.25, top - 0.18), "plastic_black", "slots", solid=False)
         return
     color = ("plastic_blue", "plastic_yellow", "plastic_green", "plastic_grey")[column % 4]
-    b.box((x[0] + 0.03, x[1] - 0.03), y, (top - 0.22, top - 0.06), color, "labels", False)
+    b.box((x[0] + 0.03, x[1] - 0.03), y, (top - 0.22, top - 0.06), color, "labels", solid=False)
     middle = (x[0] + x[1]) / 2
     b.box(
-        (middle - 0.07, middle + 0.07), (y[0], y[1] - 0.001), (top - 0.36, top - 0.27), "plastic_black", "slots", False
+        (middle - 0.07, middle + 0.07),
+        (y[0], y[1] - 0.001),
+        (top - 0.36, top - 0.27),
+        "plastic_black",
+        "slots",
+        solid=False,
     )
 
 
@@ -163,7 +223,7 @@ def _vents(b: Builder, x: Span, top: float, face: float) -> None:
             (top - 0.1 - k * 0.02, top - 0.09 - k * 0.02),
             "plastic_dark",
             "vents",
-            False,
+            solid=False,
         )
 
 
@@ -181,7 +241,19 @@ def _grip(b: Builder, style: str, x: Span, z: Span, y: Span, column: int) -> Non
         half = min(0.07, (x[1] - x[0]) * 0.3)
         level = zm if style != "lid" else z[1] - 0.05
         across, up = (xm - half, xm + half), (level - 0.006, level + 0.006)
-    b.box(across, y, up, "metal_steel", "handles", False)
+    b.box(across, y, up, "metal_steel", "handles", solid=False)
+
+
+@receptacles("trolley")
+def _trolley_shelves(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    h = size[2]
+    count = int(p.get("levels", 2))
+    rail = float(p.get("rail", 0.08 if h > 0.5 else 0.0))
+    top = h - rail
+    heights = [top - (top - 0.2) * i / max(1, count - 1) for i in range(count)] if count > 1 else [top]
+    gap = (top - 0.2) / max(1, count - 1) - 0.03
+    box = inset(size, 0.05)
+    return [surface("shelf", box, z, 0.8 if i == 0 else gap) for i, z in enumerate(heights)]
 
 
 @recipe("trolley")

@@ -1,9 +1,12 @@
 """Tables, desks, counters, workbenches."""
 
 from collections.abc import Callable
+from typing import Any
 
 from mansion_assets.builder import Builder
-from mansion_assets.registry import recipe
+from mansion_assets.catalogue.receptacles import Receptacle, inset, surface
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
 
@@ -72,7 +75,7 @@ def _trestles(b: Builder, z: float, frame: str) -> None:
             foot, head = sy * (d / 2 - 0.05), (x, sy * d * 0.28, z)
             b.rod((x - 0.08, foot, 0), head, 0.022, frame, "legs", solid=True)
             b.rod((x + 0.08, foot, 0), head, 0.022, frame, "legs")
-        b.box((x - 0.03, x + 0.03), (-d * 0.3, d * 0.3), (z - 0.06, z), frame, "legs", False)
+        b.box((x - 0.03, x + 0.03), (-d * 0.3, d * 0.3), (z - 0.06, z), frame, "legs", solid=False)
 
 
 def _cloth(b: Builder, z: float, frame: str) -> None:
@@ -86,10 +89,10 @@ def _four_legs(b: Builder, z: float, frame: str) -> None:
     b.legs((0, z), min(0.035, w * 0.04), frame, 0.02)
     rail = (z - 0.07, z)
     for y in ((-d / 2 + 0.05, -d / 2 + 0.07), (d / 2 - 0.07, d / 2 - 0.05)):
-        b.box((-w / 2 + 0.05, w / 2 - 0.05), y, rail, frame, "apron", False)
+        b.box((-w / 2 + 0.05, w / 2 - 0.05), y, rail, frame, "apron", solid=False)
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.06)
-        b.box((x - 0.01, x + 0.01), (-d / 2 + 0.05, d / 2 - 0.05), rail, frame, "apron", False)
+        b.box((x - 0.01, x + 0.01), (-d / 2 + 0.05, d / 2 - 0.05), rail, frame, "apron", solid=False)
 
 
 _SUPPORTS: dict[str, Callable[[Builder, float, str], None]] = {
@@ -111,6 +114,11 @@ def _top(b: Builder, z: float, thick: float, round_: bool) -> None:
         b.box((-w / 2, w / 2), (-d / 2, d / 2), (z - thick, z), b.mat(), "top")
 
 
+@receptacles("table")
+def _table_top(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    return [surface("top", inset(size, 0.02), size[2], 1.2, round_=p.get("shape") == "round")]
+
+
 @recipe("table")
 def table(b: Builder) -> None:
     """Rectangular or round top on legs, a pedestal, panels or frames."""
@@ -123,6 +131,17 @@ def table(b: Builder) -> None:
     if b.p.get("shelf") or (h < 0.6 and style == "four" and b.w * 1000 % 2 < 1):
         z = h * 0.3
         b.box((-b.w / 2 + 0.04, b.w / 2 - 0.04), (-b.d / 2 + 0.04, b.d / 2 - 0.04), (z - 0.02, z), frame, "shelf")
+
+
+@receptacles("desk")
+def _desk_tops(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, h = size
+    if h <= 0.95:
+        return [surface("top", inset(size, 0.02), h, 1.2)]
+    z, hutch = min(0.76, h * 0.6), min(0.3, d * 0.45)
+    top = (-w / 2 + 0.02, w / 2 - 0.02, -d / 2 + hutch + 0.01, d / 2 - 0.02)
+    shelf = (-w / 2 + 0.03, w / 2 - 0.03, -d / 2 + 0.02, -d / 2 + hutch - 0.02)
+    return [surface("top", top, z, h - z), surface("shelf", shelf, h, 0.4)]
 
 
 @recipe("desk")
@@ -147,7 +166,7 @@ def desk(b: Builder) -> None:
                     (z0, z0 + (z - 0.17) / 3 - 0.012),
                     b.mat(),
                     "fronts",
-                    False,
+                    solid=False,
                 )
                 b.box(
                     ((lo + hi) / 2 - 0.06, (lo + hi) / 2 + 0.06),
@@ -155,7 +174,7 @@ def desk(b: Builder) -> None:
                     (z0 + 0.1, z0 + 0.115),
                     "metal_steel",
                     "handles",
-                    False,
+                    solid=False,
                 )
     if b.h > z + 0.02:
         shelf = b.tops[1]

@@ -19,11 +19,18 @@ def teddy(b: Builder) -> None:
         12,
     )
     for sx in (-1, 1):
-        b.ball((sx * w * 0.2, -d * 0.1, h * 0.93), (w * 0.08, d * 0.1, h * 0.07), b.mat(), "ears", 8, False)
-        b.ball((sx * w * 0.36, 0, h * 0.42), (w * 0.14, d * 0.18, h * 0.12), b.mat(), "arms", 8, False)
-        b.ball((sx * w * 0.24, d * 0.28, h * 0.12), (w * 0.13, d * 0.22, h * 0.12), b.mat(), "legs", 8, False)
-        b.ball((sx * w * 0.08, d * 0.2, h * 0.78), (w * 0.025, d * 0.04, h * 0.025), "plastic_black", "eyes", 6, False)
-    b.ball((0, d * 0.22, h * 0.7), (w * 0.07, d * 0.08, h * 0.05), "fabric_beige", "snout", 8, False)
+        b.ball((sx * w * 0.2, -d * 0.1, h * 0.93), (w * 0.08, d * 0.1, h * 0.07), b.mat(), "ears", 8, solid=False)
+        b.ball((sx * w * 0.36, 0, h * 0.42), (w * 0.14, d * 0.18, h * 0.12), b.mat(), "arms", 8, solid=False)
+        b.ball((sx * w * 0.24, d * 0.28, h * 0.12), (w * 0.13, d * 0.22, h * 0.12), b.mat(), "legs", 8, solid=False)
+        b.ball(
+            (sx * w * 0.08, d * 0.2, h * 0.78),
+            (w * 0.025, d * 0.04, h * 0.025),
+            "plastic_black",
+            "eyes",
+            6,
+            solid=False,
+        )
+    b.ball((0, d * 0.22, h * 0.7), (w * 0.07, d * 0.08, h * 0.05), "fabric_beige", "snout", 8, solid=False)
 
 
 @recipe("toy_blocks")
@@ -67,7 +74,7 @@ def rocking_horse(b: Builder) -> None:
     b.cushion((-w * 0.28, w * 0.28), (-d * 0.3, d * 0.26), (h * 0.42, h * 0.66), b.mat(), "body", 0.7)
     b.rod((0, d * 0.2, h * 0.55), (0, d * 0.36, h * 0.88), 0.06, b.mat(), "neck", solid=True)
     b.cushion((-0.05, 0.05), (d * 0.28, d * 0.5), (h * 0.8, h), b.mat(), "head", 0.6)
-    b.box((-w * 0.24, w * 0.24), (-d * 0.12, d * 0.1), (h * 0.64, h * 0.68), "fabric_red", "saddle", False)
+    b.box((-w * 0.24, w * 0.24), (-d * 0.12, d * 0.1), (h * 0.64, h * 0.68), "fabric_red", "saddle", solid=False)
 
 
 @recipe("slide")
@@ -111,7 +118,7 @@ def slide(b: Builder) -> None:
             "plastic_blue",
             "steps",
         )
-    b.box((-w / 2, w / 2), (-d * 0.36, -d * 0.34), (h - 0.03, h), b.mat(), "rails", False)
+    b.box((-w / 2, w / 2), (-d * 0.36, -d * 0.34), (h - 0.03, h), b.mat(), "rails", solid=False)
 
 
 @recipe("cat_tree")
@@ -137,7 +144,7 @@ def chess(b: Builder) -> None:
         for j in range(8):
             x, y = -w * 0.45 + i * s, -d * 0.45 + j * s
             if (i + j) % 2:
-                b.box((x, x + s), (y, y + s), (low, low + 0.001), "wood_birch", "squares", False)
+                b.box((x, x + s), (y, y + s), (low, low + 0.001), "wood_birch", "squares", solid=False)
             if j in (0, 1, 6, 7):
                 high = h - low if (i, j) in ((4, 0), (4, 7)) else (h - low) * (0.75 if j in (0, 7) else 0.5)
                 b.lathe(
@@ -147,5 +154,5 @@ def chess(b: Builder) -> None:
                     "men",
                     8,
                     (s, s),
-                    False,
+                    solid=False,
                 )

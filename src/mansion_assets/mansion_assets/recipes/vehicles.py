@@ -55,7 +55,7 @@ def _car_wheels(b: Builder, side: int) -> None:
     w, r = b.w, b.h * 0.22
     for y in (-b.d * 0.31, b.d * 0.31):
         inner, outer = (side * (w / 2 - 0.24), y, r), (side * (w / 2 - 0.01), y, r)
-        b.rod(inner, outer, r, "rubber_black", "wheels", 24, True)
+        b.rod(inner, outer, r, "rubber_black", "wheels", 24, solid=True)
         rim = (side * (w / 2 - 0.03), y, r)
         b.rod(rim, (side * w / 2, y, r), r * 0.6, "metal_steel", "rims", 16)
 
@@ -64,8 +64,8 @@ def _car_lamps(b: Builder, side: int) -> None:
     """A white lamp at the front, a red one at the back."""
     w, d, h = b.w, b.d, b.h
     x = (side * w * 0.36 - 0.14, side * w * 0.36 + 0.14)
-    b.box(x, (d / 2 - 0.06, d / 2), (h * 0.38, h * 0.46), "light_white", "lamps", False)
-    b.box(x, (-d / 2, -d / 2 + 0.05), (h * 0.42, h * 0.52), "light_red", "lamps", False)
+    b.box(x, (d / 2 - 0.06, d / 2), (h * 0.38, h * 0.46), "light_white", "lamps", solid=False)
+    b.box(x, (-d / 2, -d / 2 + 0.05), (h * 0.42, h * 0.52), "light_red", "lamps", solid=False)
 
 
 def _car_pillar(b: Builder, side: int) -> None:

@@ -1,7 +1,11 @@
 """Boxes, shelves and signs on walls."""
 
+from typing import Any
+
 from mansion_assets.builder import Builder
-from mansion_assets.registry import recipe
+from mansion_assets.catalogue.receptacles import Receptacle, inset, surface
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
 
@@ -30,7 +34,9 @@ def _nozzle(b: Builder) -> None:
     main = b.mat()
     b.box((-w / 2, w / 2), (-d / 2, d / 2 - 0.015), (h * 0.15, h), main, "case")
     b.box((-w * 0.15, w * 0.15), (-0.02, d / 2), (0, h * 0.2), "plastic_grey", "nozzle")
-    b.box((-w * 0.4, w * 0.4), (d / 2 - 0.016, d / 2 - 0.01), (h * 0.45, h * 0.85), "plastic_grey", "window", False)
+    b.box(
+        (-w * 0.4, w * 0.4), (d / 2 - 0.016, d / 2 - 0.01), (h * 0.45, h * 0.85), "plastic_grey", "window", solid=False
+    )
 
 
 def _folding_table(b: Builder) -> None:
@@ -39,7 +45,7 @@ def _folding_table(b: Builder) -> None:
     main = b.mat()
     b.box((-w / 2, w / 2), (-d / 2, -d / 2 + 0.1), (0, h), main, "back")
     b.box((-w / 2 + 0.02, w / 2 - 0.02), (-d / 2 + 0.1, d / 2), (0, 0.06), main, "table")
-    b.box((-w / 2 + 0.1, w / 2 - 0.1), (-d / 2 + 0.1, d / 2 - 0.05), (0.06, 0.075), "rubber_grey", "pad", False)
+    b.box((-w / 2 + 0.1, w / 2 - 0.1), (-d / 2 + 0.1, d / 2 - 0.05), (0.06, 0.075), "rubber_grey", "pad", solid=False)
 
 
 def _button(b: Builder, y: tuple[float, float]) -> None:
@@ -52,7 +58,7 @@ def _button(b: Builder, y: tuple[float, float]) -> None:
         (h * 0.28, h * 0.72),
         "plastic_light" if main != "plastic_white" else "plastic_grey",
         "button",
-        False,
+        solid=False,
     )
 
 
@@ -73,7 +79,7 @@ def _sockets(b: Builder, y: tuple[float, float]) -> None:
             (h * 0.3, h * 0.7),
             ("plastic_blue", "plastic_green", "plastic_grey", "light_white", "plastic_grey", "plastic_red")[k],
             "sockets",
-            False,
+            solid=False,
         )
 
 
@@ -82,23 +88,25 @@ def _cross(b: Builder, y: tuple[float, float]) -> None:
     w, h = b.w, b.h
     main = b.mat()
     other = "plastic_white" if main != "plastic_white" else "plastic_green"
-    b.box((-w * 0.3, w * 0.3), y, (h * 0.42, h * 0.58), other, "cross", False)
-    b.box((-w * 0.09, w * 0.09), y, (h * 0.24, h * 0.76), other, "cross", False)
+    b.box((-w * 0.3, w * 0.3), y, (h * 0.42, h * 0.58), other, "cross", solid=False)
+    b.box((-w * 0.09, w * 0.09), y, (h * 0.24, h * 0.76), other, "cross", solid=False)
 
 
 def _door_front(b: Builder, y: tuple[float, float]) -> None:
     """Door with a handle and a label."""
     w, h = b.w, b.h
     main = b.mat()
-    b.box((-w * 0.44, w * 0.44), (y[0], y[0] + 0.4 * (y[1] - y[0])), (h * 0.05, h * 0.95), main, "door", False)
-    b.box((w * 0.32, w * 0.36), y, (h * 0.4, h * 0.6), "metal_steel", "handle", False)
-    b.box((-w * 0.2, w * 0.1), (y[0], y[0] + 0.5 * (y[1] - y[0])), (h * 0.6, h * 0.8), "paper_white", "label", False)
+    b.box((-w * 0.44, w * 0.44), (y[0], y[0] + 0.4 * (y[1] - y[0])), (h * 0.05, h * 0.95), main, "door", solid=False)
+    b.box((w * 0.32, w * 0.36), y, (h * 0.4, h * 0.6), "metal_steel", "handle", solid=False)
+    b.box(
+        (-w * 0.2, w * 0.1), (y[0], y[0] + 0.5 * (y[1] - y[0])), (h * 0.6, h * 0.8), "paper_white", "label", solid=False
+    )
 
 
 def _slot(b: Builder, y: tuple[float, float]) -> None:
     """Slot near the lower edge."""
     w, h = b.w, b.h
-    b.box((-w * 0.35, w * 0.35), y, (h * 0.05, h * 0.12), "plastic_black", "slot", False)
+    b.box((-w * 0.35, w * 0.35), y, (h * 0.05, h * 0.12), "plastic_black", "slot", solid=False)
 
 
 def _slats(b: Builder) -> None:
@@ -106,8 +114,8 @@ def _slats(b: Builder) -> None:
     w, d, h = b.w, b.d, b.h
     for k in range(4):
         z = h * (0.08 + 0.07 * k)
-        b.box((-w * 0.42, w * 0.42), (d / 2 - 0.003, d / 2), (z, z + h * 0.03), "plastic_dark", "slats", False)
-    b.box((w * 0.3, w * 0.4), (d / 2 - 0.003, d / 2), (h * 0.75, h * 0.82), "light_green", "led", False)
+        b.box((-w * 0.42, w * 0.42), (d / 2 - 0.003, d / 2), (z, z + h * 0.03), "plastic_dark", "slats", solid=False)
+    b.box((w * 0.3, w * 0.4), (d / 2 - 0.003, d / 2), (h * 0.75, h * 0.82), "light_green", "led", solid=False)
 
 
 _FRONTS = {
@@ -119,6 +127,11 @@ _FRONTS = {
     "sockets": _sockets,
 }
 """What stands out on the front of a box, from the case to the asset's front at `y`."""
+
+
+@receptacles("wall_shelf")
+def _wall_shelf_top(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    return [surface("shelf", inset(size, 0.015), size[2], 0.45)]
 
 
 @recipe("wall_shelf")
@@ -148,7 +161,7 @@ def sign(b: Builder) -> None:
         light,
         "y",
         "arrow",
-        False,
+        solid=False,
     )
-    b.box((w * 0.25, w * 0.42), (d / 2 - 0.002, d / 2), (z1 * 0.42, z1 * 0.58), light, "arrow", False)
-    b.box((-w * 0.4, -w * 0.1), (d / 2 - 0.002, d / 2), (z1 * 0.2, z1 * 0.8), light, "symbol", False)
+    b.box((w * 0.25, w * 0.42), (d / 2 - 0.002, d / 2), (z1 * 0.42, z1 * 0.58), light, "arrow", solid=False)
+    b.box((-w * 0.4, -w * 0.1), (d / 2 - 0.002, d / 2), (z1 * 0.2, z1 * 0.8), light, "symbol", solid=False)

@@ -1,7 +1,11 @@
 """Places to work at: benches, cubicles, lecterns, dressing tables, consoles."""
 
+from typing import Any
+
 from mansion_assets.builder import Builder
-from mansion_assets.registry import recipe
+from mansion_assets.catalogue.receptacles import Receptacle, surface
+from mansion_assets.registry import receptacles, recipe
+from mansion_msgs_py.shapes import Size3
 
 __all__: list[str] = []
 
@@ -25,14 +29,14 @@ def lab_bench(b: Builder) -> None:
             continue
         b.box((x0, x1 - 0.01), (-d / 2 + 0.05, d / 2 - 0.06), (0.08, h - 0.03), b.mat(), "cabinets")
         for z0, z1 in ((0.1, h * 0.6), (h * 0.62, h - 0.05)):
-            b.box((x0 + 0.01, x1 - 0.02), (d / 2 - 0.06, d / 2 - 0.045), (z0, z1), b.mat(), "fronts", False)
+            b.box((x0 + 0.01, x1 - 0.02), (d / 2 - 0.06, d / 2 - 0.045), (z0, z1), b.mat(), "fronts", solid=False)
             b.box(
                 ((x0 + x1) / 2 - 0.06, (x0 + x1) / 2 + 0.06),
                 (d / 2 - 0.045, d / 2 - 0.03),
                 (z1 - 0.05, z1 - 0.035),
                 "metal_steel",
                 "handles",
-                False,
+                solid=False,
             )
     for sx in (-1, 1):
         x = sx * (w / 2 - 0.02)
@@ -54,7 +58,14 @@ def workbench(b: Builder) -> None:
     for k, color in enumerate(("plastic_red", "plastic_blue", "metal_grey")):
         x = -w / 2 + 0.35 + k * 0.3
         if x + 0.12 < w / 2:
-            b.box((x, x + 0.24), (-d / 2 + 0.12, 0.1), (0.19, 0.36), color, "boxes", False)
+            b.box((x, x + 0.24), (-d / 2 + 0.12, 0.1), (0.19, 0.36), color, "boxes", solid=False)
+
+
+@receptacles("cubicle")
+def _cubicle_top(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, _ = size
+    box = (-w / 2 + 0.07, w / 2 - 0.07, -d / 2 + 0.07, -d / 2 + min(0.75, d * 0.8) - 0.03)
+    return [surface("top", box, 0.74, 1.0)]
 
 
 @recipe("cubicle")
@@ -81,7 +92,13 @@ def lectern(b: Builder) -> None:
     b.prism(
         [(-d / 2, h - 0.18), (-d / 2, h - 0.13), (d / 2, h), (d / 2, h - 0.05)], (-w / 2, w / 2), b.mat(), part="top"
     )
-    b.box((-0.1, 0.1), (d / 2 - 0.045, d / 2 - 0.035), (h * 0.5, h * 0.7), "metal_steel", "plate", False)
+    b.box((-0.1, 0.1), (d / 2 - 0.045, d / 2 - 0.035), (h * 0.5, h * 0.7), "metal_steel", "plate", solid=False)
+
+
+@receptacles("salon_station")
+def _salon_shelf(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, _ = size
+    return [surface("shelf", (-w / 2 + 0.03, w / 2 - 0.03, -d / 2 + 0.07, d / 2 - 0.02), 0.82, 0.8)]
 
 
 @recipe("salon_station")
@@ -92,12 +109,23 @@ def salon_station(b: Builder) -> None:
     b.box((-w / 2, w / 2), (-d / 2 + 0.04, d / 2), (0.78, 0.82), b.mat(), "shelf")
     b.box((-w / 2 + 0.03, -w / 2 + 0.4), (-d / 2 + 0.04, d / 2 - 0.05), (0.35, 0.78), b.mat(), "drawers")
     b.box(
-        (-w / 2 + 0.12, w / 2 - 0.12), (-d / 2 + 0.04, -d / 2 + 0.055), (0.95, h - 0.1), "glass_mirror", "mirror", False
+        (-w / 2 + 0.12, w / 2 - 0.12),
+        (-d / 2 + 0.04, -d / 2 + 0.055),
+        (0.95, h - 0.1),
+        "glass_mirror",
+        "mirror",
+        solid=False,
     )
     for sx in (-1, 1):
         for k in range(4):
             z = 1.0 + k * (h - 1.2) / 3
-            b.ball((sx * (w / 2 - 0.06), -d / 2 + 0.06, z), (0.03, 0.03, 0.03), "light_warm", "bulbs", 8, False)
+            b.ball((sx * (w / 2 - 0.06), -d / 2 + 0.06, z), (0.03, 0.03, 0.03), "light_warm", "bulbs", 8, solid=False)
+
+
+@receptacles("control_desk")
+def _control_desk_top(size: Size3, p: dict[str, Any]) -> list[Receptacle]:
+    w, d, _ = size
+    return [surface("top", (-w / 2 + 0.04, w / 2 - 0.04, 0.2, d / 2 - 0.02), 0.75, 1.0)]
 
 
 @recipe("control_desk")
@@ -121,7 +149,9 @@ def control_desk(b: Builder) -> None:
             (z + 0.135, h - 0.015),
             "screen_blue",
             "screens",
-            False,
+            solid=False,
         )
-        b.box((x - 0.03, x + 0.03), (-d / 2 + 0.09, -d / 2 + 0.12), (z, z + 0.14), "plastic_black", "stands", False)
-        b.box((x - 0.2, x + 0.2), (0.05, 0.19), (z, z + 0.02), "plastic_dark", "keyboards", False)
+        b.box(
+            (x - 0.03, x + 0.03), (-d / 2 + 0.09, -d / 2 + 0.12), (z, z + 0.14), "plastic_black", "stands", solid=False
+        )
+        b.box((x - 0.2, x + 0.2), (0.05, 0.19), (z, z + 0.02), "plastic_dark", "keyboards", solid=False)

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_assets.catalogue import Asset, Catalogue
-from mansion_assets.catalogue.uses import use_of
+from mansion_assets.catalogue.search import use_of
 from mansion_assets.retrieval.encoders import TextEncoder, unit_rows
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic

@@ -6,7 +6,7 @@ import pytest
 
 from mansion_assets.catalogue.furnish import furnish_request
 from mansion_assets.catalogue.loading import load_catalogue
-from mansion_assets.catalogue.seats import seating_tables, seats_around
+from mansion_assets.catalogue.quantities import seating_tables, seats_around
 
 CATALOGUE = load_catalogue()
 CHAIR = CATALOGUE.choose_from("meeting_chair")[0]
