@@ -10,11 +10,11 @@ from pathlib import Path
 from shapely import Polygon
 
 from mansion_assets.catalogue import furnish_request, load_catalogue
+from mansion_geometry.object_footprints import footprint
 from mansion_geometry.randomness import item_seed
 from mansion_msgs_py.placement import PlacementOpening, PlacementRoom
 from mansion_msgs_py.scene import Door, SceneObject, Window
 from mansion_scene.decor import decorate_room, scene_object
-from mansion_scene.decor.frames import footprint
 from mansion_scene.placement import place_room
 
 ROOMS = [
@@ -70,7 +70,7 @@ def faults(placed: list[SceneObject], extra: list[SceneObject], w: float, d: flo
     out = []
     carried = [o for o in extra if o.parent]
     standing = placed + [o for o in extra if not o.parent and o.size[2] > 0.025]
-    shapes = {o.id: footprint(o.position, o.size, o.rotation) for o in placed + extra}
+    shapes = {o.id: footprint(o) for o in placed + extra}
     by_id = {o.id: o for o in placed + extra}
     out += [f"{o.id} out of the room" for o in placed + extra if not room.contains(shapes[o.id]) and not o.parent]
     for group in (standing, carried):
@@ -96,7 +96,7 @@ def draw(path: Path, placed: list[SceneObject], extra: list[SceneObject], w: flo
     colours = {"floor": "#c8a878", "wall": "#3060c0", "surface": "#c03030", "inside": "#e09090", "ceiling": "#888888"}
     rank = {"floor": 0, "inside": 1, "surface": 2, "wall": 3, "ceiling": 4}
     for o in sorted(placed + extra, key=lambda o: (rank[o.mount], o.size[2] > 0.025)):
-        x, y = footprint(o.position, o.size, o.rotation).exterior.xy
+        x, y = footprint(o).exterior.xy
         if o.mount == "ceiling":
             axes.plot(x, y, ":", color="#999999", lw=0.8)
             continue

@@ -19,11 +19,12 @@ from mansion_editing.physics.engine import PosedBox, SettleProblem, engine_named
 from mansion_editing.receptacles import half_diagonal, ledges_of, receptacle_shell, support_boxes
 from mansion_editing.state import SceneState
 from mansion_editing.tools.placement import place_in_container, place_on_surface
+from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_scene.decor.frames import footprint, to_local
+from mansion_scene.decor.frames import to_local
 
 STAYS = 0.002
 
@@ -91,8 +92,8 @@ def _kind(message: str) -> str:
 
 def verify(state: SceneState, floor: int, carrier: SceneObject, placed: SceneObject, engine: object) -> str:
     """Return what is wrong with a placed object, empty when nothing is."""
-    shape = footprint(placed.position, placed.size, placed.rotation)
-    under = footprint(carrier.position, carrier.size, carrier.rotation)
+    shape = footprint(placed)
+    under = footprint(carrier)
     if shape.intersection(under).area < 0.98 * shape.area:
         return "hangs over its receptacle"
     low = placed.position[2] - placed.size[2] / 2
@@ -102,7 +103,7 @@ def verify(state: SceneState, floor: int, carrier: SceneObject, placed: SceneObj
             continue
         depth = min(high, other.position[2] + other.size[2] / 2) - max(low, other.position[2] - other.size[2] / 2)
         if depth > 0.002 and math.dist(other.position[:2], placed.position[:2]) < 6.0:
-            both = shape.intersection(footprint(other.position, other.size, other.rotation))
+            both = shape.intersection(footprint(other))
             if both.area > 1e-5:
                 return f"lies in {other.category}"
     return _moves(state, carrier, placed, engine)

@@ -10,15 +10,16 @@ from importlib import import_module
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from mansion_msgs_py.shapes import Size3
+
 if TYPE_CHECKING:
     from mansion_assets.builder import Builder
     from mansion_assets.catalogue.receptacles import Receptacle
-    from mansion_msgs_py.shapes import Size3
 
 __all__ = ["Recipe", "ReceptacleRule", "receptacle_rule", "receptacles", "recipe", "recipe_named", "recipe_names"]
 
-Recipe: TypeAlias = "Callable[[Builder], None]"
-ReceptacleRule: TypeAlias = "Callable[[Size3, dict[str, Any]], list[Receptacle]]"
+Recipe: TypeAlias = Callable[["Builder"], None]
+ReceptacleRule: TypeAlias = Callable[[Size3, dict[str, Any]], "list[Receptacle]"]
 """From an asset's size and the parameters of its recipe to what carries and holds things."""
 
 _RECIPES: dict[str, Recipe] = {}

@@ -1,22 +1,61 @@
-"""The floor that an object takes from the robot."""
+"""Footprints: the rectangles that objects cover on the floor, and distances to them."""
 
-from math import cos, radians, sin
-
-from shapely.geometry import Polygon
+from collections.abc import Sequence
+from math import cos, hypot, radians, sin
+from typing import TYPE_CHECKING
 
 from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.shapes import Point
 
-__all__ = ["footprint", "oblique_margin"]
+if TYPE_CHECKING:
+    from shapely.geometry import Polygon
+
+__all__ = ["footprint", "footprint_at", "footprint_corners", "footprint_distance", "oblique_margin"]
 
 
-def footprint(item: SceneObject) -> Polygon:
-    """Return the rectangle that an object covers on the floor."""
-    x, y, _ = item.position
-    half_w, half_d = item.size[0] / 2, item.size[1] / 2
-    turn = radians(item.rotation)
+def footprint_corners(
+    center: Sequence[float], size: Sequence[float], rotation: float, *, scale: float = 1.0
+) -> list[Point]:
+    """Return the four corners of a footprint, counter-clockwise from the left end of the back.
+
+    Parameters
+    ----------
+    center : sequence of float
+        x and y of the object's centre, metres; further numbers are ignored.
+    size : sequence of float
+        Width and depth, metres; further numbers are ignored.
+    rotation : float
+        Degrees counter-clockwise.
+    scale : float
+        Factor by which the rectangle grows about its centre.
+    """
+    x, y = center[0], center[1]
+    half_w, half_d = scale * size[0] / 2, scale * size[1] / 2
+    turn = radians(rotation)
     c, s = cos(turn), sin(turn)
     corners = ((-half_w, -half_d), (half_w, -half_d), (half_w, half_d), (-half_w, half_d))
-    return Polygon([(x + u * c - v * s, y + u * s + v * c) for u, v in corners])
+    return [(x + u * c - v * s, y + u * s + v * c) for u, v in corners]
+
+
+def footprint_at(center: Sequence[float], size: Sequence[float], rotation: float) -> "Polygon":
+    """Return the footprint of an object of a size at a pose (see `footprint_corners`)."""
+    # Robots ask for corners and distances alone, and start without shapely.
+    from shapely.geometry import Polygon
+
+    return Polygon(footprint_corners(center, size, rotation))
+
+
+def footprint(item: SceneObject) -> "Polygon":
+    """Return the footprint of an object of a scene."""
+    return footprint_at(item.position, item.size, item.rotation)
+
+
+def footprint_distance(point: Point, center: Sequence[float], size: Sequence[float], rotation: float) -> float:
+    """Return the distance from a point to a footprint (see `footprint_corners`), metres; 0 inside."""
+    dx, dy = point[0] - center[0], point[1] - center[1]
+    c, s = cos(radians(rotation)), sin(radians(rotation))
+    across, along = abs(c * dx + s * dy) - size[0] / 2, abs(c * dy - s * dx) - size[1] / 2
+    return hypot(max(across, 0.0), max(along, 0.0))
 
 
 def oblique_margin(item: SceneObject) -> float:

@@ -7,6 +7,7 @@ from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from mansion_geometry.object_footprints import footprint
+from mansion_geometry.robot_body import ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.placement import PlacementOpening
 from mansion_msgs_py.scene import SceneObject
 from mansion_scene.structure.dimensions import DOOR_HEIGHT
@@ -14,7 +15,8 @@ from mansion_scene.structure.dimensions import DOOR_HEIGHT
 __all__ = ["clear_of_ways"]
 
 _DOORWAY = 0.8  # metres before a door that stay free
-_RADIUS, _REACH = 0.19, 0.50  # of the robot's body, and how near its centre must come to a thing
+_RADIUS = ROBOT_RADIUS - 0.01  # a little less than the robot's, so that rounding removes nothing
+_REACH = ROBOT_RADIUS + ROBOT_REACH  # from the robot's centre to what it approaches
 _ROBOT_HEIGHT, _FLAT = 1.5, 0.03
 _THIN = 0.02  # what hangs closer to its wall stops nobody
 

@@ -6,10 +6,11 @@ import pytest
 from shapely import Polygon
 
 from mansion_assets.catalogue import RoomFurnishing, furnish_request, load_catalogue
+from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.scene import Door, SceneObject, Window
 from mansion_scene.decor import decorate_room, scene_object
-from mansion_scene.decor.frames import footprint, to_floor, to_local
+from mansion_scene.decor.frames import to_floor, to_local
 
 CATALOGUE = load_catalogue()
 RING = [(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0)]
@@ -70,7 +71,7 @@ def test_ids_are_unique_and_everything_is_in_the_room(room_type: str, seed: int)
     for o in extra:
         assert all(math.isfinite(v) for v in (*o.position, o.rotation))
         if o.mount != "inside":
-            assert room.contains(footprint(o.position, o.size, o.rotation)), o.id
+            assert room.contains(footprint(o)), o.id
         assert o.position[2] - o.size[2] / 2 >= -1e-6
         assert o.position[2] + o.size[2] / 2 <= 2.7 + 1e-6
 
@@ -93,9 +94,7 @@ def test_small_objects_rest_on_or_in_their_receptacle_without_overlap(room_type:
         for b in carried[i + 1 :]:
             apart = abs(a.position[2] - b.position[2]) > (a.size[2] + b.size[2]) / 2 - 1e-3
             if a.parent == b.parent and not apart:
-                shared = footprint(a.position, a.size, a.rotation).intersection(
-                    footprint(b.position, b.size, b.rotation)
-                )
+                shared = footprint(a).intersection(footprint(b))
                 assert shared.area < 1e-6, (a.id, b.id)
 
 
@@ -104,15 +103,13 @@ def test_wall_objects_keep_off_doors_windows_and_tall_furniture(room_type: str) 
     placed, extra = _decorated(room_type, 3)
     for o in (o for o in extra if o.mount == "wall" and not o.parent):
         low, high = o.position[2] - o.size[2] / 2, o.position[2] + o.size[2] / 2
-        x0, y0, x1, y1 = footprint(o.position, o.size, o.rotation).bounds
+        x0, y0, x1, y1 = footprint(o).bounds
         assert not (y0 < 0.05 and x0 < 2.9 and x1 > 2.0), o.id
         assert not (y1 > 4.95 and x0 < 4.0 and x1 > 2.0 and low < 2.3 and high > 0.9), o.id
         assert min(x0, y0, 6.0 - x1, 5.0 - y1) < 0.01, o.id
         for f in placed:
             if low < f.size[2] and high > 0.0:
-                assert not footprint(o.position, o.size, o.rotation).intersects(
-                    footprint(f.position, f.size, f.rotation)
-                ), (o.id, f.id)
+                assert not footprint(o).intersects(footprint(f)), (o.id, f.id)
 
 
 def test_a_rug_lies_below_the_coffee_table_and_can_be_walked_on() -> None:
@@ -128,8 +125,8 @@ def test_a_rug_lies_below_the_coffee_table_and_can_be_walked_on() -> None:
     assert len(found) >= 4
     for o in found:
         assert o.size[2] <= 0.02
-        rug = footprint(o.position, o.size, o.rotation)
-        assert rug.contains(footprint(stood.position, stood.size, stood.rotation))
+        rug = footprint(o)
+        assert rug.contains(footprint(stood))
 
 
 def test_lamps_keep_headroom_and_ceiling_objects_do_not_overlap() -> None:
@@ -139,7 +136,7 @@ def test_lamps_keep_headroom_and_ceiling_objects_do_not_overlap() -> None:
     for i, a in enumerate(hung):
         assert a.position[2] + a.size[2] / 2 == pytest.approx(2.7, abs=1e-3)
         for b in hung[i + 1 :]:
-            assert not footprint(a.position, a.size, a.rotation).intersects(footprint(b.position, b.size, b.rotation))
+            assert not footprint(a).intersects(footprint(b))
 
 
 def test_the_same_seed_decorates_alike_and_another_does_not() -> None:
@@ -153,7 +150,7 @@ def test_an_l_shaped_room_is_decorated_within_its_walls() -> None:
     extra = decorate_room(CATALOGUE, wishes, room_id=ROOM, net_polygon=ring, ceiling_height=3.0, doors=[DOOR], seed=1)
     shape = Polygon(ring).buffer(0.01)
     assert any(o.mount == "ceiling" for o in extra) and any(o.mount == "wall" for o in extra)
-    assert all(shape.contains(footprint(o.position, o.size, o.rotation)) for o in extra if not o.parent)
+    assert all(shape.contains(footprint(o)) for o in extra if not o.parent)
 
 
 def test_a_receptacles_frame_turns_with_it() -> None:

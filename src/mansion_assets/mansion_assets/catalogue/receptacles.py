@@ -78,12 +78,12 @@ def receptacles_of(
 def _lowered(s: Surface, dz: float) -> Surface:
     return Surface(
         kind=s.kind,
-        x=_rounded(s.x),
-        y=_rounded(s.y),
-        z=_rounded(s.z - dz),
-        w=_rounded(s.w),
-        d=_rounded(s.d),
-        clearance=_rounded(s.clearance),
+        x=round(s.x, 4),
+        y=round(s.y, 4),
+        z=round(s.z - dz, 4),
+        w=round(s.w, 4),
+        d=round(s.d, 4),
+        clearance=round(s.clearance, 4),
         round=s.round,
     )
 
@@ -91,14 +91,10 @@ def _lowered(s: Surface, dz: float) -> Surface:
 def _sunk(v: Volume, dz: float) -> Volume:
     return Volume(
         kind=v.kind,
-        x=_rounded(v.x),
-        y=_rounded(v.y),
-        z=_rounded(v.z - dz),
-        w=_rounded(v.w),
-        d=_rounded(v.d),
-        h=_rounded(v.h),
+        x=round(v.x, 4),
+        y=round(v.y, 4),
+        z=round(v.z - dz, 4),
+        w=round(v.w, 4),
+        d=round(v.d, 4),
+        h=round(v.h, 4),
     )
-
-
-def _rounded(value: float) -> float:
-    return round(value, 4)

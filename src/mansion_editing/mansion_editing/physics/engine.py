@@ -7,9 +7,9 @@ from typing import Final, NamedTuple, Protocol
 
 from shapely import Polygon
 
+from mansion_geometry.object_footprints import footprint_at
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.shapes import Point3
-from mansion_scene.decor.frames import footprint
 
 __all__ = [
     "ENGINES",
@@ -146,7 +146,7 @@ class StaticEngine:
 
 
 def _area(box: PosedBox) -> Polygon:
-    return footprint(box.center, box.size, box.rotation)
+    return footprint_at(box.center, box.size, box.rotation)
 
 
 def _depth(one: PosedBox, other: PosedBox) -> float:

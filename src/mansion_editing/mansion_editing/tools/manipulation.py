@@ -10,11 +10,12 @@ from mansion_editing.references import object_named
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.placement import free_floor_places, rest_on
+from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.editing import MoveObjectArgs, RemoveObjectArgs, SetStateArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.wording import with_article
-from mansion_scene.decor.frames import footprint, room_polygon, to_local
+from mansion_scene.decor.frames import room_polygon, to_local
 
 __all__ = ["move_object", "remove_object", "set_state"]
 
@@ -158,7 +159,7 @@ def _at_point(
     if room is None:
         raise MansionError(ErrorCode.INFEASIBLE, f"({x:g}, {y:g}) is in no room of floor {floor}")
     turn = item.rotation if rotation is None else rotation % 360.0
-    shape = footprint((x, y), item.size, turn)
+    shape = footprint_at((x, y), item.size, turn)
     area = room_polygon(room.net_polygon, room.net_holes)
     if shape.difference(area.buffer(2e-3)).area > OVERLAP:
         raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} would stand out of {room.id} at ({x:g}, {y:g})")
@@ -182,7 +183,7 @@ def _at_point(
         and min(high, other.position[2] + other.size[2] / 2) - max(low, other.position[2] - other.size[2] / 2) > 5e-3
         and math.dist(other.position[:2], (x, y)) < 10.0
     ]
-    shapes = [footprint(other.position, other.size, other.rotation) for other in others]
+    shapes = [footprint(other) for other in others]
     for number in sorted(STRtree(shapes).query(shape).tolist()):
         if shapes[number].intersection(shape).area > OVERLAP and item.size[2] > LOW:
             raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} would stand in {others[number].id} at ({x:g}, {y:g})")

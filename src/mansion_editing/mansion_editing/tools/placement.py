@@ -21,12 +21,13 @@ from mansion_editing.receptacles import (
 )
 from mansion_editing.references import COLOUR_WORDS, colour_of, object_named
 from mansion_editing.state import SceneState
+from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point, Point3
 from mansion_msgs_py.wording import with_article
-from mansion_scene.decor.frames import footprint, room_polygon, scene_object, to_floor, to_local, wall_edges
+from mansion_scene.decor.frames import room_polygon, scene_object, to_floor, to_local, wall_edges
 
 __all__ = [
     "Accept",
@@ -151,7 +152,7 @@ def free_floor_places(
     inner = prep(area.buffer(1e-4))
     scene = state.scenes[floor]
     others = [
-        footprint(item.position, item.size, item.rotation)
+        footprint(item)
         for item in scene.objects
         if item.id != thing.id
         and item.room == room.id
@@ -169,12 +170,12 @@ def free_floor_places(
     if near is not None:
         poses.sort(key=lambda pose: round(math.dist(pose[:2], near.position[:2]), 6))
     for x, y, rotation in poses:
-        body = footprint((x, y), (w + 0.02, d), rotation)
-        if not inner.covers(footprint((x, y), (w, d), rotation)):
+        body = footprint_at((x, y), (w + 0.02, d), rotation)
+        if not inner.covers(footprint_at((x, y), (w, d), rotation)):
             continue
         turn = math.radians(rotation)
         ahead = (d + FRONT) / 2
-        before = footprint((x - math.sin(turn) * ahead, y + math.cos(turn) * ahead), (w, FRONT), rotation)
+        before = footprint_at((x - math.sin(turn) * ahead, y + math.cos(turn) * ahead), (w, FRONT), rotation)
         if furniture.query(body, predicate="intersects").size:
             continue
         if kept_clear.query(body, predicate="intersects").size:

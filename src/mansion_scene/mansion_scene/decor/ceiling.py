@@ -8,9 +8,10 @@ from shapely import Point as ShapelyPoint
 from shapely import Polygon
 
 from mansion_assets.catalogue import Asset, Catalogue, HangWish
+from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point
-from mansion_scene.decor.frames import Ids, WallEdge, footprint, scene_object
+from mansion_scene.decor.frames import Ids, WallEdge, scene_object
 from mansion_scene.decor.rugs import matches
 
 __all__ = ["HEADROOM", "ceiling_objects"]
@@ -72,14 +73,12 @@ class _Ceiling:
         self.angle = math.degrees(math.atan2(longest.along[1], longest.along[0])) % 180.0
         self.taken: list[tuple[float, float, float, float]] = []
         self.tall = [
-            (footprint(o.position, o.size, o.rotation), o.position[2] + o.size[2] / 2)
-            for o in placed
-            if o.position[2] + o.size[2] / 2 > 1.4
+            (footprint(o), o.position[2] + o.size[2] / 2) for o in placed if o.position[2] + o.size[2] / 2 > 1.4
         ]
 
     def take(self, asset: Asset, center: Point, rotation: float) -> bool:
         """Take a place if it is free."""
-        shape = footprint(center, asset.size, rotation)
+        shape = footprint_at(center, asset.size, rotation)
         x0, y0, x1, y1 = shape.bounds
         clear = all(x1 + 0.05 < a or c + 0.05 < x0 or y1 + 0.05 < b or d + 0.05 < y0 for a, b, c, d in self.taken)
         low = self.height - asset.size[2] - 0.03

@@ -1,4 +1,4 @@
-"""Frames and footprints: from an asset's own frame to the floor's and back."""
+"""Frames of walls and objects, and catalogue assets as objects of the scene."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -9,7 +9,7 @@ from mansion_assets.catalogue import Asset
 from mansion_msgs_py.scene import Mount, SceneObject
 from mansion_msgs_py.shapes import Point, Point3, Segment
 
-__all__ = ["Ids", "WallEdge", "footprint", "room_polygon", "scene_object", "to_floor", "to_local", "wall_edges"]
+__all__ = ["Ids", "WallEdge", "room_polygon", "scene_object", "to_floor", "to_local", "wall_edges"]
 
 
 class Ids:
@@ -91,16 +91,6 @@ def room_polygon(polygon: Sequence[Point], holes: Sequence[Sequence[Point]] = ()
     """Return the net interior of a room as a valid polygon."""
     shape = Polygon(polygon, [hole for hole in holes if len(hole) >= 3])
     return shape if shape.is_valid else shape.buffer(0)
-
-
-def footprint(position: Sequence[float], size: Sequence[float], rotation: float) -> Polygon:
-    """Return the rectangle that an object covers on the floor."""
-    angle = math.radians(rotation)
-    c, s = math.cos(angle), math.sin(angle)
-    u, v = size[0] / 2, size[1] / 2
-    return Polygon(
-        [(position[0] + c * a - s * b, position[1] + s * a + c * b) for a, b in ((u, -v), (u, v), (-u, v), (-u, -v))]
-    )
 
 
 def to_floor(obj: SceneObject, point: Point) -> Point:

@@ -8,9 +8,10 @@ from shapely import Polygon
 from shapely.strtree import STRtree
 
 from mansion_assets.catalogue import Asset, RugWish
+from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.scene import Door, SceneObject
 from mansion_msgs_py.shapes import Point
-from mansion_scene.decor.frames import Ids, WallEdge, footprint, scene_object, to_floor
+from mansion_scene.decor.frames import Ids, WallEdge, scene_object, to_floor
 
 __all__ = ["matches", "rugs"]
 
@@ -33,7 +34,7 @@ def rugs(
     """Return the rugs of a room, inside it and clear of each other; they lie flat and can be walked on."""
     out: list[SceneObject] = []
     shapes: list[Polygon] = []
-    floor = [footprint(o.position, o.size, o.rotation) for o in placed if o.mount == "floor"]
+    floor = [footprint(o) for o in placed if o.mount == "floor"]
     tree = STRtree(floor)
     for wish in wishes:
         targets = [o for o in placed if wish.under and matches(o, wish.under)]
@@ -42,7 +43,7 @@ def rugs(
             if laid >= wish.count:
                 break
             for center, rotation, free in _candidates(wish, asset, room, edges, doors, targets, rng):
-                shape = footprint(center, asset.size, rotation)
+                shape = footprint_at(center, asset.size, rotation)
                 if not room.contains(shape) or any(shape.intersects(other) for other in shapes):
                     continue
                 if free and len(tree.query(shape, predicate="intersects")):

@@ -6,9 +6,10 @@ import msgspec
 import numpy as np
 
 from mansion_assets.catalogue import Asset, HangWish
+from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.scene import Door, SceneObject, Window
 from mansion_msgs_py.shapes import Point3
-from mansion_scene.decor.frames import Ids, WallEdge, footprint, scene_object
+from mansion_scene.decor.frames import Ids, WallEdge, scene_object
 from mansion_scene.decor.rugs import matches
 
 __all__ = ["wall_objects"]
@@ -115,7 +116,7 @@ def _block(
 
 def _block_object(walls: Sequence[_Wall], obj: SceneObject) -> None:
     """Note an object on the walls that it stands before or hangs near to."""
-    corners = list(footprint(obj.position, obj.size, obj.rotation).exterior.coords)
+    corners = list(footprint(obj).exterior.coords)
     high = obj.position[2] + obj.size[2] / 2 + _ABOVE
     low = obj.position[2] - obj.size[2] / 2
     for wall in walls:

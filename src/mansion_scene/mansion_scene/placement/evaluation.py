@@ -9,6 +9,7 @@ import shapely
 from shapely.geometry import LineString, Polygon
 
 from mansion_geometry.free_space import connected_components
+from mansion_geometry.robot_body import ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.placement import (
     MatrixStructure,
     PairedStructure,
@@ -28,7 +29,12 @@ _EPS = 1e-9
 
 
 def approachable(
-    room: PlacementRoom, shapes: Sequence[Polygon], *, radius: float = 0.20, reach: float = 0.30, cell: float = 0.05
+    room: PlacementRoom,
+    shapes: Sequence[Polygon],
+    *,
+    radius: float = ROBOT_RADIUS,
+    reach: float = ROBOT_REACH,
+    cell: float = 0.05,
 ) -> list[bool]:
     """Tell which footprints have a free cell within reach that is connected to a door.
 

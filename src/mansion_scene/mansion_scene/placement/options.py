@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from mansion_geometry.robot_body import ROBOT_RADIUS, ROBOT_REACH
+
 __all__ = ["PlacementOptions"]
 
 
@@ -37,8 +39,8 @@ class PlacementOptions:
         Most poses of an object whose reachability is examined in one search.
     """
 
-    robot_radius: float = 0.20
-    reach: float = 0.30
+    robot_radius: float = ROBOT_RADIUS
+    reach: float = ROBOT_REACH
     margin: float = 0.035
     tight: bool = True
     cell: float = 0.05

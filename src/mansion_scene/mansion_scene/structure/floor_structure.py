@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from shapely.geometry import Polygon
 
+from mansion_geometry.robot_body import PASSAGE_WIDTH
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.scene import Door, SceneCore, SceneRoom, Wall, Window
@@ -14,7 +15,7 @@ from mansion_scene.structure.access import plan_access, shared_stretches
 from mansion_scene.structure.boundaries import Stretch, boundary_stretches
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
-from mansion_scene.structure.interiors import PASSAGE, Partition, partition_floor, usable_stretches, walkable_parts
+from mansion_scene.structure.interiors import Partition, partition_floor, usable_stretches, walkable_parts
 from mansion_scene.structure.materials import facade_material
 from mansion_scene.structure.openings import make_frontages, open_passages, other_places, place_doors, take
 from mansion_scene.structure.outer_doors import entrance_room, is_residential, place_entrance, place_garage_doors
@@ -129,7 +130,7 @@ def _cut_off(floor: FloorRegions, partition: Partition) -> list[Downgrade]:
         Downgrade(
             wish=f"all of {region} in one piece",
             got=f"{area:.2f} m2 less",
-            reason=f"a part of the room is reached only by a way narrower than {PASSAGE} m",
+            reason=f"a part of the room is reached only by a way narrower than {PASSAGE_WIDTH} m",
             stage="furnish_floor",
             floor=floor.floor,
         )

@@ -2,19 +2,19 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Final
 
 import shapely
 from shapely.geometry import LineString, MultiLineString, Polygon
 from shapely.geometry.polygon import orient
 
+from mansion_geometry.robot_body import PASSAGE_WIDTH
 from mansion_msgs_py.shapes import Point, Segment
 from mansion_scene.structure.access import Pair, pair_key
 from mansion_scene.structure.boundaries import Stretch
 from mansion_scene.structure.dimensions import INTERIOR_THICKNESS, NIB
 from mansion_scene.structure.regions import FloorRegions
 
-__all__ = ["PASSAGE", "Partition", "partition_floor", "usable_stretches", "walkable_parts"]
+__all__ = ["Partition", "partition_floor", "usable_stretches", "walkable_parts"]
 
 _SHORTEST_OPEN = 0.7  # metres; a shorter open boundary keeps its wall
 _SLIVER = 0.1  # square metres
@@ -123,19 +123,16 @@ def _clear(
     return clear
 
 
-PASSAGE: Final = 0.6
-"""Narrowest way that counts as walkable, metres: a robot of radius 0.20 m and some play."""
-
 _INSIDE = 0.03  # metres beyond the wall's face at which a stretch is looked up
 _SHORTEST = 0.3
 
 
 def walkable_parts(nets: Mapping[str, Polygon]) -> dict[str, Polygon]:
-    """Return the largest part of each net interior in which no way is narrower than `PASSAGE`.
+    """Return the largest part of each net interior in which no way is narrower than `PASSAGE_WIDTH`.
 
     It is the morphological opening of the net interior by a square; empty where the whole region is narrower.
     """
-    radius = PASSAGE / 2 - 1e-3
+    radius = PASSAGE_WIDTH / 2 - 1e-3
     parts: dict[str, Polygon] = {}
     eroded = shapely.buffer(list(nets.values()), -radius, join_style="mitre")
     for name, shape in zip(nets, eroded, strict=True):

@@ -1,7 +1,8 @@
 """Distances to the boxes in which objects stand."""
 
-from math import cos, hypot, radians, sin
+from math import hypot
 
+from mansion_geometry.object_footprints import footprint_corners, footprint_distance
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point, Segment
 from mansion_msgs_py.world import ObjectState
@@ -12,19 +13,13 @@ __all__ = ["box_distance", "corners", "segment_distance"]
 def box_distance(point: Point, state: ObjectState, kind: SceneObject) -> float:
     """Return the plan distance from a point to an object's box, metres; 0 inside."""
     assert state.position is not None
-    dx, dy = point[0] - state.position[0], point[1] - state.position[1]
-    c, s = cos(radians(state.rotation)), sin(radians(state.rotation))
-    across, along = abs(c * dx + s * dy) - kind.size[0] / 2, abs(c * dy - s * dx) - kind.size[1] / 2
-    return hypot(max(across, 0.0), max(along, 0.0))
+    return footprint_distance(point, state.position, kind.size, state.rotation)
 
 
 def corners(state: ObjectState, kind: SceneObject, scale: float = 1.0) -> list[Point]:
     """Return the corners of an object's box in plan, scaled about its centre."""
     assert state.position is not None
-    x, y, _ = state.position
-    c, s = cos(radians(state.rotation)), sin(radians(state.rotation))
-    a, b = scale * kind.size[0] / 2, scale * kind.size[1] / 2
-    return [(x + c * u - s * v, y + s * u + c * v) for u, v in ((-a, -b), (a, -b), (a, b), (-a, b))]
+    return footprint_corners(state.position, kind.size, state.rotation, scale=scale)
 
 
 def segment_distance(point: Point, segment: Segment) -> float:
