@@ -1,4 +1,4 @@
-"""Wall objects on stretches free of doors, windows, tall furniture and each other."""
+"""Wall objects, on lengths of wall free of doors, windows, tall furniture and each other."""
 
 from collections.abc import Iterator, Sequence
 
@@ -22,7 +22,7 @@ _ABOVE = 0.04
 
 
 class _Block(msgspec.Struct, frozen=True):
-    """A stretch of wall that is not free between two heights; `depth` is how far it reaches from the wall."""
+    """A length of wall that is not free between two heights; `depth` is how far it reaches from the wall."""
 
     start: float
     end: float
@@ -200,15 +200,15 @@ def _free(
     placed: Sequence[SceneObject],
     rng: np.random.Generator,
 ) -> Iterator[Place]:
-    """The middles of free stretches, the wide ones and those without a like neighbour first."""
+    """Yield the middles of free lengths, the wide ones and those without a like neighbour first."""
     w, d, h = wish.asset.size
     for _ in range(wish.count):
         options: list[tuple[float, int, _Wall, float]] = []
         for number, wall in enumerate(walls):
             for a, b in wall.gaps(w, center - h / 2, center + h / 2, d):
-                stretch = min(b - a, 4.0)
+                length = min(b - a, 4.0)
                 near = sum(0.8 for s, kind in wall.hung if abs(s - (a + b) / 2) < 1.5 + w / 2)
-                score = stretch * 0.35 - near + float(rng.uniform(0.0, 1.2))
+                score = length * 0.35 - near + float(rng.uniform(0.0, 1.2))
                 if wish.place == "facing_door":
                     score += 2.0 * _faces_door(wall, doors)
                 elif wish.place == "facing_seats":

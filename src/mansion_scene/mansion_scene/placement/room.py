@@ -25,7 +25,7 @@ _SNAP = 0.35
 
 @dataclass(frozen=True)
 class Wall:
-    """A straight stretch of boundary.
+    """A straight side of the boundary.
 
     Attributes
     ----------

@@ -9,11 +9,11 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.topology import FloorTopology
-from mansion_scene.structure.boundaries import Stretch
+from mansion_scene.structure.boundaries import BoundarySegment
 from mansion_scene.structure.dimensions import INTERIOR_THICKNESS, MIN_CLEAR_WIDTH
 from mansion_scene.structure.regions import FloorRegions, Region
 
-__all__ = ["AccessPlan", "Pair", "Passage", "pair_key", "plan_access", "shared_stretches"]
+__all__ = ["AccessPlan", "Pair", "Passage", "pair_key", "plan_access", "shared_boundaries"]
 
 SHORTEST_ACCESS = MIN_CLEAR_WIDTH + INTERIOR_THICKNESS
 """Shortest straight wall, on centre lines, that takes a passage."""
@@ -23,7 +23,7 @@ Pair = tuple[str, str]
 
 @dataclass(frozen=True)
 class Passage:
-    """A wished passage between two regions: through a door, or open over their whole boundary."""
+    """A passage that two regions should have: through a door, or open over their whole boundary."""
 
     pair: Pair
     is_open: bool = False
@@ -31,7 +31,7 @@ class Passage:
 
 @dataclass(frozen=True)
 class AccessPlan:
-    """The passages of a floor and what could not be as the room graph wants it."""
+    """The passages of a floor, and where they differ from the room graph."""
 
     passages: tuple[Passage, ...]
     downgrades: tuple[Downgrade, ...]
@@ -42,24 +42,24 @@ def pair_key(a: str, b: str) -> Pair:
     return (a, b) if a <= b else (b, a)
 
 
-def shared_stretches(stretches: Sequence[Stretch]) -> dict[Pair, list[Stretch]]:
-    """Group the stretches that two regions share by pair."""
-    shared: dict[Pair, list[Stretch]] = {}
-    for stretch in stretches:
-        if stretch.right is not None:
-            shared.setdefault(pair_key(stretch.left, stretch.right), []).append(stretch)
+def shared_boundaries(boundaries: Sequence[BoundarySegment]) -> dict[Pair, list[BoundarySegment]]:
+    """Group the boundaries that two regions share by pair."""
+    shared: dict[Pair, list[BoundarySegment]] = {}
+    for boundary in boundaries:
+        if boundary.right is not None:
+            shared.setdefault(pair_key(boundary.left, boundary.right), []).append(boundary)
     return shared
 
 
-def _takes_passage(stretches: Sequence[Stretch]) -> bool:
-    return any(stretch.length >= SHORTEST_ACCESS - 1e-6 for stretch in stretches)
+def _takes_passage(boundaries: Sequence[BoundarySegment]) -> bool:
+    return any(boundary.length >= SHORTEST_ACCESS - 1e-6 for boundary in boundaries)
 
 
 def plan_access(
     floor: FloorRegions,
     topology: FloorTopology,
     layout: FloorLayout,
-    shared: Mapping[Pair, Sequence[Stretch]],
+    shared: Mapping[Pair, Sequence[BoundarySegment]],
     root: Region,
 ) -> AccessPlan:
     """Choose the floor's passages: one for each access edge, then whatever keeps all regions reachable.
@@ -67,7 +67,7 @@ def plan_access(
     Parameters
     ----------
     shared : mapping
-        Of `shared_stretches`.
+        Of `shared_boundaries`.
     root : Region
         Where the floor is entered; every region must be reachable from it.
 
@@ -87,10 +87,10 @@ def plan_access(
             continue
         pair = pair_key(a.id, b.id)
         if _takes_passage(shared.get(pair, ())):
-            passages.setdefault(pair, Passage(pair, _stands_open(a, b, parents)))
+            passages.setdefault(pair, Passage(pair, is_open=_stands_open(a, b, parents)))
         elif (source, target) not in missing:
             missing.append((source, target))
-    repairs = _repair(floor, shared, passages, root)
+    passages, repairs = _repaired(floor, shared, passages, root)
     downgrades = [
         Downgrade(
             wish=f"{source} access {target}",
@@ -127,7 +127,7 @@ def _parents(floor: FloorRegions, edges: Sequence[tuple[str, str]]) -> dict[str,
 def _stands_open(a: Region, b: Region, parents: Mapping[str, str]) -> bool:
     if not (a.is_room and b.is_room):
         return False
-    if "outdoor" in (_outdoor(a), _outdoor(b)):
+    if is_class(a.room_type, "outdoor") or is_class(b.room_type, "outdoor"):
         return False
     for child, parent in ((a, b), (b, a)):
         if parents.get(child.node) == parent.node:
@@ -135,12 +135,8 @@ def _stands_open(a: Region, b: Region, parents: Mapping[str, str]) -> bool:
     return False
 
 
-def _outdoor(region: Region) -> str:
-    return "outdoor" if is_class(region.room_type, "outdoor") else ""
-
-
 def _reached(start: str, passages: Mapping[Pair, Passage], blocked: frozenset[str]) -> set[str]:
-    """Return the regions that can be walked to; cores are ends, not ways."""
+    """Return the regions that can be reached without walking through a blocked one."""
     neighbours: dict[str, list[str]] = {}
     for a, b in passages:
         neighbours.setdefault(a, []).append(b)
@@ -157,22 +153,23 @@ def _reached(start: str, passages: Mapping[Pair, Passage], blocked: frozenset[st
     return seen
 
 
-def _repair(
-    floor: FloorRegions, shared: Mapping[Pair, Sequence[Stretch]], passages: dict[Pair, Passage], root: Region
-) -> dict[str, str]:
-    """Add passages until every region is reached; return, for each region so joined, its new neighbour."""
+def _repaired(
+    floor: FloorRegions, shared: Mapping[Pair, Sequence[BoundarySegment]], planned: Mapping[Pair, Passage], root: Region
+) -> tuple[dict[Pair, Passage], dict[str, str]]:
+    """Return passages with which every region is reached, and the new neighbour of each region that was joined so."""
+    passages = dict(planned)
     cores = frozenset(region.id for region in floor.regions if not region.is_room)
     repairs: dict[str, str] = {}
     while True:
         seen = _reached(root.id, passages, cores)
         lost = [region for region in floor.regions if region.id not in seen]
         if not lost:
-            return repairs
+            return passages, repairs
         choices = [
-            (_repair_cost(region, floor.by_id[other], stretches), region.id, other)
+            (_repair_cost(region, floor.by_id[other], boundaries), region.id, other)
             for region in lost
-            for other, stretches in _neighbours(region.id, shared)
-            if other in seen and other not in cores and _takes_passage(stretches)
+            for other, boundaries in _neighbours(region.id, shared)
+            if other in seen and other not in cores and _takes_passage(boundaries)
         ]
         if not choices:
             raise MansionError(
@@ -188,12 +185,14 @@ def _repair(
         repairs[region_id] = other
 
 
-def _neighbours(region: str, shared: Mapping[Pair, Sequence[Stretch]]) -> list[tuple[str, Sequence[Stretch]]]:
-    return [(b if a == region else a, stretches) for (a, b), stretches in shared.items() if region in (a, b)]
+def _neighbours(
+    region: str, shared: Mapping[Pair, Sequence[BoundarySegment]]
+) -> list[tuple[str, Sequence[BoundarySegment]]]:
+    return [(b if a == region else a, boundaries) for (a, b), boundaries in shared.items() if region in (a, b)]
 
 
-def _repair_cost(region: Region, other: Region, stretches: Sequence[Stretch]) -> tuple[int, float]:
-    """Prefer ways through circulation, never through a wet room or a store if another is there, then long walls."""
+def _repair_cost(region: Region, other: Region, boundaries: Sequence[BoundarySegment]) -> tuple[int, float]:
+    """Rank a new passage: best through circulation, last through a wet room or a store, then by length of wall."""
     if other.node_kind == "main" or is_class(other.room_type, "circulation"):
         rank = 0
     elif is_class(other.room_type, "wet") or is_class(other.room_type, "store"):
@@ -203,7 +202,7 @@ def _repair_cost(region: Region, other: Region, stretches: Sequence[Stretch]) ->
     else:
         rank = 1
     core_late = 0 if region.is_room else 4
-    return rank + core_late, -max(stretch.length for stretch in stretches)
+    return rank + core_late, -max(boundary.length for boundary in boundaries)
 
 
 def _detour(floor: FloorRegions, edge: tuple[str, str], repairs: Mapping[str, str]) -> str:

@@ -1,8 +1,12 @@
-"""Straight boundary segments between two regions of a floor, or between a region and the outside."""
+"""Straight boundary segments between two regions of a floor, or between a region and the outside.
+
+All edges of all rings are sorted on to their supporting lines; a sweep along each line then knows, between any two
+breakpoints, which region lies to its left and which to its right.
+"""
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 from shapely.geometry import Polygon
@@ -11,14 +15,14 @@ from mansion_msgs_py.shapes import Point, Ring, Segment
 from mansion_scene.structure.dimensions import EXTERIOR_THICKNESS
 from mansion_scene.structure.regions import FloorRegions, ring_points
 
-__all__ = ["corner_key", "Stretch", "boundary_stretches", "reentrant_corners", "usable_part"]
+__all__ = ["corner_key", "BoundarySegment", "boundary_segments", "reentrant_corners", "usable_part"]
 
 _ANGLE = 1e-4  # radians between lines that count as parallel
 _SNAP = 2e-3  # metres between points, or lines, that count as one
 
 
 @dataclass(frozen=True)
-class Stretch:
+class BoundarySegment:
     """A straight piece of boundary with one region, or none, on each side all along.
 
     Attributes
@@ -26,7 +30,7 @@ class Stretch:
     start, end : Point
         On the boundary; `left` lies to the left of start -> end.
     left : str
-        Region id; an exterior stretch has its region here.
+        Region id; an exterior boundary has its region here.
     right : str, optional
         ``None`` for the outside, and for ground that the layout gave to nobody.
     exterior : bool
@@ -57,6 +61,10 @@ class Stretch:
         """Return the point at a distance from the start."""
         dx, dy = self.direction
         return self.start[0] + dx * distance, self.start[1] + dy * distance
+
+    def part(self, low: float, high: float) -> "BoundarySegment":
+        """Return the part between two distances from the start."""
+        return replace(self, start=self.at(low), end=self.at(high))
 
 
 @dataclass
@@ -132,8 +140,8 @@ def _breakpoints(line: _Line) -> list[float]:
     return points
 
 
-def _sweep(line: _Line) -> list[Stretch]:
-    stretches: list[Stretch] = []
+def _sweep(line: _Line) -> list[BoundarySegment]:
+    boundaries: list[BoundarySegment] = []
     points = _breakpoints(line)
     for low, high in pairwise(points):
         middle = (low + high) / 2
@@ -146,46 +154,45 @@ def _sweep(line: _Line) -> list[Stretch]:
             start, end, left, right = end, start, right, None
         if left is None:
             continue
-        stretch = Stretch(start, end, left, right, right is None and _OUTLINE in owners, _STRUCTURE in owners)
-        stretches.append(stretch)
-    return _merge(stretches)
+        boundaries.append(
+            BoundarySegment(
+                start, end, left, right, exterior=right is None and _OUTLINE in owners, structural=_STRUCTURE in owners
+            )
+        )
+    return _merge(boundaries)
 
 
-def _merge(stretches: Sequence[Stretch]) -> list[Stretch]:
-    merged: list[Stretch] = []
-    for stretch in stretches:
+def _merge(boundaries: Sequence[BoundarySegment]) -> list[BoundarySegment]:
+    merged: list[BoundarySegment] = []
+    for boundary in boundaries:
         last = merged[-1] if merged else None
         same = last is not None and (last.left, last.right, last.exterior, last.structural) == (
-            stretch.left,
-            stretch.right,
-            stretch.exterior,
-            stretch.structural,
+            boundary.left,
+            boundary.right,
+            boundary.exterior,
+            boundary.structural,
         )
-        if last is not None and same and math.dist(last.end, stretch.start) < _SNAP:
-            merged[-1] = _joined(last.start, stretch.end, stretch)
-        elif last is not None and same and math.dist(last.start, stretch.end) < _SNAP:
-            merged[-1] = _joined(stretch.start, last.end, stretch)
+        if last is not None and same and math.dist(last.end, boundary.start) < _SNAP:
+            merged[-1] = replace(boundary, start=last.start)
+        elif last is not None and same and math.dist(last.start, boundary.end) < _SNAP:
+            merged[-1] = replace(boundary, end=last.end)
         else:
-            merged.append(stretch)
+            merged.append(boundary)
     return merged
 
 
-def _joined(start: Point, end: Point, like: Stretch) -> Stretch:
-    return Stretch(start, end, like.left, like.right, like.exterior, like.structural)
-
-
-def boundary_stretches(floor: FloorRegions, structural: Sequence[Segment] = ()) -> list[Stretch]:
-    """Return every stretch of the floor's boundaries, in a fixed order.
+def boundary_segments(floor: FloorRegions, structural: Sequence[Segment] = ()) -> list[BoundarySegment]:
+    """Return all boundary segments of a floor, in a fixed order.
 
     Parameters
     ----------
     floor : FloorRegions
     structural : sequence of Segment
-        Centre lines of structural walls; a stretch on one is marked.
+        Centre lines of structural walls; a segment on one is marked.
 
     Returns
     -------
-    list of Stretch
+    list of BoundarySegment
         By supporting line in the order in which the regions first touch it, then along the line.
     """
     lines = _Lines()
@@ -198,7 +205,7 @@ def boundary_stretches(floor: FloorRegions, structural: Sequence[Segment] = ()) 
             lines.add(edge, _OUTLINE)
     for segment in structural:
         lines.add(segment, _STRUCTURE)
-    return [stretch for line in lines.lines for stretch in _sweep(line)]
+    return [boundary for line in lines.lines for boundary in _sweep(line)]
 
 
 def reentrant_corners(outline: Polygon) -> frozenset[Point]:
@@ -218,12 +225,15 @@ def corner_key(point: Point) -> Point:
     return round(point[0], 2) + 0.0, round(point[1], 2) + 0.0
 
 
-def usable_part(stretch: Stretch, corners: frozenset[Point]) -> Stretch | None:
-    """Return an exterior stretch less the other wall at re-entrant corners; ``None`` when nothing is left."""
-    low = EXTERIOR_THICKNESS if corner_key(stretch.start) in corners else 0.0
-    high = stretch.length - (EXTERIOR_THICKNESS if corner_key(stretch.end) in corners else 0.0)
+def usable_part(boundary: BoundarySegment, corners: frozenset[Point]) -> BoundarySegment | None:
+    """Return the part of an exterior segment that openings may use; ``None`` when nothing is left.
+
+    At a re-entrant corner the other wall's body stands on the segment's end.
+    """
+    low = EXTERIOR_THICKNESS if corner_key(boundary.start) in corners else 0.0
+    high = boundary.length - (EXTERIOR_THICKNESS if corner_key(boundary.end) in corners else 0.0)
     if high - low < 1e-3:
         return None
-    if low == 0.0 and high == stretch.length:
-        return stretch
-    return Stretch(stretch.at(low), stretch.at(high), stretch.left, None, stretch.exterior, stretch.structural)
+    if low == 0.0 and high == boundary.length:
+        return boundary
+    return boundary.part(low, high)

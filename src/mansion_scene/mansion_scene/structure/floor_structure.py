@@ -11,17 +11,17 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.scene import Door, SceneCore, SceneRoom, Wall, Window
 from mansion_msgs_py.stages import FurnishRequest
-from mansion_scene.structure.access import plan_access, shared_stretches
-from mansion_scene.structure.boundaries import Stretch, boundary_stretches
+from mansion_scene.structure.access import plan_access, shared_boundaries
+from mansion_scene.structure.boundaries import BoundarySegment, boundary_segments
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
-from mansion_scene.structure.interiors import Partition, partition_floor, usable_stretches, walkable_parts
+from mansion_scene.structure.door_swings import hang_doors
+from mansion_scene.structure.interiors import Partition, partition_floor, usable_boundaries, walkable_parts
 from mansion_scene.structure.materials import facade_material
-from mansion_scene.structure.openings import make_frontages, open_passages, other_places, place_doors, take
+from mansion_scene.structure.openings import make_frontages, open_passages, other_places, place_doors, with_doors
 from mansion_scene.structure.outer_doors import entrance_room, is_residential, place_entrance, place_garage_doors
 from mansion_scene.structure.payloads import number_doors, number_walls, number_windows, scene_rooms
 from mansion_scene.structure.regions import FloorRegions, floor_regions
-from mansion_scene.structure.swings import hang_doors
 from mansion_scene.structure.windows import place_windows
 
 __all__ = ["FloorStructure", "build_structure", "ceiling_height"]
@@ -73,26 +73,26 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
     """
     ceiling = ceiling_height(request.floor.height)
     floor = floor_regions(request)
-    stretches = boundary_stretches(floor, request.floor.structural_walls)
-    usable = usable_stretches(stretches, _walkable_rooms(floor, stretches))
-    shared = shared_stretches(usable)
+    boundaries = boundary_segments(floor, request.floor.structural_walls)
+    usable = usable_boundaries(boundaries, _walkable_rooms(floor, boundaries))
+    shared = shared_boundaries(usable)
     ground = floor.floor == _GROUND
     root = entrance_room(floor, usable) if ground else floor.hub
     plan = plan_access(floor, request.topology, request.layout, shared, root)
     open_pairs = frozenset(passage.pair for passage in plan.passages if passage.is_open)
-    partition = partition_floor(floor, stretches, open_pairs)
+    partition = partition_floor(floor, boundaries, open_pairs)
     frontages = make_frontages(floor, partition)
     openings = open_passages(partition)
     if ground:
         residential = is_residential(request.building_type)
         openings.append(place_entrance(floor, usable, root, frontages, partition.nets, residential=residential))
-    for opening in openings:
-        take(opening, frontages)
+    frontages = with_doors(frontages, openings)
     wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets)
-    openings += wide
+    frontages = with_doors(frontages, wide)
     placed, narrowed = place_doors(floor, plan, shared, frontages)
+    frontages = with_doors(frontages, placed)
     openings, leafless = hang_doors(
-        floor, partition.nets, [*openings, *placed], lambda opening: other_places(opening, shared, frontages)
+        floor, partition.nets, [*openings, *wide, *placed], lambda opening: other_places(opening, shared, frontages)
     )
     rooms = scene_rooms(request, floor, partition, ceiling)
     facade = facade_material(request.building_type, request.seed)
@@ -111,12 +111,12 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
     )
 
 
-def _walkable_rooms(floor: FloorRegions, stretches: Sequence[Stretch]) -> dict[str, Polygon]:
+def _walkable_rooms(floor: FloorRegions, boundaries: Sequence[BoundarySegment]) -> dict[str, Polygon]:
     """Return the walkable part of each room with all walls standing.
 
     Rooms narrower than a passage throughout are left out: their door is all there is of them.
     """
-    closed = partition_floor(floor, stretches, frozenset())
+    closed = partition_floor(floor, boundaries, frozenset())
     nets = {r.id: closed.nets[r.id] for r in floor.regions if r.is_room}
     return {name: part for name, part in walkable_parts(nets).items() if not part.is_empty}
 

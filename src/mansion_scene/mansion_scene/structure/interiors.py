@@ -10,11 +10,11 @@ from shapely.geometry.polygon import orient
 from mansion_geometry.robot_body import PASSAGE_WIDTH
 from mansion_msgs_py.shapes import Point, Segment
 from mansion_scene.structure.access import Pair, pair_key
-from mansion_scene.structure.boundaries import Stretch
+from mansion_scene.structure.boundaries import BoundarySegment
 from mansion_scene.structure.dimensions import INTERIOR_THICKNESS, NIB
 from mansion_scene.structure.regions import FloorRegions
 
-__all__ = ["Partition", "partition_floor", "usable_stretches", "walkable_parts"]
+__all__ = ["Partition", "partition_floor", "usable_boundaries", "walkable_parts"]
 
 _SHORTEST_OPEN = 0.7  # metres; a shorter open boundary keeps its wall
 _SLIVER = 0.1  # square metres
@@ -26,10 +26,10 @@ class Partition:
 
     Attributes
     ----------
-    walls : list of Stretch
-        Stretches that carry a wall, in the floor's order.
-    open_stretches : dict
-        For each open pair, the clear openings where no wall stands, with their stretches, longest first.
+    walls : list of BoundarySegment
+        Boundaries that carry a wall, in the floor's order.
+    open_boundaries : dict
+        For each open pair, the clear openings where no wall stands, with their boundaries, longest first.
     nets : dict
         Net interior of each region, counter-clockwise; the largest part where walls cut a region in two.
     solid : geometry
@@ -38,47 +38,46 @@ class Partition:
         Floor in square metres that a region loses to parts too narrow to reach.
     """
 
-    walls: list[Stretch]
-    open_stretches: dict[Pair, list[tuple[Stretch, Segment]]]
+    walls: list[BoundarySegment]
+    open_boundaries: dict[Pair, list[tuple[BoundarySegment, Segment]]]
     nets: dict[str, Polygon]
     solid: shapely.Geometry
     cut_off: dict[str, float]
 
 
-def partition_floor(floor: FloorRegions, stretches: Sequence[Stretch], open_pairs: frozenset[Pair]) -> Partition:
-    """Split stretches into walls and open boundaries, and take the walls' bodies off the regions.
+def partition_floor(
+    floor: FloorRegions, boundaries: Sequence[BoundarySegment], open_pairs: frozenset[Pair]
+) -> Partition:
+    """Split boundaries into walls and open ones, and take the walls' bodies off the regions.
 
-    Interior walls stand astride their stretch, half in each region; outer walls stand outside the outline and take
+    Interior walls stand astride their boundary, half in each region; outer walls stand outside the outline and take
     nothing. Net interiors are exact: each region less the union of the wall bodies, with mitred corners.
     """
-    walls: list[Stretch] = []
-    opened: dict[Pair, list[Stretch]] = {}
-    for stretch in stretches:
-        pair = pair_key(stretch.left, stretch.right) if stretch.right is not None else None
-        if pair in open_pairs and pair is not None and stretch.length >= _SHORTEST_OPEN:
-            nibs, gap = _with_nibs(stretch)
+    walls: list[BoundarySegment] = []
+    opened: dict[Pair, list[BoundarySegment]] = {}
+    for boundary in boundaries:
+        pair = pair_key(boundary.left, boundary.right) if boundary.right is not None else None
+        if pair in open_pairs and pair is not None and boundary.length >= _SHORTEST_OPEN:
+            nibs, gap = _with_nibs(boundary)
             walls.extend(nibs)
             opened.setdefault(pair, []).append(gap)
         else:
-            walls.append(stretch)
+            walls.append(boundary)
     solid = _solid([wall for wall in walls if not wall.exterior])
     nets, cut_off = _nets(floor, solid)
     return Partition(walls, _clear(opened, solid), nets, solid, cut_off)
 
 
-def _with_nibs(stretch: Stretch) -> tuple[list[Stretch], Stretch]:
-    """Keep a short wall at both ends of an open structural stretch, which carries the beam above."""
-    if not stretch.structural or stretch.length < 2 * NIB + _SHORTEST_OPEN:
-        return [], stretch
-    low, high = stretch.at(NIB), stretch.at(stretch.length - NIB)
-
-    def part(start: tuple[float, float], end: tuple[float, float]) -> Stretch:
-        return Stretch(start, end, stretch.left, stretch.right, stretch.exterior, stretch.structural)
-
-    return [part(stretch.start, low), part(high, stretch.end)], part(low, high)
+def _with_nibs(boundary: BoundarySegment) -> tuple[list[BoundarySegment], BoundarySegment]:
+    """Keep a short wall at both ends of an open structural boundary, which carries the beam above."""
+    if not boundary.structural or boundary.length < 2 * NIB + _SHORTEST_OPEN:
+        return [], boundary
+    low, high = boundary.at(NIB), boundary.at(boundary.length - NIB)
+    nibs = [replace(boundary, end=low), replace(boundary, start=high)]
+    return nibs, replace(boundary, start=low, end=high)
 
 
-def _solid(walls: Sequence[Stretch]) -> shapely.Geometry:
+def _solid(walls: Sequence[BoundarySegment]) -> shapely.Geometry:
     if not walls:
         return Polygon()
     lines = shapely.line_merge(MultiLineString([LineString([w.start, w.end]) for w in walls]))
@@ -105,25 +104,25 @@ def _nets(floor: FloorRegions, solid: shapely.Geometry) -> tuple[dict[str, Polyg
 
 
 def _clear(
-    opened: Mapping[Pair, Sequence[Stretch]], solid: shapely.Geometry
-) -> dict[Pair, list[tuple[Stretch, Segment]]]:
-    clear: dict[Pair, list[tuple[Stretch, Segment]]] = {}
-    for pair, stretches in opened.items():
-        parts: list[tuple[Stretch, Segment]] = []
-        for stretch in stretches:
-            line = LineString([stretch.start, stretch.end]).difference(solid)
+    opened: Mapping[Pair, Sequence[BoundarySegment]], solid: shapely.Geometry
+) -> dict[Pair, list[tuple[BoundarySegment, Segment]]]:
+    clear: dict[Pair, list[tuple[BoundarySegment, Segment]]] = {}
+    for pair, boundaries in opened.items():
+        parts: list[tuple[BoundarySegment, Segment]] = []
+        for boundary in boundaries:
+            line = LineString([boundary.start, boundary.end]).difference(solid)
             pieces = [part for part in shapely.get_parts(line) if part.length > 1e-3]
             if not pieces:
                 continue
             longest = max(pieces, key=lambda part: part.length)
             (ax, ay), (bx, by) = longest.coords[0], longest.coords[-1]
-            parts.append((stretch, ((round(ax, 4), round(ay, 4)), (round(bx, 4), round(by, 4)))))
+            parts.append((boundary, ((round(ax, 4), round(ay, 4)), (round(bx, 4), round(by, 4)))))
         if parts:
             clear[pair] = sorted(parts, key=lambda part: -part[0].length)
     return clear
 
 
-_INSIDE = 0.03  # metres beyond the wall's face at which a stretch is looked up
+_INSIDE = 0.03  # metres beyond the wall's face at which a boundary is looked up
 _SHORTEST = 0.3
 
 
@@ -146,40 +145,40 @@ def walkable_parts(nets: Mapping[str, Polygon]) -> dict[str, Polygon]:
     return parts
 
 
-def usable_stretches(stretches: Sequence[Stretch], parts: Mapping[str, Polygon]) -> list[Stretch]:
-    """Return the pieces of stretches that have walkable floor on every side that is a region.
+def usable_boundaries(boundaries: Sequence[BoundarySegment], parts: Mapping[str, Polygon]) -> list[BoundarySegment]:
+    """Return the parts of boundaries that have walkable floor on every side that is a region.
 
     Parameters
     ----------
     parts : mapping
         Of `walkable_parts`; a side whose region it leaves out (a core) is not asked.
     """
-    usable: list[Stretch] = []
-    for stretch in stretches:
-        dx, dy = stretch.direction
-        # An outer wall stands outside its stretch, an inner one astride it.
-        shift = _INSIDE if stretch.exterior else INTERIOR_THICKNESS / 2 + _INSIDE
-        intervals = [(0.0, stretch.length)]
-        for region, normal in ((stretch.left, (-dy, dx)), (stretch.right, (dy, -dx))):
+    usable: list[BoundarySegment] = []
+    for boundary in boundaries:
+        dx, dy = boundary.direction
+        # An outer wall stands outside its boundary, an inner one astride it.
+        shift = _INSIDE if boundary.exterior else INTERIOR_THICKNESS / 2 + _INSIDE
+        intervals = [(0.0, boundary.length)]
+        for region, normal in ((boundary.left, (-dy, dx)), (boundary.right, (dy, -dx))):
             if region is not None and region in parts:
-                beside = _intervals(stretch, (normal[0] * shift, normal[1] * shift), parts[region])
+                beside = _intervals(boundary, (normal[0] * shift, normal[1] * shift), parts[region])
                 intervals = _common(intervals, beside)
-        usable.extend(_piece(stretch, low, high) for low, high in intervals)
+        usable.extend(_piece(boundary, low, high) for low, high in intervals)
     return usable
 
 
-def _intervals(stretch: Stretch, offset: Point, part: Polygon) -> list[tuple[float, float]]:
-    """Return where a stretch, moved by an offset, runs inside a part; with the half walls at its ends."""
-    (x0, y0), (x1, y1) = stretch.start, stretch.end
+def _intervals(boundary: BoundarySegment, offset: Point, part: Polygon) -> list[tuple[float, float]]:
+    """Return where a boundary, moved by an offset, runs inside a part; with the half walls at its ends."""
+    (x0, y0), (x1, y1) = boundary.start, boundary.end
     moved = LineString([(x0 + offset[0], y0 + offset[1]), (x1 + offset[0], y1 + offset[1])])
     inside = [piece for piece in shapely.get_parts(moved.intersection(part)) if piece.length > 0]
-    dx, dy = stretch.direction
+    dx, dy = boundary.direction
     half = INTERIOR_THICKNESS / 2
     intervals = []
     for piece in inside:
         along = sorted((x - x0 - offset[0]) * dx + (y - y0 - offset[1]) * dy for x, y in piece.coords)
         low = 0.0 if along[0] < half + 1e-3 else along[0]
-        high = stretch.length if along[-1] > stretch.length - half - 1e-3 else along[-1]
+        high = boundary.length if along[-1] > boundary.length - half - 1e-3 else along[-1]
         intervals.append((low, high))
     return sorted(intervals)
 
@@ -189,7 +188,7 @@ def _common(first: Sequence[tuple[float, float]], second: Sequence[tuple[float, 
     return [(low, high) for low, high in common if high - low > _SHORTEST]
 
 
-def _piece(stretch: Stretch, low: float, high: float) -> Stretch:
-    if low == 0.0 and high == stretch.length:
-        return stretch
-    return replace(stretch, start=stretch.at(low), end=stretch.at(high))
+def _piece(boundary: BoundarySegment, low: float, high: float) -> BoundarySegment:
+    if low == 0.0 and high == boundary.length:
+        return boundary
+    return boundary.part(low, high)

@@ -1,6 +1,6 @@
 """The doors of a floor before they are numbered: kind, clear width and position."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -12,9 +12,9 @@ from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.scene import DoorKind
 from mansion_msgs_py.shapes import Point, Segment
 from mansion_scene.structure.access import AccessPlan, Pair, pair_key
-from mansion_scene.structure.boundaries import Stretch
+from mansion_scene.structure.boundaries import BoundarySegment
 from mansion_scene.structure.dimensions import CLEAR_WIDTH, INTERIOR_THICKNESS, MIN_CLEAR_WIDTH, WALL_END
-from mansion_scene.structure.frontage import Frontage, Position, approach_zone, choose_position, ranked_positions
+from mansion_scene.structure.door_positions import Frontage, Position, approach_zone, choose_position, ranked_positions
 from mansion_scene.structure.interiors import Partition
 from mansion_scene.structure.regions import FloorRegions, Region
 from mansion_scene.structure.stairs import landing_zone
@@ -30,7 +30,7 @@ __all__ = [
     "other_places",
     "place_doors",
     "room_after_door",
-    "take",
+    "with_doors",
 ]
 
 _LARGE_PUBLIC = 45.0  # square metres from which a public room gets a double door
@@ -38,7 +38,7 @@ _LARGE_PUBLIC = 45.0  # square metres from which a public room gets a double doo
 
 @dataclass(frozen=True)
 class OpeningKind:
-    """A kind of door, its wished clear width in metres, and its leaf's material."""
+    """A kind of door, the clear width that it should have in metres, and the material of its leaf."""
 
     kind: DoorKind
     width: float
@@ -101,40 +101,42 @@ def _is_private_study(room_type: str) -> bool:
     return "home" in room_type.lower() or room_type.lower() in ("study", "den")
 
 
-def entrance_kind(public: bool) -> OpeningKind:
+def entrance_kind(*, public: bool) -> OpeningKind:
     """Return the kind of the building's entrance: a double glazed one, or a house door."""
     return OpeningKind("entrance", 1.8, "glass") if public else OpeningKind("entrance", 1.0, "dark_wood")
 
 
 @dataclass(frozen=True)
 class Opening:
-    """A passage through a wall, or a stretch without wall (kind ``open``).
+    """A passage through a wall, or a boundary without wall (kind ``open``).
 
     Attributes
     ----------
     regions : (str, str or None)
-    stretch : Stretch
+    boundary : BoundarySegment
         Whose wall it interrupts.
     segment : Segment
-        Clear opening on the stretch, which is the wall's centre line inside and the outline outside.
+        Clear opening on the boundary, which is the wall's centre line inside and the outline outside.
     """
 
     regions: tuple[str, str | None]
     kind: OpeningKind
-    stretch: Stretch
+    boundary: BoundarySegment
     segment: Segment
     hinge: Literal["start", "end", "both", "none"] = "none"
     swing: str | None = None
 
     def inward(self, region: str) -> Point:
         """Return the unit vector from the wall into a region."""
-        dx, dy = self.stretch.direction
-        return (-dy, dx) if region == self.stretch.left else (dy, -dx)
+        dx, dy = self.boundary.direction
+        return (-dy, dx) if region == self.boundary.left else (dy, -dx)
 
 
 def make_frontages(floor: FloorRegions, partition: Partition) -> dict[str, Frontage]:
-    """Return each region as doors see it, without doors."""
-    return {region.id: Frontage(partition.nets[region.id], _wall_worth(region)) for region in floor.regions}
+    """Return the frontage of each region, without doors."""
+    return {
+        region.id: Frontage.without_doors(partition.nets[region.id], _wall_worth(region)) for region in floor.regions
+    }
 
 
 def _wall_worth(region: Region) -> float:
@@ -143,26 +145,32 @@ def _wall_worth(region: Region) -> float:
     return 0.25 if is_circulation(region) else 1.0
 
 
-def take(opening: Opening, frontages: Mapping[str, Frontage]) -> None:
-    """Enter an opening into the frontages of its two sides."""
-    for region in opening.regions:
-        if region is not None:
-            frontage = frontages[region]
-            frontage.taken.append(opening.segment)
-            frontage.zones.append(approach_zone(opening.segment, opening.inward(region)))
+def with_doors(frontages: Mapping[str, Frontage], openings: Iterable[Opening]) -> dict[str, Frontage]:
+    """Return the frontages of all regions with openings entered on both their sides."""
+    entered = dict(frontages)
+    for opening in openings:
+        for region in opening.regions:
+            if region is not None:
+                zone = approach_zone(opening.segment, opening.inward(region))
+                before = entered[region]
+                entered[region] = replace(before, zones=(*before.zones, zone), taken=(*before.taken, opening.segment))
+    return entered
 
 
 def open_passages(partition: Partition) -> list[Opening]:
-    """Return an opening of kind ``open`` for each stretch where two rooms share no wall."""
+    """Return an opening of kind ``open`` for each boundary where two rooms share no wall."""
     return [
-        Opening((stretch.left, stretch.right), OpeningKind("open", CLEAR_WIDTH), stretch, segment)
-        for parts in partition.open_stretches.values()
-        for stretch, segment in parts
+        Opening((boundary.left, boundary.right), OpeningKind("open", CLEAR_WIDTH), boundary, segment)
+        for parts in partition.open_boundaries.values()
+        for boundary, segment in parts
     ]
 
 
 def place_doors(
-    floor: FloorRegions, plan: AccessPlan, shared: Mapping[Pair, Sequence[Stretch]], frontages: Mapping[str, Frontage]
+    floor: FloorRegions,
+    plan: AccessPlan,
+    shared: Mapping[Pair, Sequence[BoundarySegment]],
+    frontages: Mapping[str, Frontage],
 ) -> tuple[list[Opening], list[Downgrade]]:
     """Place a door for each passage that is not open.
 
@@ -177,21 +185,21 @@ def place_doors(
 
     def freedom(pair: Pair) -> tuple[bool, float, Pair]:
         rooms = all(floor.by_id[region].is_room for region in pair)
-        return rooms, round(sum(stretch.length for stretch in shared[pair]), 3), pair
+        return rooms, round(sum(boundary.length for boundary in shared[pair]), 3), pair
 
     openings: list[Opening] = []
     downgrades: list[Downgrade] = []
     for passage in sorted(passages, key=lambda passage: freedom(passage.pair)):
-        opening, downgrade = _place(floor, passage.pair, shared[passage.pair], dict(frontages))
+        opening, downgrade = _place(floor, passage.pair, shared[passage.pair], frontages)
         openings.append(opening)
-        take(opening, frontages)
+        frontages = with_doors(frontages, [opening])
         if downgrade is not None:
             downgrades.append(downgrade)
     return openings, downgrades
 
 
 def other_places(
-    opening: Opening, shared: Mapping[Pair, Sequence[Stretch]], frontages: Mapping[str, Frontage]
+    opening: Opening, shared: Mapping[Pair, Sequence[BoundarySegment]], frontages: Mapping[str, Frontage]
 ) -> Iterator[Opening]:
     """Yield the same door elsewhere between its two regions, best first, as wide as it is and then 0.9 m wide."""
     a, b = opening.regions
@@ -205,23 +213,23 @@ def other_places(
 
 def _without(frontage: Frontage, segment: Segment) -> Frontage:
     kept = [i for i, taken in enumerate(frontage.taken) if taken != segment]
-    return replace(frontage, zones=[frontage.zones[i] for i in kept], taken=[frontage.taken[i] for i in kept])
+    return replace(frontage, zones=tuple(frontage.zones[i] for i in kept), taken=tuple(frontage.taken[i] for i in kept))
 
 
 def _place(
-    floor: FloorRegions, pair: Pair, stretches: Sequence[Stretch], frontages: dict[str, Frontage]
+    floor: FloorRegions, pair: Pair, boundaries: Sequence[BoundarySegment], frontages: Mapping[str, Frontage]
 ) -> tuple[Opening, Downgrade | None]:
     a, b = floor.by_id[pair[0]], floor.by_id[pair[1]]
     kind = opening_kind(a, b)
     stair = next((region for region in (a, b) if region.kind == "stair" and region.core), None)
     if stair is not None and stair.core is not None:
         zone = landing_zone(stair.core, floor.outline)
-        position = _widest(stretches, frontages, kind.width, zone)
+        position = _widest(boundaries, frontages, kind.width, zone)
         if position is not None and position.width >= CLEAR_WIDTH - 1e-6:
             return _opening(position, kind), None
     lift = next((region for region in (a, b) if region.kind == "elevator"), None)
     center = (lift.polygon.centroid.x, lift.polygon.centroid.y) if lift is not None else None
-    position = _widest(stretches, frontages, kind.width, None, center)
+    position = _widest(boundaries, frontages, kind.width, None, center)
     if position is None:
         raise MansionError(
             ErrorCode.INFEASIBLE,
@@ -241,10 +249,10 @@ def _place(
 
 
 def _opening(position: Position, wished: OpeningKind) -> Opening:
-    stretch, kind = position.stretch, replace(wished, width=round(position.width, 4))
+    boundary, kind = position.boundary, replace(wished, width=round(position.width, 4))
     if kind.kind == "double" and kind.leaves < 2:
         kind = replace(kind, kind="single")
-    return Opening((stretch.left, stretch.right), kind, stretch, position.segment)
+    return Opening((boundary.left, boundary.right), kind, boundary, position.segment)
 
 
 def _note(floor: FloorRegions, pair: Pair, got: str, reason: str) -> Downgrade:
@@ -258,8 +266,8 @@ def _note(floor: FloorRegions, pair: Pair, got: str, reason: str) -> Downgrade:
 
 
 def _widest(
-    stretches: Sequence[Stretch],
-    frontages: dict[str, Frontage],
+    boundaries: Sequence[BoundarySegment],
+    frontages: Mapping[str, Frontage],
     width: float,
     within: Polygon | None,
     center: Point | None = None,
@@ -269,7 +277,7 @@ def _widest(
     trials = [(width, WALL_END), (CLEAR_WIDTH, WALL_END), (CLEAR_WIDTH, bare)]
     trials += [(trial, bare) for trial in (0.85, 0.8, 0.75, MIN_CLEAR_WIDTH)]
     for trial, margin in trials:
-        position = choose_position(stretches, frontages, trial, margin=margin, within=within, center=center)
+        position = choose_position(boundaries, frontages, trial, margin=margin, within=within, center=center)
         if position is not None:
             return position
     return None

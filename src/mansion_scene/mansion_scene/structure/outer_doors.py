@@ -8,10 +8,10 @@ from shapely.geometry import LineString, Point, Polygon
 from mansion_knowledge import is_class
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
-from mansion_scene.structure.boundaries import Stretch, reentrant_corners, usable_part
+from mansion_scene.structure.boundaries import BoundarySegment, reentrant_corners, usable_part
 from mansion_scene.structure.dimensions import CLEAR_WIDTH, WALL_END
-from mansion_scene.structure.frontage import Frontage, approach_zone, choose_position
-from mansion_scene.structure.openings import Opening, OpeningKind, entrance_kind, is_circulation, take
+from mansion_scene.structure.door_positions import Frontage, approach_zone, choose_position
+from mansion_scene.structure.openings import Opening, OpeningKind, entrance_kind, is_circulation, with_doors
 from mansion_scene.structure.regions import FloorRegions, Region
 
 __all__ = ["entrance_room", "facades_of", "is_residential", "place_entrance", "place_garage_doors"]
@@ -51,23 +51,23 @@ def is_residential(building_type: str) -> bool:
     return any(word in _RESIDENTIAL for word in words)
 
 
-def facades_of(floor: FloorRegions, stretches: Sequence[Stretch], region: str) -> list[Stretch]:
-    """Return the region's stretches on the outline itself, courtyards left out, longest first."""
+def facades_of(floor: FloorRegions, boundaries: Sequence[BoundarySegment], region: str) -> list[BoundarySegment]:
+    """Return the region's boundaries on the outline itself, courtyards left out, longest first."""
     ring = floor.outline.exterior
     corners = reentrant_corners(floor.outline)
     facades = [
-        stretch
-        for wall in stretches
+        boundary
+        for wall in boundaries
         if wall.exterior
         and wall.left == region
-        and (stretch := usable_part(wall, corners)) is not None
-        and stretch.length >= _ENTRANCE_WALL - 1e-6
-        and shapely.distance(ring, shapely.Point(stretch.at(stretch.length / 2))) < 0.01
+        and (boundary := usable_part(wall, corners)) is not None
+        and boundary.length >= _ENTRANCE_WALL - 1e-6
+        and shapely.distance(ring, shapely.Point(boundary.at(boundary.length / 2))) < 0.01
     ]
-    return sorted(facades, key=lambda stretch: -round(stretch.length, 3))
+    return sorted(facades, key=lambda boundary: -round(boundary.length, 3))
 
 
-def entrance_room(floor: FloorRegions, stretches: Sequence[Stretch]) -> Region:
+def entrance_room(floor: FloorRegions, boundaries: Sequence[BoundarySegment]) -> Region:
     """Return the room through which the building is entered: the hub, else the room best placed on the outer wall.
 
     Raises
@@ -78,7 +78,7 @@ def entrance_room(floor: FloorRegions, stretches: Sequence[Stretch]) -> Region:
     choices = [
         (_entrance_rank(floor, region), -round(facades[0].length, 3), region.id)
         for region in floor.regions
-        if region.is_room and (facades := facades_of(floor, stretches, region.id))
+        if region.is_room and (facades := facades_of(floor, boundaries, region.id))
     ]
     if not choices:
         raise MansionError(
@@ -104,16 +104,16 @@ def _entrance_rank(floor: FloorRegions, region: Region) -> int:
 
 def place_entrance(
     floor: FloorRegions,
-    stretches: Sequence[Stretch],
+    boundaries: Sequence[BoundarySegment],
     region: Region,
-    frontages: dict[str, Frontage],
+    frontages: Mapping[str, Frontage],
     nets: Mapping[str, Polygon],
     *,
     residential: bool,
 ) -> Opening:
     """Place the entrance door in the region's facade: in the middle of a public one, out of the way in a house."""
-    kind = entrance_kind(not residential)
-    facades = facades_of(floor, stretches, region.id)
+    kind = entrance_kind(public=not residential)
+    facades = facades_of(floor, boundaries, region.id)
     for width in (kind.width, 1.2, CLEAR_WIDTH):
         for facade in facades:
             margin = WALL_END if residential else (facade.length - width) / 2 - 1e-6
@@ -155,9 +155,12 @@ TWO_CARS = 30.0
 
 
 def place_garage_doors(
-    floor: FloorRegions, stretches: Sequence[Stretch], frontages: dict[str, Frontage], nets: Mapping[str, Polygon]
+    floor: FloorRegions,
+    boundaries: Sequence[BoundarySegment],
+    frontages: Mapping[str, Frontage],
+    nets: Mapping[str, Polygon],
 ) -> tuple[list[Opening], list[Downgrade]]:
-    """Give each room of the ground floor that vehicles drive into a door, and enter it into the frontages.
+    """Place a door for each room of the ground floor that vehicles drive into.
 
     Returns
     -------
@@ -171,27 +174,27 @@ def place_garage_doors(
     for region in floor.regions if floor.floor == _GROUND else ():
         if not (region.is_room and is_class(region.room_type, "vehicle")):
             continue
-        found = _place(floor, stretches, region, frontages, nets)
+        found = _place(floor, boundaries, region, frontages, nets)
         if isinstance(found, Downgrade):
             missing.append(found)
         else:
-            take(found, frontages)
+            frontages = with_doors(frontages, [found])
             placed.append(found)
     return placed, missing
 
 
 def _place(
     floor: FloorRegions,
-    stretches: Sequence[Stretch],
+    boundaries: Sequence[BoundarySegment],
     region: Region,
-    frontages: dict[str, Frontage],
+    frontages: Mapping[str, Frontage],
     nets: Mapping[str, Polygon],
 ) -> Opening | Downgrade:
     """Place the widest door that fits in the middle of one of the room's facades.
 
     A hall has it in its longest facade, a garage where cars drive in along its length.
     """
-    facades = facades_of(floor, stretches, region.id)
+    facades = facades_of(floor, boundaries, region.id)
     if region.polygon.area < HALL:
         facades.sort(key=lambda facade: -round(_depth(facade, nets[region.id]), 2))
     large = region.polygon.area >= TWO_CARS
@@ -215,7 +218,7 @@ def _place(
     )
 
 
-def _depth(facade: Stretch, net: Polygon) -> float:
+def _depth(facade: BoundarySegment, net: Polygon) -> float:
     """Return how far a room goes on behind the middle of a facade, metres."""
     (x, y), (dx, dy) = facade.at(facade.length / 2), facade.direction
     line = LineString([(x, y), (x - dy * _FAR, y + dx * _FAR)])

@@ -10,7 +10,7 @@ from mansion_msgs_py.scene import Door, SceneRoom, Wall, Window
 from mansion_msgs_py.shapes import Point, Segment
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_msgs_py.topology import TopologyNode
-from mansion_scene.structure.boundaries import Stretch, corner_key
+from mansion_scene.structure.boundaries import BoundarySegment, corner_key
 from mansion_scene.structure.dimensions import (
     DOOR_HEIGHT,
     EXTERIOR_THICKNESS,
@@ -101,9 +101,9 @@ def _ceiling(region: Region) -> str:
 _CORE_WALL = "raw_concrete"
 
 
-def _outside(stretch: Stretch, point: Point) -> Point:
-    """Move a point of an exterior stretch from the outline to the outer wall's centre line."""
-    dx, dy = stretch.direction
+def _outside(boundary: BoundarySegment, point: Point) -> Point:
+    """Move a point of an exterior boundary from the outline to the outer wall's centre line."""
+    dx, dy = boundary.direction
     half = EXTERIOR_THICKNESS / 2
     return round(point[0] + dy * half, 4) + 0.0, round(point[1] - dx * half, 4) + 0.0
 
@@ -127,50 +127,50 @@ def _outward(start: Point, end: Point) -> Point:
     return (end[1] - start[1]) / length, (start[0] - end[0]) / length
 
 
-def _center_line(stretch: Stretch, corners: Mapping[Point, Point]) -> Segment:
-    """Return the centre line of a stretch's wall; outer walls meet at the corners of the building."""
-    if not stretch.exterior:
-        return _on_wall(stretch, (stretch.start, stretch.end))
-    ends = [corners.get(corner_key(point)) or _outside(stretch, point) for point in (stretch.start, stretch.end)]
+def _center_line(boundary: BoundarySegment, corners: Mapping[Point, Point]) -> Segment:
+    """Return the centre line of a boundary's wall; outer walls meet at the corners of the building."""
+    if not boundary.exterior:
+        return _on_wall(boundary, (boundary.start, boundary.end))
+    ends = [corners.get(corner_key(point)) or _outside(boundary, point) for point in (boundary.start, boundary.end)]
     return ends[0], ends[1]
 
 
-def _on_wall(stretch: Stretch, segment: Segment) -> Segment:
-    if stretch.exterior:
-        return _outside(stretch, segment[0]), _outside(stretch, segment[1])
+def _on_wall(boundary: BoundarySegment, segment: Segment) -> Segment:
+    if boundary.exterior:
+        return _outside(boundary, segment[0]), _outside(boundary, segment[1])
     (ax, ay), (bx, by) = segment
     return (round(ax, 4) + 0.0, round(ay, 4) + 0.0), (round(bx, 4) + 0.0, round(by, 4) + 0.0)
 
 
 def number_walls(
     floor: FloorRegions,
-    stretches: Sequence[Stretch],
+    boundaries: Sequence[BoundarySegment],
     rooms: Mapping[str, SceneRoom],
     ceiling: float,
     facade: str = DEFAULT_FACADE,
-) -> list[tuple[Stretch, Wall]]:
-    """Return each stretch with its wall; ids count in the floor's order.
+) -> list[tuple[BoundarySegment, Wall]]:
+    """Return each boundary with its wall; ids count in the floor's order.
 
     Balconies and terraces have a parapet towards the outside instead of a wall.
     """
     corners = _outline_corners(floor)
     walls = []
-    for number, stretch in enumerate(stretches, start=1):
-        parapet = stretch.exterior and is_class(floor.by_id[stretch.left].room_type, "outdoor")
+    for number, boundary in enumerate(boundaries, start=1):
+        parapet = boundary.exterior and is_class(floor.by_id[boundary.left].room_type, "outdoor")
         walls.append(
             (
-                stretch,
+                boundary,
                 Wall(
                     id=f"F{floor.floor}/wall_{number}",
-                    segment=_center_line(stretch, corners),
-                    thickness=EXTERIOR_THICKNESS if stretch.exterior else INTERIOR_THICKNESS,
+                    segment=_center_line(boundary, corners),
+                    thickness=EXTERIOR_THICKNESS if boundary.exterior else INTERIOR_THICKNESS,
                     height=PARAPET_HEIGHT if parapet else ceiling,
-                    exterior=stretch.exterior,
-                    structural=stretch.structural,
-                    left=stretch.left,
-                    right=stretch.right,
-                    left_material=_face(stretch.left, rooms),
-                    right_material=facade if stretch.exterior else _face(stretch.right, rooms),
+                    exterior=boundary.exterior,
+                    structural=boundary.structural,
+                    left=boundary.left,
+                    right=boundary.right,
+                    left_material=_face(boundary.left, rooms),
+                    right_material=facade if boundary.exterior else _face(boundary.right, rooms),
                 ),
             )
         )
@@ -182,29 +182,29 @@ def _face(region: str | None, rooms: Mapping[str, SceneRoom]) -> str:
     return room.wall_material if room is not None else _CORE_WALL
 
 
-def _wall_of(walls: Sequence[tuple[Stretch, Wall]], stretch: Stretch) -> Wall:
-    """Return the wall of the stretch that an opening interrupts (the opening may know only a part of it)."""
-    middle = stretch.at(stretch.length / 2)
+def _wall_of(walls: Sequence[tuple[BoundarySegment, Wall]], boundary: BoundarySegment) -> Wall:
+    """Return the wall of the boundary that an opening interrupts (the opening may know only a part of it)."""
+    middle = boundary.at(boundary.length / 2)
     for own, wall in walls:
-        if (own.left, own.right) != (stretch.left, stretch.right):
+        if (own.left, own.right) != (boundary.left, boundary.right):
             continue
         dx, dy = own.direction
         along = (middle[0] - own.start[0]) * dx + (middle[1] - own.start[1]) * dy
         across = (middle[0] - own.start[0]) * dy - (middle[1] - own.start[1]) * dx
         if abs(across) < 0.01 and -0.01 < along < own.length + 0.01:
             return wall
-    raise AssertionError(f"no wall between {stretch.left} and {stretch.right} at {middle}")
+    raise AssertionError(f"no wall between {boundary.left} and {boundary.right} at {middle}")
 
 
 def number_doors(
-    floor: FloorRegions, walls: Sequence[tuple[Stretch, Wall]], openings: Sequence[Opening], ceiling: float
+    floor: FloorRegions, walls: Sequence[tuple[BoundarySegment, Wall]], openings: Sequence[Opening], ceiling: float
 ) -> list[Door]:
     """Return the doors in the order of the openings, numbered on."""
     doors = []
     for number, opening in enumerate(openings, start=1):
         kind = opening.kind
         is_open = kind.kind == "open"
-        segment = _on_wall(opening.stretch, opening.segment)
+        segment = _on_wall(opening.boundary, opening.segment)
         tall = GARAGE_DOOR_HEIGHT if kind.kind == "garage" else DOOR_HEIGHT
         doors.append(
             Door(
@@ -214,7 +214,7 @@ def number_doors(
                 rooms=opening.regions,
                 width=round(math.dist(*segment), 4),
                 height=ceiling if is_open else round(min(tall, ceiling - 0.05), 4),
-                wall="" if is_open else _wall_of(walls, opening.stretch).id,
+                wall="" if is_open else _wall_of(walls, opening.boundary).id,
                 hinge=opening.hinge,
                 swing=opening.swing,
                 is_open=kind.kind not in ("sliding", "entrance", "garage"),
@@ -225,15 +225,15 @@ def number_doors(
 
 
 def number_windows(
-    floor: FloorRegions, walls: Sequence[tuple[Stretch, Wall]], windows: Sequence[WindowOpening]
+    floor: FloorRegions, walls: Sequence[tuple[BoundarySegment, Wall]], windows: Sequence[WindowOpening]
 ) -> list[Window]:
     """Return the windows in their order, numbered on."""
     return [
         Window(
             id=f"F{floor.floor}/window_{number}",
-            wall=_wall_of(walls, window.stretch).id,
+            wall=_wall_of(walls, window.boundary).id,
             room=window.region,
-            segment=_on_wall(window.stretch, window.segment),
+            segment=_on_wall(window.boundary, window.segment),
             sill=window.kind.sill,
             height=window.kind.height,
             kind=window.kind.name,

@@ -5,7 +5,7 @@ floor landing lies at the same end of the core on every floor, so that flights s
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final, Literal
 
 import shapely
@@ -164,50 +164,62 @@ def stair_details(
             path="$.connectivity.cores",
         )
     risers, going = fit
-    flight = round((frame.width - _WELL) / 2, 4)
+    width = round((frame.width - _WELL) / 2, 4)
     well = frame.rectangle((frame.landing, frame.length), (0.0, frame.width))
-    details = StairDetails(
+    flights = _flights(frame, height, risers, going, width) if goes_up else _Flights()
+    rails = flights.rails
+    if comes_from_below and not goes_up:
+        # The top floor has no flight up: a guard closes the half of the landing's edge where one would start.
+        edge = frame.landing
+        rails = [_rail(frame, (edge, edge), (0.0, width), (0.0, 0.0))]
+    return StairDetails(
         form="dog_leg",
         risers=risers if goes_up else 0,
         riser=round(height / risers, 4),
         going=going,
-        width=flight,
+        width=width,
+        treads=flights.treads,
+        landings=flights.landings,
+        rails=rails,
         floor_landing=frame.rectangle((0.0, frame.landing), (0.0, frame.width)),
         floor_opening=well if comes_from_below else [],
         ceiling_opening=well if goes_up else [],
     )
-    if goes_up:
-        _add_flights(details, frame, height)
-    elif comes_from_below:
-        # The top floor has no flight up: a guard closes the half of the landing's edge where one would start.
-        edge = frame.landing
-        details.rails.append(_rail(frame, (edge, edge), (0.0, flight), (0.0, 0.0)))
-    return details
 
 
-def _add_flights(details: StairDetails, frame: StairFrame, height: float) -> None:
-    """Add both flights, the half landing and the rails along the well."""
-    half, riser, going, width = (details.risers // 2, height / details.risers, details.going, details.width)
+@dataclass(frozen=True)
+class _Flights:
+    """Both flights of a dog-leg, its half landing, and the rails along the well."""
+
+    treads: list[Box3] = field(default_factory=list)
+    landings: list[Box3] = field(default_factory=list)
+    rails: list[tuple[Point3, Point3]] = field(default_factory=list)
+
+
+def _flights(frame: StairFrame, height: float, risers: int, going: float, width: float) -> _Flights:
+    half, riser = risers // 2, height / risers
     foot, turn = frame.landing, frame.landing + (half - 1) * going
     left, right = (0.0, width), (frame.width - width, frame.width)
+    middle = half * riser
+    treads = []
     for step in range(half - 1):
         top = (step + 1) * riser
         span = (foot + step * going, foot + (step + 1) * going)
-        details.treads.append(frame.box(span, left, (max(top - 2 * riser, 0.0), top)))
-    middle = half * riser
-    details.landings.append(frame.box((turn, frame.length), (0.0, frame.width), (middle - _LANDING_THICKNESS, middle)))
+        treads.append(frame.box(span, left, (max(top - 2 * riser, 0.0), top)))
     for step in range(half - 1):
         top = middle + (step + 1) * riser
         span = (turn - (step + 1) * going, turn - step * going)
-        details.treads.append(frame.box(span, right, (top - 2 * riser, top)))
+        treads.append(frame.box(span, right, (top - 2 * riser, top)))
     inner = (width, width)
     outer = (frame.width - width, frame.width - width)
-    details.rails.extend(
+    return _Flights(
+        treads,
+        [frame.box((turn, frame.length), (0.0, frame.width), (middle - _LANDING_THICKNESS, middle))],
         [
             _rail(frame, (foot, turn), inner, (riser, middle)),
             _rail(frame, (turn, turn), (width, frame.width - width), (middle, middle)),
             _rail(frame, (turn, foot), outer, (middle, height)),
-        ]
+        ],
     )
 
 

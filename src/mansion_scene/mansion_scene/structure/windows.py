@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from mansion_knowledge import is_class
 from mansion_msgs_py.shapes import Segment
-from mansion_scene.structure.boundaries import Stretch, reentrant_corners, usable_part
+from mansion_scene.structure.boundaries import BoundarySegment, reentrant_corners, usable_part
 from mansion_scene.structure.openings import Opening
 from mansion_scene.structure.regions import FloorRegions, Region
 
@@ -33,7 +33,7 @@ class WindowOpening:
 
     region: str
     kind: WindowKind
-    stretch: Stretch
+    boundary: BoundarySegment
     segment: Segment
 
 
@@ -68,7 +68,7 @@ def window_kind(region: Region) -> WindowKind | None:
 
 
 def place_windows(
-    floor: FloorRegions, stretches: Sequence[Stretch], openings: Sequence[Opening], ceiling: float
+    floor: FloorRegions, boundaries: Sequence[BoundarySegment], openings: Sequence[Opening], ceiling: float
 ) -> list[WindowOpening]:
     """Place windows, evenly spaced between wall ends and doors, in every outer wall of a floor above ground.
 
@@ -87,14 +87,14 @@ def place_windows(
             doors.setdefault(opening.regions[0], []).append(opening.segment)
     windows: list[WindowOpening] = []
     corners = reentrant_corners(floor.outline)
-    for wall in stretches:
+    for wall in boundaries:
         kind = window_kind(floor.by_id[wall.left]) if wall.exterior else None
-        stretch = usable_part(wall, corners)
-        if kind is None or stretch is None:
+        boundary = usable_part(wall, corners)
+        if kind is None or boundary is None:
             continue
         kind = _below(kind, ceiling)
-        for low, high in _free(stretch, doors.get(stretch.left, [])):
-            windows.extend(_row(stretch, kind, low, high))
+        for low, high in _free(boundary, doors.get(boundary.left, [])):
+            windows.extend(_row(boundary, kind, low, high))
     return windows
 
 
@@ -103,9 +103,9 @@ def _below(kind: WindowKind, ceiling: float) -> WindowKind:
     return WindowKind(kind.width, round(max(height, 0.3), 4), kind.sill, kind.gap, kind.name)
 
 
-def _free(stretch: Stretch, doors: Sequence[Segment]) -> list[tuple[float, float]]:
-    (x0, y0), (dx, dy) = stretch.start, stretch.direction
-    intervals = [(_END, stretch.length - _END)]
+def _free(boundary: BoundarySegment, doors: Sequence[Segment]) -> list[tuple[float, float]]:
+    (x0, y0), (dx, dy) = boundary.start, boundary.direction
+    intervals = [(_END, boundary.length - _END)]
     for door in doors:
         if any(abs((x - x0) * dy - (y - y0) * dx) > _SAME_LINE for x, y in door):
             continue
@@ -119,7 +119,7 @@ def _free(stretch: Stretch, doors: Sequence[Segment]) -> list[tuple[float, float
     return intervals
 
 
-def _row(stretch: Stretch, kind: WindowKind, low: float, high: float) -> list[WindowOpening]:
+def _row(boundary: BoundarySegment, kind: WindowKind, low: float, high: float) -> list[WindowOpening]:
     room = high - low
     if room < _NARROWEST - 1e-6:
         return []
@@ -132,6 +132,6 @@ def _row(stretch: Stretch, kind: WindowKind, low: float, high: float) -> list[Wi
     row = []
     for index in range(count):
         start = low + spare + index * (width + kind.gap + spare)
-        segment = stretch.at(start), stretch.at(start + width)
-        row.append(WindowOpening(stretch.left, kind, stretch, segment))
+        segment = boundary.at(start), boundary.at(start + width)
+        row.append(WindowOpening(boundary.left, kind, boundary, segment))
     return row

@@ -6,7 +6,7 @@ the adjacent wall where the approach to a door in a corner covers it.
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -14,7 +14,7 @@ import shapely
 from shapely.geometry import Polygon
 
 from mansion_msgs_py.shapes import Point, Segment
-from mansion_scene.structure.boundaries import Stretch
+from mansion_scene.structure.boundaries import BoundarySegment
 from mansion_scene.structure.dimensions import APPROACH_DEPTH, DOOR_GAP, INTERIOR_THICKNESS, WALL_END
 
 __all__ = ["Frontage", "Position", "approach_zone", "choose_position", "ranked_positions"]
@@ -24,47 +24,49 @@ _SHORT_PIECE = 0.5  # a wall piece as short as this holds nothing
 _CORNER_LOSS = 0.3  # metres of the adjacent wall that a door in a corner spoils for all but shallow things
 
 
-@dataclass
+@dataclass(frozen=True)
 class Frontage:
-    """A region as doors see it.
+    """The free floor and wall of a region, as the positions of its doors see it.
 
     Attributes
     ----------
     net : Polygon
         Free floor between the walls.
     weight : float
-        What a metre of its wall is worth: little in circulation, nothing in a core.
-    zones : list of Polygon
+        Value of a metre of its wall: little in circulation, nothing in a core.
+    rings : tuple of arrays
+        The boundary rings of `net`, each of shape (n, 2).
+    zones : tuple of Polygon
         Approach zones of the doors that it has already.
-    taken : list of Segment
+    taken : tuple of Segment
         Their openings.
     """
 
     net: Polygon
     weight: float
-    zones: list[Polygon] = field(default_factory=list)
-    taken: list[Segment] = field(default_factory=list)
+    rings: tuple[npt.NDArray[np.float64], ...]
+    zones: tuple[Polygon, ...] = ()
+    taken: tuple[Segment, ...] = ()
 
-    rings: list[npt.NDArray[np.float64]] = field(init=False)
-
-    def __post_init__(self) -> None:
-        shapely.prepare(self.net)
-        rings = (self.net.exterior, *self.net.interiors)
-        self.rings = [shapely.get_coordinates(ring) for ring in rings]
+    @classmethod
+    def without_doors(cls, net: Polygon, weight: float) -> "Frontage":
+        """Return the frontage of a region that has no door yet."""
+        shapely.prepare(net)
+        return cls(net, weight, tuple(shapely.get_coordinates(ring) for ring in (net.exterior, *net.interiors)))
 
 
 @dataclass(frozen=True)
 class Position:
-    """An opening of a stretch, between two distances from its start."""
+    """An opening of a boundary, between two distances from its start."""
 
-    stretch: Stretch
+    boundary: BoundarySegment
     low: float
     high: float
 
     @property
     def segment(self) -> Segment:
-        """The clear opening on the stretch."""
-        return self.stretch.at(self.low), self.stretch.at(self.high)
+        """The clear opening on the boundary."""
+        return self.boundary.at(self.low), self.boundary.at(self.high)
 
     @property
     def width(self) -> float:
@@ -89,10 +91,10 @@ def approach_zone(
     )
 
 
-def _free_intervals(stretch: Stretch, taken: Sequence[Segment], margin: float) -> list[tuple[float, float]]:
-    """Return where the stretch has neither wall ends nor openings of its line, with their distances."""
-    (dx, dy), (x0, y0) = stretch.direction, stretch.start
-    intervals = [(margin, stretch.length - margin)]
+def _free_intervals(boundary: BoundarySegment, taken: Sequence[Segment], margin: float) -> list[tuple[float, float]]:
+    """Return where the boundary has neither wall ends nor openings of its line, with their distances."""
+    (dx, dy), (x0, y0) = boundary.direction, boundary.start
+    intervals = [(margin, boundary.length - margin)]
     for a, b in taken:
         if any(abs((p[0] - x0) * dy - (p[1] - y0) * dx) > INTERIOR_THICKNESS for p in (a, b)):
             continue
@@ -107,16 +109,16 @@ def _free_intervals(stretch: Stretch, taken: Sequence[Segment], margin: float) -
     return intervals
 
 
-def _candidates(stretch: Stretch, taken: Sequence[Segment], width: float, margin: float) -> list[Position]:
+def _candidates(boundary: BoundarySegment, taken: Sequence[Segment], width: float, margin: float) -> list[Position]:
     positions = []
-    for start, end in _free_intervals(stretch, taken, margin):
+    for start, end in _free_intervals(boundary, taken, margin):
         room = end - start - width
         if room < -1e-6:
             continue
         room = max(room, 0.0)
         shift = _POCKET + INTERIOR_THICKNESS / 2 - margin
         offsets = sorted({0.0, min(shift, room), room / 2, max(room - shift, 0.0), room})
-        positions += [Position(stretch, start + o, start + o + width) for o in offsets]
+        positions += [Position(boundary, start + o, start + o + width) for o in offsets]
     return positions
 
 
@@ -129,7 +131,7 @@ def _worth(length: float) -> float:
 def _side_of(frontage: Frontage, position: Position) -> tuple[float, float] | None:
     """Return the distances of an opening from the two ends of the straight side of the room that it lies in."""
     (ax, ay), (bx, by) = position.segment
-    dx, dy = position.stretch.direction
+    dx, dy = position.boundary.direction
     mx, my = (ax + bx) / 2, (ay + by) / 2
     for coords in frontage.rings:
         across = (coords[:, 0] - mx) * dy - (coords[:, 1] - my) * dx
@@ -164,7 +166,7 @@ def _cost(position: Position, sides: Sequence[tuple[Frontage, Point]]) -> float:
 
 
 def choose_position(
-    stretches: Sequence[Stretch],
+    boundaries: Sequence[BoundarySegment],
     frontages: Mapping[str, Frontage],
     width: float,
     *,
@@ -172,13 +174,13 @@ def choose_position(
     within: Polygon | None = None,
     center: Point | None = None,
 ) -> Position | None:
-    """Return the best of `ranked_positions`; ``None`` when no stretch has that much free."""
-    ranked = ranked_positions(stretches, frontages, width, margin=margin, within=within, center=center)
+    """Return the best of `ranked_positions`; ``None`` when no boundary has that much free."""
+    ranked = ranked_positions(boundaries, frontages, width, margin=margin, within=within, center=center)
     return ranked[0] if ranked else None
 
 
 def ranked_positions(
-    stretches: Sequence[Stretch],
+    boundaries: Sequence[BoundarySegment],
     frontages: Mapping[str, Frontage],
     width: float,
     *,
@@ -186,31 +188,31 @@ def ranked_positions(
     within: Polygon | None = None,
     center: Point | None = None,
 ) -> list[Position]:
-    """Return where the stretches between two regions may open, best first.
+    """Return where the boundaries between two regions may open, best first.
 
     Parameters
     ----------
-    stretches : sequence of Stretch
+    boundaries : sequence of BoundarySegment
         Of one pair of regions.
     frontages : mapping
         By region id; the two sides' doors so far are respected.
     width : float
         Clear width.
     margin : float
-        Wall that stays between the opening and each end of its stretch.
+        Wall that stays between the opening and each end of its boundary.
     within : Polygon, optional
         The opening must lie in it, where it is given.
     center : Point, optional
         The opening should be abreast of it, where it is given.
     """
     found: list[tuple[float, int, Position]] = []
-    for stretch in stretches:
-        dx, dy = stretch.direction
-        sides = [(frontages[stretch.left], (-dy, dx))]
-        if stretch.right is not None:
-            sides.append((frontages[stretch.right], (dy, -dx)))
+    for boundary in boundaries:
+        dx, dy = boundary.direction
+        sides = [(frontages[boundary.left], (-dy, dx))]
+        if boundary.right is not None:
+            sides.append((frontages[boundary.right], (dy, -dx)))
         taken = [segment for frontage, _ in sides for segment in frontage.taken]
-        pieces = [stretch] if within is None else _clipped(stretch, within)
+        pieces = [boundary] if within is None else _clipped(boundary, within)
         for piece in pieces:
             for position in _candidates(piece, taken, width, margin):
                 cost = _cost(position, sides) + _off_center(position, center)
@@ -222,14 +224,14 @@ def _off_center(position: Position, center: Point | None) -> float:
     if center is None:
         return 0.0
     (ax, ay), (bx, by) = position.segment
-    dx, dy = position.stretch.direction
+    dx, dy = position.boundary.direction
     return 2.0 * abs((center[0] - (ax + bx) / 2) * dx + (center[1] - (ay + by) / 2) * dy)
 
 
-def _clipped(stretch: Stretch, within: Polygon) -> list[Stretch]:
-    """Return the part of a stretch inside a polygon."""
-    part = shapely.LineString([stretch.start, stretch.end]).intersection(within)
+def _clipped(boundary: BoundarySegment, within: Polygon) -> list[BoundarySegment]:
+    """Return the part of a boundary inside a polygon."""
+    part = shapely.LineString([boundary.start, boundary.end]).intersection(within)
     if part.geom_type != "LineString" or part.is_empty:
         return []
-    ends = sorted((math.dist(stretch.start, point), (float(point[0]), float(point[1]))) for point in part.coords)
-    return [Stretch(ends[0][1], ends[-1][1], stretch.left, stretch.right, stretch.exterior, stretch.structural)]
+    ends = sorted((math.dist(boundary.start, point), (float(point[0]), float(point[1]))) for point in part.coords)
+    return [replace(boundary, start=ends[0][1], end=ends[-1][1])]

@@ -12,7 +12,7 @@ from shapely.geometry import Polygon
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.shapes import Point
 from mansion_scene.structure.dimensions import EXTERIOR_THICKNESS, INTERIOR_THICKNESS
-from mansion_scene.structure.frontage import approach_zone
+from mansion_scene.structure.door_positions import approach_zone
 from mansion_scene.structure.openings import Opening, OpeningKind, room_after_door
 from mansion_scene.structure.regions import FloorRegions
 
@@ -36,7 +36,7 @@ def leaf_sectors(opening: Opening, region: str, hinge: Hinge) -> list[Polygon]:
     """
     a, b = opening.segment
     inward = opening.inward(region)
-    face = 0.0 if opening.stretch.exterior else INTERIOR_THICKNESS / 2
+    face = 0.0 if opening.boundary.exterior else INTERIOR_THICKNESS / 2
     width = math.dist(a, b)
     sectors = []
     if hinge in ("start", "both"):
@@ -161,7 +161,7 @@ def _to_side_wall(opening: Opening, net: Polygon, region: str, hinge: Hinge) -> 
     a, b = opening.segment
     pivot = a if hinge == "start" else b
     nx, ny = opening.inward(region)
-    half = (EXTERIOR_THICKNESS if opening.stretch.exterior else INTERIOR_THICKNESS) / 2
+    half = (EXTERIOR_THICKNESS if opening.boundary.exterior else INTERIOR_THICKNESS) / 2
     depth = half + math.dist(a, b) / 2
     middle = shapely.Point(pivot[0] + nx * depth, pivot[1] + ny * depth)
     return round(float(shapely.distance(net.exterior, middle)), 3)
