@@ -3,6 +3,8 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+import msgspec
+
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Discard, FloorScene, Light, SceneObject
 from mansion_msgs_py.stages import FurnishRequest
@@ -53,7 +55,7 @@ def furnish_floor(
         objects, discarded = _contents(request, structure, report, catalogue, chooser)
         scene = _scene(request, structure, objects, discarded)
         if chooser is not None:
-            scene.sources, scene.llm = chooser.sources, chooser.usage
+            scene = msgspec.structs.replace(scene, sources=chooser.sources, llm=chooser.usage)
     except MansionError as error:
         raise error.at_stage("furnish_floor") from error
     report("furnished", 1.0)

@@ -147,7 +147,7 @@ class _Style:
         return assets[int(draws[1] * len(assets))]
 
 
-class _Entry(msgspec.Struct):
+class _Entry(msgspec.Struct, frozen=True):
     item: Item
     asset: Asset
     count: int
@@ -295,8 +295,8 @@ class _Draft:
     def finished(self) -> tuple[list[PlacementObject], dict[str, Asset], dict[str, list[Asset]]]:
         """Return the placer's objects, without relations to what the room has not."""
         floor = []
+        smaller = {name: self._enough_seats(name, entry) for name, entry in self.entries.items()}
         for name, entry in self.entries.items():
-            entry.smaller = self._enough_seats(name, entry)
             relative = [r for r in entry.item.relative if r.target in self.entries and r.target != name]
             floor.append(
                 PlacementObject(
@@ -307,11 +307,11 @@ class _Draft:
                     global_=entry.item.global_,
                     structure=entry.structure,
                     relative=relative,
-                    smaller=[a.size for a in entry.smaller],
+                    smaller=[a.size for a in smaller[name]],
                 )
             )
         assets = {name: entry.asset for name, entry in self.entries.items()}
-        return (floor, assets, {name: entry.smaller for name, entry in self.entries.items() if entry.smaller})
+        return floor, assets, {name: choices for name, choices in smaller.items() if choices}
 
 
 def _hang(draft: _Draft, item: HangItem) -> HangWish | None:

@@ -287,10 +287,10 @@ def seat_row(b: Builder) -> None:
         _seat_beam(b, z)
     step = b.w / count
     for k in range(count):
-        _padded_seat(b, (-b.w / 2 + k * step, -b.w / 2 + k * step + step), z, plush)
+        _padded_seat(b, (-b.w / 2 + k * step, -b.w / 2 + k * step + step), z, plush=plush)
     for k in range(count + 1):
         x = min(max(-b.w / 2 + k * step, -b.w / 2 + 0.03), b.w / 2 - 0.03)
-        _seat_arm(b, x, z, plush)
+        _seat_arm(b, x, z, plush=plush)
 
 
 def _seat_beam(b: Builder, z: float) -> None:
@@ -303,7 +303,7 @@ def _seat_beam(b: Builder, z: float) -> None:
         b.box((x - 0.03, x + 0.03), (-0.04, 0.04), (0.03, z - 0.1), black, "legs")
 
 
-def _padded_seat(b: Builder, x: tuple[float, float], z: float, plush: bool) -> None:
+def _padded_seat(b: Builder, x: tuple[float, float], z: float, *, plush: bool) -> None:
     b.cushion(
         (x[0] + 0.04, x[1] - 0.04), (-b.d / 2 + 0.14, b.d / 2), (z - (0.16 if plush else 0.06), z), b.mat(), "seat", 0.4
     )
@@ -317,7 +317,7 @@ def _padded_seat(b: Builder, x: tuple[float, float], z: float, plush: bool) -> N
     )
 
 
-def _seat_arm(b: Builder, x: float, z: float, plush: bool) -> None:
+def _seat_arm(b: Builder, x: float, z: float, *, plush: bool) -> None:
     d = b.d
     if plush:
         y = (-d / 2 + 0.05, d / 2 - 0.12)

@@ -106,7 +106,7 @@ _SUPPORTS: dict[str, Callable[[Builder, float, str], None]] = {
 }
 
 
-def _top(b: Builder, z: float, thick: float, round_: bool) -> None:
+def _top(b: Builder, z: float, thick: float, *, round_: bool) -> None:
     w, d = b.w, b.d
     if round_:
         b.lathe([(0.485, z - thick), (0.5, z - thick * 0.5), (0.5, z)], b.mat(), stretch=(w, d), part="top", n=32)
@@ -124,7 +124,7 @@ def table(b: Builder) -> None:
     """Rectangular or round top on legs, a pedestal, panels or frames."""
     h = b.h
     thick = min(0.04, h * 0.1)
-    _top(b, h, thick, b.p.get("shape") == "round")
+    _top(b, h, thick, round_=b.p.get("shape") == "round")
     style = str(b.p.get("legs", "four"))
     frame = b.mat("frame", b.mat() if style != "cloth" else "metal_grey")
     _supports(b, style, h - thick, frame)
@@ -150,7 +150,7 @@ def desk(b: Builder) -> None:
     w, d = b.w, b.d
     z = b.tops[0].z
     style = str(b.p.get("legs", "panel"))
-    _top(b, z, 0.03, False)
+    _top(b, z, 0.03, round_=False)
     _supports(b, style, z - 0.03, b.mat("frame", b.mat()))
     if style == "panel" and (b.p.get("drawers") or w > 1.0) and d > 0.3:
         width = min(0.42, w * 0.32)

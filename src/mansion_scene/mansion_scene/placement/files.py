@@ -7,6 +7,8 @@ from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from pathlib import Path
 
+import msgspec
+
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.files import write_atomic
@@ -38,8 +40,7 @@ def place_timed(room: PlacementRoom, seed: int, options: PlacementOptions) -> Pl
         reason = f"room refused, {error.info.path}: {error.info.message}"
         lost = [Discarded(name=o.name, count=o.quantity, reason=reason) for o in room.objects]
         result = PlacementResult(room_id=room.room_id, placements=[], discarded=lost)
-    result.seconds = round(time.process_time() - begin, 4)
-    return result
+    return msgspec.structs.replace(result, seconds=round(time.process_time() - begin, 4))
 
 
 def _place_encoded(seed: int, options: PlacementOptions, data: bytes) -> bytes:

@@ -1,5 +1,6 @@
 """The floor while it fills: placed boxes, free space, and the hard constraints that every addition must keep."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,6 +31,10 @@ class Effort:
     def search(self, poses: int, boxes: int) -> None:
         """Count one search over `poses` against `boxes`."""
         self.spent += 600.0 + 0.3 * poses + 0.008 * poses * boxes
+
+    def extend(self, factor: float) -> None:
+        """Raise the limit."""
+        self.limit *= factor
 
     def flood(self, cells: int) -> None:
         """Count one examination of reachability on a grid of `cells`."""
@@ -100,9 +105,9 @@ class Floor:
         self._next = 0
         # Whether everything that stands was approachable when last looked at.
         self._settled = False
-        self._set_comfort(roomy)
+        self._set_comfort(roomy=roomy)
 
-    def _set_comfort(self, roomy: bool) -> None:
+    def _set_comfort(self, *, roomy: bool) -> None:
         self.roomy = roomy
         self.zones = self.room.zones(roomy=roomy)
         self.gap = self.options.gap if roomy else 0.002
@@ -115,7 +120,7 @@ class Floor:
     def relax(self) -> None:
         """Go on without the margins of comfort."""
         if self.roomy:
-            self._set_comfort(False)
+            self._set_comfort(roomy=False)
 
     def copy(self) -> "Floor":
         """Return an independent copy."""
@@ -125,6 +130,10 @@ class Floor:
         other._counts = dict(self._counts)
         other.grid = self.grid.copy()
         return other
+
+    def restore(self, before: "Floor") -> None:
+        """Go back to the state of a copy that was made earlier."""
+        self.__dict__.update(before.__dict__)
 
     def count(self, spec: int) -> int:
         """Return how many copies of an object stand."""
@@ -153,7 +162,7 @@ class Floor:
         return feasible_poses(poses, parts, self.room.edges, self.boxes, self.zones, self.gap)
 
     def put(
-        self, boxes: Floats, specs: list[int], hosts: list[int], sizes: list[tuple[float, float, float]]
+        self, boxes: Floats, specs: Sequence[int], hosts: Sequence[int], sizes: Sequence[tuple[float, float, float]]
     ) -> list[Placed] | None:
         """Add copies if all stay reachable and the doors connected; else leave the floor as it was.
 
@@ -195,7 +204,7 @@ class Floor:
             self._counts[spec] = self._counts.get(spec, 0) + 1
         return added
 
-    def _partners(self, specs: list[int], hosts: list[int]) -> npt.NDArray[np.int32]:
+    def _partners(self, specs: Sequence[int], hosts: Sequence[int]) -> npt.NDArray[np.int32]:
         """Return for every copy, old and new, which copy stands before its front and counts for its approach."""
         first = len(self.placed)
         partner: npt.NDArray[np.int32] = np.full(first + len(specs), -1, dtype=np.int32)

@@ -1,6 +1,6 @@
 """Objects normalised into groups: an anchor and members in its frame (supplement G, input of Algorithm 4)."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -59,12 +59,12 @@ class Spec:
         return self.where == "edge" or self.rows > 0
 
 
-@dataclass
+@dataclass(frozen=True)
 class Group:
     """An anchor and its members, hosts before what they host."""
 
     anchor: Spec
-    members: list[Spec] = field(default_factory=list)
+    members: tuple[Spec, ...] = ()
 
     @property
     def priority(self) -> int:
@@ -90,25 +90,29 @@ def make_groups(room: PlacementRoom) -> tuple[list[Spec], list[Group]]:
     index = _index(room.objects)
     hosts = _hosts(room.objects, index)
     specs = [_spec(i, obj, index, hosts) for i, obj in enumerate(room.objects)]
-    groups = {spec.index: Group(spec) for spec in specs if spec.host < 0}
+    members: dict[int, list[Spec]] = {spec.index: [] for spec in specs if spec.host < 0}
     pending = [spec for spec in specs if spec.host >= 0]
-    root = {i: i for i in groups}
+    root = {i: i for i in members}
     while pending:
         later = []
         for spec in pending:
             if spec.host in root:
                 root[spec.index] = root[spec.host]
-                groups[root[spec.host]].members.append(spec)
+                members[root[spec.host]].append(spec)
             else:
                 later.append(spec)
         pending = later
     order = {link: rank for rank, link in enumerate(("paired", *_LINKS))}
-    for group in groups.values():
-        depth = {group.anchor.index: 0}
-        for member in group.members:
+    depth = dict.fromkeys(members, 0)
+    for own in members.values():
+        for member in own:
             depth[member.index] = depth[member.host] + 1
-        group.members.sort(key=lambda m: (depth[m.index], order[m.link or "near"], m.where != "edge", -m.area, m.index))
-    ranked = sorted(groups.values(), key=lambda g: (g.priority, -g.area, g.anchor.index))
+
+    def rank(member: Spec) -> tuple[int, int, bool, float, int]:
+        return depth[member.index], order[member.link or "near"], member.where != "edge", -member.area, member.index
+
+    groups = [Group(specs[i], tuple(sorted(own, key=rank))) for i, own in members.items()]
+    ranked = sorted(groups, key=lambda g: (g.priority, -g.area, g.anchor.index))
     return specs, ranked
 
 

@@ -1,6 +1,7 @@
 """Repeated units as one pattern: rows along walls, lattices over the floor, and matrices of rows and columns."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
@@ -33,15 +34,13 @@ _OFFSETS = 6
 
 def repeated(unit: Unit, offsets: Floats) -> Unit:
     """Return one unit that holds a copy of `unit` at each offset, shape (n, 2), in the anchor's frame."""
-    out = Unit()
-    size = len(unit.parts)
-    for i, (dx, dy) in enumerate(offsets):
-        for part, spec, host, own in zip(unit.parts, unit.specs, unit.hosts, unit.sizes):
-            out.parts.append((part[0] + float(dx), part[1] + float(dy), *part[2:]))
-            out.specs.append(spec)
-            out.hosts.append(host + i * size if host >= 0 else -1)
-            out.sizes.append(own)
-    return out
+    size, copies = len(unit.parts), len(offsets)
+    return Unit(
+        parts=tuple((part[0] + float(dx), part[1] + float(dy), *part[2:]) for dx, dy in offsets for part in unit.parts),
+        specs=unit.specs * copies,
+        hosts=tuple(host + i * size if host >= 0 else -1 for i in range(copies) for host in unit.hosts),
+        sizes=unit.sizes * copies,
+    )
 
 
 def row_gaps(floor: Floor, spec: Spec, unit: Unit, aisle: float) -> list[float]:
@@ -76,7 +75,7 @@ def place_rows(floor: Floor, spec: Spec, unit: Unit, count: int, rng: np.random.
                 left -= n
             if not left:
                 return True
-            floor.__dict__.update(before.__dict__)
+            floor.restore(before)
     return False
 
 
@@ -122,7 +121,7 @@ def place_along_walls(
     before = floor.copy()
     if all(place_along_walls(floor, spec, unit, 1, per_line, rng, aisle) for _ in range(lines)):
         return True
-    floor.__dict__.update(before.__dict__)
+    floor.restore(before)
     return False
 
 
@@ -141,8 +140,7 @@ def _opposite_walls(floor: Floor) -> list[tuple[list[Wall], float]]:
 
 def _turned(unit: Unit, dx: float, dy: float) -> Unit:
     """Return a unit turned by 180 degrees about its anchor, then moved."""
-    parts = [(dx - p[0], dy - p[1], -p[2], -p[3], *p[4:]) for p in unit.parts]
-    return Unit(parts, list(unit.specs), list(unit.hosts), list(unit.sizes))
+    return replace(unit, parts=tuple((dx - p[0], dy - p[1], -p[2], -p[3], *p[4:]) for p in unit.parts))
 
 
 def _joined(first: Unit, second: Unit) -> Unit:
@@ -151,7 +149,7 @@ def _joined(first: Unit, second: Unit) -> Unit:
     return Unit(
         first.parts + second.parts,
         first.specs + second.specs,
-        first.hosts + [host + shift if host >= 0 else -1 for host in second.hosts],
+        first.hosts + tuple(host + shift if host >= 0 else -1 for host in second.hosts),
         first.sizes + second.sizes,
     )
 
@@ -313,7 +311,8 @@ def _macro_poses(
         macro = repeated(unit, offsets - [centre[0], 0.0])
         # Only the first row of a block of three and more can be at the wall.
         row = len(unit.parts) * shape[1]
-        macro.parts[row:] = [(*part[:7], 0.0) for part in macro.parts[row:]]
+        freed = tuple((*part[:7], 0.0) for part in macro.parts[row:])
+        macro = replace(macro, parts=macro.parts[:row] + freed)
         poses = wall_poses(floor, macro.extent(), unit.sizes[0][1] / 2, rng)
     else:
         macro = repeated(unit, offsets - centre)

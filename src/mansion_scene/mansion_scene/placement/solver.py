@@ -158,7 +158,7 @@ def _improved(build: Construction, specs: list[Spec], asked: int, goal: float, o
     if options.tight and rating.placed < asked:
         build.floor = floor.copy()
         build.floor.relax()
-        floor.effort.limit *= 1.75
+        floor.effort.extend(1.75)
         floor, _ = improve(build, specs, moves=2 * options.moves, goal=goal)
     return floor
 

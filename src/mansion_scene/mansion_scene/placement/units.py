@@ -1,7 +1,7 @@
 """Rigid units: a copy of an anchor together with the members that have a fixed place in its frame."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
 from typing import TypeAlias
@@ -171,24 +171,25 @@ class UnitStyle:
     gap: float = 0.08
 
 
-@dataclass
+@dataclass(frozen=True)
 class Unit:
     """Rigid parts in the frame of the first.
 
     Attributes
     ----------
-    parts : list of 8-tuples
+    parts : tuple of 8-tuples
         Boxes with height and how far their back may be from a wall (0: anywhere); the anchor first, at the origin.
-    specs : list of int
-    hosts : list of int
+    specs : tuple of int
+        Index of each part's object.
+    hosts : tuple of int
         Index of each part's host among the parts, -1 for the anchor.
-    sizes : list of sizes
+    sizes : tuple of (float, float, float)
     """
 
-    parts: list[tuple[float, ...]] = field(default_factory=list)
-    specs: list[int] = field(default_factory=list)
-    hosts: list[int] = field(default_factory=list)
-    sizes: list[Size3] = field(default_factory=list)
+    parts: tuple[tuple[float, ...], ...] = ()
+    specs: tuple[int, ...] = ()
+    hosts: tuple[int, ...] = ()
+    sizes: tuple[Size3, ...] = ()
 
     def array(self) -> Floats:
         """Return the parts as an array, shape (k, 8)."""
@@ -206,8 +207,8 @@ class Unit:
             float((p[:, 1] + ey).max()),
         )
 
-    def add(self, spec: Spec, size: Size3, slot: Slot, host: int) -> bool:
-        """Add a part at a slot in the frame of part `host` unless it overlaps another."""
+    def with_part(self, spec: Spec, size: Size3, slot: Slot, host: int) -> "Unit | None":
+        """Return the unit with one part more, at a slot in the frame of part `host`; None where it overlaps another."""
         x, y, degrees = slot
         ux, uy = unit_vector(degrees)
         if host >= 0:
@@ -218,12 +219,8 @@ class Unit:
         part = (x, y, ux, uy, size[0] / 2, size[1] / 2, size[2], back)
         box = np.array(part[:6])
         if any(boxes_overlap(box, np.array(other[:6]), 0.0) for other in self.parts):
-            return False
-        self.parts.append(part)
-        self.specs.append(spec.index)
-        self.hosts.append(host)
-        self.sizes.append(size)
-        return True
+            return None
+        return Unit((*self.parts, part), (*self.specs, spec.index), (*self.hosts, host), (*self.sizes, size))
 
 
 def build_unit(
@@ -240,30 +237,32 @@ def build_unit(
     children : mapping of object index to its members
     style : UnitStyle
     """
-    unit = Unit()
-    unit.add(spec, size, (0.0, 0.0, 0.0), -1)
-    _add_members(unit, 0, spec, shares, children, style)
-    return unit
+    alone = Unit().with_part(spec, size, (0.0, 0.0, 0.0), -1)
+    assert alone is not None
+    return _with_members(alone, 0, spec, shares, children, style)
 
 
-def _add_members(
+def _with_members(
     unit: Unit, at: int, spec: Spec, shares: Mapping[int, int], children: Mapping[int, list[Spec]], style: UnitStyle
-) -> None:
+) -> Unit:
+    """Return the unit with the members of its part number `at`, and theirs, as far as they find slots."""
     backed = spec.where == "edge"
     for child in children.get(spec.index, ()):
         wanted = shares.get(child.index, 0)
         if not wanted or child.link not in style.links:
             continue
         added = 0
-        for slot in _slots(spec, unit.sizes[at], child, wanted, backed, style):
+        for slot in _slots(spec, unit.sizes[at], child, wanted, style, backed=backed):
             if added == wanted:
                 break
-            if unit.add(child, child.size, slot, at):
+            grown = unit.with_part(child, child.size, slot, at)
+            if grown is not None:
                 added += 1
-                _add_members(unit, len(unit.parts) - 1, child, shares, children, style)
+                unit = _with_members(grown, len(grown.parts) - 1, child, shares, children, style)
+    return unit
 
 
-def _slots(spec: Spec, size: Size3, child: Spec, count: int, backed: bool, style: UnitStyle) -> list[Slot]:
+def _slots(spec: Spec, size: Size3, child: Spec, count: int, style: UnitStyle, *, backed: bool) -> list[Slot]:
     anchor, member = size[:2], child.size[:2]
     seat = child.role.seat
     at_wall = child.where == "edge"
