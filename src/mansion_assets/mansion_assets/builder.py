@@ -1,4 +1,7 @@
-"""Builds a mesh from boxes, turned bodies, rods and cushions, in metres from the floor below the asset's centre."""
+"""Builder of meshes from boxes, bodies of revolution, rods and cushions.
+
+Coordinates are metres from the floor below the asset's centre.
+"""
 
 import itertools
 from collections.abc import Sequence

@@ -43,7 +43,7 @@ class MeshPart(NamedTuple):
 
 
 class _Look(msgspec.Struct, frozen=True):
-    """What decides an asset's shape; assets alike in this share a mesh."""
+    """The fields that determine an asset's shape; assets that agree in them share a mesh."""
 
     payload: bytes
 
@@ -63,7 +63,7 @@ def mesh(asset: Asset) -> list[MeshPart]:
 
 
 def collision_boxes(asset: Asset) -> list[Box]:
-    """Return boxes that stand for an asset in physics, at most 24; its whole box where it has no recipe."""
+    """Return the collision boxes of an asset, at most 24; its bounding box where it has no recipe."""
     if asset.glb is not None or not asset.recipe:
         return [Box((0.0, 0.0, 0.0), asset.size)]
     return list(_built(_look(asset))[1])

@@ -45,7 +45,7 @@ def revolved(profile: Sequence[tuple[float, float]], at: Span, n: int, stretch: 
     Parameters
     ----------
     profile : sequence of (radius, height)
-        From pole to pole; `stretch` scales the radius along x and along y.
+        Points from pole to pole; `stretch` scales the radius along x and along y.
     """
     angles = np.linspace(0.0, 2 * math.pi, n, endpoint=False)
     circle = np.stack([np.cos(angles) * stretch[0], np.sin(angles) * stretch[1]], axis=1)

@@ -1,4 +1,4 @@
-"""A furnished floor from its layout (Algorithm 1, lines 9 to 17)."""
+"""The scene of one floor, assembled from its layout (Algorithm 1, lines 9 to 17)."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["ProgressReport", "furnish_floor"]
 
 ProgressReport = Callable[[str, float], None]
-"""Gets what is being done, and the share of the floor that is done, 0 to 1."""
+"""Receives a description of the current step and the share of the floor that is done, 0 to 1."""
 
 
 def furnish_floor(
@@ -34,7 +34,7 @@ def furnish_floor(
     progress : callable, optional
         Called with a description and the share done, before each room and at the end.
     catalogue : Catalogue, optional
-        With assets and room types of the user's own; the package's when absent.
+        Catalogue with assets and room types of the user's own; the package's by default.
 
     Returns
     -------
@@ -45,7 +45,7 @@ def furnish_floor(
     ------
     MansionError
         ``INVALID_PAYLOAD`` for a layout that is no partition of its floor, ``INFEASIBLE`` where a room cannot be
-        reached, a stair does not fit its core, or the robot finds no place; `details` names the stage.
+        reached, a stair does not fit its core, or no free position is left for the robot; `details` names the stage.
     """
     report = progress or (lambda what, share: None)
     try:
@@ -135,5 +135,5 @@ def _require_unique_ids(scene: FloorScene) -> None:
     for group in (scene.rooms, scene.walls, scene.doors, scene.windows, scene.cores, scene.objects, scene.lights):
         for item in group:
             if item.id in seen:
-                raise MansionError(ErrorCode.INTERNAL, f"the id {item.id} comes twice in the scene")
+                raise MansionError(ErrorCode.INTERNAL, f"the id {item.id} occurs twice in the scene")
             seen.add(item.id)

@@ -1,4 +1,4 @@
-"""What hangs on walls stays out of doorways and of the ways to doors and furniture."""
+"""Removal of wall objects that obstruct doorways or the paths to doors and furniture."""
 
 from collections.abc import Sequence
 
@@ -14,28 +14,28 @@ from mansion_scene.structure.dimensions import DOOR_HEIGHT
 
 __all__ = ["clear_of_ways"]
 
-_DOORWAY = 0.8  # metres before a door that stay free
+_DOORWAY = 0.8  # metres in front of a door that stay free
 _RADIUS = ROBOT_RADIUS - 0.01  # a little less than the robot's, so that rounding removes nothing
 _REACH = ROBOT_RADIUS + ROBOT_REACH  # from the robot's centre to what it approaches
 _ROBOT_HEIGHT, _FLAT = 1.5, 0.03
-_THIN = 0.02  # what hangs closer to its wall stops nobody
+_THIN = 0.02  # depth up to which a wall object obstructs nobody
 
 
 def clear_of_ways(
     hung: Sequence[SceneObject], standing: Sequence[SceneObject], net: Polygon, doors: Sequence[PlacementOpening]
 ) -> list[SceneObject]:
-    """Leave out what hangs low beside a door, or cuts a door or furniture off, with all that lies on it.
+    """Return wall objects without those that hang low beside a door, or cut off a door or furniture.
 
     Parameters
     ----------
     hung : sequence of SceneObject
-        What decorates a room; only what is mounted on walls can be left out.
+        Decoration of a room; only wall objects, and what lies on them, are removed.
     standing : sequence of SceneObject
-        Its furniture.
+        Furniture of the room.
     net : Polygon
         The room between the faces of its walls.
     doors : sequence of PlacementOpening
-        On its boundary.
+        Doors on the boundary of `net`.
     """
     dropped = _in_doorways(hung, net, doors)
     deep = [item for item in hung if item.id not in dropped and _in_the_way(item)]
@@ -66,7 +66,7 @@ def _in_doorways(hung: Sequence[SceneObject], net: Polygon, doors: Sequence[Plac
 def _cutting_off(
     deep: Sequence[SceneObject], standing: Sequence[SceneObject], net: Polygon, doors: Sequence[PlacementOpening]
 ) -> set[str]:
-    """Return what must go so that everything that can be reached without all of it can be reached."""
+    """Return the ids to remove so that every goal is reached that could be reached without any of the objects."""
     solid = [footprint(item) for item in standing if item.size[2] > _FLAT]
     goals = [*solid, *(LineString(door.segment) for door in doors)]
     free = net.difference(shapely.union_all(solid))
@@ -84,7 +84,7 @@ def _cutting_off(
 
 
 def _reached(free: BaseGeometry, goals: Sequence[BaseGeometry]) -> list[bool]:
-    """Tell which goals the robot comes near to on the largest piece of floor that its centre can move in."""
+    """Tell which goals the robot reaches from the largest connected region in which its centre can move."""
     walk = free.buffer(-_RADIUS, quad_segs=4)
     pieces = shapely.get_parts(walk)
     if not len(pieces):

@@ -138,9 +138,9 @@ def light_plan(room_type: str) -> LightPlan:
 
 
 def room_lights(room: SceneRoom, objects: Sequence[SceneObject]) -> list[Light]:
-    """Return the lights of a room: a grid below its ceiling, and one in each lamp that stands or hangs there.
+    """Return the lights of a room: a grid below its ceiling, and one in each of its lamps.
 
-    Outdoor rooms have no ceiling, so only their lamps.
+    Outdoor rooms have no ceiling, so that only their lamps give light.
     """
     lights = [] if is_class(room.room_type, "outdoor") else _ceiling_lights(room)
     lamps = [item for item in objects if item.room == room.id and _is_lamp(item)]

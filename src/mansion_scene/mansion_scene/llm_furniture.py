@@ -55,7 +55,7 @@ class ObjectAnswer(msgspec.Struct, frozen=True):
 
 
 class ObjectsAnswer(msgspec.Struct, frozen=True):
-    """What a room is furnished with, the most important first."""
+    """The furniture of a room, the most important first."""
 
     objects: list[ObjectAnswer]
 
@@ -63,7 +63,7 @@ class ObjectsAnswer(msgspec.Struct, frozen=True):
 MOST_KINDS = 24
 MOST_COPIES = 200
 CROWDED = 1.6
-"""How far the objects may exceed the share of floor that the placer fills: it gives fewer copies, or smaller assets."""
+"""Factor by which the objects may exceed the share of floor that is filled; the placer uses fewer or smaller ones."""
 
 _NAME = re.compile(r"^[a-z][a-z0-9_]{0,60}$")
 _GLOBAL = get_args(GlobalConstraint)
@@ -242,7 +242,7 @@ class ModelChooser:
 
     @property
     def usage(self) -> LlmUsage:
-        """What the answers took, without what differs between a run and its replay."""
+        """Usage of the answers, without what differs between a run and its replay."""
         return msgspec.structs.replace(self._client.usage, from_store=0, retries=0, seconds=0.0)
 
     def __call__(self, room: SceneRoom, area: float, extent: tuple[float, float]) -> Sequence[Item] | None:

@@ -1,4 +1,4 @@
-"""Objects of a room: what the catalogue asks for, the placer places and the decorator adds (lines 12 and 13)."""
+"""Objects of a room: chosen from the catalogue, placed, and decorated (Algorithm 1, lines 12 and 13)."""
 
 from collections.abc import Callable, Sequence
 
@@ -19,7 +19,7 @@ from mansion_scene.structure import FloorStructure
 __all__ = ["ItemChooser", "RoomFurnisher", "room_openings"]
 
 ItemChooser = Callable[[SceneRoom, float, tuple[float, float]], Sequence[Item] | None]
-"""From a room, its net area and the sides of its bounding rectangle to its floor objects."""
+"""Chooses the floor objects of a room, given the room, its net area and the sides of its bounding rectangle."""
 
 _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
@@ -58,13 +58,13 @@ class RoomFurnisher:
     ----------
     structure : FloorStructure
     seed : int
-        Of the building.
+        Seed of the building.
     style : str
-        Of the building; rooms of one style and seed prefer the same assets.
+        Style of the building; rooms of one style and seed prefer the same assets.
     catalogue : Catalogue, optional
-        The package's own when absent.
+        The package's own by default.
     chooser : callable, optional
-        Gives a room's floor objects; the room type's own list where it is absent or returns ``None``.
+        Chooses a room's floor objects; the room type's own list is used where it is absent or returns ``None``.
     """
 
     def __init__(

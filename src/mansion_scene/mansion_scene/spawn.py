@@ -1,4 +1,4 @@
-"""Where the robot starts: a reachable free place in the hub (Algorithm 1, line 17)."""
+"""The robot's start pose: a reachable free position in the hub (Algorithm 1, line 17)."""
 
 import math
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ from mansion_msgs_py.scene import Door, SceneObject, SceneRoom, SpawnPose
 __all__ = ["free_region", "place_spawn"]
 
 _GRID: Final = 0.25
-_SPACIOUS: Final = 1.0  # metres of clearance beyond which more is no better
+_SPACIOUS: Final = 1.0  # metres of clearance that are enough
 _HEADROOM: Final = 1.8  # an object that starts above this height is no obstacle
 
 
@@ -26,7 +26,7 @@ def _is_obstacle(item: SceneObject) -> bool:
 
 
 def free_region(room: SceneRoom, objects: Sequence[SceneObject], radius: float = ROBOT_RADIUS) -> list[Polygon]:
-    """Return where a disc robot's centre may be in a room, as connected parts, largest first."""
+    """Return the region where a disc robot's centre may be in a room, as connected parts, largest first."""
     net = Polygon(room.net_polygon, room.net_holes)
     mine = [item for item in objects if item.room == room.id and _is_obstacle(item)]
     boxes = [footprint(item) for item in mine]
@@ -40,21 +40,21 @@ def free_region(room: SceneRoom, objects: Sequence[SceneObject], radius: float =
 
 
 def place_spawn(room: SceneRoom, doors: Sequence[Door], objects: Sequence[SceneObject]) -> SpawnPose:
-    """Choose the start in a room: roomy, in the part that most doors lead to, looking along the longest view.
+    """Choose the start in a room: with clearance, in the part that most doors lead to, facing the longest view.
 
     Parameters
     ----------
     room : SceneRoom
         The hub.
     doors : sequence of Door
-        Of the floor; those of the room count, the building's entrance first.
+        Doors of the floor; those of the room count, the building's entrance first.
     objects : sequence of SceneObject
-        Of the floor.
+        Objects of the floor.
 
     Raises
     ------
     MansionError
-        ``INFEASIBLE`` when furniture leaves no place for a robot of radius 0.20 m.
+        ``INFEASIBLE`` when furniture leaves no free position for a robot of radius 0.20 m.
     """
     own = [door for door in doors if room.id in door.rooms]
     own.sort(key=lambda door: door.kind != "entrance")
@@ -65,7 +65,7 @@ def place_spawn(room: SceneRoom, doors: Sequence[Door], objects: Sequence[SceneO
     else:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"{room.id} has no free place for a robot of radius {ROBOT_RADIUS} m",
+            f"{room.id} has no free position for a robot of radius {ROBOT_RADIUS} m",
             path="$.layout.rooms",
         )
     segments = [LineString(door.segment) for door in own]

@@ -1,4 +1,4 @@
-"""What can stand, hang or lie in a building: one asset of the catalogue."""
+"""An asset of the catalogue with its surfaces and inner volumes."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ __all__ = ["Asset", "Surface", "Volume"]
 
 
 class Surface(msgspec.Struct, frozen=True, kw_only=True):
-    """A flat rectangle that carries things, in the asset's frame (origin at the bounding-box centre).
+    """A flat rectangle that carries objects, in the asset's frame (origin at the bounding-box centre).
 
     Attributes
     ----------
@@ -25,7 +25,7 @@ class Surface(msgspec.Struct, frozen=True, kw_only=True):
     clearance : float
         Free height above it.
     round : bool
-        Only the inscribed ellipse carries.
+        Whether only the inscribed ellipse carries.
     """
 
     kind: str
@@ -39,7 +39,7 @@ class Surface(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class Volume(msgspec.Struct, frozen=True, kw_only=True):
-    """An inner box that holds things; they rest on its floor.
+    """An inner box that holds objects; they rest on its floor.
 
     Attributes
     ----------
@@ -59,22 +59,22 @@ class Volume(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class Asset(msgspec.Struct, frozen=True, kw_only=True):
-    """One thing that a building can be furnished with.
+    """An object that a building can be furnished with.
 
     Attributes
     ----------
     key : str
-        Unique in the catalogue; of an AI2-THOR asset its ``assetId``.
+        Unique in the catalogue; the ``assetId`` of an AI2-THOR asset.
     size : (w, d, h)
         Bounding box: width along the front, depth, height; the front faces +y.
     asset_id, thor_type : str
-        AI2-THOR's ``assetId`` and ``objectType``; ``None`` and empty for assets of our own.
+        AI2-THOR's ``assetId`` and ``objectType``; ``None`` and empty for other assets.
     surfaces, volumes : tuples
-        What carries and what holds other objects.
+        Receptacles: what carries and what holds other objects.
     recipe, parameters
         The mesh recipe of `mansion_assets`; empty when `glb` names a file.
     materials : dict
-        From a role of the recipe (``main``, ``frame``, ...) to a PBR material, ``family_colour``.
+        Material, ``family_colour``, of each role of the recipe (``main``, ``frame``, ...).
     rooms : tuple of str
         Room types whose programs use the category.
     """

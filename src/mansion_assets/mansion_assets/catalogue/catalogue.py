@@ -19,9 +19,9 @@ class RoomProgramCard(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     asked, room_type : str
-        The type asked for, and the one whose program answers.
+        The type asked for, and the type whose program is used.
     how : {"exact", "synonym", "similar", "fallback"}
-        How the one led to the other.
+        How the first matched the second.
     """
 
     asked: str

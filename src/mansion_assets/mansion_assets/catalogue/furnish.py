@@ -1,4 +1,4 @@
-"""From a room type and an area to what the room is furnished with: objects, how many, with what constraints."""
+"""The furnishing of a room by its type and area: which objects, how many, with what constraints."""
 
 from collections.abc import Sequence
 
@@ -45,18 +45,18 @@ class RugWish(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class RoomFurnishing(msgspec.Struct, frozen=True, kw_only=True):
-    """The wish lists of a room.
+    """The objects that a room should get.
 
     Attributes
     ----------
     floor : list of PlacementObject
-        For the placer.
+        Objects for the placer.
     floor_assets : dict
         The asset of each entry of `floor`, by its name.
     alternatives : dict
         Assets behind ``smaller``, in the same order.
     small : list of Arrangement
-        What may lie on and in receptacles; the first that fits a receptacle counts.
+        Arrangements of small objects; the first that fits a receptacle is used.
     """
 
     room_id: str
@@ -92,20 +92,20 @@ def furnish_request(
     extent: tuple[float, float] | None = None,
     items: Sequence[Item] | None = None,
 ) -> RoomFurnishing:
-    """Return what a room is to be furnished with.
+    """Return the objects that a room should get.
 
     Parameters
     ----------
     area : float
         Net area of the room, square metres.
     seed : int
-        Of the building; with `room_id` it decides what the room gets.
+        Seed of the building; with `room_id` it determines the result.
     style : str
-        Of the building: rooms of one style and seed prefer the same variants.
+        Style of the building; rooms of one style and seed prefer the same variants.
     extent : (float, float), optional
         Sides of the room's bounding rectangle, metres; matrices and long objects then fit it.
     items : sequence of Item, optional
-        Floor objects in the place of the room type's own list.
+        Floor objects that replace the room type's own list.
 
     Notes
     -----
@@ -156,7 +156,7 @@ class _Entry(msgspec.Struct, frozen=True):
 
 
 class _Draft:
-    """The floor objects of a room while its share of floor fills up."""
+    """The floor objects of a room, added until its share of floor is covered."""
 
     def __init__(
         self,
@@ -208,14 +208,14 @@ class _Draft:
         self.entries[item.name] = _Entry(item, asset, wanted, structure, smaller)
 
     def _places(self, item: Item, seat: Asset) -> int:
-        """Return how many copies find a place around the tables that they belong to."""
+        """Return how many copies fit around the tables that they belong to."""
         tables = [e for name, e in self.entries.items() if sits_around(item, name)]
         if not tables:
             return 999
         return sum(entry.count * seats_around(entry.asset, seat) for entry in tables)
 
     def _for_seats(self, item: Item, assets: list[Asset], wanted: int) -> list[Asset]:
-        """Keep the tables that seat as many as the room asks to sit around each of them."""
+        """Return the tables that take as many seats as the program asks for around each."""
         for other in self.card.floor:
             if not sits_around(other, item.name) or not (other.min_area <= self.area <= other.max_area):
                 continue
@@ -227,7 +227,7 @@ class _Draft:
         return assets
 
     def _share(self, item: Item, asset: Asset) -> float:
-        """Floor that one copy takes, with the accessories that are paired with it or follow it."""
+        """Return the floor that one copy takes, with the accessories that are paired with it or follow it."""
         total = asset.footprint
         for other in self.card.floor:
             follows = not isinstance(other.count, int) and other.count.each == item.name
@@ -238,7 +238,7 @@ class _Draft:
         return total
 
     def _reserved(self, item: Item) -> float:
-        """Floor kept for the smallest assets of the later items that every such room has."""
+        """Return the floor reserved for the smallest assets of the later items that every such room has."""
         later = self.card.floor[self.card.floor.index(item) + 1 :]
         total = 0.0
         for other in later:
@@ -284,7 +284,7 @@ class _Draft:
         return out
 
     def _enough_seats(self, name: str, entry: _Entry) -> list[Asset]:
-        """Return the smaller assets around which the seats that the room got still find places."""
+        """Return the smaller assets that still take the seats of the room around them."""
         seats = [e for e in self.entries.values() if sits_around(e.item, name)]
         return [
             table
@@ -293,7 +293,7 @@ class _Draft:
         ]
 
     def finished(self) -> tuple[list[PlacementObject], dict[str, Asset], dict[str, list[Asset]]]:
-        """Return the placer's objects, without relations to what the room has not."""
+        """Return the placer's objects, without relations to items that were left out."""
         floor = []
         smaller = {name: self._enough_seats(name, entry) for name, entry in self.entries.items()}
         for name, entry in self.entries.items():

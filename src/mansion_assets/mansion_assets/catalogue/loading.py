@@ -1,4 +1,4 @@
-"""Read the data files of the catalogue, our own and those of user folders."""
+"""The loader of the catalogue: the package's data files and those of user folders."""
 
 import os
 from collections.abc import Sequence
@@ -37,9 +37,9 @@ def load_catalogue(extra: Sequence[Path] | None = None) -> Catalogue:
     ----------
     extra : sequence of Path
         Folders with ``assets/*.json`` (one `AssetRecord` each, its GLB beside it), ``rooms/*.json`` (one `RoomRecord`
-        each) and ``arrangements/*.json`` (one `Arrangement` each). A record replaces ours of the same name. Those named
-        by the environment variable ``MANSION_CATALOGUE`` when it is left out, so that every stage and export sees the
-        same assets.
+        each) and ``arrangements/*.json`` (one `Arrangement` each). A record replaces the package's of the same name.
+        By default the folders that the environment variable ``MANSION_CATALOGUE`` names, so that every stage and
+        export sees the same assets.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Names of materials, ``family_colour``, and what they look like."""
+"""Appearance of the materials of assets, which are named ``family_colour``."""
 
 from functools import lru_cache
 from typing import Final

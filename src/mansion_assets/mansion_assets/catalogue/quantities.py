@@ -11,7 +11,7 @@ from mansion_assets.catalogue.records import Count, Item, MatrixShape
 __all__ = ["copies", "grid", "room_extent", "seating_tables", "seats_around", "sits_around", "wanted_seats"]
 
 _AISLE = 0.7
-"""Free strip that a matrix leaves along the walls, metres."""
+"""Width of the free strip that a matrix leaves along the walls, metres."""
 
 
 def copies(count: int | Count, area: float, others: dict[str, int], rng: np.random.Generator) -> int:
@@ -20,7 +20,7 @@ def copies(count: int | Count, area: float, others: dict[str, int], rng: np.rand
     Parameters
     ----------
     others : dict
-        Copies of the items so far, for counts that follow ``each``.
+        Number of copies of each item so far, for counts that follow ``each``.
 
     Notes
     -----
@@ -77,10 +77,10 @@ def _fitting(length: float, size: float, gap: float, most: int) -> int:
 
 
 _PLACE = 0.59
-"""Least width of a place at a table, metres."""
+"""Least width of a seat at a table, metres."""
 
 _BEHIND = 1.1
-"""From a table's edge to the wall: a chair and somebody who passes behind it, metres."""
+"""Distance from a table's edge to the wall for a chair and a person who passes behind it, metres."""
 
 
 def seats_around(table: Asset, seat: Asset) -> int:
@@ -96,7 +96,7 @@ def seats_around(table: Asset, seat: Asset) -> int:
 
 
 def sits_around(item: Item, table: str) -> bool:
-    """Whether copies of an item of a room program stand around another, `table`."""
+    """Return whether copies of an item of a room program stand around another, `table`."""
     return any(relation.kind == "around" and relation.target == table for relation in item.relative)
 
 

@@ -1,4 +1,4 @@
-"""The JSON records that catalogue files hold, for our own data and for user folders alike."""
+"""The JSON records of catalogue files, for the package's data and user folders alike."""
 
 from typing import Annotated, Any, Literal, TypeAlias
 
@@ -38,7 +38,7 @@ class CategoryRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_f
     thor : str
         AI2-THOR object type whose assets belong to this category.
     thor_match : str
-        Only the asset ids that contain this text.
+        Text that the asset ids must contain.
     materials : dict
         Materials of the other roles of the recipe.
     """
@@ -92,7 +92,7 @@ class AssetRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
 
 
 class Count(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """How many: one for each `per` square metres within [`min`, `max`], or `times` for each copy of `each`."""
+    """A number of copies: one per `per` square metres within [`min`, `max`], or `times` for each copy of `each`."""
 
     per: Annotated[float, msgspec.Meta(gt=0)] | None = None
     min: Annotated[int, msgspec.Meta(ge=0)] = 0
@@ -102,7 +102,7 @@ class Count(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
 
 
 class MatrixShape(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """How a matrix spreads: greatest numbers of rows and columns, and free space around a copy, metres."""
+    """Shape of a matrix: greatest numbers of rows and columns, and free space between copies, metres."""
 
     max_rows: int = 12
     max_cols: int = 12
@@ -110,7 +110,7 @@ class MatrixShape(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
 
 
 class Extent(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Which assets of a category will do: bounds of width, depth and height, metres."""
+    """Bounds of width, depth and height of the assets of a category that an item accepts, metres."""
 
     min: tuple[float, float, float] = (0.0, 0.0, 0.0)
     max: tuple[float, float, float] = (99.0, 99.0, 99.0)
@@ -126,7 +126,7 @@ class Item(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     p : float
         Probability that the room has it at all.
     min_area, max_area : float
-        Of the room, square metres.
+        Bounds of the room's area, square metres.
     matrix, paired
         Structural constraint; without either each copy stands on its own.
     """
@@ -150,14 +150,14 @@ class HangItem(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     Attributes
     ----------
     height : float, optional
-        Of the object's centre above the floor, for wall objects.
+        Height of the object's centre above the floor, for wall objects, metres.
     above : str
         Name or category of the floor object over which it hangs.
     place : str
         Wall: ``free``, ``door`` (beside it), ``facing_door``, ``facing_seats``, ``above``. Ceiling: ``grid``,
         ``center``, ``spread``, ``door``, ``above``.
     spacing : float
-        Of a ceiling grid, metres.
+        Spacing of a ceiling grid, metres.
     """
 
     category: str | list[str]
@@ -209,7 +209,7 @@ class Scatter(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
 
 
 class Arrangement(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What lies on or in a receptacle.
+    """The small objects on or in a receptacle.
 
     Attributes
     ----------
@@ -231,12 +231,12 @@ class Arrangement(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
 
 
 class RoomRecord(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What a room type is furnished with.
+    """The object program of a room type.
 
     Attributes
     ----------
     like : str
-        Room type whose lists stand in for those that this record leaves out.
+        Room type whose lists are used for those that this record leaves out.
     cover : float
         Greatest share of the room's area under floor objects.
     """

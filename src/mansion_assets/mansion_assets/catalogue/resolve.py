@@ -1,4 +1,4 @@
-"""From any room type that a planner may write to one that has a program."""
+"""Matching of any room type to one that has an object program, by synonyms and similarity."""
 
 import re
 from collections.abc import Iterable
@@ -10,7 +10,7 @@ from mansion_knowledge import default_knowledge, kin_of
 __all__ = ["FALLBACK", "RoomIndex", "normalise"]
 
 FALLBACK = "generic_room"
-"""Room type that answers for what nothing resembles."""
+"""Room type that is used where no other is similar enough."""
 
 How: TypeAlias = Literal["exact", "synonym", "similar", "fallback"]
 
@@ -51,7 +51,7 @@ def _trigrams(name: str) -> set[str]:
 
 
 class RoomIndex:
-    """Finds the record that answers for a room type.
+    """Index of the records of room types by name, synonym and similarity.
 
     Parameters
     ----------
@@ -76,10 +76,10 @@ class RoomIndex:
         self._memo: dict[str, tuple[str, How]] = {}
 
     def resolve(self, room_type: str) -> tuple[str, How]:
-        """Return the room type that answers, and how it was found.
+        """Return the matching room type, and how it was found.
 
         The last word counts most (a `staff_kitchen` is a kitchen), words such as ``room`` count little, and spelling
-        decides between equals; below a similarity of 0.34 the fallback answers.
+        decides between equals; below a similarity of 0.34 the fallback is used.
         """
         asked = normalise(room_type)
         if asked not in self._memo:

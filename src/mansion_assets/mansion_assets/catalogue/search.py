@@ -59,7 +59,7 @@ _STOP_TEXT: Final = (
 _STOP: Final = frozenset(_STOP_TEXT.split())
 _K1, _B = 1.2, 0.4
 _LOOK: Final = 0.4
-"""Weight of a word for a colour or material that another word follows, where the name of a thing has 1."""
+"""Weight of a word for a colour or material that another word follows; other words have 1."""
 
 _WEIGHTS: Final = (("name", 3.0), ("synonym", 2.2), ("use", 1.2), ("tag", 0.8), ("room", 0.12))
 
@@ -94,7 +94,7 @@ def _content(text: str) -> list[str]:
 
 @cache
 def _looks() -> frozenset[str]:
-    """Words for colours and materials, which tell what a thing is like and seldom what it is."""
+    """Return the words for colours and materials, which seldom name the object that is wanted."""
     return frozenset(_stem(word) for word in (*COLOURS, *FAMILIES))
 
 

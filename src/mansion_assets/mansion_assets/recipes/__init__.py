@@ -1,3 +1,3 @@
-"""Parametric meshes, one module for each kind of thing."""
+"""Parametric mesh recipes, one module for each family of objects."""
 
 __all__: list[str] = []

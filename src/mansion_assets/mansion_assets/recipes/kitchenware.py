@@ -1,4 +1,4 @@
-"""Food, cutlery, tools with a handle, and boxes of all kinds."""
+"""Food, cutlery, and tools with a handle."""
 
 from mansion_assets.builder import Box, Builder
 from mansion_assets.registry import recipe

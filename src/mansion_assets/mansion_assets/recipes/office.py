@@ -1,4 +1,4 @@
-"""Screens, booths, gates and stages."""
+"""Partitions, booths, gates, stages and clothes rails."""
 
 from mansion_assets.builder import Box, Builder
 from mansion_assets.registry import recipe

@@ -1,4 +1,4 @@
-"""Books, shoes and other personal things."""
+"""Books, shoes and other personal objects."""
 
 import math
 

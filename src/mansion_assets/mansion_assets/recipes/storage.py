@@ -1,4 +1,4 @@
-"""Shelves, cabinets, racks, boxes."""
+"""Shelves, cabinets and trolleys, with the goods in them."""
 
 from typing import Any
 

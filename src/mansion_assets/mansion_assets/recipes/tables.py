@@ -1,4 +1,4 @@
-"""Tables, desks, counters, workbenches."""
+"""Tables and desks."""
 
 from collections.abc import Callable
 from typing import Any

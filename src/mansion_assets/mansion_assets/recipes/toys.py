@@ -1,4 +1,4 @@
-"""Toys and playground things."""
+"""Toys and playground equipment."""
 
 from mansion_assets.builder import Builder
 from mansion_assets.registry import recipe

@@ -1,1 +1,1 @@
-"""What finds assets by words: text search, or embeddings of text and pictures."""
+"""Retrieval of assets by a query: text search, or embeddings of text and pictures."""

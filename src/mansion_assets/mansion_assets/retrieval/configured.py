@@ -1,4 +1,4 @@
-"""The retriever that the environment asks for."""
+"""The retriever that environment variables configure."""
 
 import os
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Retrieval by cosine similarity of embeddings, of text and of pictures, with the words beside it."""
+"""Retrieval by cosine similarity of embeddings, of text and of pictures, combined with text search."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -21,7 +21,7 @@ Scores = npt.NDArray[np.float64]
 
 
 WORDS: Final = 0.2
-"""What the best fit by words adds to a cosine, which finds misspelt and rare names that a model does not know."""
+"""Amount that the best text match adds to a cosine; it finds misspelt and rare names that a model does not know."""
 
 
 class EmbeddingRetriever:

@@ -1,4 +1,4 @@
-"""What turns texts into vectors: an endpoint's model, or a model in a folder of this machine."""
+"""Text encoders: the embedding model of an endpoint, or one in a local folder."""
 
 import hashlib
 import importlib
@@ -23,7 +23,7 @@ class TextEncoder(Protocol):
     Attributes
     ----------
     name : str
-        Tells vectors of different models apart.
+        Name that distinguishes the vectors of different models.
     """
 
     @property

@@ -1,4 +1,4 @@
-"""The port that SearchAssets asks, and the text search behind it by default."""
+"""The interface of asset retrieval, and its default implementation by text search."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ __all__ = ["Retrieval", "Retriever", "TextRetriever"]
 
 @dataclass(frozen=True)
 class Retrieval:
-    """Assets, the best first, and what a reader should know of how they were found."""
+    """Assets, the best first, and a note on how they were found."""
 
     hits: list[SearchHit]
     note: str = ""

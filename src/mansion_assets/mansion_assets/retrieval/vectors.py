@@ -1,4 +1,4 @@
-"""Vectors of a catalogue: embedded once, kept in memory and on disk; and vectors of pictures from a file."""
+"""Embedding vectors of a catalogue, cached in memory and on disk, and picture vectors from a file."""
 
 import hashlib
 import io
@@ -162,7 +162,7 @@ def picture_vectors(file: Path) -> dict[str, Vectors]:
         ``NOT_FOUND`` for no such file, ``INVALID_PAYLOAD`` for one of another form.
     """
     if not file.is_file():
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no file of asset embeddings {file}")
+        raise MansionError(ErrorCode.NOT_FOUND, f"no file of asset embeddings {file}")
     try:
         if file.suffix == ".json":
             raw = dict(json.loads(file.read_text(encoding="utf-8")))

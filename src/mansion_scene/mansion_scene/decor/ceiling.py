@@ -17,7 +17,7 @@ from mansion_scene.decor.rugs import matches
 __all__ = ["HEADROOM", "ceiling_objects"]
 
 HEADROOM = 2.05
-"""Least height of a lamp's lower edge where nothing stands below it, metres."""
+"""Least height of a lamp's lower edge above free floor, metres."""
 
 
 def ceiling_objects(
@@ -31,7 +31,7 @@ def ceiling_objects(
     room_id: str,
     rng: np.random.Generator,
 ) -> list[SceneObject]:
-    """Return the ceiling objects of a room: inside it, clear of each other and of what stands below."""
+    """Return the ceiling objects of a room: inside it, clear of each other and of tall objects below."""
     ceiling = _Ceiling(room, edges, height, placed, rng)
     out: list[SceneObject] = []
     for wish in wishes:
@@ -51,7 +51,7 @@ def ceiling_objects(
 
 
 def _hangable(catalogue: Catalogue, wish: HangWish, height: float) -> Asset | None:
-    """Return the wish's asset; a flat lamp for one that would hang too low; None where none will do."""
+    """Return the requested asset, or a flat lamp for one that would hang too low; None where no lamp is flat enough."""
     limit = height - (HEADROOM if wish.place != "above" else 1.25)
     if wish.asset.size[2] <= limit:
         return wish.asset
@@ -77,7 +77,7 @@ class _Ceiling:
         ]
 
     def take(self, asset: Asset, center: Point, rotation: float) -> bool:
-        """Take a place if it is free."""
+        """Reserve a position if it is free, and tell whether it was."""
         shape = footprint_at(center, asset.size, rotation)
         x0, y0, x1, y1 = shape.bounds
         clear = all(x1 + 0.05 < a or c + 0.05 < x0 or y1 + 0.05 < b or d + 0.05 < y0 for a, b, c, d in self.taken)

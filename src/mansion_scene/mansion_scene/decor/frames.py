@@ -13,7 +13,7 @@ __all__ = ["Ids", "WallEdge", "room_polygon", "scene_object", "to_floor", "to_lo
 
 
 class Ids:
-    """Numbers the objects of a room: ``ROOM/category_n``, after those that are there already."""
+    """Numbers the objects of a room, ``ROOM/category_n``, skipping the ids that are taken."""
 
     def __init__(self, room_id: str, taken: Iterable[str]) -> None:
         self._room = room_id
@@ -59,7 +59,7 @@ class WallEdge:
         )
 
     def interval(self, points: Iterable[Point]) -> tuple[float, float, float]:
-        """Return the reach of `points` along the wall (from, to) and their least distance from it."""
+        """Return the interval that `points` cover along the wall (from, to) and their least distance from it."""
         pairs = [self.coordinates(p) for p in points]
         return min(s for s, _ in pairs), max(s for s, _ in pairs), min(t for _, t in pairs)
 
@@ -119,7 +119,7 @@ def scene_object(
     parent: str | None = None,
     name: str = "",
 ) -> SceneObject:
-    """Return an asset as an object of the scene, in its natural state (closed; lamps of the ceiling on)."""
+    """Return an asset as an object of the scene, in its initial state (closed; ceiling lamps on)."""
     states: dict[str, bool | float | str] = {}
     if asset.openable:
         states["open"] = False
@@ -148,6 +148,6 @@ def scene_object(
 
 
 def _rounded(position: Sequence[float]) -> Point3:
-    """Return plain floats, whatever number type the geometry came in."""
+    """Return plain floats, rounded to 0.1 mm, from any number type."""
     x, y, z = (round(float(value), 4) for value in position)
     return x, y, z

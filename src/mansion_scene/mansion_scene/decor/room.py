@@ -1,4 +1,4 @@
-"""What a furnished room still lacks: rugs, wall and ceiling objects, and small things."""
+"""Decoration of a furnished room: rugs, wall and ceiling objects, and small objects."""
 
 from collections.abc import Sequence
 
@@ -28,7 +28,7 @@ def decorate_room(
     placed: Sequence[SceneObject] = (),
     seed: int,
 ) -> list[SceneObject]:
-    """Return the objects that a room gets beyond its placed furniture.
+    """Return the objects that decorate a room, beyond its placed furniture.
 
     Parameters
     ----------
@@ -39,16 +39,16 @@ def decorate_room(
     ceiling_height : float
         Clear height of the room, metres.
     doors, windows : sequences
-        Of this room at least; others are ignored.
+        Doors and windows of this room at least; others are ignored.
     placed : sequence of SceneObject
-        The room's furniture as it stands; it is not changed.
+        The placed furniture of the room.
     seed : int
-        Of the building; with `room_id` it decides everything.
+        Seed of the building; with `room_id` it determines the result.
 
     Returns
     -------
     list of SceneObject
-        Rugs, wall objects, ceiling objects, small objects, in this order. Wishes that find no place are left out.
+        Rugs, wall objects, ceiling objects, small objects, in this order, less those that fit nowhere.
     """
     room = room_polygon(net_polygon, net_holes)
     edges = wall_edges(net_polygon, net_holes)

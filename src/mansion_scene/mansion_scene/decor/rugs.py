@@ -86,7 +86,7 @@ def _at_door(asset: Asset, edges: Sequence[WallEdge], door: Door) -> Candidate |
 
 
 def _at_object(wish: RugWish, asset: Asset, target: SceneObject) -> list[Candidate]:
-    """Below an object and beyond it on all sides; before it where the margin is nought."""
+    """Return places under an object, with a margin on all sides; in front of it where the margin is zero."""
     w, d = target.size[0], target.size[1]
     if wish.margin <= 0.0:
         center = to_floor(target, (0.0, d / 2 + asset.size[1] / 2 + 0.03))
@@ -103,7 +103,7 @@ def _at_object(wish: RugWish, asset: Asset, target: SceneObject) -> list[Candida
 
 
 def _on_free_floor(asset: Asset, room: Polygon, edges: Sequence[WallEdge], rng: np.random.Generator) -> list[Candidate]:
-    """Centres on a lattice along the longest wall, the middle of the room first."""
+    """Return places on a lattice along the longest wall, the middle of the room first."""
     longest = max(edges, key=lambda e: e.length)
     angle = math.degrees(math.atan2(longest.along[1], longest.along[0]))
     x0, y0, x1, y1 = room.bounds

@@ -22,7 +22,7 @@ _TRIES = 24
 
 
 class Spot(msgspec.Struct, frozen=True):
-    """Where a thing lies: centre in the receptacle's frame, degrees, and half extents of its turned rectangle."""
+    """The place of a small object: centre in the receptacle's frame, degrees, half extents of its turned rectangle."""
 
     x: float
     y: float
@@ -32,20 +32,20 @@ class Spot(msgspec.Struct, frozen=True):
 
 
 class Shelf:
-    """A surface, or the floor of an inner box, with what lies on it.
+    """A surface, or the floor of an inner volume, and the places taken on it.
 
     Parameters
     ----------
     carrier : Surface or Volume
     most : float
-        Greatest share of the area that things may cover.
+        Greatest share of the area that objects may cover.
 
     Attributes
     ----------
     spots : list of Spot
-        What lies here.
+        Places taken.
     overhead : list of (Spot, float)
-        What hangs above, and the height that it leaves free, metres.
+        Objects that hang above, and the height below each, metres.
     """
 
     def __init__(self, carrier: Surface | Volume, most: float = 0.6) -> None:
@@ -77,7 +77,7 @@ class Shelf:
         return spot
 
     def somewhere(self, size: Size3, rng: np.random.Generator, turns: float = 25.0) -> Spot | None:
-        """Take a random free place, the thing turned by up to `turns` degrees; None after 24 tries."""
+        """Take a random free place, with a rotation of up to `turns` degrees; None after 24 tries."""
         for _ in range(_TRIES):
             a, b, c = rng.random(3)
             turn = (2 * c - 1) * turns
@@ -136,14 +136,14 @@ def _meet(spot: Spot, other: Spot) -> bool:
 
 
 def spot_of(size: Size3, x: float, y: float, turn: float) -> Spot:
-    """Return the spot that a thing of this size takes, turned by `turn` degrees."""
+    """Return the place that an object of this size takes, rotated by `turn` degrees."""
     angle = math.radians(turn)
     c, s = abs(math.cos(angle)), abs(math.sin(angle))
     return Spot(x, y, turn, (c * size[0] + s * size[1]) / 2, (s * size[0] + c * size[1]) / 2)
 
 
 def shelves_of(surfaces: tuple[Surface, ...], volumes: tuple[Volume, ...]) -> list[Shelf]:
-    """Return the places of a receptacle where things can lie, its surfaces first."""
+    """Return the shelves of a receptacle: its surfaces, then the floors of its inner volumes."""
     return [Shelf(s) for s in surfaces] + [Shelf(v, 0.75) for v in volumes]
 
 
@@ -168,11 +168,11 @@ def small_objects(
     Parameters
     ----------
     arrangements : sequence of Arrangement
-        In order of preference; the first that names a receptacle's category is used.
+        Arrangements in order of preference; the first that names a receptacle's category is used.
     placed : sequence of SceneObject
         Receptacles and chairs, from the floor and from the walls.
     hung : sequence of SceneObject
-        What hangs on walls and from ceilings, under which less height is left.
+        Wall and ceiling objects, below which less height is left.
 
     Notes
     -----
@@ -195,7 +195,7 @@ def small_objects(
 
 
 class _Table:
-    """One receptacle while it is laid."""
+    """One receptacle while it is filled."""
 
     def __init__(
         self, catalogue: Catalogue, obj: SceneObject, asset: Asset, rng: np.random.Generator, ids: Ids, room_id: str
@@ -207,7 +207,7 @@ class _Table:
         self.chosen: dict[str, Asset] = {}
 
     def hang(self, hung: Sequence[SceneObject]) -> None:
-        """Note what hangs over this receptacle."""
+        """Note the objects that hang over this receptacle."""
         reach = math.hypot(self.obj.size[0], self.obj.size[1]) / 2
         for other in hung:
             away = math.dist(other.position[:2], self.obj.position[:2])
@@ -222,7 +222,7 @@ class _Table:
                     shelf.hang_over(spot, foot - level)
 
     def lay(self, arrangement: Arrangement, seats: Sequence[SceneObject]) -> None:
-        """Lay slots, then places before chairs, then the rest."""
+        """Fill slots, then place settings before chairs, then scatter the rest."""
         top = next((s for s in self.shelves if not s.inside), None)
         if top is not None:
             for slot in arrangement.slots:
@@ -259,7 +259,7 @@ class _Table:
                 return
 
     def _seat(self, shelf: Shelf, chair: SceneObject, slots: Sequence[Slot]) -> None:
-        """Lay a place before a chair that faces this table."""
+        """Add a place setting before a chair that faces this receptacle."""
         x, y = to_local(self.obj, chair.position)
         heading = math.radians(chair.rotation - self.obj.rotation + 90.0)
         ahead = (math.cos(heading), math.sin(heading))

@@ -22,7 +22,7 @@ _ABOVE = 0.04
 
 
 class _Block(msgspec.Struct, frozen=True):
-    """A length of wall that is not free between two heights; `depth` is how far it reaches from the wall."""
+    """A length of wall that is taken between two heights; `distance` is the gap between the wall and what takes it."""
 
     start: float
     end: float
@@ -32,7 +32,7 @@ class _Block(msgspec.Struct, frozen=True):
 
 
 class _Wall:
-    """A side of the room and what is on it."""
+    """A side of the room and what hangs on it or stands before it."""
 
     def __init__(self, edge: WallEdge) -> None:
         self.edge = edge
@@ -115,7 +115,7 @@ def _block(
 
 
 def _block_object(walls: Sequence[_Wall], obj: SceneObject) -> None:
-    """Note an object on the walls that it stands before or hangs near to."""
+    """Note an object on the walls that it is close to."""
     corners = list(footprint(obj).exterior.coords)
     high = obj.position[2] + obj.size[2] / 2 + _ABOVE
     low = obj.position[2] - obj.size[2] / 2
@@ -141,7 +141,7 @@ def _places(
     placed: Sequence[SceneObject],
     rng: np.random.Generator,
 ) -> Iterator[Place]:
-    """Yield walls, distances along them and heights of the centre to try, the best first."""
+    """Yield candidate places: wall, distance along it and height of the centre, the best first."""
     asset = wish.asset
     level = wish.height or float(asset.parameters.get("hang", 1.55))
     center = min(level, height - asset.size[2] / 2 - 0.05)
@@ -158,7 +158,7 @@ def _places(
 
 
 def _above(wish: HangWish, walls: Sequence[_Wall], height: float, placed: Sequence[SceneObject]) -> Iterator[Place]:
-    """Over the objects that stand with their back at a wall."""
+    """Yield places over the objects that have their back at a wall."""
     h = wish.asset.size[2]
     clearance = float(wish.asset.parameters.get("above", _ABOVE + 0.01))
     for obj in placed:
@@ -177,7 +177,7 @@ def _above(wish: HangWish, walls: Sequence[_Wall], height: float, placed: Sequen
 
 
 def _beside_doors(asset: Asset, walls: Sequence[_Wall], doors: Sequence[Door], center: float) -> Iterator[Place]:
-    """Beside a door, on the side of its latch first, up to 2 m away."""
+    """Yield places beside each door, on the side of its latch first, up to 1.6 m away."""
     for door in doors:
         for wall in walls:
             if not wall.edge.carries(door.segment):

@@ -16,17 +16,17 @@ __all__ = ["floor_poses", "flush_poses", "ring_poses", "ring_rows", "wall_poses"
 Floats = npt.NDArray[np.float64]
 
 _SERIES = 41
-"""Most stops of a wall's regular series."""
+"""Greatest number of positions in the regular series along a wall."""
 
 _CORNER = 0.3
-"""Distance from a wall's ends at which furniture often stands, metres."""
+"""Distance from a wall's ends at which furniture is often placed, metres."""
 
 
 @kernel
 def _wall_stops(
     wall: Floats, extent: Floats, half_depth: float, obstacles: Floats, gap: float, phase: float, stops: Floats
 ) -> int:
-    """Write the distances along a wall at which an anchor's centre may stand, ascending; return how many."""
+    """Write the distances along a wall at which an anchor's centre may be, ascending; return how many."""
     left, right, length = extent[0], extent[1], wall[6]
     low, high = -left + gap, length - right - gap
     if high < low:
@@ -76,15 +76,15 @@ def wall_rows(
     extent : (4,) array
         x min, x max, y min, y max of the unit in its anchor's frame.
     half_depth : float
-        Of the anchor.
+        Half depth of the anchor, metres.
     obstacles : (m, 6) array
-        What stands or must stay free.
+        Boxes that are placed or must stay free.
     gap : float
-        Between neighbours, metres.
+        Gap between neighbours, metres.
     backs : (b,) array
         Distances of the back from the wall; all but the first only at walls shorter than the unit.
     phase : (w,) array
-        Where in its first step each wall's series begins, 0 to 1.
+        Offset of each wall's series within its first step, 0 to 1.
 
     Returns
     -------
@@ -159,17 +159,17 @@ def wall_poses(
 ) -> Floats:
     """Return poses of a unit whose anchor has its back to a wall.
 
-    Positions are a regular series, both corners, the middle, and next to whatever stands or must stay free along
-    the wall.
+    Positions are a regular series, both corners, the middle, and next to whatever is placed or must stay free
+    along the wall.
 
     Parameters
     ----------
     extent : (x min, x max, y min, y max)
-        Of the unit in its anchor's frame, metres.
+        Extent of the unit in its anchor's frame, metres.
     half_depth : float
-        Of the anchor.
+        Half depth of the anchor, metres.
     walls : sequence of Wall, optional
-        Which walls; all of the room's by default.
+        Walls to use; all of the room's by default.
 
     Returns
     -------
@@ -210,14 +210,14 @@ def floor_poses(floor: Floor, rng: np.random.Generator, *, limit: int = 1200) ->
 
 
 def flush_poses(floor: Floor, extent: Extent, gaps: Sequence[float]) -> Floats:
-    """Return poses of a large unit at each gap from either end of the room's bounds, and amid them, shape (n, 4).
+    """Return poses of a large unit at each gap from either end of the room's bounds, and centred, shape (n, 4).
 
     A block that only just fits is missed by a grid; it fits flush with the walls. Only for rooms along the axes.
 
     Parameters
     ----------
     extent : (x min, x max, y min, y max)
-        Of the unit in its anchor's frame, metres.
+        Extent of the unit in its anchor's frame, metres.
     gaps : sequence of float
         Distances from the bounds, metres.
     """

@@ -14,7 +14,7 @@ from mansion_scene.placement.units import Size3, Unit, UnitStyle, build_unit
 __all__ = ["Construction", "construct"]
 
 _LARGE = 0.6
-"""Unconstrained things of at least this footprint stand in line when there are several, square metres."""
+"""Footprint from which several copies of an unconstrained object are aligned, square metres."""
 
 _TIGHT = frozenset({"paired", "around", "in_front_of", "side_of"})
 
@@ -38,15 +38,15 @@ class Construction:
     aisle: float
 
     def missing(self, spec: Spec) -> int:
-        """Return how many copies do not stand yet."""
+        """Return how many copies are not placed yet."""
         return spec.quantity - self.floor.count(spec.index)
 
     def complete(self, specs: Sequence[Spec]) -> bool:
-        """Tell whether every copy stands."""
+        """Tell whether every copy is placed."""
         return all(self.missing(spec) <= 0 for spec in specs)
 
     def place_group(self, group: Group) -> None:
-        """Place a group: its anchor (all copies), then what members did not come with it."""
+        """Place a group: all copies of its anchor, then the members that were not placed with them."""
         anchor = group.anchor
         if anchor.rows:
             self._place_matrix(anchor)
@@ -103,7 +103,7 @@ class Construction:
         return [{**shares, **{index: max(4, shares[index] - cut) for index in around}} for cut in (2, 4) if around]
 
     def _units(self, spec: Spec, size: Size3, shares: dict[int, int]) -> list[Unit]:
-        """Return the distinct ways to compose a copy with its share of members, the most complete first."""
+        """Return the distinct units of a copy and its share of members, the most complete first."""
         units: list[Unit] = []
         styles = self._styles(spec) if any(shares.values()) else [UnitStyle(frozenset())]
         for style in styles:
@@ -113,7 +113,7 @@ class Construction:
         return units
 
     def _styles(self, spec: Spec) -> list[UnitStyle]:
-        """Return ways to compose a unit, the most complete first."""
+        """Return the styles in which a unit is composed, the most complete first."""
         mirrored = bool(self.rng.integers(2))
         every = _TIGHT | {"near"} if spec.quantity > 1 else _TIGHT
         width, depth = sorted(spec.size[:2], reverse=True)
@@ -132,7 +132,10 @@ class Construction:
         return [UnitStyle(links, left, along, gap) for links, left, along in ways]
 
     def _shares(self, spec: Spec, copies: int, *, equal: bool = False) -> dict[int, int]:
-        """Return how many members of each kind one of `copies` copies gets; `equal`: all the same, the rest later."""
+        """Return how many members of each kind one of `copies` copies gets.
+
+        With `equal` all copies get the same number, and the rest is placed later.
+        """
         shares: dict[int, int] = {}
         for child in self.children.get(spec.index, ()):
             left = self.missing(child)
@@ -147,18 +150,19 @@ class Construction:
 def construct(
     floor: Floor, specs: Sequence[Spec], groups: Sequence[Group], rng: np.random.Generator, *, aisle: float
 ) -> Construction:
-    """Fill `floor` group by group (Algorithm 4), then try what is left over wherever it fits.
+    """Fill `floor` group by group (Algorithm 4), then place what is left over wherever it fits.
 
     Parameters
     ----------
     groups : sequence of Group
-        In the order in which they are placed.
+        Groups in the order in which they are placed.
     aisle : float
         Widest aisle that patterns try, metres.
 
     Returns
     -------
-    The construction, to go on with.
+    Construction
+        The filled floor with what is needed to place more.
     """
     children: dict[int, list[Spec]] = {}
     for group in groups:

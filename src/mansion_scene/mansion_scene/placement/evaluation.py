@@ -103,7 +103,7 @@ class Footprint:
 
 @dataclass(frozen=True)
 class Measures:
-    """What one placement of one room reaches; counts, so that rooms and runs can be added up.
+    """Measures of one placement of one room, as counts, so that rooms and runs can be added up.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""``mansion place``: a JSON list of rooms to a JSON list of placements, in one process or several."""
+"""Placement of files of rooms (``mansion place``), in one process or several."""
 
 import multiprocessing
 import time
@@ -32,7 +32,7 @@ def load_rooms(path: Path) -> list[PlacementRoom]:
 
 
 def place_timed(room: PlacementRoom, seed: int, options: PlacementOptions) -> PlacementResult:
-    """Place a room and note the CPU seconds; a room that is refused keeps its place, all discarded with the reason."""
+    """Place a room and note the CPU seconds; the result of an invalid room has all objects discarded."""
     begin = time.process_time()
     try:
         result = place_room(room, seed=seed, options=options)
@@ -90,7 +90,7 @@ def place_file(
     Returns
     -------
     list of PlacementResult
-        In the order of the rooms.
+        Placements in the order of the rooms.
 
     Raises
     ------

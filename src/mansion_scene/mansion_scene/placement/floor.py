@@ -21,7 +21,7 @@ class Effort:
     Attributes
     ----------
     limit : float
-        Where improvement ends.
+        Work after which improvement ends.
     spent : float
     """
 
@@ -50,7 +50,7 @@ Floats = npt.NDArray[np.float64]
 Bools = npt.NDArray[np.bool_]
 
 _POCKET = 0.15
-"""Free floor that one addition may leave cut off, square metres."""
+"""Free floor that one addition may cut off, square metres."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class Placed:
     box : (6,) tuple
         See `mansion_geometry.boxes`.
     size : (float, float, float)
-        Its own size (a smaller asset's where one stands in).
+        Size of this copy (of a smaller asset where one was used).
     host : int
         Key of the copy it belongs to, -1 for none.
     key : int
@@ -87,7 +87,7 @@ class Floor:
     specs : list of Spec
     options : PlacementOptions
     effort : Effort
-        Where work is counted.
+        Counter of the work done.
     roomy : bool
         Whether clearances include the margins of comfort.
     """
@@ -103,7 +103,7 @@ class Floor:
         self._front: Bools = np.zeros(0, dtype=np.bool_)
         self._partner: npt.NDArray[np.int32] = np.zeros(0, dtype=np.int32)
         self._next = 0
-        # Whether everything that stands was approachable when last looked at.
+        # Whether all copies were approachable when last checked.
         self._settled = False
         self._set_comfort(roomy=roomy)
 
@@ -118,7 +118,7 @@ class Floor:
         self._index()
 
     def relax(self) -> None:
-        """Go on without the margins of comfort."""
+        """Continue without the margins of comfort."""
         if self.roomy:
             self._set_comfort(roomy=False)
 
@@ -136,7 +136,7 @@ class Floor:
         self.__dict__.update(before.__dict__)
 
     def count(self, spec: int) -> int:
-        """Return how many copies of an object stand."""
+        """Return how many copies of an object are placed."""
         return self._counts.get(spec, 0)
 
     @property
@@ -205,7 +205,7 @@ class Floor:
         return added
 
     def _partners(self, specs: Sequence[int], hosts: Sequence[int]) -> npt.NDArray[np.int32]:
-        """Return for every copy, old and new, which copy stands before its front and counts for its approach."""
+        """Return for every copy, old and new, the copy before its front that may be approached in its stead, or -1."""
         first = len(self.placed)
         partner: npt.NDArray[np.int32] = np.full(first + len(specs), -1, dtype=np.int32)
         partner[:first] = self._partner
@@ -218,11 +218,11 @@ class Floor:
         return partner
 
     def _place(self, key: int) -> int:
-        """Return the place of a copy among the placed, -1 where it is gone."""
+        """Return the position of a copy among the placed, -1 where it was removed."""
         return next((i for i, copy in enumerate(self.placed) if copy.key == key), -1)
 
     def _index(self) -> None:
-        """Bring the arrays that go with `placed` up to date after copies came or went."""
+        """Rebuild the arrays that go with `placed`."""
         copies, self.placed = self.placed, []
         self._settled = False
         self.boxes = np.array([copy.box for copy in copies]).reshape(-1, 6)
@@ -235,7 +235,7 @@ class Floor:
         self._front = np.array([self.roomy and self.specs[copy.spec].front_needed for copy in copies], dtype=np.bool_)
 
     def take(self, keys: set[int]) -> list[Placed]:
-        """Remove copies by key and return them; the floor stays valid (less stands in the way)."""
+        """Remove copies by key and return them; no constraint can break, as only free space grows."""
         gone = [copy for copy in self.placed if copy.key in keys]
         if gone:
             self.placed = [copy for copy in self.placed if copy.key not in keys]

@@ -22,13 +22,13 @@ class Spec:
     Attributes
     ----------
     index : int
-        Its place in the request.
+        Position in the request.
     rows, cols : int
         Matrix size, 0 where it is none.
     host : int
         Index of the object whose frame it is placed in, -1 for an anchor.
     link : Link or None
-        How it belongs to its host.
+        The relation that binds it to its host.
     relations : tuple of (kind, index)
         All relations to other objects, "paired" not among them.
     """
@@ -53,7 +53,7 @@ class Spec:
 
     @property
     def front_needed(self) -> bool:
-        """Whether one must be able to stand before its front (not for small round things, seats and beds)."""
+        """Whether its front must be approachable (not for small round objects, seats and beds)."""
         if self.role.seat or self.role.bed or self.role.symmetric:
             return False
         return self.where == "edge" or self.rows > 0
@@ -141,7 +141,7 @@ def _index(objects: list[PlacementObject]) -> dict[str, int]:
 
 
 def _hosts(objects: list[PlacementObject], index: dict[str, int]) -> dict[int, tuple[int, Link]]:
-    """Return each member's host and link; a link that would close a circle is left a mere relation."""
+    """Return each member's host and link; a link that would close a cycle stays a relation only."""
     hosts: dict[int, tuple[int, Link]] = {}
 
     def closes_circle(i: int, host: int) -> bool:

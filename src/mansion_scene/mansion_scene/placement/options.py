@@ -1,4 +1,4 @@
-"""What a user may choose about placement."""
+"""Options of the placement solver."""
 
 from dataclasses import dataclass
 

@@ -44,7 +44,7 @@ def repeated(unit: Unit, offsets: Floats) -> Unit:
 
 
 def row_gaps(floor: Floor, spec: Spec, unit: Unit, aisle: float) -> list[float]:
-    """Return gaps between the units of a row in order of preference; plain storage stands shoulder to shoulder."""
+    """Return gaps between the units of a row in order of preference; plain storage is placed side by side."""
     if spec.role.centred or spec.role.bed or len(unit.parts) > 1:
         return [aisle, 0.75 * aisle, floor.passage, 0.25, 0.05]
     return [floor.options.gap, floor.passage]
@@ -54,7 +54,7 @@ def place_rows(floor: Floor, spec: Spec, unit: Unit, count: int, rng: np.random.
     """Place `count` units with their backs to walls in evenly spaced rows of equal length, all or none.
 
     Rows that leave an aisle between units come first, then shorter rows on several walls, then narrower spacing;
-    storage stands shoulder to shoulder.
+    storage is placed side by side.
     """
     x0, x1, _, _ = unit.extent()
     gaps = row_gaps(floor, spec, unit, aisle)
@@ -214,7 +214,7 @@ def downgrades(rows: int, cols: int) -> Iterator[tuple[int, int]]:
 
 
 def focus_direction(floor: Floor) -> Floats | None:
-    """Return the direction in which the board, stage or teacher's desk looks, None without one."""
+    """Return the direction that the board, stage or teacher's desk faces; None without one."""
     for copy in floor.placed:
         if floor.specs[copy.spec].role.focal:
             return np.array([-copy.box[3], copy.box[2]])
@@ -224,7 +224,7 @@ def focus_direction(floor: Floor) -> Floats | None:
 def place_matrix(
     floor: Floor, spec: Spec, unit: Unit, rng: np.random.Generator, aisle: float, *, whole: bool
 ) -> tuple[int, int] | None:
-    """Place the largest matrix of units that fits and return its size, None where not one copy does.
+    """Place the largest matrix of units that fits and return its size, None where not even one copy fits.
 
     Parameters
     ----------
@@ -233,7 +233,7 @@ def place_matrix(
     aisle : float
         Widest gap between rows and columns that is tried, metres.
     whole : bool
-        Whether only the whole matrix will do.
+        Whether no smaller matrix is tried.
     """
     for rows, cols in downgrades(spec.rows, spec.cols):
         if whole and (rows, cols) != (spec.rows, spec.cols):
@@ -275,8 +275,8 @@ def _narrowest(spacings: list[tuple[float, float]]) -> list[tuple[float, float]]
 def _spacings(floor: Floor, spec: Spec, unit: Unit, copies: int, aisle: float) -> list[tuple[float, float]]:
     """Return gaps between columns and between rows, the most comfortable first.
 
-    Shelves and the seats of an audience stand shoulder to shoulder with aisles between the rows; desks may have
-    either way through.
+    Shelves and the seats of an audience are placed side by side with aisles between the rows; desks may have aisles in
+    either direction.
     """
     lane = floor.passage
     if len(unit.parts) == 1 and not spec.role.table:
@@ -338,7 +338,7 @@ def _place_macro(
 
 
 def _facing(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
-    """Keep poses at which those who sit look at the board, where there is one."""
+    """Return the poses at which seats face the board, or all where there is none."""
     focus = focus_direction(floor)
     seated = [floor.specs[s].role.seat for s in unit.specs]
     if focus is None or not any(seated):
@@ -349,7 +349,7 @@ def _facing(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
 
 
 def _before_the_board(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> Floats:
-    """Rows that look at a board stand centred before it."""
+    """Return a score that centres rows before the board that they face."""
     for copy in floor.placed:
         if floor.specs[copy.spec].role.focal and any(floor.specs[s].role.seat for s in unit.specs):
             aside = (poses[:, :2] - np.array(copy.box[:2])) @ np.array(copy.box[2:4])

@@ -25,7 +25,7 @@ def draw_placements(
     columns: int = 2,
     labels: bool = True,
 ) -> None:
-    """Draw rooms with what stands in them into one picture file (format by its suffix).
+    """Draw rooms with their placed objects into one picture file (format by its suffix).
 
     Parameters
     ----------

@@ -19,11 +19,11 @@ LIMITS = {"near": 1.0, "far": 1.5, "in_front_of": 1.5, "around": 0.5, "side_of":
 
 _ALIGNED = 0.10
 _INSET = 0.005
-"""Kept from each limit, so that rounding never crosses it, metres."""
+"""Margin kept from each limit, so that rounding never crosses it, metres."""
 
 
 def relation_holds(kind: str, poses: Floats, hw: float, hd: float, targets: Floats) -> Bools:
-    """Tell at which poses a box stands in a relation to a target's copies.
+    """Tell at which poses a box has a relation to a target's copies.
 
     Parameters
     ----------
@@ -65,9 +65,9 @@ class Rating:
     Attributes
     ----------
     placed : int
-        Copies that stand.
+        Number of placed copies.
     held : int
-        Relations and pairs that hold, over all copies.
+        Number of relations and pairs that hold, over all copies.
     faulty : tuple of int
         Keys of copies with a relation that does not hold.
     """
@@ -108,7 +108,7 @@ def rate(floor: Floor) -> Rating:
 
 
 def _paired(floor: Floor, spec: Spec) -> set[int]:
-    """Return the keys of accessories that stand at an anchor of their own, the nearest pairs first."""
+    """Return the keys of accessories that have an anchor of their own, matched from the nearest pair up."""
     if spec.link != "paired":
         return set()
     copies, hosts = floor.copies(spec.index), floor.boxes_of(spec.host)

@@ -1,4 +1,4 @@
-"""What the words of a category or room type imply for placement: seats, beds, storage, the wall a class looks at."""
+"""Roles of objects in placement (seat, bed, table, board ...), read from the words of their category."""
 
 import re
 
@@ -30,15 +30,15 @@ _ENTRANCE = _set("host hostess reception umbrella coat shoe doormat checkout cas
 
 
 class Role:
-    """How an object is used, as far as its words tell.
+    """The use of an object, as far as its words tell.
 
     Attributes
     ----------
     seat : bool
         One person sits on it, facing what it belongs to.
     sofa, bed, focal, centred, symmetric, table, entrance : bool
-        A wider seat; a bed (head at a wall); what a class looks at; stands amid a wall; has no front; one works at
-        it; one meets it when coming in.
+        A wider seat; a bed (head at a wall); an object that a class faces; placed at the middle of a wall; without a
+        front; a table or desk; placed near the door.
     screen : bool
         One watches it from a sofa.
     """

@@ -1,4 +1,4 @@
-"""The room as the solver sees it: boundary edges, walls with inward normals, door and window areas, axes."""
+"""The geometric model of a room for the solver: boundary edges, walls, door and window areas, axes."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

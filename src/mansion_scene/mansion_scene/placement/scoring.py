@@ -1,4 +1,4 @@
-"""How good a feasible pose is: clear fronts, snug storage, centred beds and desks, even use, aligned rows."""
+"""Scores of feasible poses: clear fronts, storage without gaps, centred beds and desks, even use, aligned rows."""
 
 import numpy as np
 import numpy.typing as npt
@@ -36,7 +36,7 @@ def pose_scores(
     room = floor.room
     aisle = room.aisle
     clear = front_clearance(centres, (x1 - x0) / 2, (y1 - y0) / 2, room.edges, floor.boxes, _FAR)
-    # Sofas and desks give a room its face: chance has more to say there, for variety between seeds.
+    # Sofas and desks dominate a room: more weight for chance there gives variety between seeds.
     score = rng.uniform(0.0, 0.5 if spec.role.sofa or spec.role.table else 0.25, len(poses))
     front = np.minimum(clear[:, 0], aisle) / aisle
     beside = np.minimum(clear[:, 2], clear[:, 3])
@@ -52,7 +52,7 @@ def pose_scores(
                 score += _same_wall(floor, spec, poses)
         else:
             score += 0.5 * (1.0 - beside / _FAR)
-            # Either touching its neighbour or leaving room to pass: no gap that collects dust.
+            # Either touching its neighbour or leaving room to pass: no unusable gap.
             score -= 0.4 * ((beside > 0.06) & (beside < 0.35))
     else:
         around = np.minimum(clear, aisle).sum(axis=1) / (4 * aisle)
@@ -69,7 +69,7 @@ def pose_scores(
 
 
 def _window_behind(floor: Floor, poses: Floats) -> Floats:
-    """A board does not hang between windows, nor beside a door if it can help it."""
+    """Return a penalty for a board on a wall with windows or doors."""
     penalty = np.zeros(len(poses))
     for zones, weight in ((floor.room.window_zones, 0.6), (floor.room.door_zones, 0.3)):
         for zone in zones:
@@ -80,7 +80,7 @@ def _window_behind(floor: Floor, poses: Floats) -> Floats:
 
 
 def _opposite_sofa(floor: Floor, poses: Floats) -> Floats:
-    """A screen faces the sofa, straight ahead of it."""
+    """Return a score for a screen that faces the sofa, straight ahead of it."""
     for copy in floor.placed:
         if floor.specs[copy.spec].role.sofa:
             u = np.array(copy.box[2:4])
@@ -90,7 +90,7 @@ def _opposite_sofa(floor: Floor, poses: Floats) -> Floats:
 
 
 def _same_wall(floor: Floor, spec: Spec, poses: Floats) -> Floats:
-    """What a class looks at belongs at one wall."""
+    """Return a score that gathers the objects a class faces at one wall."""
     score = np.zeros(len(poses))
     for copy in floor.placed:
         if floor.specs[copy.spec].role.focal and copy.spec != spec.index:
@@ -100,7 +100,7 @@ def _same_wall(floor: Floor, spec: Spec, poses: Floats) -> Floats:
 
 
 def _away_from_doors(floor: Floor, poses: Floats, spec: Spec) -> Floats:
-    """Large things keep away from doors more than small ones."""
+    """Return a score for distance from doors, which counts more for large objects."""
     doors = floor.room.door_points
     if not len(doors):
         return np.zeros(len(poses))
@@ -112,7 +112,7 @@ def _away_from_doors(floor: Floor, poses: Floats, spec: Spec) -> Floats:
 
 
 def _spread_out(floor: Floor, spec: Spec, centres: Floats) -> Floats:
-    """Copies that stand alone keep apart from each other, and big rooms are used evenly."""
+    """Return a score that keeps single copies apart and uses large rooms evenly."""
     score = np.zeros(len(centres))
     if len(floor.boxes) and spec.where == "middle":
         gaps = gap_matrix(centres, 0.01, 0.01, floor.boxes).min(axis=1)
@@ -125,7 +125,7 @@ def _spread_out(floor: Floor, spec: Spec, centres: Floats) -> Floats:
 
 
 def _aligned(floor: Floor, spec: Spec, poses: Floats) -> Floats:
-    """Copies like to stand in line with earlier ones, turned the same way or opposite."""
+    """Return a score for poses in line with earlier copies, turned the same way or the opposite."""
     same = floor.boxes_of(spec.index)
     if not len(same):
         return np.zeros(len(poses))

@@ -64,7 +64,7 @@ def _thinned(poses: Floats, most: int, rng: np.random.Generator) -> Floats:
 def examine(
     floor: Floor, unit: Unit, poses: Floats, scores: Floats, *, host: int = -1, most: int = 0
 ) -> list[Placed] | None:
-    """Try poses from the best score down; after a failure its close neighbours are passed over.
+    """Try poses from the best score down; close neighbours of a failure are skipped.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def _hosts(floor: Floor, unit: Unit, pose: Floats, host: int) -> list[int]:
 
 
 def relation_mask(floor: Floor, spec: Spec, unit: Unit, poses: Floats) -> tuple[npt.NDArray[np.int64], int]:
-    """Count at each pose the relations of the unit's anchor that hold, and those far from it of what stands.
+    """Count at each pose the relations of the unit's anchor that hold, and the "far" relations to it of placed objects.
 
     Returns
     -------

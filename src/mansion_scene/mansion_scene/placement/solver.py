@@ -1,4 +1,11 @@
-"""Place the objects of one room: several constructions, the best of them improved."""
+"""The placement solver of a room: several constructions, the best of which is improved.
+
+What failed in a construction comes earlier in the next: squeaky wheel optimization (D. E. Joslin and D. P. Clements,
+"Squeaky Wheel Optimization", Journal of Artificial Intelligence Research 10, 1999). Improvement is large neighbourhood
+search (P. Shaw, "Using Constraint Programming and Local Search Methods to Solve Vehicle Routing Problems", CP 1998): a
+bounded number of moves removes some copies around what is missing or misplaced and places them anew, and each is kept
+only where the room is no worse.
+"""
 
 from collections.abc import Sequence
 
@@ -51,7 +58,7 @@ def improve(build: Construction, specs: Sequence[Spec], *, moves: int, goal: flo
 
 
 def _ruin(floor: Floor, rating: Rating, specs: Sequence[Spec], rng: np.random.Generator) -> None:
-    """Take away a misplaced copy and some others near it or like it."""
+    """Remove a misplaced copy and some others, near it or drawn at random."""
     keys: set[int] = set()
     by_key = {copy.key: copy for copy in floor.placed}
     if not by_key:
@@ -75,7 +82,7 @@ def _ruin(floor: Floor, rating: Rating, specs: Sequence[Spec], rng: np.random.Ge
 
 
 def _wanted_at(floor: Floor, copy: Placed, rng: np.random.Generator) -> Placed:
-    """Return where a misplaced copy should be: at a copy that it relates to, or where it is."""
+    """Return the copy near which a misplaced one should be: one that it relates to, or itself."""
     spec = floor.specs[copy.spec]
     targets = [target for kind, target in spec.relations if kind != "far"]
     targets += [spec.host] if spec.host >= 0 else []
@@ -86,7 +93,7 @@ def _wanted_at(floor: Floor, copy: Placed, rng: np.random.Generator) -> Placed:
 
 
 def _members(floor: Floor, keys: set[int], *, every: bool) -> set[int]:
-    """Return the keys of what goes with its anchor: pairs and seats around it, or `every` member."""
+    """Return the keys of the members removed with their anchor: pairs and seats around it, or `every` member."""
 
     def goes(copy: Placed) -> bool:
         return copy.host in keys and (every or floor.specs[copy.spec].link in ("paired", "around"))
@@ -95,7 +102,7 @@ def _members(floor: Floor, keys: set[int], *, every: bool) -> set[int]:
 
 
 def _recreate(build: Construction, specs: Sequence[Spec]) -> None:
-    """Place what is missing, mostly the large first: with all relations, then with as many as can hold."""
+    """Place missing copies, mostly the large ones first: with all relations, then with as many as can hold."""
     missing = [spec for spec in specs if build.missing(spec) > 0 and not spec.rows]
     noise = build.rng.uniform(0.3, 1.7, len(missing))
     depth = {spec.index: _depth(spec, specs) for spec in missing}
@@ -123,7 +130,7 @@ def solve_room(room: PlacementRoom, seed: int, options: PlacementOptions) -> Pla
 def _search(
     model: RoomModel, specs: list[Spec], groups: list[Group], rng: np.random.Generator, options: PlacementOptions
 ) -> Floor:
-    """Construct a few times, what failed earlier each time (squeaky wheel); then improve the best.
+    """Construct a few times, with what failed coming earlier each time; then improve the best.
 
     The margins of comfort are given up only where something is missing with them.
     """

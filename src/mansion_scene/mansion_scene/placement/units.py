@@ -28,7 +28,7 @@ Slot: TypeAlias = tuple[float, float, float]
 Size: TypeAlias = tuple[float, float]
 
 SIDE_GAP = 0.05
-"""Between things that stand side by side as one, metres."""
+"""Gap between objects that are placed side by side as one, metres."""
 
 
 def paired_slot(anchor: Size, member: Size, *, beside: bool, mirrored: bool, gap: float) -> Slot:
@@ -156,13 +156,13 @@ class UnitStyle:
     Attributes
     ----------
     links : frozenset of str
-        Which links to compose.
+        Links whose members belong to the unit.
     mirrored : bool
-        Left and right exchanged.
+        Whether left and right are exchanged.
     long_sides : bool
-        Seats on two opposite sides only.
+        Whether seats are placed on two opposite sides only.
     gap : float
-        Between a seat and the table or desk it belongs to, metres.
+        Gap between a seat and its table or desk, metres.
     """
 
     links: frozenset[str] = frozenset({"paired", "around", "in_front_of", "side_of", "near"})

@@ -1,4 +1,7 @@
-"""Which regions open to which: the access edges that the layout realised, and doors that keep every room reachable."""
+"""Which regions open to which: the access edges of the room graph that the layout allows, and repairs.
+
+A repair is a passage between two regions without an access edge, where a room could not be reached otherwise.
+"""
 
 from collections import deque
 from collections.abc import Mapping, Sequence
@@ -62,14 +65,14 @@ def plan_access(
     shared: Mapping[Pair, Sequence[BoundarySegment]],
     root: Region,
 ) -> AccessPlan:
-    """Choose the floor's passages: one for each access edge, then whatever keeps all regions reachable.
+    """Choose the floor's passages: one for each access edge, then those that keep all regions reachable.
 
     Parameters
     ----------
     shared : mapping
-        Of `shared_boundaries`.
+        What `shared_boundaries` returns.
     root : Region
-        Where the floor is entered; every region must be reachable from it.
+        The region where the floor is entered; every other must be reachable from it.
 
     Raises
     ------

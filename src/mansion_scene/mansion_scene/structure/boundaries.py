@@ -23,20 +23,20 @@ _SNAP = 2e-3  # metres between points, or lines, that count as one
 
 @dataclass(frozen=True)
 class BoundarySegment:
-    """A straight piece of boundary with one region, or none, on each side all along.
+    """A straight piece of boundary that has the same region, or none, on each side along its whole length.
 
     Attributes
     ----------
     start, end : Point
-        On the boundary; `left` lies to the left of start -> end.
+        Ends on the boundary; `left` lies to the left of start -> end.
     left : str
         Region id; an exterior boundary has its region here.
     right : str, optional
-        ``None`` for the outside, and for ground that the layout gave to nobody.
+        Region id; ``None`` for the outside, and for floor that the layout gave to no room.
     exterior : bool
-        On the floor's outline or one of its holes.
+        Whether it lies on the floor's outline or one of its holes.
     structural : bool
-        On a structural wall of the program.
+        Whether it lies on a structural wall of the program.
     """
 
     start: Point
@@ -193,7 +193,7 @@ def boundary_segments(floor: FloorRegions, structural: Sequence[Segment] = ()) -
     Returns
     -------
     list of BoundarySegment
-        By supporting line in the order in which the regions first touch it, then along the line.
+        Ordered by supporting line, as the regions first touch it, then along the line.
     """
     lines = _Lines()
     for region in floor.regions:

@@ -67,7 +67,7 @@ def lift_details(
 
 
 def _call_panel(door: Segment, outward: Point) -> Point3:
-    """Return a place on the wall to the right of the door as one faces it from outside."""
+    """Return the position of the call panel: on the wall to the right of the door as seen from outside."""
     (ox, oy), right = outward, (-outward[1], outward[0])
     end = max(door, key=lambda p: p[0] * right[0] + p[1] * right[1])
     face = INTERIOR_THICKNESS / 2 + 0.01
@@ -79,7 +79,7 @@ def _call_panel(door: Segment, outward: Point) -> Point3:
 
 
 def _button_panel(cabin: tuple[float, float, float, float], outward: Point) -> Point3:
-    """Return a place on the cabin's rear wall, where a camera before the open door sees it."""
+    """Return the position of the button panel: on the cabin's rear wall, in view through the open door."""
     (ox, oy), (rx, ry) = outward, (-outward[1], outward[0])
     cx, cy = (cabin[0] + cabin[2]) / 2, (cabin[1] + cabin[3]) / 2
     half_out = abs(ox) * (cabin[2] - cabin[0]) / 2 + abs(oy) * (cabin[3] - cabin[1]) / 2

@@ -26,17 +26,17 @@ PARAPET_HEIGHT: Final = 1.1
 DOOR_HEIGHT: Final = 2.1
 GARAGE_DOOR_HEIGHT: Final = 2.2
 CLEAR_WIDTH: Final = 0.9
-"""What every door should leave clear."""
+"""Clear width that every door should have."""
 MIN_CLEAR_WIDTH: Final = 0.7
-"""What a door may shrink to, as a recorded downgrade, before its wall counts as too short."""
+"""Least clear width of a door, recorded as a downgrade; a wall that takes no such door is too short for one."""
 
 JAMB: Final = 0.09
-"""Between a door's clear opening and the nearest wall face or opening."""
+"""Distance between a door's clear opening and the nearest wall face or opening."""
 WALL_END: Final = INTERIOR_THICKNESS / 2 + JAMB
-"""Between a clear opening and the centre line of a wall that meets its wall."""
+"""Distance between a clear opening and the centre line of a wall that meets its wall."""
 DOOR_GAP: Final = 0.12
-"""Between two openings of one wall line."""
+"""Distance between two openings of one wall line."""
 APPROACH_DEPTH: Final = 0.9
-"""Floor that a door needs free in front of it."""
+"""Depth of the free floor that a door needs in front of it."""
 NIB: Final = 0.3
-"""Wall that stays at both ends where a structural wall stands open."""
+"""Length of wall that stays at both ends of an opened structural wall."""

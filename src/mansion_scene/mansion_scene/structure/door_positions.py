@@ -1,4 +1,4 @@
-"""Where in the walls between two regions an opening leaves most wall for furniture.
+"""Positions of doors in the walls between two regions, ranked by the wall that they leave for furniture.
 
 The cost of a position is the wall that furniture loses in both rooms: the piece taken, pieces too short to use, and
 the adjacent wall where the approach to a door in a corner covers it.
@@ -20,8 +20,8 @@ from mansion_scene.structure.dimensions import APPROACH_DEPTH, DOOR_GAP, INTERIO
 __all__ = ["Frontage", "Position", "approach_zone", "choose_position", "ranked_positions"]
 
 _POCKET = 0.6  # metres beside a door in which a cupboard against the adjacent wall fits
-_SHORT_PIECE = 0.5  # a wall piece as short as this holds nothing
-_CORNER_LOSS = 0.3  # metres of the adjacent wall that a door in a corner spoils for all but shallow things
+_SHORT_PIECE = 0.5  # metres of wall in which no furniture fits
+_CORNER_LOSS = 0.3  # metres of the adjacent wall that a door in a corner leaves to shallow furniture only
 
 
 @dataclass(frozen=True)
@@ -123,7 +123,7 @@ def _candidates(boundary: BoundarySegment, taken: Sequence[Segment], width: floa
 
 
 def _worth(length: float) -> float:
-    """Return what a piece of wall is worth: nothing when short, and one long piece more than two of half its length."""
+    """Return the value of a piece of wall: nothing when short, and one long piece more than two of half its length."""
     usable = max(length - _SHORT_PIECE, 0.0)
     return usable + 0.01 * usable * usable
 
@@ -193,9 +193,9 @@ def ranked_positions(
     Parameters
     ----------
     boundaries : sequence of BoundarySegment
-        Of one pair of regions.
+        Boundaries between one pair of regions.
     frontages : mapping
-        By region id; the two sides' doors so far are respected.
+        Frontages by region id; the doors that both sides have so far are kept clear.
     width : float
         Clear width.
     margin : float

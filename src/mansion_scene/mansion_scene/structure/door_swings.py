@@ -1,4 +1,4 @@
-"""Hinges: which way leaves open, so that they hit no wall and no other leaf."""
+"""Hinges and swings of doors, such that no leaf hits a wall, another leaf or another opening."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -30,7 +30,7 @@ def leaf_sectors(opening: Opening, region: str, hinge: Hinge) -> list[Polygon]:
     ----------
     opening : Opening
     region : str
-        Into which it opens.
+        Id of the region into which it opens.
     hinge : {"start", "end", "both"}
         End of the opening's segment at which the leaf hangs; ``both`` is a double door.
     """
@@ -70,8 +70,8 @@ def hang_doors(
     """Give each door with leaves a swing and a hinge that keep clear of walls, other leaves and other openings.
 
     A leaf opens into the room that the door serves, not into circulation, and hangs at the end nearer to a side wall.
-    Where no way is free the door moves along its wall, an outer door opens outwards, and what is left loses its leaf
-    (kind ``doorway``), which is recorded.
+    Where no swing is free the door moves along its wall. Failing that, an outer door opens outwards and an inner one
+    loses its leaf (kind ``doorway``), which is recorded.
 
     Parameters
     ----------

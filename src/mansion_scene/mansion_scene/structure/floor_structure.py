@@ -1,4 +1,4 @@
-"""The structure of a floor: from a furnish request to rooms, walls, doors, windows and cores."""
+"""The structure of a floor, built from its layout: rooms, walls, doors, windows and cores."""
 
 import math
 from collections.abc import Sequence
@@ -32,7 +32,7 @@ _NOTABLE = 1.0  # square metres of unusable floor that the scene reports
 
 @dataclass(frozen=True)
 class FloorStructure:
-    """All that stands on a floor before furniture; `downgrades` tells where it differs from the room graph."""
+    """The parts of a floor before it is furnished; `downgrades` lists where they differ from the room graph."""
 
     floor: FloorRegions
     rooms: list[SceneRoom]
@@ -114,7 +114,7 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
 def _walkable_rooms(floor: FloorRegions, boundaries: Sequence[BoundarySegment]) -> dict[str, Polygon]:
     """Return the walkable part of each room with all walls standing.
 
-    Rooms narrower than a passage throughout are left out: their door is all there is of them.
+    Rooms that are narrower than a passage everywhere are left out: a robot can enter none of them.
     """
     closed = partition_floor(floor, boundaries, frozenset())
     nets = {r.id: closed.nets[r.id] for r in floor.regions if r.is_room}

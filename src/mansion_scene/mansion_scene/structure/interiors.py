@@ -29,7 +29,7 @@ class Partition:
     walls : list of BoundarySegment
         Boundaries that carry a wall, in the floor's order.
     open_boundaries : dict
-        For each open pair, the clear openings where no wall stands, with their boundaries, longest first.
+        Boundaries without a wall between each open pair, with their clear openings, longest first.
     nets : dict
         Net interior of each region, counter-clockwise; the largest part where walls cut a region in two.
     solid : geometry
@@ -50,8 +50,8 @@ def partition_floor(
 ) -> Partition:
     """Split boundaries into walls and open ones, and take the walls' bodies off the regions.
 
-    Interior walls stand astride their boundary, half in each region; outer walls stand outside the outline and take
-    nothing. Net interiors are exact: each region less the union of the wall bodies, with mitred corners.
+    Interior walls stand on both sides of their boundary, half in each region; outer walls stand outside the outline
+    and take no floor. Net interiors are exact: each region less the union of the wall bodies, with mitred corners.
     """
     walls: list[BoundarySegment] = []
     opened: dict[Pair, list[BoundarySegment]] = {}
@@ -129,7 +129,7 @@ _SHORTEST = 0.3
 def walkable_parts(nets: Mapping[str, Polygon]) -> dict[str, Polygon]:
     """Return the largest part of each net interior in which no way is narrower than `PASSAGE_WIDTH`.
 
-    It is the morphological opening of the net interior by a square; empty where the whole region is narrower.
+    It is the morphological opening of the net interior by a square; empty where the region is narrower everywhere.
     """
     radius = PASSAGE_WIDTH / 2 - 1e-3
     parts: dict[str, Polygon] = {}
@@ -151,12 +151,12 @@ def usable_boundaries(boundaries: Sequence[BoundarySegment], parts: Mapping[str,
     Parameters
     ----------
     parts : mapping
-        Of `walkable_parts`; a side whose region it leaves out (a core) is not asked.
+        What `walkable_parts` returns; regions that it leaves out (cores) count as walkable.
     """
     usable: list[BoundarySegment] = []
     for boundary in boundaries:
         dx, dy = boundary.direction
-        # An outer wall stands outside its boundary, an inner one astride it.
+        # An outer wall stands outside its boundary, an inner one on both sides of it.
         shift = _INSIDE if boundary.exterior else INTERIOR_THICKNESS / 2 + _INSIDE
         intervals = [(0.0, boundary.length)]
         for region, normal in ((boundary.left, (-dy, dx)), (boundary.right, (dy, -dx))):

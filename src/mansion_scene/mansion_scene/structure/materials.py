@@ -25,7 +25,7 @@ class Material(msgspec.Struct, frozen=True, kw_only=True):
     roughness, metallic, alpha : float
         0 to 1, as in glTF's metallic-roughness model.
     uses : tuple of str
-        Where descriptions may match it.
+        Surfaces on which descriptions may match it.
     thor : str
         The AI2-THOR material that looks most like it.
     """
@@ -98,7 +98,13 @@ def library() -> dict[str, Material]:
 
 
 def material(name: str) -> Material:
-    """Return the material of that name; KeyError when the library has none."""
+    """Return a material by name.
+
+    Raises
+    ------
+    KeyError
+        When the library has no such material.
+    """
     return library()[name]
 
 
@@ -107,7 +113,7 @@ def match_material(description: str, use: Use) -> Material:
     """Return the material of a use that a description names best.
 
     Words for a substance count three times as much as words for a colour or a finish; the first material of the
-    library wins a tie, and a default stands in when no word is known.
+    library wins a tie, and a default of the use answers when no word is known.
 
     Examples
     --------
@@ -124,7 +130,7 @@ def match_material(description: str, use: Use) -> Material:
         if use not in entry.uses:
             continue
         score = sum(3.0 if word in _SUBSTANCES else 1.0 for word in words if word in entry.keywords)
-        # Among equals, the material that says least beside the description is the plainest reading of it.
+        # Among equals the material with the fewest further keywords is the plainest reading of the description.
         if score > 0.0:
             score += 0.5 / (1 + len(entry.keywords))
         if score > best_score:

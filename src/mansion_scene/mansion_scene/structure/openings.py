@@ -53,7 +53,7 @@ class OpeningKind:
 
 
 def is_circulation(region: Region) -> bool:
-    """Whether people pass through the region on their way."""
+    """Return whether people pass through the region to reach others."""
     return region.node_kind == "main" or is_class(region.room_type, "circulation")
 
 
@@ -114,7 +114,7 @@ class Opening:
     ----------
     regions : (str, str or None)
     boundary : BoundarySegment
-        Whose wall it interrupts.
+        The segment whose wall it interrupts.
     segment : Segment
         Clear opening on the boundary, which is the wall's centre line inside and the outline outside.
     """
@@ -174,7 +174,7 @@ def place_doors(
 ) -> tuple[list[Opening], list[Downgrade]]:
     """Place a door for each passage that is not open.
 
-    Cores come first, then the pairs with the shortest walls, so that who has little choice has it first.
+    Cores come first, then the pairs with the shortest walls, so that those with the least choice choose first.
 
     Raises
     ------
@@ -201,7 +201,7 @@ def place_doors(
 def other_places(
     opening: Opening, shared: Mapping[Pair, Sequence[BoundarySegment]], frontages: Mapping[str, Frontage]
 ) -> Iterator[Opening]:
-    """Yield the same door elsewhere between its two regions, best first, as wide as it is and then 0.9 m wide."""
+    """Yield the same door at other positions between its two regions, best first, then all again 0.9 m wide."""
     a, b = opening.regions
     if b is None:
         return
@@ -272,7 +272,7 @@ def _widest(
     within: Polygon | None,
     center: Point | None = None,
 ) -> Position | None:
-    """Choose the position of the widest opening that fits: as wished, 0.9 m, then with thinner jambs, then narrower."""
+    """Choose the position of the widest opening that fits: of the full width, 0.9 m, with thinner jambs, narrower."""
     bare = INTERIOR_THICKNESS / 2
     trials = [(width, WALL_END), (CLEAR_WIDTH, WALL_END), (CLEAR_WIDTH, bare)]
     trials += [(trial, bare) for trial in (0.85, 0.8, 0.75, MIN_CLEAR_WIDTH)]

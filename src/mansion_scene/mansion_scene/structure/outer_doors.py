@@ -1,4 +1,4 @@
-"""Doors in outer walls: the building's entrance, and doors for vehicles."""
+"""Doors in outer walls: the building's entrance and garage doors."""
 
 from collections.abc import Mapping, Sequence
 
@@ -111,7 +111,7 @@ def place_entrance(
     *,
     residential: bool,
 ) -> Opening:
-    """Place the entrance door in the region's facade: in the middle of a public one, out of the way in a house."""
+    """Place the entrance door in the region's facade: in the middle in a public building, near an end in a dwelling."""
     kind = entrance_kind(public=not residential)
     facades = facades_of(floor, boundaries, region.id)
     for width in (kind.width, 1.2, CLEAR_WIDTH):
@@ -142,13 +142,13 @@ WIDTHS = (5.0, 3.5, 2.5)
 """Clear widths: for two cars side by side, for a lorry or a bay, for a car; metres."""
 
 NARROWEST = 2.4
-"""What a garage door may shrink to; a car of 1.8 m with its mirrors passes."""
+"""Least clear width of a garage door, metres: a car of 1.8 m passes with its mirrors."""
 
 _GROUND = 1
 _FAR = 100.0
 
 HALL = 60.0
-"""Area from which cars stand side by side, square metres."""
+"""Area from which a room takes cars side by side, square metres."""
 
 TWO_CARS = 30.0
 """Area from which a room gets a door wider than for one car, square metres."""
@@ -165,7 +165,7 @@ def place_garage_doors(
     Returns
     -------
     list of Opening
-        Of kind ``garage``, in the order of the floor's regions.
+        Openings of kind ``garage``, in the order of the floor's regions.
     list of Downgrade
         Rooms that have no outer wall long enough.
     """

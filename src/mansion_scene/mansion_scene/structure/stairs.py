@@ -1,7 +1,7 @@
 """Dog-leg stairs that fit their core.
 
-Steps follow the usual rule of comfort, two risers and a going of about 0.63 m, with risers of 0.15 to 0.19 m. The
-floor landing lies at the same end of the core on every floor, so that flights stack.
+Steps follow the rule of F. Blondel (Cours d'architecture, 1675), two risers and a going of about 0.63 m, with risers
+of 0.15 to 0.19 m. The floor landing lies at the same end of the core on every floor, so that flights stack.
 """
 
 from collections.abc import Sequence
@@ -97,7 +97,7 @@ def stair_frame(core: CorePlan, net: Polygon, outline: Polygon) -> StairFrame:
     net : Polygon
         Net interior of the core (its bounding box is used).
     outline : Polygon
-        Of the floor; decides the landing's end when the core has no door side.
+        Outline of the floor; decides the landing's end when the core has no door side.
     """
     x0, y0, x1, y1 = net.bounds
     side = _landing_side(core, outline)
@@ -146,7 +146,7 @@ def stair_details(
     ----------
     frame : StairFrame
     height : float
-        From this floor to the next, metres.
+        Height from this floor to the next, metres.
     goes_up, comes_from_below : bool
         Whether the core serves a floor above and one below.
 

@@ -18,7 +18,7 @@ _HEAD = 0.2  # metres of wall above a window
 
 @dataclass(frozen=True)
 class WindowKind:
-    """Size and rhythm of a room type's windows: clear width, height, sill, wall between two; metres."""
+    """Size and spacing of a room type's windows: clear width, height, sill, wall between two; metres."""
 
     width: float
     height: float
@@ -42,7 +42,7 @@ _KINDS: tuple[tuple[str, WindowKind | None], ...] = (
     ("store", None),
     ("dark", None),
     ("wet", WindowKind(0.6, 0.5, 1.6, 1.5, "hung")),
-    # Worktops, sinks and stoves stand below.
+    # The sill lies above worktops, sinks and stoves.
     ("cooking", WindowKind(1.5, 1.1, 1.15, 0.9, "hung")),
     ("assembly", WindowKind(2.4, 1.9, 0.6, 0.8)),
     ("office", WindowKind(1.8, 1.5, 0.85, 0.7)),
