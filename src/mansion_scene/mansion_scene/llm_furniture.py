@@ -172,8 +172,8 @@ def _own_faults(entry: ObjectAnswer, earlier: list[str], names: list[str], known
         out.append("paired needs with: the name of an object listed earlier")
     out += [
         f"relative: kind is one of {', '.join(_RELATIONS)} and target another object's name"
-        for wish in entry.relative
-        if wish.kind not in _RELATIONS or wish.target not in names or wish.target == entry.name
+        for relation in entry.relative
+        if relation.kind not in _RELATIONS or relation.target not in names or relation.target == entry.name
     ]
     return out
 

@@ -86,7 +86,7 @@ class RoomFurnisher:
         """Return a room's objects, large ones first, and what could not be placed."""
         net = Polygon(room.net_polygon, room.net_holes)
         x0, y0, x1, y1 = net.bounds
-        wishes = furnish_request(
+        furnishing = furnish_request(
             self._catalogue,
             room.room_type,
             net.area,
@@ -103,16 +103,16 @@ class RoomFurnisher:
                 room_type=room.room_type,
                 polygon=room.net_polygon,
                 holes=room.net_holes,
-                objects=wishes.floor,
+                objects=furnishing.floor,
                 doors=doors,
                 windows=windows,
             ),
             seed=item_seed(self._seed, room.id),
         )
-        placed = _scene_objects(room, wishes, result.placements)
+        placed = _scene_objects(room, furnishing, result.placements)
         small = decorate_room(
             self._catalogue,
-            wishes,
+            furnishing,
             room_id=room.id,
             net_polygon=room.net_polygon,
             net_holes=room.net_holes,
@@ -139,11 +139,11 @@ def _with_panels(door: Door) -> Door:
     )
 
 
-def _scene_objects(room: SceneRoom, wishes: RoomFurnishing, placements: list[PlacedObject]) -> list[SceneObject]:
+def _scene_objects(room: SceneRoom, furnishing: RoomFurnishing, placements: list[PlacedObject]) -> list[SceneObject]:
     counts: dict[str, int] = {}
     objects = []
     for placement in placements:
-        asset = wishes.asset_for(placement.name, placement.size)
+        asset = furnishing.asset_for(placement.name, placement.size)
         counts[asset.category] = counts.get(asset.category, 0) + 1
         x, y = placement.center
         objects.append(

@@ -10,21 +10,21 @@ def shelf() -> Shelf:
 
 def test_neighbours_keep_a_gap() -> None:
     board = shelf()
-    assert board.at((0.2, 0.2, 0.1), 0.0, 0.0, 0.0) is not None
-    assert board.at((0.2, 0.2, 0.1), 0.205, 0.0, 0.0) is None
-    assert board.at((0.2, 0.2, 0.1), 0.21, 0.0, 0.0) is not None
+    assert board.place_at((0.2, 0.2, 0.1), 0.0, 0.0, 0.0) is not None
+    assert board.place_at((0.2, 0.2, 0.1), 0.205, 0.0, 0.0) is None
+    assert board.place_at((0.2, 0.2, 0.1), 0.21, 0.0, 0.0) is not None
 
 
 def test_only_low_things_stand_below_what_hangs_over() -> None:
     board = shelf()
-    board.hang_over(spot_of((0.4, 0.4, 0.5), -0.3, 0.0, 0.0), 0.3)
-    assert board.at((0.1, 0.1, 0.4), -0.3, 0.0, 0.0) is None
-    assert board.at((0.1, 0.1, 0.4), 0.3, 0.0, 0.0) is not None
-    assert board.at((0.1, 0.1, 0.2), -0.3, 0.0, 0.0) is not None
+    board.note_overhead(spot_of((0.4, 0.4, 0.5), -0.3, 0.0, 0.0), 0.3)
+    assert board.place_at((0.1, 0.1, 0.4), -0.3, 0.0, 0.0) is None
+    assert board.place_at((0.1, 0.1, 0.4), 0.3, 0.0, 0.0) is not None
+    assert board.place_at((0.1, 0.1, 0.2), -0.3, 0.0, 0.0) is not None
 
 
 def test_nothing_reaches_beyond_the_edge_or_the_clearance() -> None:
     board = shelf()
-    assert board.at((0.2, 0.2, 0.1), 0.41, 0.0, 0.0) is None
-    assert board.at((0.2, 0.2, 1.0), 0.0, 0.0, 0.0) is None
-    assert board.at((0.2, 0.2, 0.1), 0.4, 0.0, 0.0) is not None
+    assert board.place_at((0.2, 0.2, 0.1), 0.41, 0.0, 0.0) is None
+    assert board.place_at((0.2, 0.2, 1.0), 0.0, 0.0, 0.0) is None
+    assert board.place_at((0.2, 0.2, 0.1), 0.4, 0.0, 0.0) is not None

@@ -2,16 +2,16 @@
 
 from mansion_assets.catalogue.asset import Asset, Surface, Volume
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
-from mansion_assets.catalogue.furnish import HangWish, RoomFurnishing, RugWish, furnish_request
+from mansion_assets.catalogue.furnish import HangRequest, RoomFurnishing, RugRequest, furnish_request
 from mansion_assets.catalogue.loading import load_catalogue
 
 __all__ = [
     "Asset",
     "Catalogue",
-    "HangWish",
+    "HangRequest",
     "RoomFurnishing",
     "RoomProgramCard",
-    "RugWish",
+    "RugRequest",
     "Surface",
     "Volume",
     "furnish_request",

@@ -7,7 +7,7 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.records import Arrangement, Extent, HangItem, Item, RoomRecord, RugItem
-from mansion_assets.catalogue.resolve import RoomIndex
+from mansion_assets.catalogue.room_matching import RoomIndex
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["Catalogue", "RoomProgramCard"]

@@ -21,10 +21,10 @@ from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacementObject, SingleStructure, Structure
 from mansion_msgs_py.shapes import Size3
 
-__all__ = ["HangWish", "RoomFurnishing", "RugWish", "furnish_request"]
+__all__ = ["HangRequest", "RoomFurnishing", "RugRequest", "furnish_request"]
 
 
-class HangWish(msgspec.Struct, frozen=True, kw_only=True):
+class HangRequest(msgspec.Struct, frozen=True, kw_only=True):
     """A wall or ceiling asset, `count` times (see `HangItem` for the fields)."""
 
     asset: Asset
@@ -35,7 +35,7 @@ class HangWish(msgspec.Struct, frozen=True, kw_only=True):
     spacing: float = 3.0
 
 
-class RugWish(msgspec.Struct, frozen=True, kw_only=True):
+class RugRequest(msgspec.Struct, frozen=True, kw_only=True):
     """A rug below the floor object named (or of the category) `under`; the first asset that fits."""
 
     assets: tuple[Asset, ...]
@@ -65,9 +65,9 @@ class RoomFurnishing(msgspec.Struct, frozen=True, kw_only=True):
     floor: list[PlacementObject]
     floor_assets: dict[str, Asset]
     alternatives: dict[str, list[Asset]]
-    wall: list[HangWish]
-    ceiling: list[HangWish]
-    rugs: list[RugWish]
+    wall: list[HangRequest]
+    ceiling: list[HangRequest]
+    rugs: list[RugRequest]
     small: list[Arrangement]
 
     def asset_for(self, name: str, size: Size3) -> Asset:
@@ -314,14 +314,14 @@ class _Draft:
         return floor, assets, {name: choices for name, choices in smaller.items() if choices}
 
 
-def _hang(draft: _Draft, item: HangItem) -> HangWish | None:
+def _hang(draft: _Draft, item: HangItem) -> HangRequest | None:
     wanted = copies(item.count, draft.area, draft.numbers, draft.rng)
     present = draft.rng.random() < item.p and draft.area >= item.min_area
     assets = draft.catalogue.choose_from(item.category)
     asset = draft.style.pick(assets, draft.rng) if assets else None
     if asset is None or not present or wanted < 1:
         return None
-    return HangWish(
+    return HangRequest(
         asset=asset,
         count=wanted,
         place=item.place,
@@ -331,7 +331,7 @@ def _hang(draft: _Draft, item: HangItem) -> HangWish | None:
     )
 
 
-def _rugs(draft: _Draft) -> list[RugWish]:
+def _rugs(draft: _Draft) -> list[RugRequest]:
     out = []
     for item in draft.card.rugs:
         present = draft.rng.random() < item.p
@@ -340,7 +340,7 @@ def _rugs(draft: _Draft) -> list[RugWish]:
         if present and assets and (not item.under or _has(draft, item.under)):
             chosen = tuple(assets[int(i)] for i in order)
             out.append(
-                RugWish(assets=chosen, under=draft.category_of(item.under), margin=item.margin, count=item.count)
+                RugRequest(assets=chosen, under=draft.category_of(item.under), margin=item.margin, count=item.count)
             )
     return out
 

@@ -7,7 +7,7 @@ import numpy as np
 from shapely import Polygon
 from shapely.strtree import STRtree
 
-from mansion_assets.catalogue import Asset, RugWish
+from mansion_assets.catalogue import Asset, RugRequest
 from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.scene import Door, SceneObject
 from mansion_msgs_py.shapes import Point
@@ -22,7 +22,7 @@ def matches(obj: SceneObject, name: str) -> bool:
 
 
 def rugs(
-    wishes: Sequence[RugWish],
+    requests: Sequence[RugRequest],
     room: Polygon,
     edges: Sequence[WallEdge],
     doors: Sequence[Door],
@@ -36,13 +36,13 @@ def rugs(
     shapes: list[Polygon] = []
     floor = [footprint(o) for o in placed if o.mount == "floor"]
     tree = STRtree(floor)
-    for wish in wishes:
-        targets = [o for o in placed if wish.under and matches(o, wish.under)]
+    for request in requests:
+        targets = [o for o in placed if request.under and matches(o, request.under)]
         laid = 0
-        for asset in wish.assets:
-            if laid >= wish.count:
+        for asset in request.assets:
+            if laid >= request.count:
                 break
-            for center, rotation, free in _candidates(wish, asset, room, edges, doors, targets, rng):
+            for center, rotation, free in _candidates(request, asset, room, edges, doors, targets, rng):
                 shape = footprint_at(center, asset.size, rotation)
                 if not room.contains(shape) or any(shape.intersects(other) for other in shapes):
                     continue
@@ -52,7 +52,7 @@ def rugs(
                 position = (center[0], center[1], asset.size[2] / 2)
                 out.append(scene_object(asset, ids.new(asset.category), room_id, position, rotation))
                 laid += 1
-                if laid >= wish.count:
+                if laid >= request.count:
                     break
     return out
 
@@ -61,7 +61,7 @@ Candidate = tuple[Point, float, bool]
 
 
 def _candidates(
-    wish: RugWish,
+    request: RugRequest,
     asset: Asset,
     room: Polygon,
     edges: Sequence[WallEdge],
@@ -72,8 +72,8 @@ def _candidates(
     """Return centres and rotations to try, and whether the floor there must be free of furniture."""
     if asset.category == "door_mat":
         return [c for door in doors if (c := _at_door(asset, edges, door)) is not None]
-    if wish.under:
-        return [c for target in targets for c in _at_object(wish, asset, target)]
+    if request.under:
+        return [c for target in targets for c in _at_object(request, asset, target)]
     return _on_free_floor(asset, room, edges, rng)
 
 
@@ -85,10 +85,10 @@ def _at_door(asset: Asset, edges: Sequence[WallEdge], door: Door) -> Candidate |
     return edge.point((s0 + s1) / 2, 0.05 + asset.size[1] / 2), edge.rotation, False
 
 
-def _at_object(wish: RugWish, asset: Asset, target: SceneObject) -> list[Candidate]:
+def _at_object(request: RugRequest, asset: Asset, target: SceneObject) -> list[Candidate]:
     """Return places under an object, with a margin on all sides; in front of it where the margin is zero."""
     w, d = target.size[0], target.size[1]
-    if wish.margin <= 0.0:
+    if request.margin <= 0.0:
         center = to_floor(target, (0.0, d / 2 + asset.size[1] / 2 + 0.03))
         return [(center, target.rotation, False)]
     bed = target.mount == "floor" and d > 1.6 and w > 0.7
@@ -96,7 +96,7 @@ def _at_object(wish: RugWish, asset: Asset, target: SceneObject) -> list[Candida
     out: list[Candidate] = []
     for turn in (0.0, 90.0):
         size = asset.size if turn == 0.0 else (asset.size[1], asset.size[0], asset.size[2])
-        covers = size[0] >= w + wish.margin and (bed or size[1] >= d + wish.margin)
+        covers = size[0] >= w + request.margin and (bed or size[1] >= d + request.margin)
         if covers:
             out.append((to_floor(target, (0.0, shift)), target.rotation + turn, False))
     return out

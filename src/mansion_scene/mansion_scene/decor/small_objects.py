@@ -62,7 +62,7 @@ class Shelf:
         self._free = most * carrier.w * carrier.d
         self._cursor = -self.half_w
 
-    def at(self, size: Size3, x: float, y: float, turn: float) -> Spot | None:
+    def place_at(self, size: Size3, x: float, y: float, turn: float) -> Spot | None:
         """Take the place at (x, y) in the receptacle's frame, or return None where it is not free."""
         spot = spot_of(size, x, y, turn)
         if size[2] > self.clearance - 0.005 or not self._holds(spot) or self._hits(spot):
@@ -76,7 +76,7 @@ class Shelf:
         self.spots.append(spot)
         return spot
 
-    def somewhere(self, size: Size3, rng: np.random.Generator, turns: float = 25.0) -> Spot | None:
+    def place_randomly(self, size: Size3, rng: np.random.Generator, turns: float = 25.0) -> Spot | None:
         """Take a random free place, with a rotation of up to `turns` degrees; None after 24 tries."""
         for _ in range(_TRIES):
             a, b, c = rng.random(3)
@@ -93,12 +93,12 @@ class Shelf:
                     rx, ry = self.half_w - probe.half_w, self.half_d - probe.half_d
             if rx < 0 or ry < 0:
                 return None
-            spot = self.at(size, self.x + (2 * a - 1) * rx, self.y + (2 * b - 1) * ry, turn)
+            spot = self.place_at(size, self.x + (2 * a - 1) * rx, self.y + (2 * b - 1) * ry, turn)
             if spot is not None:
                 return spot
         return None
 
-    def in_line(self, size: Size3) -> Spot | None:
+    def place_in_line(self, size: Size3) -> Spot | None:
         """Take the next place of a row from left to right along the front; None where the row is full."""
         if size[1] > 2 * self.half_d or size[0] > 2 * self.half_w:
             return None
@@ -107,7 +107,7 @@ class Shelf:
         self._cursor += size[0] + 0.012
         if self._cursor > self.half_w + 0.012 + 1e-9:
             return None
-        return self.at(size, x, y, 0.0)
+        return self.place_at(size, x, y, 0.0)
 
     def _holds(self, spot: Spot) -> bool:
         dx, dy = abs(spot.x - self.x), abs(spot.y - self.y)
@@ -119,7 +119,7 @@ class Shelf:
     def _hits(self, spot: Spot) -> bool:
         return any(_meet(spot, other) for other in self.spots)
 
-    def hang_over(self, spot: Spot, room: float) -> None:
+    def note_overhead(self, spot: Spot, room: float) -> None:
         """Note something above the surface that leaves `room` metres of height below it."""
         self.overhead.append((spot, room))
 
@@ -187,14 +187,14 @@ def small_objects(
             continue
         rng = item_generator(seed, "small", obj.id)
         if rng.random() < arrangement.p:
-            table = _Table(catalogue, obj, asset, rng, ids, room_id)
-            table.hang(hung)
-            table.lay(arrangement, seats)
-            out += table.objects
+            filler = _Filler(catalogue, obj, asset, rng, ids, room_id)
+            filler.note_hung(hung)
+            filler.fill(arrangement, seats)
+            out += filler.objects
     return out
 
 
-class _Table:
+class _Filler:
     """One receptacle while it is filled."""
 
     def __init__(
@@ -206,7 +206,7 @@ class _Table:
         self.objects: list[SceneObject] = []
         self.chosen: dict[str, Asset] = {}
 
-    def hang(self, hung: Sequence[SceneObject]) -> None:
+    def note_hung(self, hung: Sequence[SceneObject]) -> None:
         """Note the objects that hang over this receptacle."""
         reach = math.hypot(self.obj.size[0], self.obj.size[1]) / 2
         for other in hung:
@@ -219,9 +219,9 @@ class _Table:
             for shelf in self.shelves:
                 level = self.obj.position[2] + shelf.z
                 if not shelf.inside and other.position[2] + other.size[2] / 2 > level:
-                    shelf.hang_over(spot, foot - level)
+                    shelf.note_overhead(spot, foot - level)
 
-    def lay(self, arrangement: Arrangement, seats: Sequence[SceneObject]) -> None:
+    def fill(self, arrangement: Arrangement, seats: Sequence[SceneObject]) -> None:
         """Fill slots, then place settings before chairs, then scatter the rest."""
         top = next((s for s in self.shelves if not s.inside), None)
         if top is not None:
@@ -249,11 +249,10 @@ class _Table:
         if asset is None or not present:
             return
         x, y = shelf.point(slot.u, slot.v)
-        probe = Shelf.at
         for shift in (0.0, 0.04, -0.04, 0.09, -0.09):
             px = _clamp(x + jitter[0] + shift, shelf.x, shelf.half_w - asset.size[0] / 2 - 0.005)
             py = _clamp(y + jitter[1], shelf.y, shelf.half_d - asset.size[1] / 2 - 0.005)
-            spot = probe(shelf, asset.size, px, py, slot.turn)
+            spot = shelf.place_at(asset.size, px, py, slot.turn)
             if spot is not None:
                 self._put(shelf, asset, spot)
                 return
@@ -276,7 +275,7 @@ class _Table:
                 continue
             px = entry[0] + ahead[0] * (slot.v + jitter[0]) + right[0] * (slot.u + jitter[1])
             py = entry[1] + ahead[1] * (slot.v + jitter[0]) + right[1] * (slot.u + jitter[1])
-            spot = shelf.at(asset.size, px, py, (turn + slot.turn) % 360.0)
+            spot = shelf.place_at(asset.size, px, py, (turn + slot.turn) % 360.0)
             if spot is not None:
                 self._put(shelf, asset, spot)
 
@@ -295,7 +294,7 @@ class _Table:
             for step in range(len(shelves)):
                 turn_of = (number // 4 if scatter.line else number) + step
                 shelf = shelves[int(order[turn_of % len(shelves)])]
-                spot = shelf.in_line(row.size) if scatter.line else shelf.somewhere(row.size, self.rng)
+                spot = shelf.place_in_line(row.size) if scatter.line else shelf.place_randomly(row.size, self.rng)
                 if spot is not None:
                     self._put(shelf, row, spot)
                     break

@@ -9,7 +9,7 @@ import numpy.typing as npt
 from mansion_geometry.boxes import unit_vector
 from mansion_geometry.compiled import kernel
 from mansion_scene.placement.floor import Floor
-from mansion_scene.placement.room import Wall, wall_array
+from mansion_scene.placement.room_model import Wall, wall_array
 
 __all__ = ["floor_poses", "flush_poses", "ring_poses", "ring_rows", "wall_poses", "wall_rows"]
 

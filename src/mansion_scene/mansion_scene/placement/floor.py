@@ -9,7 +9,7 @@ import numpy.typing as npt
 from mansion_geometry.fitting import feasible_poses
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.options import PlacementOptions
-from mansion_scene.placement.room import RoomModel
+from mansion_scene.placement.room_model import RoomModel
 
 __all__ = ["Effort", "Floor", "Placed"]
 
@@ -234,7 +234,7 @@ class Floor:
             self._counts[copy.spec] = self._counts.get(copy.spec, 0) + 1
         self._front = np.array([self.roomy and self.specs[copy.spec].front_needed for copy in copies], dtype=np.bool_)
 
-    def take(self, keys: set[int]) -> list[Placed]:
+    def remove(self, keys: set[int]) -> list[Placed]:
         """Remove copies by key and return them; no constraint can break, as only free space grows."""
         gone = [copy for copy in self.placed if copy.key in keys]
         if gone:

@@ -10,7 +10,7 @@ from mansion_geometry.boxes import compose, unit_vector
 from mansion_scene.placement.candidates import floor_poses, flush_poses, wall_poses
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
-from mansion_scene.placement.room import Wall
+from mansion_scene.placement.room_model import Wall
 from mansion_scene.placement.scoring import pose_scores
 from mansion_scene.placement.search import examine, relation_mask
 from mansion_scene.placement.units import Unit

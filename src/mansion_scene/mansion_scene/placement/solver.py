@@ -19,7 +19,7 @@ from mansion_scene.placement.floor import Effort, Floor, Placed
 from mansion_scene.placement.groups import Group, Spec, make_groups
 from mansion_scene.placement.options import PlacementOptions
 from mansion_scene.placement.relations import Rating, rate, relation_count
-from mansion_scene.placement.room import RoomModel, build_room
+from mansion_scene.placement.room_model import RoomModel, build_room
 
 __all__ = ["improve", "solve_room"]
 
@@ -78,7 +78,7 @@ def _ruin(floor: Floor, rating: Rating, specs: Sequence[Spec], rng: np.random.Ge
     else:
         order = rng.permutation(len(pool))[:extra]
     keys |= {pool[int(i)].key for i in order}
-    floor.take(keys | _members(floor, keys, every=bool(rng.random() < 0.5)))
+    floor.remove(keys | _members(floor, keys, every=bool(rng.random() < 0.5)))
 
 
 def _wanted_at(floor: Floor, copy: Placed, rng: np.random.Generator) -> Placed:

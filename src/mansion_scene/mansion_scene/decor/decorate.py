@@ -6,11 +6,11 @@ from mansion_assets.catalogue import Catalogue, RoomFurnishing
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.scene import Door, SceneObject, Window
 from mansion_msgs_py.shapes import Ring
-from mansion_scene.decor.ceiling import ceiling_objects
+from mansion_scene.decor.ceiling_objects import ceiling_objects
 from mansion_scene.decor.frames import Ids, room_polygon, wall_edges
 from mansion_scene.decor.rugs import rugs
 from mansion_scene.decor.small_objects import small_objects
-from mansion_scene.decor.walls import wall_objects
+from mansion_scene.decor.wall_objects import wall_objects
 
 __all__ = ["decorate_room"]
 
@@ -33,7 +33,7 @@ def decorate_room(
     Parameters
     ----------
     furnishing : RoomFurnishing
-        The wish lists of `furnish_request`.
+        What `furnish_request` returns.
     net_polygon, net_holes : rings
         Between the faces of the walls.
     ceiling_height : float

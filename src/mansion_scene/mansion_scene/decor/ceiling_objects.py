@@ -7,7 +7,7 @@ import numpy as np
 from shapely import Point as ShapelyPoint
 from shapely import Polygon
 
-from mansion_assets.catalogue import Asset, Catalogue, HangWish
+from mansion_assets.catalogue import Asset, Catalogue, HangRequest
 from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point
@@ -22,7 +22,7 @@ HEADROOM = 2.05
 
 def ceiling_objects(
     catalogue: Catalogue,
-    wishes: Sequence[HangWish],
+    requests: Sequence[HangRequest],
     room: Polygon,
     edges: Sequence[WallEdge],
     height: float,
@@ -34,15 +34,15 @@ def ceiling_objects(
     """Return the ceiling objects of a room: inside it, clear of each other and of tall objects below."""
     ceiling = _Ceiling(room, edges, height, placed, rng)
     out: list[SceneObject] = []
-    for wish in wishes:
-        asset = _hangable(catalogue, wish, height)
+    for request in requests:
+        asset = _hangable(catalogue, request, height)
         if asset is None:
             continue
-        left = 10_000 if wish.place == "grid" else wish.count
-        for center, rotation in ceiling.places(wish, asset):
+        left = 10_000 if request.place == "grid" else request.count
+        for center, rotation in ceiling.places(request, asset):
             if left <= 0:
                 break
-            if not ceiling.take(asset, center, rotation):
+            if not ceiling.reserve(asset, center, rotation):
                 continue
             left -= 1
             position = (center[0], center[1], height - asset.size[2] / 2)
@@ -50,13 +50,13 @@ def ceiling_objects(
     return out
 
 
-def _hangable(catalogue: Catalogue, wish: HangWish, height: float) -> Asset | None:
+def _hangable(catalogue: Catalogue, request: HangRequest, height: float) -> Asset | None:
     """Return the requested asset, or a flat lamp for one that would hang too low; None where no lamp is flat enough."""
-    limit = height - (HEADROOM if wish.place != "above" else 1.25)
-    if wish.asset.size[2] <= limit:
-        return wish.asset
+    limit = height - (HEADROOM if request.place != "above" else 1.25)
+    if request.asset.size[2] <= limit:
+        return request.asset
     flat = [a for a in catalogue.by_category("ceiling_light") if a.size[2] <= limit]
-    return flat[0] if flat and wish.asset.toggleable else None
+    return flat[0] if flat and request.asset.toggleable else None
 
 
 class _Ceiling:
@@ -76,7 +76,7 @@ class _Ceiling:
             (footprint(o), o.position[2] + o.size[2] / 2) for o in placed if o.position[2] + o.size[2] / 2 > 1.4
         ]
 
-    def take(self, asset: Asset, center: Point, rotation: float) -> bool:
+    def reserve(self, asset: Asset, center: Point, rotation: float) -> bool:
         """Reserve a position if it is free, and tell whether it was."""
         shape = footprint_at(center, asset.size, rotation)
         x0, y0, x1, y1 = shape.bounds
@@ -89,28 +89,28 @@ class _Ceiling:
         self.taken.append((x0, y0, x1, y1))
         return True
 
-    def places(self, wish: HangWish, asset: Asset) -> Iterator[tuple[Point, float]]:
+    def places(self, request: HangRequest, asset: Asset) -> Iterator[tuple[Point, float]]:
         """Yield centres and rotations to try, the best first."""
-        if wish.place == "above":
+        if request.place == "above":
             for obj in self.placed:
-                if matches(obj, wish.above):
+                if matches(obj, request.above):
                     yield (obj.position[0], obj.position[1]), obj.rotation
-        elif wish.place in ("center", "door", "free", "facing_door", "facing_seats"):
+        elif request.place in ("center", "door", "free", "facing_door", "facing_seats"):
             middle = self.room.centroid
             if not self.room.contains(middle):
                 middle = self.room.representative_point()
             yield (middle.x, middle.y), self.angle
             yield from ((p, self.angle) for p in self._lattice(1.2))
         else:
-            spacing = wish.spacing
-            if wish.place == "spread":
-                spacing = max(1.0, math.sqrt(self.room.area / max(wish.count, 1)))
-            shift = 0.31 if wish.place == "spread" else 0.0
+            spacing = request.spacing
+            if request.place == "spread":
+                spacing = max(1.0, math.sqrt(self.room.area / max(request.count, 1)))
+            shift = 0.31 if request.place == "spread" else 0.0
             points = self._lattice(spacing, shift)
-            if wish.place == "spread":
+            if request.place == "spread":
                 points = [points[int(i)] for i in self.rng.permutation(len(points))]
             yield from ((p, self.angle) for p in points)
-            if wish.place == "spread" or len(points) < 1:
+            if request.place == "spread" or len(points) < 1:
                 inner = self.room.representative_point()
                 yield (inner.x, inner.y), self.angle
 

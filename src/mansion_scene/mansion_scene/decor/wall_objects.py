@@ -5,8 +5,8 @@ from collections.abc import Iterator, Sequence
 import msgspec
 import numpy as np
 
-from mansion_assets.catalogue import Asset, HangWish
-from mansion_geometry.object_footprints import footprint
+from mansion_assets.catalogue import Asset, HangRequest
+from mansion_geometry.object_footprints import footprint_corners
 from mansion_msgs_py.scene import Door, SceneObject, Window
 from mansion_msgs_py.shapes import Point3
 from mansion_scene.decor.frames import Ids, WallEdge, scene_object
@@ -50,9 +50,35 @@ class _Wall:
             free = [p for a, b in free for p in ((a, min(b, cut[0])), (max(a, cut[1]), b)) if p[1] >= p[0]]
         return free
 
+    def block_openings(self, doors: Sequence[Door], windows: Sequence[Window]) -> None:
+        """Note the doors and windows in this wall."""
+        for door in doors:
+            if self.edge.carries(door.segment):
+                a, b, _ = self.edge.interval(door.segment)
+                self.blocks.append(_Block(a - 0.06, b + 0.06, -1.0, 99.0))
+        for window in windows:
+            if self.edge.carries(window.segment):
+                a, b, _ = self.edge.interval(window.segment)
+                low, high = window.sill - 0.05, window.sill + window.height + 0.05
+                self.blocks.append(_Block(a, b, low, high))
+
+    def block_object(self, obj: SceneObject) -> None:
+        """Note an object where it is close to this wall."""
+        a, b, distance = self.edge.interval(footprint_corners(obj.position, obj.size, obj.rotation))
+        if distance < 1.0 and b > 0.0 and a < self.edge.length:
+            high = obj.position[2] + obj.size[2] / 2 + _ABOVE
+            low = obj.position[2] - obj.size[2] / 2
+            self.blocks.append(_Block(a, b, low, high, max(distance, 0.0)))
+
+    def hang(self, asset: Asset, along: float, center: float) -> None:
+        """Note an asset that hangs on this wall."""
+        half_w, half_h = asset.size[0] / 2, asset.size[2] / 2
+        self.blocks.append(_Block(along - half_w, along + half_w, center - half_h - _SIDE, center + half_h + _SIDE))
+        self.hung.append((along, asset.category))
+
 
 def wall_objects(
-    wishes: Sequence[HangWish],
+    requests: Sequence[HangRequest],
     edges: Sequence[WallEdge],
     doors: Sequence[Door],
     windows: Sequence[Window],
@@ -64,28 +90,26 @@ def wall_objects(
 ) -> list[SceneObject]:
     """Return the wall objects of a room; those above furniture and beside doors are hung first."""
     walls = [_Wall(edge) for edge in edges]
-    _block(walls, doors, windows, placed)
+    standing = [obj for obj in placed if obj.size[2] > 0.03]
+    for wall in walls:
+        wall.block_openings(doors, windows)
+        for obj in standing:
+            wall.block_object(obj)
     order = {"facing_seats": 0, "above": 1, "door": 2, "facing_door": 3}
     out: list[SceneObject] = []
-    for wish in sorted(wishes, key=lambda w: order.get(w.place, 4)):
-        left = wish.count
-        for wall, along, center in _places(wish, walls, doors, height, placed, rng):
+    for request in sorted(requests, key=lambda w: order.get(w.place, 4)):
+        left = request.count
+        for wall, along, center in _places(request, walls, doors, height, placed, rng):
             if left <= 0:
                 break
-            if not _fits(wall, wish.asset, along, center):
+            if not _fits(wall, request.asset, along, center):
                 continue
             left -= 1
-            half = wish.asset.size[2] / 2
-            block = _Block(
-                along - wish.asset.size[0] / 2,
-                along + wish.asset.size[0] / 2,
-                center - half - _SIDE,
-                center + half + _SIDE,
-            )
-            wall.blocks.append(block)
-            wall.hung.append((along, wish.asset.category))
-            out.append(_hang(wish.asset, wall.edge, along, center, ids, room_id))
-            _block_object([other for other in walls if other is not wall], out[-1])
+            wall.hang(request.asset, along, center)
+            out.append(_hang(request.asset, wall.edge, along, center, ids, room_id))
+            for other in walls:
+                if other is not wall:
+                    other.block_object(out[-1])
     return out
 
 
@@ -93,36 +117,6 @@ def _hang(asset: Asset, edge: WallEdge, along: float, center: float, ids: Ids, r
     x, y = edge.point(along, asset.size[1] / 2 + 0.002)
     position: Point3 = (x, y, center)
     return scene_object(asset, ids.new(asset.category), room_id, position, edge.rotation, mount="wall")
-
-
-def _block(
-    walls: Sequence[_Wall], doors: Sequence[Door], windows: Sequence[Window], placed: Sequence[SceneObject]
-) -> None:
-    """Note doors, windows and furniture on the walls that they touch."""
-    for wall in walls:
-        for door in doors:
-            if wall.edge.carries(door.segment):
-                a, b, _ = wall.edge.interval(door.segment)
-                wall.blocks.append(_Block(a - 0.06, b + 0.06, -1.0, 99.0))
-        for window in windows:
-            if wall.edge.carries(window.segment):
-                a, b, _ = wall.edge.interval(window.segment)
-                low, high = window.sill - 0.05, window.sill + window.height + 0.05
-                wall.blocks.append(_Block(a, b, low, high))
-    for obj in placed:
-        if obj.size[2] > 0.03:
-            _block_object(walls, obj)
-
-
-def _block_object(walls: Sequence[_Wall], obj: SceneObject) -> None:
-    """Note an object on the walls that it is close to."""
-    corners = list(footprint(obj).exterior.coords)
-    high = obj.position[2] + obj.size[2] / 2 + _ABOVE
-    low = obj.position[2] - obj.size[2] / 2
-    for wall in walls:
-        a, b, distance = wall.edge.interval(corners)
-        if distance < 1.0 and b > 0.0 and a < wall.edge.length:
-            wall.blocks.append(_Block(a, b, low, high, max(distance, 0.0)))
 
 
 def _fits(wall: _Wall, asset: Asset, along: float, center: float) -> bool:
@@ -134,7 +128,7 @@ Place = tuple[_Wall, float, float]
 
 
 def _places(
-    wish: HangWish,
+    request: HangRequest,
     walls: Sequence[_Wall],
     doors: Sequence[Door],
     height: float,
@@ -142,30 +136,32 @@ def _places(
     rng: np.random.Generator,
 ) -> Iterator[Place]:
     """Yield candidate places: wall, distance along it and height of the centre, the best first."""
-    asset = wish.asset
-    level = wish.height or float(asset.parameters.get("hang", 1.55))
+    asset = request.asset
+    level = request.height or float(asset.parameters.get("hang", 1.55))
     center = min(level, height - asset.size[2] / 2 - 0.05)
     if center - asset.size[2] / 2 < 0.02:
         center = asset.size[2] / 2 + 0.02
     if center + asset.size[2] / 2 > height:
         return
-    if wish.place == "above":
-        yield from _above(wish, walls, height, placed)
-    elif wish.place == "door":
+    if request.place == "above":
+        yield from _above(request, walls, height, placed)
+    elif request.place == "door":
         yield from _beside_doors(asset, walls, doors, center)
     else:
-        yield from _free(wish, walls, doors, center, placed, rng)
+        yield from _free(request, walls, doors, center, placed, rng)
 
 
-def _above(wish: HangWish, walls: Sequence[_Wall], height: float, placed: Sequence[SceneObject]) -> Iterator[Place]:
+def _above(
+    request: HangRequest, walls: Sequence[_Wall], height: float, placed: Sequence[SceneObject]
+) -> Iterator[Place]:
     """Yield places over the objects that have their back at a wall."""
-    h = wish.asset.size[2]
-    clearance = float(wish.asset.parameters.get("above", _ABOVE + 0.01))
+    h = request.asset.size[2]
+    clearance = float(request.asset.parameters.get("above", _ABOVE + 0.01))
     for obj in placed:
-        if not matches(obj, wish.above):
+        if not matches(obj, request.above):
             continue
         top = obj.position[2] + obj.size[2] / 2
-        low = max(top + clearance, (wish.height or float(wish.asset.parameters.get("hang", 1.55))) - h / 2)
+        low = max(top + clearance, (request.height or float(request.asset.parameters.get("hang", 1.55))) - h / 2)
         center = low + h / 2
         if center + h / 2 > height - 0.02:
             continue
@@ -193,7 +189,7 @@ def _beside_doors(asset: Asset, walls: Sequence[_Wall], doors: Sequence[Door], c
 
 
 def _free(
-    wish: HangWish,
+    request: HangRequest,
     walls: Sequence[_Wall],
     doors: Sequence[Door],
     center: float,
@@ -201,20 +197,20 @@ def _free(
     rng: np.random.Generator,
 ) -> Iterator[Place]:
     """Yield the middles of free lengths, the wide ones and those without a like neighbour first."""
-    w, d, h = wish.asset.size
-    for _ in range(wish.count):
+    w, d, h = request.asset.size
+    for _ in range(request.count):
         options: list[tuple[float, int, _Wall, float]] = []
         for number, wall in enumerate(walls):
             for a, b in wall.gaps(w, center - h / 2, center + h / 2, d):
                 length = min(b - a, 4.0)
                 near = sum(0.8 for s, kind in wall.hung if abs(s - (a + b) / 2) < 1.5 + w / 2)
                 score = length * 0.35 - near + float(rng.uniform(0.0, 1.2))
-                if wish.place == "facing_door":
+                if request.place == "facing_door":
                     score += 2.0 * _faces_door(wall, doors)
-                elif wish.place == "facing_seats":
+                elif request.place == "facing_seats":
                     score += 4.0 * _faced_by_seats(wall, placed)
                 along = (a + b) / 2
-                if b - a > 2.4 and wish.place == "free":
+                if b - a > 2.4 and request.place == "free":
                     along = float(rng.uniform(a + 0.6, b - 0.6))
                 options.append((score, -number, wall, along))
         if not options:
