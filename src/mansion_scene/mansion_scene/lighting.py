@@ -1,4 +1,7 @@
-"""Lights of a floor: lamps by room, the sun, the sky and the time of day."""
+"""Lights of a floor: lamps by room, the sun, the sky and the time of day (Algorithm 1, lines 15 and 16).
+
+Sky box names and their times of day are AI2-THOR's, as listed in the `procthor` package (Apache-2.0).
+"""
 
 import math
 from collections.abc import Sequence

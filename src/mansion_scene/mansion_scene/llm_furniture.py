@@ -1,4 +1,7 @@
-"""Furniture of a room chosen by a language model: the question, the check of its answer, and its items."""
+"""Furniture of a room chosen by a language model: the question, the check of its answer, and its items.
+
+Rooms whose answer stays faulty are furnished from their room type's own list.
+"""
 
 import re
 from collections.abc import Sequence

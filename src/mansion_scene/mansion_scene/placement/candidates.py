@@ -30,6 +30,7 @@ def _wall_stops(
     left, right, length = extent[0], extent[1], wall[6]
     low, high = -left + gap, length - right - gap
     if high < low:
+        # The wall is shorter than the unit, which may still fit between bevelled or round neighbours.
         stops[0] = length / 2
         return 1
     depth = half_depth + extent[3]
@@ -43,6 +44,7 @@ def _wall_stops(
     for special in (low, high, (low + high) / 2, _CORNER - left, length - right - _CORNER):
         stops[count] = special
         count += 1
+    # Next to each obstacle on either side, where it reaches into the strip of floor that the unit would cover.
     for m in range(obstacles.shape[0]):
         qx, qy = obstacles[m, 0] - wall[0], obstacles[m, 1] - wall[1]
         along, away = qx * wall[2] + qy * wall[3], qx * wall[4] + qy * wall[5]
@@ -57,6 +59,7 @@ def _wall_stops(
     kept = 0
     for i in range(count):
         if low - 1e-9 <= stops[i] <= high + 1e-9:
+            # Rounded, so that stops which coincide but for rounding are found equal by `wall_rows` and count once.
             stops[kept] = round(stops[i] * 1e6) / 1e6
             kept += 1
     stops[:kept].sort()
@@ -118,6 +121,7 @@ def ring_rows(targets: Floats, hw: float, hd: float, gaps: Floats, turned: Float
         for turn in turned:
             deep, wide = (hd, hw) if turn % 2 == 0 else (hw, hd)
             for gap in gaps:
+                # Along the side: its middle, flush with either end, halfway to either, and centred on either end.
                 for place in range(7):
                     for t in range(targets.shape[0]):
                         ux, uy = targets[t, 2], targets[t, 3]

@@ -91,6 +91,7 @@ def make_groups(room: PlacementRoom) -> tuple[list[Spec], list[Group]]:
     hosts = _hosts(room.objects, index)
     specs = [_spec(i, obj, index, hosts) for i, obj in enumerate(room.objects)]
     members: dict[int, list[Spec]] = {spec.index: [] for spec in specs if spec.host < 0}
+    # Hosts are joined before what they host; `_hosts` leaves no cycle, so every round joins some.
     pending = [spec for spec in specs if spec.host >= 0]
     root = {i: i for i in members}
     while pending:

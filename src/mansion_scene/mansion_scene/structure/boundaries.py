@@ -109,6 +109,7 @@ class _Lines:
         if length < _SNAP:
             return
         dx, dy = (x1 - x0) / length, (y1 - y0) / length
+        # Every line runs towards +x (+y where vertical), so that opposite edges share one; `side` tells them apart.
         side = 1
         if dx < -_ANGLE or (abs(dx) <= _ANGLE and dy < 0.0):
             dx, dy, side = -dx, -dy, -1
@@ -119,6 +120,7 @@ class _Lines:
     def _find(self, direction: Point, edge: Segment) -> _Line:
         dx, dy = direction
         middle = (edge[0][0] + edge[1][0]) / 2, (edge[0][1] + edge[1][1]) / 2
+        # A parallel line may have its angle rounded into the next bucket.
         key = round(math.atan2(dy, dx) / (2 * _ANGLE))
         for near in (key, key - 1, key + 1):
             for line in self._buckets.get(near, ()):

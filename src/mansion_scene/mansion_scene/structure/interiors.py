@@ -1,4 +1,8 @@
-"""Which boundary segments carry walls, the floor that walls leave free (net interiors), and its walkable part."""
+"""The floor that walls leave free (net interiors), and the part of it that a robot can walk.
+
+A room that is pinched to less than a passage is two rooms to a robot: only its largest walkable part counts, and doors
+open on to nothing else.
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace

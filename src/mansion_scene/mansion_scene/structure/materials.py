@@ -1,4 +1,8 @@
-"""The library of physically based materials: found by a description, or for a facade by building type and seed."""
+"""The library of physically based materials: found by a description, or for a facade by building type and seed.
+
+Each material carries the name of a material that AI2-THOR has, taken from the material database of the `procthor`
+package (Apache-2.0).
+"""
 
 import re
 from functools import cache
