@@ -1,6 +1,6 @@
 """Rigid units: a copy of an anchor together with the members that have a fixed place in its frame.
 
-A slot is ``(x, y, degrees)``: the centre and rotation of a member where the anchor's centre is the origin, its front +y.
+A slot is ``(x, y, degrees)``: centre and rotation of a member where the anchor's centre is the origin, its front +y.
 """
 
 from collections.abc import Iterator, Mapping

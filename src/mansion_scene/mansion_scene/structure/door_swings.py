@@ -13,7 +13,7 @@ from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.shapes import Point
 from mansion_scene.structure.dimensions import EXTERIOR_THICKNESS, INTERIOR_THICKNESS
 from mansion_scene.structure.door_positions import approach_zone
-from mansion_scene.structure.openings import Opening, OpeningKind, room_after_door
+from mansion_scene.structure.openings import Opening, OpeningKind, served_room
 from mansion_scene.structure.regions import FloorRegions
 
 __all__ = ["hang_doors", "leaf_sectors"]
@@ -122,7 +122,7 @@ def _swing_rooms(floor: FloorRegions, opening: Opening) -> list[str]:
     if opening.regions[1] is None:
         return [a.id]
     b = floor.by_id[opening.regions[1]]
-    served = room_after_door(a, b)
+    served = served_room(a, b)
     other = b if served is a else a
     # The other side, a corridor perhaps, takes the leaf only when the served room cannot.
     return [region.id for region in (served, other) if region.is_room]

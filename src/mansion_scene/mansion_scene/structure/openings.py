@@ -29,7 +29,7 @@ __all__ = [
     "opening_kind",
     "other_places",
     "place_doors",
-    "room_after_door",
+    "served_room",
     "with_doors",
 ]
 
@@ -57,7 +57,7 @@ def is_circulation(region: Region) -> bool:
     return region.node_kind == "main" or is_class(region.room_type, "circulation")
 
 
-def room_after_door(a: Region, b: Region) -> Region:
+def served_room(a: Region, b: Region) -> Region:
     """Return which of two rooms the door serves: not circulation, not the larger."""
     if is_circulation(a) != is_circulation(b):
         return b if is_circulation(a) else a
@@ -78,7 +78,7 @@ def opening_kind(a: Region, b: Region) -> OpeningKind:
         return OpeningKind("balcony", CLEAR_WIDTH, "glass")
     if is_circulation(a) and is_circulation(b):
         return OpeningKind("doorway", 1.4, "painted_wood")
-    served = room_after_door(a, b)
+    served = served_room(a, b)
     kind, area = served.room_type, served.polygon.area
     if is_class(kind, "wet") or is_class(kind, "store") or is_class(kind, "sleeping"):
         return OpeningKind("single", CLEAR_WIDTH, "painted_wood")
