@@ -13,6 +13,7 @@ import shapely
 from shapely.geometry import LineString, Polygon
 
 from mansion_geometry.free_space import connected_components
+from mansion_geometry.object_footprints import footprint_at
 from mansion_geometry.robot_body import ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.placement import (
     MatrixStructure,
@@ -96,8 +97,7 @@ class Footprint:
         self.u = np.array([np.cos(turn), np.sin(turn)])
         self.v = np.array([-self.u[1], self.u[0]])
         self.width, self.depth = item.size[:2]
-        a, b = self.u * self.width / 2, self.v * self.depth / 2
-        self.shape = Polygon([self.centre + s * a + t * b for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+        self.shape = footprint_at(item.center, item.size, item.rotation)
 
     def back(self) -> list[shapely.Point]:
         """Return both ends and the middle of the back edge."""
