@@ -25,6 +25,7 @@ _PANEL_OFFSET: Final = 0.25
 _BUTTONS_HEIGHT: Final = 1.25
 _BUTTONS_IN_TWO_COLUMNS: Final = 24
 _CABIN_WALL: Final = 0.05
+_STAND_OFF: Final = 0.6  # from a core's wall to the pose before its door
 _PLATE: Final = 0.02  # from a panel's middle to the face of its buttons
 
 
@@ -110,9 +111,6 @@ def _buttons(panel: Point3, floors: Sequence[int], labels: Sequence[str], outwar
             )
         )
     return buttons
-
-
-_STAND_OFF = 0.6  # metres from the wall's face
 
 
 def entrance_pose(opening: Opening, core: str, *, stand_off: float = _STAND_OFF) -> Point3:

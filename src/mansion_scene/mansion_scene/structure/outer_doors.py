@@ -38,6 +38,21 @@ _RESIDENTIAL = frozenset(
 )
 _ENTRANCE_WALL = CLEAR_WIDTH + 2 * WALL_END
 
+_GARAGE_WIDTHS = (5.0, 3.5, 2.5)
+"""Clear widths: for two cars side by side, for a lorry or a bay, for a car; metres."""
+
+_NARROWEST_GARAGE = 2.4
+"""Least clear width of a garage door, metres: a car of 1.8 m passes with its mirrors."""
+
+_GROUND = 1
+_FAR = 100.0  # metres, longer than any building
+
+_HALL = 60.0
+"""Area from which a room takes cars side by side, square metres."""
+
+_TWO_CARS = 30.0
+"""Area from which a room gets a door wider than for one car, square metres."""
+
 
 def is_residential(building_type: str) -> bool:
     """Whether a building type is a dwelling, which gets a house door.
@@ -138,22 +153,6 @@ def place_entrance(
     )
 
 
-WIDTHS = (5.0, 3.5, 2.5)
-"""Clear widths: for two cars side by side, for a lorry or a bay, for a car; metres."""
-
-NARROWEST = 2.4
-"""Least clear width of a garage door, metres: a car of 1.8 m passes with its mirrors."""
-
-_GROUND = 1
-_FAR = 100.0
-
-HALL = 60.0
-"""Area from which a room takes cars side by side, square metres."""
-
-TWO_CARS = 30.0
-"""Area from which a room gets a door wider than for one car, square metres."""
-
-
 def place_garage_doors(
     floor: FloorRegions,
     boundaries: Sequence[BoundarySegment],
@@ -195,10 +194,10 @@ def _place(
     A hall has it in its longest facade, a garage where cars drive in along its length.
     """
     facades = facades_of(floor, boundaries, region.id)
-    if region.polygon.area < HALL:
+    if region.polygon.area < _HALL:
         facades.sort(key=lambda facade: -round(_depth(facade, nets[region.id]), 2))
-    large = region.polygon.area >= TWO_CARS
-    for width in (*(WIDTHS if large else WIDTHS[-1:]), NARROWEST):
+    large = region.polygon.area >= _TWO_CARS
+    for width in (*(_GARAGE_WIDTHS if large else _GARAGE_WIDTHS[-1:]), _NARROWEST_GARAGE):
         for facade in facades:
             center = facade.at(facade.length / 2)
             position = choose_position([facade], frontages, width, margin=WALL_END, center=center)
@@ -212,7 +211,7 @@ def _place(
     return Downgrade(
         wish=f"a garage door for {region.id}",
         got="none",
-        reason=f"no outer wall of the room has {NARROWEST + 2 * WALL_END:.2f} m free for it",
+        reason=f"no outer wall of the room has {_NARROWEST_GARAGE + 2 * WALL_END:.2f} m free for it",
         stage="furnish_floor",
         floor=floor.floor,
     )
