@@ -49,7 +49,7 @@ def test_it_keeps_off_furniture_and_on_the_side_of_the_doors(sample_floors: Modu
 def test_a_room_full_to_the_brim_is_refused(sample_floors: ModuleType) -> None:
     structure = build_structure(sample_floors.flat())
     hub = structure.rooms[0]
-    with pytest.raises(MansionError, match="no free place"):
+    with pytest.raises(MansionError, match="no free position"):
         place_spawn(hub, structure.doors, [block(hub, 4.0, 4.0, 9.0, 9.0)])
 
 

@@ -177,8 +177,8 @@ def _repaired(
         if not choices:
             raise MansionError(
                 ErrorCode.INFEASIBLE,
-                f"{lost[0].id} cannot be reached: no reachable room shares a straight wall of at least "
-                f"{SHORTEST_ACCESS:.2f} m between walkable floor with it",
+                f"{lost[0].id} cannot be reached: it shares no straight wall of at least {SHORTEST_ACCESS:.2f} m "
+                "between walkable floor with a room that can",
                 path="$.layout.rooms",
                 details={"unreachable": [region.id for region in lost]},
             )

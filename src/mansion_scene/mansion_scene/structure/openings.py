@@ -233,7 +233,8 @@ def _place(
     if position is None:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"no room for a door of {MIN_CLEAR_WIDTH} m between {a.id} and {b.id}; 1.20 m of free shared wall would do",
+            f"no room for a door of {MIN_CLEAR_WIDTH} m between {a.id} and {b.id}; "
+            "1.20 m of free shared wall would be enough",
             path="$.layout.rooms",
             details={"rooms": list(pair)},
         )

@@ -66,7 +66,7 @@ def _room(
     if net.is_empty or net.area < 0.05:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"nothing of {region.id} is left between its walls; a room must be wider than 0.12 m",
+            f"the walls leave no floor area in {region.id}; a room must be wider than 0.12 m",
             path="$.layout.rooms",
         )
     floor_words = (node.floor_material if node else "") or (program.floor_material if program else "")

@@ -135,7 +135,7 @@ def floor_regions(request: FurnishRequest) -> FloorRegions:
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` when there is no room, an id comes twice, a polygon is not simple, or two regions overlap.
+        ``INVALID_PAYLOAD`` when there is no room, an id occurs twice, a polygon is not simple, or two regions overlap.
     """
     nodes = {node.id: node for node in request.topology.nodes}
     rooms = _rooms(request, nodes)
