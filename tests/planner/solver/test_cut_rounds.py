@@ -72,7 +72,7 @@ def test_growth_reaches_the_areas_with_rectangles() -> None:
     work = region(6, 10)
     lines = np.arange(13.0)
     seeds = np.array([[2.0, 2.0], [9.0, 5.0]])
-    assert grow(lines, lines, geometry(8, 12), work, seeds, np.array([12.0, 12.0]), False)
+    assert grow(lines, lines, geometry(8, 12), work, seeds, np.array([12.0, 12.0]), vanishes=False)
     for child in (0, 1):
         cells = np.argwhere(work == child)
         span = cells.max(axis=0) - cells.min(axis=0) + 1
@@ -84,14 +84,14 @@ def test_a_vanishing_parent_keeps_nothing() -> None:
     work = region(5, 7)
     lines = np.arange(10.0)
     seeds = np.array([[1.5, 1.5], [6.5, 4.5]])
-    assert grow(lines, lines, geometry(7, 9), work, seeds, np.array([10.0, 10.0]), True)
+    assert grow(lines, lines, geometry(7, 9), work, seeds, np.array([10.0, 10.0]), vanishes=True)
     assert (work == FREE).sum() == 0
 
 
 def test_growth_fails_where_there_are_fewer_cells_than_children() -> None:
     lines = np.arange(5.0)
     seeds, targets = np.ones((3, 2)), np.ones(3)
-    assert not grow(lines, lines, geometry(3, 4), region(1, 2), seeds, targets, True)
+    assert not grow(lines, lines, geometry(3, 4), region(1, 2), seeds, targets, vanishes=True)
 
 
 def test_spurs_are_removed_and_holes_filled() -> None:
@@ -100,7 +100,7 @@ def test_spurs_are_removed_and_holes_filled() -> None:
     work[1:-1, 5:-1] = 1
     work[3, 5:7] = 0
     work[2, 2] = FREE
-    clean(work, geometry(7, 10), 2, False)
+    clean(work, geometry(7, 10), 2, keep_largest=False)
     assert (work[3, 5:7] == 1).all()
     assert work[2, 2] == 0
 

@@ -1,4 +1,4 @@
-"""Whatever the problem: a partition of the free region or a reasoned refusal."""
+"""Whatever the problem: a partition of the free region or a reasoned refused_layout."""
 
 import shapely
 from hypothesis import HealthCheck, given, settings

@@ -8,10 +8,9 @@ from mansion_msgs_py.topology import Edge
 from mansion_planner.solver import SolverOptions
 from mansion_planner.solver.annealing import Annealing
 from mansion_planner.solver.cut_rounds import RoundsResult, build_cut_rounds, run_rounds
-from mansion_planner.solver.energy import total_energy
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
 from mansion_planner.solver.options import Budget
-from mansion_planner.solver.partition import Partition, State, make_state, recount
+from mansion_planner.solver.partition import Partition, State, make_state
 from mansion_planner.solver.problem import FloorModel, Goal, make_goal, make_model
 from mansion_planner.solver.starts import carve_open_links, flood
 from mansion_planner.solver.wall_search import AttemptStarts
@@ -49,10 +48,7 @@ def three_in_a_row() -> tuple[Goal, Grid, State]:
     x = grid.cells.geometry[..., 1]
     for label, (low, high) in enumerate([(0, 4), (4, 8), (8, 10)]):
         labels[grid.cells.free & (x > low) & (x < high)] = label
-    state = make_state(labels, 3, 4)
-    recount(grid.cells, state)
-    total_energy(grid.cells, goal, state)
-    return goal, grid, state
+    return goal, grid, make_state(grid.cells, goal, labels)
 
 
 @pytest.mark.parametrize("root", ["bed", "kitchen"])
@@ -76,15 +72,14 @@ def test_a_small_budget_is_shared_by_all_rounds() -> None:
 
 def test_an_open_access_edge_is_carved_through_the_room_between() -> None:
     goal, grid, state = three_in_a_row()
-    assert state.run[0, 2] == 0.0
+    assert state.straight[0, 2] == 0.0
     carved = carve_open_links(grid.cells, goal, state)
     assert (state.labels == three_in_a_row()[2].labels).all()
-    assert flood(carved, grid.cells, goal, np.array([[2.0, 2.0], [6.0, 2.0], [9.0, 2.0]]))
-    after = make_state(carved, 3, 4)
-    recount(grid.cells, after)
-    total_energy(grid.cells, goal, after)
-    assert after.run[0, 2] >= goal.need[0]
-    assert set(np.unique(carved).tolist()) == {0, 1, 2, 3}
+    filled = flood(carved, grid.cells, goal, np.array([[2.0, 2.0], [6.0, 2.0], [9.0, 2.0]]))
+    assert filled is not None
+    after = make_state(grid.cells, goal, filled)
+    assert after.straight[0, 2] >= goal.need[0]
+    assert set(np.unique(filled).tolist()) == {0, 1, 2, 3}
 
 
 def test_what_is_met_is_not_carved() -> None:

@@ -13,24 +13,24 @@ from typing import NamedTuple
 import numpy as np
 
 from mansion_geometry.compiled import Floats, Ints, kernel
-from mansion_planner.solver.energy import edge_energy, room_cost, room_energy, thin_energy, total_energy
+from mansion_planner.solver.energy import edge_energy, room_cost, room_costs, room_energy, thin_energy, total_energy
 from mansion_planner.solver.grid import Cells, Grid, make_grid, refined_grid, resample, spaced_lines
 from mansion_planner.solver.moves import draw, place_rectangle, random_rectangle, shift_wall, swap_rooms, uniform
 from mansion_planner.solver.options import Budget, SolverOptions
-from mansion_planner.solver.partition import Partition, State, make_state, recount, still_whole
+from mansion_planner.solver.partition import Partition, State, make_state, rooms_connected
 from mansion_planner.solver.problem import FloorModel, Goal, mostly_seeded
 from mansion_planner.solver.starts import fit_rectangles
-from mansion_planner.solver.walls import border_sums, scan_runs
+from mansion_planner.solver.walls import border_sums, scan_walls
 
 __all__ = ["Annealing", "anneal"]
 
 
 class _Scratch(NamedTuple):
-    """Working arrays of one search, made once and passed to the kernels of each proposal.
+    """Working arrays of one run, made once, because allocating them for each proposal would cost more than the move.
 
-    ``changes`` records a proposal's painted cells, ``touched`` the labels that they concern (``marks`` tells which are
-    listed); the others belong to `still_whole` (``stack``, ``seen``, ``stamps``), `scan_runs` (``sums``, ``few``,
-    ``narrow``) and the rectangles (``box``).
+    ``changes`` records the cells that a proposal paints, ``touched`` the labels that gain or lose cells (``marks``
+    tells which are listed); the others belong to `rooms_connected` (``stack``, ``seen``, ``stamps``), `scan_walls`
+    (``sums``, ``few``, ``narrow``) and the rectangles (``box``).
     """
 
     changes: Ints
@@ -64,7 +64,7 @@ def _make_scratch(cells: Cells, total: int) -> _Scratch:
 
 
 @kernel
-def _touched(labels: Ints, changes: Ints, made: int, marks: Ints, found: Ints) -> int:
+def _changed_labels(labels: Ints, changes: Ints, made: int, marks: Ints, found: Ints) -> int:
     """List the labels that the recorded changes took cells from or gave cells to; return how many there are."""
     count = 0
     for k in range(made):
@@ -83,7 +83,7 @@ def _touched(labels: Ints, changes: Ints, made: int, marks: Ints, found: Ints) -
 
 
 @kernel
-def _copy(
+def _copy_statistics(
     stats: Floats,
     contact: Floats,
     costs: Floats,
@@ -116,17 +116,17 @@ def _propose(
     scratch: _Scratch,
     rng: Ints,
     reach: int,
-    swaps: float,
-    jumps: float,
+    swap_share: float,
+    rectangle_share: float,
 ) -> int:
     """Paint one random move; return the number of records (0: nothing to do)."""
     geometry, near, free, labels = cells.geometry, cells.near, cells.free, state.labels
     stats, contact, straddle = state.stats, state.contact, state.straddle
     changes, box = scratch.changes, scratch.box
     u = uniform(rng)
-    if u < swaps:
+    if u < swap_share:
         return swap_rooms(geometry, near, labels, stats, contact, straddle, changes, rng, goal.rooms)
-    if u >= swaps + jumps:
+    if u >= swap_share + rectangle_share:
         return shift_wall(geometry, near, free, labels, stats, contact, straddle, changes, rng, reach)
     if boxes.shape[0] > 0:
         box[:] = boxes[draw(rng) % boxes.shape[0]]
@@ -138,21 +138,21 @@ def _propose(
 
 
 @kernel
-def _energy_within(
+def _energy_below(
     cells: Cells, goal: Goal, state: State, costs: Floats, scratch: _Scratch, made: int, limit: float
 ) -> float:
-    """Return the energy after a move, or infinity where a bound is above `limit` or a touched room is in pieces.
+    """Return the energy after a move, or infinity where a lower bound exceeds `limit` or a room falls apart.
 
-    The cheap parts come first: most moves need neither the search for pieces nor the scan of all walls.
+    The cheap parts come first: most moves need neither the search for components nor the scan of all walls.
     """
     rooms, links, need, apart = goal.rooms, goal.links, goal.need, goal.apart
-    weights, stats, contact, run = goal.weights, state.stats, state.contact, state.run
+    weights, stats, contact, straight = goal.weights, state.stats, state.contact, state.straight
     shape = room_energy(rooms, weights, stats, state.straddle, costs)
     if shape > limit:
         return np.inf
-    if shape + edge_energy(links, need, apart, weights, stats, contact, run, False) > limit:
+    if shape + edge_energy(links, need, apart, weights, stats, contact, straight, exact=False) > limit:
         return np.inf
-    if not still_whole(
+    if not rooms_connected(
         cells.geometry,
         state.labels,
         stats,
@@ -164,22 +164,31 @@ def _energy_within(
         rooms.shape[0],
     ):
         return np.inf
-    scan_runs(
-        cells.xs, cells.ys, scratch.sums, rooms, goal.side, state.labels, run, state.thin, scratch.few, scratch.narrow
+    scan_walls(
+        cells.xs,
+        cells.ys,
+        scratch.sums,
+        rooms,
+        goal.side,
+        state.labels,
+        straight,
+        state.thin,
+        scratch.few,
+        scratch.narrow,
     )
     found = shape + thin_energy(rooms, weights, state.thin)
-    return found + edge_energy(links, need, apart, weights, stats, contact, run, True)
+    return found + edge_energy(links, need, apart, weights, stats, contact, straight, exact=True)
 
 
 @kernel
-def _repaint_back(labels: Ints, changes: Ints, made: int) -> None:
-    """Undo the recorded changes of labels, last first."""
+def _undo(labels: Ints, changes: Ints, made: int) -> None:
+    """Restore the labels from the records, last first, because a move may paint a cell twice."""
     for k in range(made - 1, -1, -1):
         labels[changes[k, 0], changes[k, 1]] = changes[k, 2]
 
 
 @kernel
-def _walk(
+def _metropolis(
     cells: Cells,
     goal: Goal,
     state: State,
@@ -189,45 +198,51 @@ def _walk(
     costs: Floats,
     energy: float,
     proposals: int,
-    hot: float,
-    cold: float,
+    start_temperature: float,
+    end_temperature: float,
     reach: int,
-    swaps: float,
-    jumps: float,
+    swap_share: float,
+    rectangle_share: float,
 ) -> Ints:
-    """Propose, and keep or undo, from a state of known `energy` and `costs`; return the labels of the best met."""
+    """Propose moves and keep or undo each; return the labels of the partition with the lowest energy met.
+
+    `energy` and `costs` (see `room_costs`) are those of `state`. The statistics of a rejected move are restored from a
+    copy rather than painted back, which would cost as much as the move and let rounding errors grow.
+    """
     labels, stats, contact, straddle = state.labels, state.stats, state.contact, state.straddle
     changes, touched = scratch.changes, scratch.touched
     n, outside = goal.rooms.shape[0], stats.shape[0] - 1
     kept_stats, kept_contact, kept_costs = stats.copy(), contact.copy(), costs.copy()
     kept_straddle = straddle[0]
     best, best_labels = energy, labels.copy()
-    ratio = (cold / hot) ** (1.0 / max(1, proposals)) if hot > 0.0 else 1.0
-    heat = hot
+    ratio = (end_temperature / start_temperature) ** (1.0 / max(1, proposals)) if start_temperature > 0.0 else 1.0
+    temperature = start_temperature
     for _ in range(proposals):
-        heat *= ratio
-        made = _propose(cells, goal, state, boxes, scratch, rng, reach, swaps, jumps)
+        temperature *= ratio
+        made = _propose(cells, goal, state, boxes, scratch, rng, reach, swap_share, rectangle_share)
         if made == 0:
             continue
-        count = _touched(labels, changes, made, scratch.marks, touched)
+        count = _changed_labels(labels, changes, made, scratch.marks, touched)
+        # The Metropolis rule accepts a rise d with probability exp(-d / T). Drawing the number first turns it into a
+        # limit on the new energy, so that `_energy_below` may stop at the first bound above it.
         limit = energy + 1e-12
-        if heat > 0.0:
-            limit = energy - heat * np.log(uniform(rng) + 1e-12)
+        if temperature > 0.0:
+            limit = energy - temperature * np.log(uniform(rng) + 1e-12)
         for k in range(count):
             r = touched[k]
             if r < n:
                 costs[r] = room_cost(goal.rooms, goal.weights, stats, contact, outside, r)
-        found = _energy_within(cells, goal, state, costs, scratch, made, limit)
+        found = _energy_below(cells, goal, state, costs, scratch, made, limit)
         if found <= limit:
             energy = found
             if energy < best - 1e-9:
                 best = energy
                 best_labels[:, :] = labels
-            _copy(stats, contact, costs, kept_stats, kept_contact, kept_costs, touched, count)
+            _copy_statistics(stats, contact, costs, kept_stats, kept_contact, kept_costs, touched, count)
             kept_straddle = straddle[0]
         else:
-            _repaint_back(labels, changes, made)
-            _copy(kept_stats, kept_contact, kept_costs, stats, contact, costs, touched, count)
+            _undo(labels, changes, made)
+            _copy_statistics(kept_stats, kept_contact, kept_costs, stats, contact, costs, touched, count)
             straddle[0] = kept_straddle
     return best_labels
 
@@ -236,51 +251,65 @@ def _walk(
 def anneal(
     cells: Cells,
     goal: Goal,
-    state: State,
+    labels: Ints,
     boxes: Ints,
     proposals: int,
-    hot: float,
-    cold: float,
+    start_temperature: float,
+    end_temperature: float,
     reach: int,
-    swaps: float,
-    jumps: float,
+    swap_share: float,
+    rectangle_share: float,
     seed: int,
-) -> float:
-    """Lower the energy of `state` in place and leave it at the best partition met.
+) -> tuple[Ints, float]:
+    """Lower the energy of a partition by simulated annealing.
 
     Parameters
     ----------
+    labels : (rows, columns) int array
+        The partition to start from.
     boxes : (k, 5) int array
         Rectangles to try: room, first row, last row + 1, first column, last column + 1. None: random ones.
     proposals : int
         Candidates to look at.
-    hot, cold : float
+    start_temperature, end_temperature : float
         First and last temperature (geometric schedule); 0 for descent.
     reach : int
         Most grid lines that a wall is shifted by.
-    swaps, jumps : float
+    swap_share, rectangle_share : float
         Shares of room swaps and of rectangles among the proposals.
+    seed : int
+        Decides every random draw.
 
     Returns
     -------
-    float
-        Energy of the best partition.
+    labels : (rows, columns) int array
+        The best partition met.
+    energy : float
+        Its energy.
     """
-    outside = state.stats.shape[0] - 1
     rng = np.array([seed], dtype=np.int64)
+    # The first numbers of a linear congruential generator still resemble its seed.
     for _ in range(4):
         draw(rng)
-    scratch = _make_scratch(cells, outside + 1)
-    recount(cells, state)
-    energy = total_energy(cells, goal, state)
-    costs = np.empty(goal.rooms.shape[0])
-    for r in range(costs.size):
-        costs[r] = room_cost(goal.rooms, goal.weights, state.stats, state.contact, outside, r)
-    state.labels[:, :] = _walk(
-        cells, goal, state, boxes, scratch, rng, costs, energy, proposals, hot, cold, reach, swaps, jumps
+    state = make_state(cells, goal, labels)
+    scratch = _make_scratch(cells, goal.side.size)
+    best = _metropolis(
+        cells,
+        goal,
+        state,
+        boxes,
+        scratch,
+        rng,
+        room_costs(goal, state),
+        total_energy(goal, state),
+        proposals,
+        start_temperature,
+        end_temperature,
+        reach,
+        swap_share,
+        rectangle_share,
     )
-    recount(cells, state)
-    return total_energy(cells, goal, state)
+    return best, total_energy(goal, make_state(cells, goal, best))
 
 
 FINE_LEVELS = ((0.22, 0.1), (0.07, 0.03))
@@ -290,13 +319,13 @@ LEAN_LEVELS = ((0.18,), (0.06,))
 """The same for floors of many rooms, whose grids would grow too large."""
 
 MANY_ROOMS = 14
-"""Rooms from which on a floor is large."""
+"""Number of rooms from which on a floor is large."""
 
 LONGER = 2
-"""Coarse searches of large floors, and of seeded ones whose seeds did not suffice, are so many times longer."""
+"""Factor of the candidates of a coarse search on large floors, and on seeded ones whose seeds did not suffice."""
 
 REFINING = 400
-"""Candidates of each finer grid for each room."""
+"""Candidates for each room on each finer grid."""
 
 REACH = 4
 """Most grid lines that a wall is shifted by."""
@@ -305,7 +334,7 @@ NO_BOXES = np.zeros((0, 5), np.int64)
 
 
 class Annealing:
-    """Runs of the annealing kernel for one floor, each of which takes its candidates from the budget.
+    """Annealing runs for one floor, each of which takes its candidates from the budget.
 
     Parameters
     ----------
@@ -329,45 +358,41 @@ class Annealing:
         self.model, self.goal, self.grid, self.major = model, goal, grid, major
         self.options, self.budget, self.rng = options, budget, rng
         self.rooms = len(model.rooms)
-        self.total = self.rooms + len(model.obstacles) + 1
         self.seeded = mostly_seeded(model)
         self.large = self.rooms >= MANY_ROOMS
 
     def state(self, partition: Partition) -> State:
         """Return the partition's state with all its statistics."""
-        state = make_state(partition.labels, self.rooms, self.total)
-        recount(partition.grid.cells, state)
-        total_energy(partition.grid.cells, self.goal, state)
-        return state
+        return make_state(partition.grid.cells, self.goal, partition.labels)
 
     def energy(self, partition: Partition) -> float:
         """Return the partition's energy under the unchanged goal."""
-        return total_energy(partition.grid.cells, self.goal, self.state(partition))
+        return total_energy(self.goal, self.state(partition))
 
     def boxes(self) -> tuple[Ints, Floats]:
         """Return the rectangles fitted to the seeds; the hub takes what is left and needs none."""
         boxes, costs = fit_rectangles(self.grid.cells, self.goal, 30)
         return boxes[boxes[:, 0] != 0], costs[boxes[:, 0] != 0]
 
-    def warmed(self, labels: Ints, heat: float) -> Partition:
-        """Search the coarse grid a little way from a start that follows the seeds, with rectangles fitted to them."""
+    def follow_seeds(self, labels: Ints, temperature: float) -> Partition:
+        """Search the coarse grid near a start that follows the seeds, with rectangles fitted to them."""
         boxes, wanted = self.boxes()[0], self.rooms * self.options.seeded_proposals
-        return self._run(self.grid, labels, boxes, wanted, (heat, 0.005), (0.0, 0.05))
+        return self._run(self.grid, labels, boxes, wanted, (temperature, 0.005), (0.0, 0.05))
 
-    def heated(self, labels: Ints) -> Partition:
-        """Search the whole coarse grid: a small floor shortly, with more rectangles and swaps, as others may follow."""
+    def search(self, labels: Ints) -> Partition:
+        """Search the whole coarse grid: a small floor briefly, with more rectangles and swaps, as others may follow."""
         wanted, shares = self.rooms * self.options.proposals, (0.1, 0.4)
         if self.large or self.seeded:
             wanted, shares = LONGER * wanted, (0.05, 0.2)
         return self._run(self.grid, labels, NO_BOXES, wanted, (0.6, 0.01), shares)
 
-    def polished(self, partition: Partition) -> Partition:
-        """Search on from a sound partition of the coarse grid, at half the heat and without swaps."""
+    def continue_search(self, partition: Partition) -> Partition:
+        """Search on from a valid partition of the coarse grid, at half the temperature and without swaps."""
         wanted = self.rooms * self.options.proposals
         return self._run(self.grid, partition.labels, NO_BOXES, wanted, (0.3, 0.01), (0.0, 0.1))
 
-    def settled(self, planned: Partition) -> Partition:
-        """Move the walls of a planned layout, a little at a time, until its edges are realised."""
+    def adjust_planned(self, planned: Partition) -> Partition:
+        """Move the walls of a planned layout a little, at low temperature, so that its edges are realised."""
         xs, ys = planned.grid.cells.xs[1:-1], planned.grid.cells.ys[1:-1]
         spacing = 1.25 * self.options.spacing
         grid = make_grid(self.model, spaced_lines(xs, spacing), spaced_lines(ys, spacing))
@@ -375,16 +400,24 @@ class Annealing:
         wanted = self.rooms * self.options.seeded_proposals // 2
         return self._run(grid, labels, NO_BOXES, wanted, (0.05, 0.005), (0.0, 0.02))
 
-    def refined(
+    def refine(
         self, partition: Partition, goal: Goal | None = None, levels: tuple[tuple[float, ...], ...] | None = None
     ) -> Partition:
-        """Move the walls to their places on finer grids: by descent, or almost so where no seed says where."""
+        """Move the walls on finer grids around them: by descent, or at low temperature where rooms have no seeds.
+
+        Parameters
+        ----------
+        goal : Goal, optional
+            The goal of this run, if it is not that of the floor.
+        levels : tuple of tuples, optional
+            Offsets, metres, of the lines that each finer grid puts beside the walls.
+        """
         usual = LEAN_LEVELS if self.large else FINE_LEVELS
-        heat = (0.0, 0.0) if self.seeded else (0.03, 0.002)
+        temperatures = (0.0, 0.0) if self.seeded else (0.03, 0.002)
         for offsets in levels or usual:
             grid, labels = refined_grid(self.model, self.major, partition.grid, partition.labels, offsets)
             wanted = REFINING * self.rooms
-            partition = self._run(grid, labels, NO_BOXES, wanted, heat, (0.0, 0.0), goal)
+            partition = self._run(grid, labels, NO_BOXES, wanted, temperatures, (0.0, 0.0), goal)
         return partition
 
     def _run(
@@ -393,21 +426,20 @@ class Annealing:
         labels: Ints,
         boxes: Ints,
         wanted: int,
-        heat: tuple[float, float],
+        temperatures: tuple[float, float],
         shares: tuple[float, float],
         goal: Goal | None = None,
     ) -> Partition:
-        """Anneal `labels` from the first to the second `heat`, with `shares` of swaps and rectangles."""
-        state = make_state(labels, self.rooms, self.total)
-        energy = anneal(
+        """Anneal `labels` from the first to the second of `temperatures`, with `shares` of swaps and rectangles."""
+        found, energy = anneal(
             grid.cells,
             goal or self.goal,
-            state,
+            labels,
             boxes,
             self.budget.take(wanted),
-            *heat,
+            *temperatures,
             REACH,
             *shares,
             int(self.rng.integers(2**62)),
         )
-        return Partition(grid, state.labels.copy(), energy)
+        return Partition(grid, found, energy)

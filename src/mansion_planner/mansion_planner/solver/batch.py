@@ -29,7 +29,7 @@ from mansion_planner.solver.solve import solve_floor, warm
 __all__ = ["largest_first", "solve_file", "solve_timed"]
 
 
-def refusal(problem: FloorProblem, error: MansionError) -> FloorLayout:
+def refused_layout(problem: FloorProblem, error: MansionError) -> FloorLayout:
     """Return the layout that stands for a refused problem: no room, every edge unmet, and why."""
     reason = f"{error.info.path}: {error.info.message}"
     return FloorLayout(
@@ -44,17 +44,17 @@ def refusal(problem: FloorProblem, error: MansionError) -> FloorLayout:
 
 
 def solve_timed(problem: FloorProblem, options: SolverOptions | None = None) -> FloorLayout:
-    """Solve one problem and note the seconds; a refused problem gives `refusal`."""
+    """Solve one problem and note the seconds; a refused problem gives `refused_layout`."""
     begin = time.perf_counter()
     try:
         layout = solve_floor(problem, options=options)
     except MansionError as error:
-        layout = refusal(problem, error)
+        layout = refused_layout(problem, error)
     layout.seconds = round(time.perf_counter() - begin, 4)
     return layout
 
 
-def solutions(problems: Sequence[FloorProblem], jobs: int) -> Generator[tuple[int, FloorLayout], None, None]:
+def solve_many(problems: Sequence[FloorProblem], jobs: int) -> Generator[tuple[int, FloorLayout], None, None]:
     """Yield each problem's index and layout as they are done: in order for one job, else the largest first.
 
     Parameters
@@ -165,7 +165,7 @@ def solve_file(
     """
     asked = [msgspec.structs.replace(problem, seed=problem.seed + seed) for problem in load_problems(problems)]
     done: dict[int, FloorLayout] = {}
-    with closing(solutions(asked, jobs)) as arriving:
+    with closing(solve_many(asked, jobs)) as arriving:
         for index, layout in arriving:
             done[index] = layout
             if progress is not None:

@@ -8,7 +8,8 @@ import numpy as np
 
 from mansion_geometry.compiled import Floats, Ints, kernel
 from mansion_planner.solver.grid import AREA, CX, CY, HB, VB
-from mansion_planner.solver.walls import border_sums, scan_runs
+from mansion_planner.solver.partition import component, neighbour
+from mansion_planner.solver.walls import border_sums, scan_walls
 
 __all__ = ["FREE", "OTHER", "candidate_energy", "clean", "grow", "grow_batch"]
 
@@ -17,7 +18,7 @@ OVERSHOOT = 1.08
 
 
 @kernel
-def _plant(geometry: Floats, work: Ints, seeds: Floats, bounds: Ints, area: Floats) -> bool:
+def _place_seeds(geometry: Floats, work: Ints, seeds: Floats, bounds: Ints, area: Floats) -> bool:
     """Give each child the free cell nearest its seed; return whether all found one."""
     rows, columns = work.shape
     for k in range(seeds.shape[0]):
@@ -53,7 +54,7 @@ def _strip(bounds: Ints, k: int, side: int) -> tuple[int, int, int, int]:
 
 
 @kernel
-def _hungriest(area: Floats, targets: Floats, done: Ints) -> int:
+def _least_filled(area: Floats, targets: Floats, done: Ints) -> int:
     """Return the child that lacks most of its target, or -1."""
     best = -1
     for k in range(targets.size):
@@ -69,7 +70,7 @@ def _grow_rectangles(
     """Push out whole sides of the rectangles, the hungriest room first, the side that keeps it squarest."""
     done = np.zeros(targets.size, np.int64)
     while True:
-        k = _hungriest(area, targets, done)
+        k = _least_filled(area, targets, done)
         if k < 0:
             return
         best, best_cost, best_gain = -1, 1e18, 0.0
@@ -127,12 +128,12 @@ def _longest_run(work: Ints, xs: Floats, ys: Floats, k: int, run: Ints) -> float
 
 
 @kernel
-def _grow_ells(xs: Floats, ys: Floats, geometry: Floats, work: Ints, targets: Floats, area: Floats) -> None:
+def _grow_l_shapes(xs: Floats, ys: Floats, geometry: Floats, work: Ints, targets: Floats, area: Floats) -> None:
     """Let rooms that are still too small grow along their longest free side, which makes them L-shaped."""
     done = np.zeros(targets.size, np.int64)
     run = np.zeros(4, np.int64)
     while True:
-        k = _hungriest(area, targets, done)
+        k = _least_filled(area, targets, done)
         if k < 0:
             return
         if area[k] >= 0.97 * targets[k] or _longest_run(work, xs, ys, k, run) <= 0.0:
@@ -167,12 +168,12 @@ def grow(xs: Floats, ys: Floats, geometry: Floats, work: Ints, seeds: Floats, ta
     children = targets.size
     bounds = np.zeros((children, 4), np.int64)
     area = np.zeros(children)
-    if not _plant(geometry, work, seeds, bounds, area):
+    if not _place_seeds(geometry, work, seeds, bounds, area):
         return False
     _grow_rectangles(xs, ys, geometry, work, targets, bounds, area)
-    _grow_ells(xs, ys, geometry, work, targets, area)
-    fill(work, geometry, children, not vanishes)
-    clean(work, geometry, children, not vanishes)
+    _grow_l_shapes(xs, ys, geometry, work, targets, area)
+    fill(work, geometry, children, keep_largest=not vanishes)
+    clean(work, geometry, children, keep_largest=not vanishes)
     return True
 
 
@@ -183,32 +184,16 @@ PASSES = 20
 
 @kernel
 def _components(work: Ints, geometry: Floats, value: int, mark: Ints, sizes: Floats) -> int:
-    """Number the connected components of `value`; return how many there are (at most ``sizes.size``)."""
+    """Number the connected components of `value` in `mark`, write their areas to `sizes`, return how many there are."""
     rows, columns = work.shape
-    stack = np.empty(4 * rows * columns, np.int64)
+    stack = np.empty(work.size, np.int64)
     mark[:, :] = -1
     found = 0
     for j in range(1, rows - 1):
         for i in range(1, columns - 1):
-            if work[j, i] != value or mark[j, i] >= 0 or found >= sizes.size:
-                continue
-            top = 0
-            stack[0] = j * columns + i
-            mark[j, i] = found
-            sizes[found] = 0.0
-            while top >= 0:
-                p = stack[top]
-                top -= 1
-                y, x = p // columns, p % columns
-                sizes[found] += geometry[y, x, AREA]
-                for q in range(4):
-                    yy, xx = y + (q == 0) - (q == 1), x + (q == 2) - (q == 3)
-                    s = geometry[min(y, yy), x, HB] if q < 2 else geometry[y, min(x, xx), VB]
-                    if work[yy, xx] == value and mark[yy, xx] < 0 and s > 1e-6:
-                        mark[yy, xx] = found
-                        top += 1
-                        stack[top] = yy * columns + xx
-            found += 1
+            if work[j, i] == value and mark[j, i] < 0:
+                sizes[found] = component(geometry, work, j, i, stack, mark, found)[1]
+                found += 1
     return found
 
 
@@ -234,10 +219,9 @@ def fill(work: Ints, geometry: Floats, children: int, keep_largest: bool) -> Non
                 if mark[j, i] != c:
                     continue
                 for q in range(4):
-                    yy, xx = j + (q == 0) - (q == 1), i + (q == 2) - (q == 3)
-                    s = geometry[min(j, yy), i, HB] if q < 2 else geometry[j, min(i, xx), VB]
-                    if work[yy, xx] >= 0:
-                        touch[work[yy, xx]] += s
+                    y, x, border = neighbour(geometry, j, i, q)
+                    if work[y, x] >= 0:
+                        touch[work[y, x]] += border
         best = int(np.argmax(touch))
         if touch[best] > 0.0:
             for j in range(1, rows - 1):
@@ -287,7 +271,7 @@ def clean(work: Ints, geometry: Floats, children: int, keep_largest: bool) -> No
             total += removed
             if removed == 0:
                 break
-        fill(work, geometry, children, keep_largest)
+        fill(work, geometry, children, keep_largest=keep_largest)
         if total == 0:
             return
 
@@ -364,34 +348,20 @@ def candidate_energy(features: Floats, weights: Floats) -> float:
 
 
 @kernel
-def _one_piece(work: Ints, geometry: Floats, value: int) -> bool:
-    """Tell whether the cells of `value` exist and are connected across borders."""
+def _is_connected(work: Ints, geometry: Floats, value: int) -> bool:
+    """Tell whether the cells of `value` exist and form one connected component."""
     rows, columns = work.shape
-    stack = np.empty(4 * rows * columns, np.int64)
-    seen = np.zeros((rows, columns), np.bool_)
-    pieces = 0
+    stack, seen = np.empty(work.size, np.int64), np.zeros((rows, columns), np.int64)
+    found = False
     for j in range(1, rows - 1):
         for i in range(1, columns - 1):
-            if work[j, i] != value or seen[j, i]:
+            if work[j, i] != value or seen[j, i] == 1:
                 continue
-            pieces += 1
-            if pieces > 1:
+            if found:
                 return False
-            top = 0
-            stack[0] = j * columns + i
-            seen[j, i] = True
-            while top >= 0:
-                p = stack[top]
-                top -= 1
-                y, x = p // columns, p % columns
-                for q in range(4):
-                    yy, xx = y + (q == 0) - (q == 1), x + (q == 2) - (q == 3)
-                    s = geometry[min(y, yy), x, HB] if q < 2 else geometry[y, min(x, xx), VB]
-                    if work[yy, xx] == value and not seen[yy, xx] and s > 1e-6:
-                        seen[yy, xx] = True
-                        top += 1
-                        stack[top] = yy * columns + xx
-    return pieces == 1
+            component(geometry, work, j, i, stack, seen, 1)
+            found = True
+    return found
 
 
 @kernel
@@ -404,16 +374,16 @@ def _parent_region(layout: Ints, parent: int, work: Ints) -> None:
 
 
 @kernel
-def _all_whole(work: Ints, geometry: Floats, children: int, vanishes: bool) -> bool:
+def _all_connected(work: Ints, geometry: Floats, children: int, vanishes: bool) -> bool:
     """Tell whether each child, and what the parent keeps unless it vanishes, is one piece."""
-    whole = vanishes or _one_piece(work, geometry, FREE)
+    whole = vanishes or _is_connected(work, geometry, FREE)
     for k in range(children):
-        whole = whole and _one_piece(work, geometry, k)
+        whole = whole and _is_connected(work, geometry, k)
     return whole
 
 
 @kernel
-def _globally_labelled(layout: Ints, work: Ints, children: Ints, trial: Ints) -> None:
+def _merge_into_layout(layout: Ints, work: Ints, children: Ints, trial: Ints) -> None:
     """Write the whole layout with the children's cells of `work` to `trial`."""
     rows, columns = layout.shape
     for j in range(rows):
@@ -422,11 +392,11 @@ def _globally_labelled(layout: Ints, work: Ints, children: Ints, trial: Ints) ->
 
 
 @kernel
-def _unmet_links(links: Ints, need: Floats, run: Floats) -> int:
+def _count_unmet(links: Ints, need: Floats, straight: Floats) -> int:
     """Return how many links have a straight wall shorter than they need."""
     unmet = 0
     for e in range(links.shape[0]):
-        unmet += run[links[e, 0], links[e, 1]] < need[e] - EPSILON
+        unmet += straight[links[e, 0], links[e, 1]] < need[e] - EPSILON
     return unmet
 
 
@@ -470,19 +440,19 @@ def grow_batch(
     work, trial = np.empty_like(layout), np.empty_like(layout)
     few, narrow = np.empty_like(layout), np.empty(layout.shape)
     features = np.zeros((targets.size, 4))
-    run = np.zeros((side.size, side.size))
+    straight = np.zeros((side.size, side.size))
     thin = np.zeros(rooms.shape[0])
     sums = border_sums(geometry)
     fewest, lowest = -1, 1e18
     for c in range(batch.shape[0]):
         _parent_region(layout, parent, work)
-        if not grow(xs, ys, geometry, work, batch[c], targets, vanishes):
+        if not grow(xs, ys, geometry, work, batch[c], targets, vanishes=vanishes):
             continue
-        if not _all_whole(work, geometry, targets.size, vanishes):
+        if not _all_connected(work, geometry, targets.size, vanishes=vanishes):
             continue
-        _globally_labelled(layout, work, children, trial)
-        scan_runs(xs, ys, sums, rooms, side, trial, run, thin, few, narrow)
-        unmet = _unmet_links(links, need, run)
+        _merge_into_layout(layout, work, children, trial)
+        scan_walls(xs, ys, sums, rooms, side, trial, straight, thin, few, narrow)
+        unmet = _count_unmet(links, need, straight)
         if fewest >= 0 and unmet > fewest:
             continue
         _features(geometry, work, batch[c], targets, features)

@@ -214,7 +214,7 @@ def _too_close(batch: Floats, separation: float) -> "np.ndarray[tuple[int], np.d
     return np.asarray(gap.min(axis=(1, 2), initial=np.inf) < separation)
 
 
-def repelled_batch(cells: Floats, targets: Floats, size: int, rng: np.random.Generator) -> Floats:
+def monte_carlo_batch(cells: Floats, targets: Floats, size: int, rng: np.random.Generator) -> Floats:
     """Draw seeds uniformly in the region, larger rooms first, each away from those before it (the fallback)."""
     order = np.argsort(-targets, kind="stable")
     batch = np.empty((size, len(targets), 2))
@@ -234,7 +234,7 @@ def repelled_batch(cells: Floats, targets: Floats, size: int, rng: np.random.Gen
 
 @dataclass(frozen=True)
 class RoundsResult:
-    """The layout after all rounds, and its history.
+    """The layout after all rounds, and its record.
 
     Attributes
     ----------
@@ -245,15 +245,12 @@ class RoundsResult:
         Seed of each child that was cut, in the model's frame.
     energy : float
         Sum of the rounds' energies ``E(L; w)``.
-    history : list of arrays
-        Labels after each round.
     """
 
     labels: Ints
     records: list[CutRoundRecord]
     seeds: dict[str, tuple[float, float]]
     energy: float
-    history: list[Ints]
 
 
 class _Rounds:
@@ -283,7 +280,6 @@ class _Rounds:
         self.seeds: dict[str, tuple[float, float]] = {}
         self.energy = 0.0
         self.records: list[CutRoundRecord] = []
-        self.history: list[Ints] = [self.labels.copy()]
         self.spacing = float(np.median(np.diff(grid.cells.xs[1:-1])))
 
     def cut(self, cut: CutRound, areas: dict[str, float], share: int) -> None:
@@ -311,7 +307,7 @@ class _Rounds:
             if size == 0:
                 break
             if fallback:
-                batch = repelled_batch(cells, targets, size, self.rng)
+                batch = monte_carlo_batch(cells, targets, size, self.rng)
             else:
                 gamma = self.options.radius_growth**j
                 batch = sample_batch(seeds, gamma * radii, size, self.spacing, self.rng)
@@ -326,7 +322,6 @@ class _Rounds:
         self.energy += energy
         self.placed = after
         self.seeds.update((n, (float(s[0]), float(s[1]))) for n, s in zip(cut.children, seeds))
-        self.history.append(best.copy())
         if fewest != 0:
             method = f"{method}, {fewest} links open" if fewest > 0 else "failed"
         self.records.append(
@@ -444,7 +439,7 @@ def run_rounds(
     state = _Rounds(model, goal, grid, options, budget, rng, callback, root or model.hub)
     for k, cut in enumerate(rounds):
         state.cut(cut, areas, -(-budget.left // (len(rounds) - k)))
-    return RoundsResult(state.labels, state.records, state.seeds, state.energy, state.history)
+    return RoundsResult(state.labels, state.records, state.seeds, state.energy)
 
 
 def planned_rounds(model: FloorModel, partition: Partition) -> RoundsResult:
@@ -454,4 +449,4 @@ def planned_rounds(model: FloorModel, partition: Partition) -> RoundsResult:
         for cut in build_cut_rounds(model)
     ]
     seeds = {room.id: (x, y) for room, (x, y) in zip(model.rooms, model.seeds.tolist())}
-    return RoundsResult(partition.labels, records, seeds, 0.0, [])
+    return RoundsResult(partition.labels, records, seeds, 0.0)

@@ -3,7 +3,6 @@
 import numpy as np
 
 from mansion_geometry.compiled import Floats, Ints, kernel
-from mansion_planner.solver.grid import Cells
 from mansion_planner.solver.partition import CORNERS, MX, MY, PERIMETER, SIZE, State
 from mansion_planner.solver.problem import (
     ACCESS,
@@ -16,9 +15,9 @@ from mansion_planner.solver.problem import (
     WALL_WEIGHT,
     Goal,
 )
-from mansion_planner.solver.walls import LARGE, border_sums, scan_runs
+from mansion_planner.solver.walls import LARGE
 
-__all__ = ["W_THIN", "edge_energy", "room_cost", "room_energy", "thin_energy", "total_energy"]
+__all__ = ["W_THIN", "edge_energy", "room_cost", "room_costs", "room_energy", "thin_energy", "total_energy"]
 
 
 (W_AREA, W_SEED, W_CORNER, W_COMPACT, W_ACCESS, W_ADJACENT, W_THIN, W_APART, W_STRADDLE, W_WALL, W_NARROW) = range(11)
@@ -65,7 +64,7 @@ def room_energy(rooms: Floats, w: Floats, stats: Floats, straddle: Floats, costs
 
 @kernel
 def edge_energy(
-    links: Ints, need: Floats, apart: Ints, w: Floats, stats: Floats, contact: Floats, run: Floats, exact: bool
+    links: Ints, need: Floats, apart: Ints, w: Floats, stats: Floats, contact: Floats, straight: Floats, exact: bool
 ) -> float:
     """Return the part of the energy that the room graph causes.
 
@@ -77,7 +76,7 @@ def edge_energy(
         length = contact[a, b]
         access = links[e, 2] == ACCESS
         if exact and access:
-            length = run[a, b]
+            length = straight[a, b]
         if length >= need[e] - 1e-9:
             continue
         miss = 0.35 + 0.45 * (need[e] - length) / need[e]
@@ -105,25 +104,22 @@ def thin_energy(rooms: Floats, w: Floats, thin: Floats) -> float:
 
 
 @kernel
-def total_energy(cells: Cells, goal: Goal, state: State) -> float:
-    """Return the whole energy of `state`, whose straight walls and narrow places are found anew."""
+def total_energy(goal: Goal, state: State) -> float:
+    """Return the whole energy of a state."""
     rooms, weights = goal.rooms, goal.weights
-    scan_runs(
-        cells.xs,
-        cells.ys,
-        border_sums(cells.geometry),
-        rooms,
-        goal.side,
-        state.labels,
-        state.run,
-        state.thin,
-        np.empty(state.labels.shape, np.int64),
-        np.empty(state.labels.shape),
-    )
-    costs = np.empty(rooms.shape[0])
-    outside = state.stats.shape[0] - 1
-    for r in range(rooms.shape[0]):
-        costs[r] = room_cost(rooms, weights, state.stats, state.contact, outside, r)
+    costs = room_costs(goal, state)
     energy = room_energy(rooms, weights, state.stats, state.straddle, costs)
-    energy += edge_energy(goal.links, goal.need, goal.apart, weights, state.stats, state.contact, state.run, True)
+    energy += edge_energy(
+        goal.links, goal.need, goal.apart, weights, state.stats, state.contact, state.straight, exact=True
+    )
     return energy + thin_energy(rooms, weights, state.thin)
+
+
+@kernel
+def room_costs(goal: Goal, state: State) -> Floats:
+    """Return each room's `room_cost`."""
+    costs = np.empty(goal.rooms.shape[0])
+    outside = state.stats.shape[0] - 1
+    for r in range(costs.size):
+        costs[r] = room_cost(goal.rooms, goal.weights, state.stats, state.contact, outside, r)
+    return costs

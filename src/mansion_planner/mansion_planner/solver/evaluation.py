@@ -14,7 +14,9 @@ from mansion_geometry.rasters import raster_over
 from mansion_geometry.rings import as_polygon, corner_points, polygon_parts
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls, total_length
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
+from mansion_planner.solver.batch import solve_timed
 from mansion_planner.solver.options import SolverOptions
+from mansion_planner.solver.solve import warm
 
 __all__ = ["TrueProblem", "figures", "run_protocol", "score_plan", "table"]
 
@@ -222,9 +224,6 @@ def run_protocol(
     seed : int
         Added to each problem's own seed.
     """
-    from mansion_planner.solver.batch import solve_timed
-    from mansion_planner.solver.solve import warm
-
     warm()
     layouts = [solve_timed(msgspec.structs.replace(problem, seed=problem.seed + seed), options) for problem in problems]
     return [score_plan(p, layout) for p, layout in zip(problems, layouts)], layouts

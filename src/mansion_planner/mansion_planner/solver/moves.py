@@ -77,8 +77,8 @@ def shift_wall(
         return 0
     tj, ti = abs(si), abs(sj)
     whole = (d >> 4) % 3 == 0
-    hi = _run_end(labels, free, j, i, tj, ti, sj, si, whole)
-    lo = -_run_end(labels, free, j, i, -tj, -ti, sj, si, whole)
+    hi = _run_end(labels, free, j, i, tj, ti, sj, si, whole=whole)
+    lo = -_run_end(labels, free, j, i, -tj, -ti, sj, si, whole=whole)
     cut = (d >> 12) % 6
     if cut == 0 and hi > 0:
         hi = draw(rng) % (hi + 1)
@@ -143,7 +143,7 @@ MOST_TAKEN = 0.6
 
 
 @kernel
-def _drawn_room(links: Ints, need: Floats, contact: Floats, n: int, rng: Ints) -> tuple[int, int]:
+def _draw_room(links: Ints, need: Floats, contact: Floats, n: int, rng: Ints) -> tuple[int, int]:
     """Draw one of `n` rooms, half of the time one whose link is unmet; return it and its partner, or -1 for none."""
     r, partner = draw(rng) % n, -1
     if links.shape[0] > 0 and draw(rng) & 1 == 0:
@@ -173,7 +173,7 @@ def _beside(labels: Ints, j: int, i: int, partner: int) -> bool:
 
 
 @kernel
-def _drawn_cell(free: Bools, labels: Ints, partner: int, rng: Ints) -> tuple[int, int]:
+def _draw_cell(free: Bools, labels: Ints, partner: int, rng: Ints) -> tuple[int, int]:
     """Draw a free cell, beside `partner` unless that is -1; return its row, 0 when 60 draws found none, and column."""
     rows, columns = labels.shape
     for _ in range(60):
@@ -185,7 +185,7 @@ def _drawn_cell(free: Bools, labels: Ints, partner: int, rng: Ints) -> tuple[int
 
 
 @kernel
-def _stretched(lines: Floats, k: int, length: float, rng: Ints) -> tuple[int, int]:
+def _range_of_length(lines: Floats, k: int, length: float, rng: Ints) -> tuple[int, int]:
     """Return the range of cells from cell `k` on, upwards or downwards, that is about `length` long."""
     k0, k1 = k, k + 1
     if draw(rng) & 1 == 0:
@@ -220,22 +220,22 @@ def random_rectangle(
         The rectangle lies inside the frame.
     """
     n = rooms.shape[0]
-    r, partner = _drawn_room(links, need, contact, n, rng)
+    r, partner = _draw_room(links, need, contact, n, rng)
     if r == 0 or r >= n:
         return False
-    j, i = _drawn_cell(free, labels, partner, rng)
+    j, i = _draw_cell(free, labels, partner, rng)
     if j == 0:
         return False
     aspect = np.exp(1.4 * (uniform(rng) - 0.5))
     wide = (rooms[r, TARGET] * aspect) ** 0.5
-    i0, i1 = _stretched(xs, i, wide, rng)
-    j0, j1 = _stretched(ys, j, rooms[r, TARGET] / wide, rng)
+    i0, i1 = _range_of_length(xs, i, wide, rng)
+    j0, j1 = _range_of_length(ys, j, rooms[r, TARGET] / wide, rng)
     box[0], box[1], box[2], box[3], box[4] = r, j0, j1, i0, i1
     return True
 
 
 @kernel
-def _heir(geometry: Floats, free: Bools, labels: Ints, j: int, i: int) -> int:
+def _longest_neighbour(geometry: Floats, free: Bools, labels: Ints, j: int, i: int) -> int:
     """Return the other room with the longest border to cell (j, i), or -1."""
     best, longest = -1, 1e-9
     r = labels[j, i]
@@ -250,7 +250,7 @@ def _heir(geometry: Floats, free: Bools, labels: Ints, j: int, i: int) -> int:
 
 
 @kernel
-def _buries(free: Bools, labels: Ints, stats: Floats, r: int, j0: int, j1: int, i0: int, i1: int) -> bool:
+def _takes_too_much(free: Bools, labels: Ints, stats: Floats, r: int, j0: int, j1: int, i0: int, i1: int) -> bool:
     """Tell whether a rectangle of room `r` would take most of another room's cells."""
     lost = np.zeros(stats.shape[0])
     for j in range(j0, j1):
@@ -280,7 +280,7 @@ def place_rectangle(
     """Set room `r` to the cells of a rectangle; its old ground goes to whoever it touches."""
     made = 0
     rows, columns = labels.shape
-    if _buries(free, labels, stats, r, j0, j1, i0, i1):
+    if _takes_too_much(free, labels, stats, r, j0, j1, i0, i1):
         return 0
     for j in range(j0, j1):
         for i in range(i0, i1):
@@ -295,7 +295,7 @@ def place_rectangle(
             for i in range(1, columns - 1):
                 if labels[j, i] != r or (j0 <= j < j1 and i0 <= i < i1):
                     continue
-                best = _heir(geometry, free, labels, j, i)
+                best = _longest_neighbour(geometry, free, labels, j, i)
                 if best < 0:
                     left += 1
                 else:

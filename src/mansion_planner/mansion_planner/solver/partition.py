@@ -11,53 +11,50 @@ import numpy as np
 
 from mansion_geometry.compiled import Floats, Ints, kernel
 from mansion_planner.solver.grid import AREA, CX, CY, HB, HS, NEAR, VB, VS, Cells, Grid
+from mansion_planner.solver.problem import Goal
+from mansion_planner.solver.walls import border_sums, scan_walls
 
 __all__ = [
     "CORNERS",
     "COUNT",
+    "LEAST_BORDER",
     "MX",
     "MY",
     "PERIMETER",
     "Partition",
     "SIZE",
     "State",
+    "component",
     "make_state",
+    "neighbour",
     "paint",
-    "recount",
     "repaint",
-    "still_whole",
+    "rooms_connected",
 ]
 
 SIZE, MX, MY, PERIMETER, COUNT, CORNERS = range(6)
 """Last index of `State.stats`."""
 
 
-class State(NamedTuple):
-    """One partition and its running statistics (see `painting.paint`).
+LEAST_BORDER = 1e-6
+"""Length of a border, metres, above which it connects its cells."""
 
-    ``stats[label]`` holds area, first moments, perimeter, number of cells, of corners; ``contact`` the wall length of
-    each pair of labels, ``run`` the longest straight wall of each pair, ``thin`` each room's area narrower than its
-    minimum width, ``straddle`` the length of structural wall inside rooms.
+
+class State(NamedTuple):
+    """One partition and its statistics, updated by `paint` (``straight`` and ``thin`` by `scan_walls`).
+
+    ``stats[label]`` holds area (m2), first moments (m3), perimeter (m), number of cells and of corners; ``contact`` the
+    length of wall that each pair of labels shares and ``straight`` the longest straight part of it (m); ``thin`` each
+    room's area that is narrower than its minimum width (m2); ``straddle`` the length of structural wall inside rooms
+    (m), in an array of one number so that kernels can update it.
     """
 
     labels: Ints
     stats: Floats
     contact: Floats
-    run: Floats
+    straight: Floats
     thin: Floats
     straddle: Floats
-
-
-def make_state(labels: Ints, rooms: int, total: int) -> State:
-    """Return an empty state for `labels`; `painting.recount` fills in the statistics."""
-    return State(
-        labels.copy(),
-        np.zeros((total, 6)),
-        np.zeros((total, total)),
-        np.zeros((total, total)),
-        np.zeros(rooms),
-        np.zeros(1),
-    )
 
 
 @dataclass(frozen=True)
@@ -220,14 +217,11 @@ def _meet(stats: Floats, contact: Floats, x: int, y: int, length: float) -> None
 
 
 @kernel
-def recount(cells: Cells, state: State) -> None:
-    """Compute every running statistic of `state` from its labels."""
+def _count(cells: Cells, state: State) -> None:
+    """Add every running statistic to the zeros of a new `state`."""
     labels, stats, contact, straddle = state.labels, state.stats, state.contact, state.straddle
     geometry, near = cells.geometry, cells.near
     rows, columns = labels.shape
-    stats[:, :] = 0.0
-    contact[:, :] = 0.0
-    straddle[0] = 0.0
     for j in range(rows):
         for i in range(columns):
             x = labels[j, i]
@@ -253,41 +247,75 @@ def recount(cells: Cells, state: State) -> None:
 
 
 @kernel
-def piece_size(geometry: Floats, labels: Ints, j: int, i: int, stack: Ints, seen: Ints, stamp: int) -> int:
-    """Return how many cells can be reached from (j, i) across borders within its label; mark them with `stamp`."""
-    r = labels[j, i]
-    columns = labels.shape[1]
-    top = 0
-    stack[0] = j * columns + i
-    seen[j, i] = stamp
-    found = 0
-    while top >= 0:
-        p = stack[top]
-        top -= 1
-        y = p // columns
-        x = p - y * columns
-        found += 1
-        if labels[y, x + 1] == r and seen[y, x + 1] != stamp and geometry[y, x, VB] > 1e-6:
-            seen[y, x + 1] = stamp
-            top += 1
-            stack[top] = p + 1
-        if labels[y, x - 1] == r and seen[y, x - 1] != stamp and geometry[y, x - 1, VB] > 1e-6:
-            seen[y, x - 1] = stamp
-            top += 1
-            stack[top] = p - 1
-        if labels[y + 1, x] == r and seen[y + 1, x] != stamp and geometry[y, x, HB] > 1e-6:
-            seen[y + 1, x] = stamp
-            top += 1
-            stack[top] = p + columns
-        if labels[y - 1, x] == r and seen[y - 1, x] != stamp and geometry[y - 1, x, HB] > 1e-6:
-            seen[y - 1, x] = stamp
-            top += 1
-            stack[top] = p - columns
-    return found
+def make_state(cells: Cells, goal: Goal, labels: Ints) -> State:
+    """Return the state of a partition with every statistic counted from its `labels`."""
+    rooms, total = goal.rooms.shape[0], goal.side.size
+    state = State(
+        labels.copy(),
+        np.zeros((total, 6)),
+        np.zeros((total, total)),
+        np.zeros((total, total)),
+        np.zeros(rooms),
+        np.zeros(1),
+    )
+    _count(cells, state)
+    scan_walls(
+        cells.xs,
+        cells.ys,
+        border_sums(cells.geometry),
+        goal.rooms,
+        goal.side,
+        labels,
+        state.straight,
+        state.thin,
+        np.empty(labels.shape, np.int64),
+        np.empty(labels.shape),
+    )
+    return state
 
 
 @kernel
-def still_whole(
+def neighbour(geometry: Floats, j: int, i: int, q: int) -> tuple[int, int, float]:
+    """Return the cell north, south, east or west (`q` 0 to 3) of cell (j, i), and the length of their border."""
+    y, x = j + (q == 0) - (q == 1), i + (q == 2) - (q == 3)
+    border = geometry[min(j, y), i, HB] if q < 2 else geometry[j, min(i, x), VB]
+    return y, x, float(border)
+
+
+@kernel
+def component(geometry: Floats, labels: Ints, j: int, i: int, stack: Ints, seen: Ints, stamp: int) -> tuple[int, float]:
+    """Return the number of cells and the area, m2, of the connected component of cell (j, i); mark it with `stamp`.
+
+    Cells that meet along a border inside the free region are connected (depth-first search).
+
+    Parameters
+    ----------
+    stack : (rows * columns,) int array
+        Scratch.
+    seen : (rows, columns) int array
+        Receives the stamp.
+    """
+    r = labels[j, i]
+    columns = labels.shape[1]
+    stack[0] = j * columns + i
+    seen[j, i] = stamp
+    top, cells, area = 0, 0, 0.0
+    while top >= 0:
+        p = stack[top]
+        top -= 1
+        cells += 1
+        area += geometry[p // columns, p % columns, AREA]
+        for q in range(4):
+            y, x, border = neighbour(geometry, p // columns, p % columns, q)
+            if labels[y, x] == r and seen[y, x] != stamp and border > LEAST_BORDER:
+                seen[y, x] = stamp
+                top += 1
+                stack[top] = y * columns + x
+    return cells, area
+
+
+@kernel
+def rooms_connected(
     geometry: Floats,
     labels: Ints,
     stats: Floats,
@@ -307,15 +335,14 @@ def still_whole(
             return False
         if seen[y, x] < first:
             stamps[0] += 1
-            size = piece_size(geometry, labels, y, x, stack, seen, stamps[0])
+            size = component(geometry, labels, y, x, stack, seen, stamps[0])[0]
             if size != int(stats[labels[y, x], COUNT] + 0.5):
                 return False
         for q in range(4):
-            yy = y + (q == 0) - (q == 1)
-            xx = x + (q == 2) - (q == 3)
+            yy, xx, _ = neighbour(geometry, y, x, q)
             if labels[yy, xx] == z and seen[yy, xx] < first and z < rooms:
                 stamps[0] += 1
-                size = piece_size(geometry, labels, yy, xx, stack, seen, stamps[0])
+                size = component(geometry, labels, yy, xx, stack, seen, stamps[0])[0]
                 if size != int(stats[z, COUNT] + 0.5):
                     return False
     return True

@@ -11,7 +11,7 @@ from mansion_msgs_py.layout import LayoutRoom
 from mansion_planner.solver.grid import Grid
 from mansion_planner.solver.problem import FloorModel
 
-__all__ = ["layout_room", "room_shapes", "shape_of_cells", "trace", "turned_back"]
+__all__ = ["layout_room", "room_shapes", "shape_of_cells", "to_problem_frame", "trace"]
 
 Ring = list[tuple[float, float]]
 Vertex = tuple[int, int]
@@ -112,13 +112,15 @@ def room_shapes(model: FloorModel, grid: Grid, labels: Ints) -> list[Polygon | M
     return [_inside(model, grid, _shape_of(xs, ys, few == r)) for r in range(len(model.rooms))]
 
 
-def turned_back(ring: Ring, angle: float, *, ccw: bool = True, digits: int = 4) -> Ring:
+def to_problem_frame(ring: Ring, angle: float, *, ccw: bool = True, digits: int = 4) -> Ring:
     """Return `ring` in the problem's frame, in the wished order, rounded."""
     return [(round(x, digits), round(y, digits)) for x, y in oriented(rotated(ring, -angle), ccw=ccw)]
 
 
 def layout_room(name: str, shape: Polygon, angle: float) -> LayoutRoom:
     """Return a room in the problem's frame."""
-    shell = turned_back(shapely.get_coordinates(shape.exterior)[:-1].tolist(), angle)
-    holes = [turned_back(shapely.get_coordinates(line)[:-1].tolist(), angle, ccw=False) for line in shape.interiors]
+    shell = to_problem_frame(shapely.get_coordinates(shape.exterior)[:-1].tolist(), angle)
+    holes = [
+        to_problem_frame(shapely.get_coordinates(line)[:-1].tolist(), angle, ccw=False) for line in shape.interiors
+    ]
     return LayoutRoom(id=name, polygon=shell, holes=holes)

@@ -29,7 +29,7 @@ __all__ = [
     "Goal",
     "MIN_WIDTH",
     "Obstacle",
-    "Relaxed",
+    "RelaxedLink",
     "SEED_WEIGHT",
     "SEED_X",
     "SEED_Y",
@@ -227,8 +227,8 @@ class FloorModel:
         Boundary less holes, cores and fixed rooms.
     links : tuple of Link
         Edges between surviving ids; labels of `obstacles` follow those of the rooms.
-    seeds, extents : (n, 2) arrays
-        Wished centroids and sizes, NaN where none is given.
+    seeds : (n, 2) array
+        Wished centroids, metres, NaN where none is given.
     """
 
     problem: FloorProblem
@@ -242,7 +242,6 @@ class FloorModel:
     walls: tuple[LineString, ...]
     links: tuple[Link, ...]
     seeds: NDArray[np.float64]
-    extents: NDArray[np.float64]
     min_widths: NDArray[np.float64]
     angle: float
     graph: "nx.Graph[str]"
@@ -331,22 +330,18 @@ def _targets(rooms: list[ProblemNode], free: float) -> tuple[NDArray[np.float64]
     return areas * scale, scale
 
 
-def _seeds(
-    problem: FloorProblem, rooms: list[ProblemNode], angle: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Collect seed points and extents: a node's own, else those of the seed plan (Fig. 25)."""
+def _seeds(problem: FloorProblem, rooms: list[ProblemNode], angle: float) -> Floats:
+    """Return each room's seed: its node's own point, else the centre of its seed box (Fig. 25), else NaN."""
     plan = {box.room_id: box for box in problem.seeds.boxes} if problem.seeds else {}
     seeds = np.full((len(rooms), 2), np.nan)
-    extents = np.full((len(rooms), 2), np.nan)
     for k, room in enumerate(rooms):
         box = room.seed_box or plan.get(room.id)
         point = room.seed
         if box is not None:
-            extents[k] = abs(box.x[1] - box.x[0]), abs(box.y[1] - box.y[0])
             point = point or ((box.x[0] + box.x[1]) / 2, (box.y[0] + box.y[1]) / 2)
         if point is not None and np.isfinite(point).all():
             seeds[k] = rotated([point], angle)[0]
-    return seeds, extents
+    return seeds
 
 
 def _min_widths(rooms: list[ProblemNode], targets: NDArray[np.float64], options: SolverOptions) -> NDArray[np.float64]:
@@ -390,7 +385,7 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
     targets, scale = _targets(rooms, float(region.area))
     if abs(scale - 1.0) > 0.01:
         messages.append(f"node areas were scaled by {scale:.3f} to fill the free region")
-    seeds, extents = _seeds(problem, rooms, angle)
+    seeds = _seeds(problem, rooms, angle)
     walls = _walls(problem, region, angle)
     return FloorModel(
         problem,
@@ -404,7 +399,6 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
         walls,
         tuple(links),
         seeds,
-        extents,
         _min_widths(rooms, targets, options),
         angle,
         graph,
@@ -413,7 +407,7 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
 
 
 @dataclass(frozen=True)
-class Relaxed:
+class RelaxedLink:
     """A link that the search does not ask for, and why."""
 
     link: Link
@@ -451,18 +445,18 @@ def _too_small(model: FloorModel, link: Link) -> str:
     return ""
 
 
-def relaxed_links(model: FloorModel) -> list[Relaxed]:
+def relaxed_links(model: FloorModel) -> list[RelaxedLink]:
     """Return the links that no layout can realise together with the rest.
 
     Touching regions form a planar graph, so of a non-planar room graph some edges have to go: access edges are kept
     first, then adjacent ones, each as long as the graph stays planar.
     """
-    relaxed: list[Relaxed] = []
+    relaxed: list[RelaxedLink] = []
     alive: list[Link] = []
     for link in model.links:
         reason = _core_without_wall(model, link) or _too_small(model, link)
         if reason:
-            relaxed.append(Relaxed(link, reason))
+            relaxed.append(RelaxedLink(link, reason))
         else:
             alive.append(link)
     graph: nx.Graph[str] = nx.Graph()
@@ -475,7 +469,7 @@ def relaxed_links(model: FloorModel) -> list[Relaxed]:
         if not nx.check_planarity(kept)[0]:
             kept.remove_edge(link.source, link.target)
             reason = "the room graph is not planar; regions of a floor cannot all touch like that"
-            relaxed.append(Relaxed(link, reason))
+            relaxed.append(RelaxedLink(link, reason))
     return relaxed
 
 
@@ -502,12 +496,12 @@ class Goal(NamedTuple):
     weights: Floats
 
 
-def make_goal(model: FloorModel, options: SolverOptions, left_out: Iterable[Link] = ()) -> Goal:
-    """Return the goal arrays of the wall search; links that are `left_out` are not asked for."""
+def make_goal(model: FloorModel, options: SolverOptions, relaxed: Iterable[Link] = ()) -> Goal:
+    """Return the goal arrays of the wall search; links that are `relaxed` are not asked for."""
     n = len(model.rooms)
     total = n + len(model.obstacles) + 1
     index = model.index
-    dropped = set(left_out)
+    dropped = set(relaxed)
     links = [link for link in model.links if link not in dropped]
     pairs = np.array([(index[k.source], index[k.target]) for k in links], np.int64)
     pairs = pairs.reshape(-1, 2)

@@ -21,20 +21,20 @@ from mansion_planner.solver.cut_rounds import RoundsResult, SeedCallback, planne
 from mansion_planner.solver.grid import Grid, major_lines, make_grid, spaced_lines
 from mansion_planner.solver.options import Budget, SolverOptions
 from mansion_planner.solver.partition import Partition
-from mansion_planner.solver.polygons import layout_room, turned_back
+from mansion_planner.solver.polygons import layout_room, to_problem_frame
 from mansion_planner.solver.problem import (
     SEED_X,
     SEED_Y,
     FloorModel,
     Goal,
-    Relaxed,
+    RelaxedLink,
     make_goal,
     make_model,
     mostly_seeded,
     relaxed_links,
 )
 from mansion_planner.solver.starts import flood, planned_partition
-from mansion_planner.solver.verification import MOST_STRADDLED, Measured, Verdict, figures_of, measure
+from mansion_planner.solver.verification import MOST_STRADDLED, MeasuredPartition, Verdict, layout_checks, measure
 from mansion_planner.solver.wall_search import WallSearch
 
 __all__ = ["coarse_grid", "solve_floor", "warm"]
@@ -44,12 +44,14 @@ def _turned_edge(edge: RealisedEdge, angle: float) -> RealisedEdge:
     """Return the edge with its wall in the problem's frame."""
     edge.length = round(edge.length, 4)
     if edge.wall is not None:
-        a, b = (turned_back([p], angle)[0] for p in edge.wall)
+        a, b = (to_problem_frame([p], angle)[0] for p in edge.wall)
         edge.wall = (a, b)
     return edge
 
 
-def _reason(model: FloorModel, edge: RealisedEdge, relaxed: list[Relaxed], options: SolverOptions, used: int) -> str:
+def _reason(
+    model: FloorModel, edge: RealisedEdge, relaxed: list[RelaxedLink], options: SolverOptions, used: int
+) -> str:
     for entry in relaxed:
         if {entry.link.source, entry.link.target} == {edge.source, edge.target}:
             return entry.reason
@@ -73,10 +75,10 @@ def _messages(verdict: Verdict) -> list[str]:
 
 def finish(
     model: FloorModel,
-    measured: Measured,
+    measured: MeasuredPartition,
     options: SolverOptions,
     rounds: RoundsResult,
-    relaxed: list[Relaxed],
+    relaxed: list[RelaxedLink],
     used: int,
 ) -> FloorLayout:
     """Return the layout of the best partition, measured on its final polygons."""
@@ -102,7 +104,7 @@ def finish(
         hub=model.hub,
         area_scale=round(model.area_scale, 6),
         scores={"energy": round(measured.partition.energy, 6), "rounds": round(rounds.energy, 6)},
-        checks={name: round(value, 9) for name, value in figures_of(model, shapes, verdict).items()}
+        checks={name: round(value, 9) for name, value in layout_checks(model, shapes, verdict).items()}
         | {"candidates": float(used)},
         messages=[*model.messages, *_messages(verdict)],
         building_id=model.problem.building_id,
@@ -122,10 +124,10 @@ def coarse_grid(model: FloorModel, major: tuple[Floats, Floats], options: Solver
 
 def _without_search(
     model: FloorModel, goal: Goal, grid: Grid, rounds: RoundsResult, options: SolverOptions
-) -> Measured | None:
+) -> MeasuredPartition | None:
     """Return the cut rounds' own layout, what they left open filled."""
-    labels = rounds.labels.copy()
-    if not flood(labels, grid.cells, goal, goal.rooms[:, SEED_X : SEED_Y + 1].copy()):
+    labels = flood(rounds.labels, grid.cells, goal, goal.rooms[:, SEED_X : SEED_Y + 1].copy())
+    if labels is None:
         return None
     return measure(model, Partition(grid, labels, rounds.energy), options)
 
@@ -199,7 +201,7 @@ def solve_floor(
     planned = planned_partition(model, major) if options.wall_search else None
     if planned is not None:
         measured = measure(model, planned, options)
-        if all(edge.satisfied for edge in measured.verdict.edges) and measured.faultless:
+        if all(edge.satisfied for edge in measured.verdict.edges) and measured.valid:
             return finish(model, measured, options, planned_rounds(model, planned), relaxed, 1)
     grid = coarse_grid(model, major, options)
     budget = Budget(options.candidates)

@@ -4,11 +4,14 @@ import numpy as np
 
 from mansion_geometry.compiled import Floats, Ints, kernel
 from mansion_planner.solver.grid import AREA, CX, CY, HB, SAME_LINE, VB, Cells, Grid, make_grid
-from mansion_planner.solver.partition import COUNT, Partition, State
+from mansion_planner.solver.partition import COUNT, LEAST_BORDER, Partition, State, component, neighbour
 from mansion_planner.solver.problem import ACCESS, MIN_WIDTH, SEED_WEIGHT, SEED_X, SEED_Y, TARGET, FloorModel, Goal
 
 __all__ = ["carve_open_links", "fit_rectangles", "flood", "paint_rectangles", "planned_partition"]
 
+
+UNCLAIMED = -1
+"""Label of a free cell that belongs to no room yet (as in `Grid.base`)."""
 
 AREA_TOLERANCE = 0.03
 """Share by which a painted room may miss its area."""
@@ -198,8 +201,9 @@ def fit_rectangles(cells: Cells, goal: Goal, keep: int) -> tuple[Ints, Floats]:
 
 
 @kernel
-def paint_rectangles(labels: Ints, cells: Cells, boxes: Ints, costs: Floats) -> None:
-    """Give unclaimed cells (-1) of each room's best rectangle to that room, well-fitting rooms first."""
+def paint_rectangles(base: Ints, cells: Cells, boxes: Ints, costs: Floats) -> Ints:
+    """Return `base` with the unclaimed cells of each room's best rectangle given to it, well-fitting rooms first."""
+    labels = base.copy()
     done = np.zeros(boxes.shape[0], np.bool_)
     while True:
         best = -1
@@ -208,90 +212,86 @@ def paint_rectangles(labels: Ints, cells: Cells, boxes: Ints, costs: Floats) -> 
             if first and not done[k] and (best < 0 or costs[k] < costs[best]):
                 best = k
         if best < 0:
-            return
+            return labels
         done[best] = True
         for j in range(boxes[best, 1], boxes[best, 2]):
             for i in range(boxes[best, 3], boxes[best, 4]):
-                if cells.free[j, i] and labels[j, i] == -1:
+                if cells.free[j, i] and labels[j, i] == UNCLAIMED:
                     labels[j, i] = boxes[best, 0]
 
 
 @kernel
-def _keep_main_piece(labels: Ints, cells: Cells, r: int, sx: float, sy: float) -> int:
-    """Clear all of room r's pieces but the largest; put the room on the free cell nearest its seed if it has none.
-
-    Returns
-    -------
-    int
-        Flat index of one of its cells, or -1 when there is no room left for it.
-    """
+def _keep_largest_component(labels: Ints, cells: Cells, r: int) -> bool:
+    """Unclaim all of room r's connected components but the largest; tell whether the room has a cell."""
     rows, columns = labels.shape
-    seen = np.zeros((rows, columns), np.bool_)
-    stack = np.empty(rows * columns * 4, np.int64)
-    best, best_area = -1, -1.0
-    for turn in range(2):
-        if turn == 1:
-            seen[:, :] = False
-        for j in range(1, rows - 1):
-            for i in range(1, columns - 1):
-                if labels[j, i] != r or seen[j, i] or (turn == 1 and j * columns + i != best):
-                    continue
-                top, size = 0, 0.0
-                stack[0] = j * columns + i
-                seen[j, i] = True
-                while top >= 0:
-                    p = stack[top]
-                    top -= 1
-                    y, x = p // columns, p % columns
-                    size += cells.geometry[y, x, AREA]
-                    for q in range(4):
-                        yy, xx = y + (q == 0) - (q == 1), x + (q == 2) - (q == 3)
-                        s = cells.geometry[min(y, yy), x, HB] if q < 2 else cells.geometry[y, min(x, xx), VB]
-                        if labels[yy, xx] == r and not seen[yy, xx] and s > 1e-6:
-                            seen[yy, xx] = True
-                            top += 1
-                            stack[top] = yy * columns + xx
-                if turn == 0 and size > best_area:
-                    best, best_area = j * columns + i, size
-    if best >= 0:
-        for j in range(1, rows - 1):
-            for i in range(1, columns - 1):
-                if labels[j, i] == r and not seen[j, i]:
-                    labels[j, i] = -1
-        return best
-    nearest = 1e18
+    seen, stack = np.zeros((rows, columns), np.int64), np.empty(labels.size, np.int64)
+    largest, largest_area, count = 0, -1.0, 0
     for j in range(1, rows - 1):
         for i in range(1, columns - 1):
-            if labels[j, i] == -1:
+            if labels[j, i] != r or seen[j, i] > 0:
+                continue
+            count += 1
+            area = component(cells.geometry, labels, j, i, stack, seen, count)[1]
+            if area > largest_area:
+                largest, largest_area = count, area
+    for j in range(1, rows - 1):
+        for i in range(1, columns - 1):
+            if labels[j, i] == r and seen[j, i] != largest:
+                labels[j, i] = UNCLAIMED
+    return count > 0
+
+
+@kernel
+def _claim_nearest(labels: Ints, cells: Cells, r: int, sx: float, sy: float) -> bool:
+    """Give room `r` the unclaimed cell nearest its seed (sx, sy); tell whether there is one."""
+    rows, columns = labels.shape
+    best, nearest = -1, 1e18
+    for j in range(1, rows - 1):
+        for i in range(1, columns - 1):
+            if labels[j, i] == UNCLAIMED:
                 d = (cells.geometry[j, i, CX] - sx) ** 2 + (cells.geometry[j, i, CY] - sy) ** 2
                 if d < nearest:
                     best, nearest = j * columns + i, d
     if best >= 0:
         labels[best // columns, best % columns] = r
-    return best
+    return best >= 0
 
 
-@kernel
-def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
+def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> Ints | None:
     """Fill all unclaimed cells (-1): the room that lacks most of its area takes the nearest cell at its edge.
 
     Rooms without a cell start at the unclaimed cell nearest their seed; of a room in pieces only the largest stays.
 
+    Parameters
+    ----------
+    labels : (rows, columns) int array
+    seeds : (rooms, 2) array
+        A point for each room, metres.
+
     Returns
     -------
-    bool
-        Every room has a cell and every free cell a room.
+    (rows, columns) int array or None
+        New labels; None where a room gets no cell or a free cell no room.
     """
+    filled = labels.copy()
+    return filled if _flood(filled, cells, goal, seeds) else None
+
+
+@kernel
+def _flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
+    """Fill `labels` in place; tell whether every room has a cell and every free cell a room."""
     rows, columns = labels.shape
     n = goal.rooms.shape[0]
     area = np.zeros(n)
     for r in range(n):
-        if _keep_main_piece(labels, cells, r, seeds[r, 0], seeds[r, 1]) < 0:
+        if not _keep_largest_component(labels, cells, r) and not _claim_nearest(
+            labels, cells, r, seeds[r, 0], seeds[r, 1]
+        ):
             return False
     empty = 0
     for j in range(1, rows - 1):
         for i in range(1, columns - 1):
-            if labels[j, i] == -1:
+            if labels[j, i] == UNCLAIMED:
                 empty += 1
             elif labels[j, i] < n:
                 area[labels[j, i]] += cells.geometry[j, i, AREA]
@@ -306,7 +306,7 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
         best, nearest = -1, 1e18
         for j in range(1, rows - 1):
             for i in range(1, columns - 1):
-                if labels[j, i] != -1:
+                if labels[j, i] != UNCLAIMED:
                     continue
                 touch = 0
                 touch += labels[j, i + 1] == r and cells.geometry[j, i, VB] > 1e-6
@@ -329,7 +329,7 @@ def flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
 
 
 @kernel
-def _distances(cells: Cells, labels: Ints, a: int) -> tuple[Floats, Ints]:
+def _cheapest_paths(cells: Cells, labels: Ints, a: int) -> tuple[Floats, Ints]:
     """Return, for each free cell, the ground that a way from room `a` to it takes, and the way's cell before it."""
     rows, columns = labels.shape
     far = np.where(labels == a, 0.0, np.inf)
@@ -342,10 +342,9 @@ def _distances(cells: Cells, labels: Ints, a: int) -> tuple[Floats, Ints]:
                 if not cells.free[j, i] or labels[j, i] == a:
                     continue
                 for q in range(4):
-                    y, x = j + (q == 0) - (q == 1), i + (q == 2) - (q == 3)
-                    s = cells.geometry[min(j, y), i, HB] if q < 2 else cells.geometry[j, min(i, x), VB]
+                    y, x, border = neighbour(cells.geometry, j, i, q)
                     step = far[y, x] + cells.geometry[j, i, AREA]
-                    if s > 1e-6 and step < far[j, i] - 1e-9:
+                    if border > LEAST_BORDER and step < far[j, i] - 1e-9:
                         far[j, i] = step
                         before[j, i] = y * columns + x
                         changed = True
@@ -356,7 +355,7 @@ def _distances(cells: Cells, labels: Ints, a: int) -> tuple[Floats, Ints]:
 def _carve(cells: Cells, labels: Ints, a: int, b: int) -> bool:
     """Give room `a` the cheapest way to the border of `b`, three cells wide; tell whether there is one."""
     rows, columns = labels.shape
-    far, before = _distances(cells, labels, a)
+    far, before = _cheapest_paths(cells, labels, a)
     best, least = -1, np.inf
     for j in range(1, rows - 1):
         for i in range(1, columns - 1):
@@ -387,7 +386,7 @@ def carve_open_links(cells: Cells, goal: Goal, state: State) -> Ints:
     rooms = goal.rooms.shape[0]
     for e in range(goal.links.shape[0]):
         a, b = goal.links[e, 0], goal.links[e, 1]
-        if goal.links[e, 2] != ACCESS or state.run[a, b] >= goal.need[e]:
+        if goal.links[e, 2] != ACCESS or state.straight[a, b] >= goal.need[e]:
             continue
         if a >= rooms or (b < rooms and state.stats[b, COUNT] > state.stats[a, COUNT]):
             a, b = b, a

@@ -17,7 +17,7 @@ from mansion_planner.solver.partition import Partition
 from mansion_planner.solver.polygons import room_shapes
 from mansion_planner.solver.problem import FloorModel, Obstacle
 
-__all__ = ["MOST_STRADDLED", "Measured", "Verdict", "figures_of", "measure", "width_fault"]
+__all__ = ["MOST_STRADDLED", "MeasuredPartition", "Verdict", "layout_checks", "measure", "width_fault"]
 
 
 KEPT = 0.9
@@ -107,9 +107,9 @@ class Verdict:
     shape_faults: dict[str, str]
     straddled: list[float]
 
-    def faults(self, asked: Container[tuple[str, str]]) -> tuple[int, int]:
+    def violations(self, required: Container[tuple[str, str]]) -> tuple[int, int]:
         """Return the number of open links among `asked`, broken rooms and straddled walls, and that of bad shapes."""
-        links = sum(not e.satisfied and (e.source, e.target) in asked for e in self.edges)
+        links = sum(not e.satisfied and (e.source, e.target) in required for e in self.edges)
         walls = sum(length > MOST_STRADDLED for length in self.straddled)
         return links + self.broken + walls, len(self.shape_faults)
 
@@ -156,7 +156,7 @@ def realise_edges(
     return found
 
 
-def judge(model: FloorModel, shapes: list[Polygon | MultiPolygon], options: SolverOptions) -> Verdict:
+def verify(model: FloorModel, shapes: list[Polygon | MultiPolygon], options: SolverOptions) -> Verdict:
     """Measure a layout given in the model's frame."""
     return Verdict(
         realise_edges(model, shapes, options),
@@ -166,7 +166,7 @@ def judge(model: FloorModel, shapes: list[Polygon | MultiPolygon], options: Solv
     )
 
 
-def figures_of(model: FloorModel, shapes: list[Polygon | MultiPolygon], verdict: Verdict) -> dict[str, float]:
+def layout_checks(model: FloorModel, shapes: list[Polygon | MultiPolygon], verdict: Verdict) -> dict[str, float]:
     """Return the figures of a judged layout."""
     edges = verdict.edges
     free = float(model.region.area)
@@ -195,7 +195,7 @@ def figures_of(model: FloorModel, shapes: list[Polygon | MultiPolygon], verdict:
 
 
 @dataclass(frozen=True)
-class Measured:
+class MeasuredPartition:
     """A partition, its rooms' shapes in the model's frame, and what they are worth."""
 
     partition: Partition
@@ -203,12 +203,12 @@ class Measured:
     verdict: Verdict
 
     @property
-    def faultless(self) -> bool:
+    def valid(self) -> bool:
         """Every room is one piece and of a usable shape, and none straddles a structural wall."""
-        return self.verdict.faults(()) == (0, 0)
+        return self.verdict.violations(()) == (0, 0)
 
 
-def measure(model: FloorModel, partition: Partition, options: SolverOptions) -> Measured:
+def measure(model: FloorModel, partition: Partition, options: SolverOptions) -> MeasuredPartition:
     """Trace and judge a partition."""
     shapes = room_shapes(model, partition.grid, partition.labels)
-    return Measured(partition, shapes, judge(model, shapes, options))
+    return MeasuredPartition(partition, shapes, verify(model, shapes, options))

@@ -12,7 +12,7 @@ from mansion_planner.solver.options import Budget
 from mansion_planner.solver.partition import Partition
 from mansion_planner.solver.problem import SEED_WEIGHT, SEED_X, SEED_Y, TARGET
 from mansion_planner.solver.starts import carve_open_links, flood, paint_rectangles
-from mansion_planner.solver.verification import Measured, measure
+from mansion_planner.solver.verification import MeasuredPartition, measure
 from mansion_planner.solver.walls import LARGE
 
 __all__ = ["AttemptStarts", "WallSearch"]
@@ -21,7 +21,7 @@ __all__ = ["AttemptStarts", "WallSearch"]
 FOLLOWING_SEEDS = 2
 """Attempts that start from what the seeds say, where most rooms have one."""
 
-KINDS, KINDS_LARGE, REROOTED, CARVED = 6, 4, 2, 3
+CYCLE, CYCLE_LARGE, REROOTED, CARVED = 6, 4, 2, 3
 """Of each six attempts (four on large floors) the third starts from rounds from another room, the fourth from carved
 open links. On large floors without seeds the second is carved too: a search from the carved result of another mostly
 realises what that left open, and one from elsewhere seldom does."""
@@ -38,7 +38,7 @@ class AttemptStarts:
 
     def __init__(self, annealing: Annealing) -> None:
         self.annealing = annealing
-        self.kinds = KINDS_LARGE if annealing.large or annealing.seeded else KINDS
+        self.kinds = CYCLE_LARGE if annealing.large or annealing.seeded else CYCLE
         self.model, self.goal, self.grid = annealing.model, annealing.goal, annealing.grid
 
     def rounds(self, hub: RoundsResult, attempt: int) -> RoundsResult:
@@ -69,23 +69,23 @@ class AttemptStarts:
         if latest is not None and self._carves(attempt):
             state = self.annealing.state(latest)
             carved = carve_open_links(self.grid.cells, self.goal, state)
-            if flood(carved, self.grid.cells, self.goal, self._seed_points(rounds, 0)):
-                return carved
+            filled = flood(carved, self.grid.cells, self.goal, self._seed_points(rounds, 0))
+            if filled is not None:
+                return filled
         seeds, seeded = self._seed_points(rounds, attempt), self.annealing.seeded
-        from_rounds = rounds.labels.copy()
-        usable = flood(from_rounds, self.grid.cells, self.goal, seeds)
+        from_rounds = flood(rounds.labels, self.grid.cells, self.goal, seeds)
         rerooted = attempt % self.kinds == REROOTED
-        if usable and (rerooted or (attempt == 0 and not seeded)):
+        if from_rounds is not None and (rerooted or (attempt == 0 and not seeded)):
             return from_rounds
-        labels = self.grid.base.copy()
+        base = self.grid.base
         if seeded and attempt < FOLLOWING_SEEDS:
-            boxes, costs = self.annealing.boxes()
-            paint_rectangles(labels, self.grid.cells, boxes, costs)
-        if not flood(labels, self.grid.cells, self.goal, seeds):
-            return from_rounds if usable else None
-        if attempt == 0 and usable and self._lower(from_rounds, labels):
+            base = paint_rectangles(base, self.grid.cells, *self.annealing.boxes())
+        from_seeds = flood(base, self.grid.cells, self.goal, seeds)
+        if from_seeds is None:
             return from_rounds
-        return labels
+        if attempt == 0 and from_rounds is not None and self._lower(from_rounds, from_seeds):
+            return from_rounds
+        return from_seeds
 
     def _carves(self, attempt: int) -> bool:
         """Tell whether an attempt starts from what the one before found, with its open links carved."""
@@ -128,7 +128,7 @@ REPAIRS = (6.0,)
 
 
 @dataclass(frozen=True)
-class Coarse:
+class CoarseResult:
     """What a coarse search found, the rounds that it started from, and whether links are open or rooms narrow."""
 
     partition: Partition
@@ -151,9 +151,11 @@ class WallSearch:
         self.model, self.goal = annealing.model, annealing.goal
         self.options, self.budget = annealing.options, annealing.budget
         names = [room.id for room in self.model.rooms] + [o.id for o in self.model.obstacles]
-        self.asked = {(names[a], names[b]) for a, b in self.goal.links[:, :2].tolist()}
+        self.required = {(names[a], names[b]) for a, b in self.goal.links[:, :2].tolist()}
 
-    def run(self, rounds: RoundsResult, planned: Partition | None = None) -> tuple[Measured | None, RoundsResult]:
+    def run(
+        self, rounds: RoundsResult, planned: Partition | None = None
+    ) -> tuple[MeasuredPartition | None, RoundsResult]:
         """Return the best partition found within the budget, or None when the rooms do not fit at all.
 
         Parameters
@@ -166,73 +168,73 @@ class WallSearch:
         best = None if planned is None else self._from_plan(planned)
         chosen, latest, waiting = rounds, None, None
         for attempt in range(self.options.attempts):
-            if best is not None and self._enough(best):
+            if best is not None and self._is_done(best):
                 break
             tried = self.starts.rounds(rounds, attempt)
             start = self.starts.labels(tried, attempt, latest)
             if start is None:
                 continue
-            coarse = self._searched(start, tried, attempt)
+            coarse = self._search_coarsely(start, tried, attempt)
             latest = coarse.partition
             if waiting is None or self._rank(coarse) <= self._rank(waiting):
                 waiting = coarse
             if self._postponed(waiting, attempt):
                 continue
-            found = self._finished(waiting.partition)
+            found = self._refined(waiting.partition)
             if best is None or self._better(best, found) is found:
                 best, chosen = found, waiting.rounds
             waiting = None
         if best is None and waiting is not None:
-            best, chosen = self._finished(waiting.partition), waiting.rounds
+            best, chosen = self._refined(waiting.partition), waiting.rounds
         return best, chosen
 
-    def faults(self, measured: Measured) -> tuple[int, int]:
+    def violations(self, measured: MeasuredPartition) -> tuple[int, int]:
         """Return what the final polygons miss: links, whole rooms and structural walls; and usable shapes."""
-        return measured.verdict.faults(self.asked)
+        return measured.verdict.violations(self.required)
 
-    def _better(self, first: Measured, second: Measured) -> Measured:
+    def _better(self, first: MeasuredPartition, second: MeasuredPartition) -> MeasuredPartition:
         """Return the one with fewer faults, then less energy; the first of equals."""
-        keys = [(self.faults(m), m.partition.energy) for m in (first, second)]
+        keys = [(self.violations(m), m.partition.energy) for m in (first, second)]
         return second if keys[1] < keys[0] else first
 
-    def _enough(self, best: Measured) -> bool:
+    def _is_done(self, best: MeasuredPartition) -> bool:
         """Tell whether to stop: no fault is left, only shapes after their share of the budget, or no budget."""
-        hard, soft = self.faults(best)
+        hard, soft = self.violations(best)
         spent = self.budget.used >= SHAPE_SHARE * self.budget.limit
         return self.budget.left == 0 or (hard == 0 and (soft == 0 or spent))
 
-    def _from_plan(self, planned: Partition) -> Measured:
+    def _from_plan(self, planned: Partition) -> MeasuredPartition:
         """Mend what the seed boxes describe; move its walls where that is not enough."""
-        best = self._repaired(measure(self.model, planned, self.options))
-        if self.faults(best) != (0, 0):
-            best = self._better(best, self._finished(self.annealing.settled(planned)))
+        best = self._with_shapes_repaired(measure(self.model, planned, self.options))
+        if self.violations(best) != (0, 0):
+            best = self._better(best, self._refined(self.annealing.adjust_planned(planned)))
         return best
 
-    def _searched(self, start: Ints, rounds: RoundsResult, attempt: int) -> Coarse:
+    def _search_coarsely(self, start: Ints, rounds: RoundsResult, attempt: int) -> CoarseResult:
         """Search the coarse grid: with little heat where seeds say much, else with much; then on, if it is sound."""
         if self.annealing.seeded:
             if attempt < FOLLOWING_SEEDS:
                 heat = 0.15 if attempt == 0 else 0.3
-                return Coarse(self.annealing.warmed(start, heat), rounds)
-            return Coarse(self.annealing.heated(start), rounds)
-        coarse = self._inspected(self.annealing.heated(start), rounds)
+                return CoarseResult(self.annealing.follow_seeds(start, heat), rounds)
+            return CoarseResult(self.annealing.search(start), rounds)
+        coarse = self._inspect(self.annealing.search(start), rounds)
         if coarse.open or coarse.narrow or self.annealing.large:
             return coarse
-        return self._inspected(self.annealing.polished(coarse.partition), rounds)
+        return self._inspect(self.annealing.continue_search(coarse.partition), rounds)
 
-    def _inspected(self, partition: Partition, rounds: RoundsResult) -> Coarse:
+    def _inspect(self, partition: Partition, rounds: RoundsResult) -> CoarseResult:
         """Find out whether a coarse partition leaves links open or rooms narrow."""
         state = self.annealing.state(partition)
         a, b = self.goal.links[:, 0], self.goal.links[:, 1]
-        walls = np.where(self.goal.links[:, 2] == 0, state.run[a, b], state.contact[a, b])
+        walls = np.where(self.goal.links[:, 2] == 0, state.straight[a, b], state.contact[a, b])
         narrow = state.thin > MOST_NARROW * np.minimum(LARGE, self.goal.rooms[:, TARGET])
-        return Coarse(partition, rounds, bool((walls < self.goal.need).any()), bool(narrow.any()))
+        return CoarseResult(partition, rounds, bool((walls < self.goal.need).any()), bool(narrow.any()))
 
-    def _rank(self, coarse: Coarse) -> tuple[bool, float]:
+    def _rank(self, coarse: CoarseResult) -> tuple[bool, float]:
         """Return the key by which coarse searches are compared: open links, then the energy."""
         return coarse.open, coarse.partition.energy
 
-    def _postponed(self, coarse: Coarse, attempt: int) -> bool:
+    def _postponed(self, coarse: CoarseResult, attempt: int) -> bool:
         """Tell whether another coarse search is worth more than refining one with faults.
 
         Refining widens most narrow rooms, but hardly ever realises an open link: on a small floor, where a coarse
@@ -245,20 +247,20 @@ class WallSearch:
             return coarse.open or coarse.narrow
         return coarse.open and not self.annealing.large
 
-    def _finished(self, partition: Partition) -> Measured:
+    def _refined(self, partition: Partition) -> MeasuredPartition:
         """Refine a partition, measure it, and mend its shapes."""
-        return self._repaired(measure(self.model, self.annealing.refined(partition), self.options))
+        return self._with_shapes_repaired(measure(self.model, self.annealing.refine(partition), self.options))
 
-    def _repaired(self, found: Measured) -> Measured:
+    def _with_shapes_repaired(self, found: MeasuredPartition) -> MeasuredPartition:
         """Move the walls of rooms that are too narrow or pinched, with more weight on width each time."""
         for weight in REPAIRS:
-            hard, soft = self.faults(found)
+            hard, soft = self.violations(found)
             if hard > 0 or soft == 0 or self.budget.left == 0:
                 break
             weights = self.goal.weights.copy()
             weights[W_THIN] *= weight
             goal = self.goal._replace(weights=weights)
-            wider = self.annealing.refined(found.partition, goal, REPAIR_LEVELS)
+            wider = self.annealing.refine(found.partition, goal, REPAIR_LEVELS)
             wider = replace(wider, energy=self.annealing.energy(wider))
             found = self._better(found, measure(self.model, wider, self.options))
         return found

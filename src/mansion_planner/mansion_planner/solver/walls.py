@@ -6,7 +6,7 @@ from mansion_geometry.compiled import Floats, Ints, kernel
 from mansion_planner.solver.grid import AREA, HB, VB
 from mansion_planner.solver.problem import MIN_WIDTH, TARGET
 
-__all__ = ["LARGE", "border_sums", "scan_runs"]
+__all__ = ["LARGE", "border_sums", "scan_walls"]
 
 
 LARGE = 6.0
@@ -74,16 +74,16 @@ def _blocks(labels: Ints, few: Ints, lines: Ints) -> tuple[int, int]:
 
 
 @kernel
-def _flush(run: Floats, side: Ints, a: int, b: int, where: int, length: float) -> None:
+def _record_wall(straight: Floats, side: Ints, a: int, b: int, where: int, length: float) -> None:
     """Record a straight wall whose lower (or left) label is `a`; `where` is `a`'s side that it is on (1 or 2)."""
-    if a == b or length <= run[a, b]:
+    if a == b or length <= straight[a, b]:
         return
     if side[a] != 0 and side[a] != where:
         return
     if side[b] != 0 and side[b] != where + 2:
         return
-    run[a, b] = length
-    run[b, a] = length
+    straight[a, b] = length
+    straight[b, a] = length
 
 
 @kernel
@@ -180,8 +180,8 @@ def _scan_stripes(
 
 
 @kernel
-def _scan_upright(sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, wide: int, run: Floats) -> None:
-    """Find the longest straight walls that run along columns."""
+def _scan_columns(sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, wide: int, straight: Floats) -> None:
+    """Find the longest straight walls that straight along columns."""
     for q in range(wide - 1):
         a, b, begin = few[0, q], few[0, q + 1], 0
         i = lines[1, q + 1] - 1
@@ -191,15 +191,15 @@ def _scan_upright(sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, w
                 continue
             if a != b:
                 length = sums[lines[0, p], i, V_SUM] - sums[lines[0, begin], i, V_SUM]
-                _flush(run, side, a, b, 2, length)
+                _record_wall(straight, side, a, b, 2, length)
             a, b, begin = x, y, p
 
 
 @kernel
-def _scan_level(
-    sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, wide: int, run: Floats, notches: Ints, last: Ints
+def _scan_rows(
+    sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, wide: int, straight: Floats, notches: Ints, last: Ints
 ) -> None:
-    """Find the longest straight walls that run along rows, and the notches of rooms."""
+    """Find the longest straight walls that straight along rows, and the notches of rooms."""
     n = last.shape[0]
     made = 0
     for p in range(tall - 1):
@@ -211,7 +211,7 @@ def _scan_level(
                 continue
             if a != b:
                 length = sums[j, lines[1, q], H_SUM] - sums[j, lines[1, begin], H_SUM]
-                _flush(run, side, a, b, 1, length)
+                _record_wall(straight, side, a, b, 1, length)
             quarter = _notch(a, b, x, y)
             if quarter >= 0 and made < MOST_NOTCHES:
                 r = y if quarter == 1 or quarter == 2 else a
@@ -224,14 +224,14 @@ def _scan_level(
 
 
 @kernel
-def scan_runs(
+def scan_walls(
     xs: Floats,
     ys: Floats,
     sums: Floats,
     rooms: Floats,
     side: Ints,
     labels: Ints,
-    run: Floats,
+    straight: Floats,
     thin: Floats,
     few: Ints,
     narrow: Floats,
@@ -248,7 +248,7 @@ def scan_runs(
     few, narrow : (rows, columns) arrays
         Scratch.
     """
-    run[:, :] = 0.0
+    straight[:, :] = 0.0
     thin[:] = 0.0
     lines = np.empty((2, max(labels.shape[0], labels.shape[1]) + 1), np.int64)
     notches = np.empty((MOST_NOTCHES, 3), np.int64)
@@ -256,9 +256,9 @@ def scan_runs(
     tall, wide = _blocks(labels, few, lines)
     areas, level, upright = sums[:, :, AREA_SUM], lines[0], lines[1]
     size = (tall, wide)
-    _scan_stripes(xs, ys, areas, rooms, few, level, upright, size, narrow, thin, False)
+    _scan_stripes(xs, ys, areas, rooms, few, level, upright, size, narrow, thin, second=False)
     size = (wide, tall)
-    _scan_stripes(ys, xs, areas.T, rooms, few.T, upright, level, size, narrow.T, thin, True)
-    _scan_upright(sums, side, few, lines, tall, wide, run)
-    _scan_level(sums, side, few, lines, tall, wide, run, notches, last)
+    _scan_stripes(ys, xs, areas.T, rooms, few.T, upright, level, size, narrow.T, thin, second=True)
+    _scan_columns(sums, side, few, lines, tall, wide, straight)
+    _scan_rows(sums, side, few, lines, tall, wide, straight, notches, last)
     _add_pinches(xs, ys, rooms, notches, last, thin)
