@@ -30,13 +30,13 @@ PARTS = {
 
 def poses(robot: Robot) -> Iterator[None]:
     """Put the robot everywhere, lowest floor first."""
-    seat = robot.engine.seat(robot.session)
-    for floor in seat.world.building.floors:
-        for landmark in seat.world.view(floor).landmarks:
+    session = robot.engine.session(robot.session)
+    for floor in session.world.building.floors:
+        for landmark in session.world.view(floor).landmarks:
             for turn in range(0, 360, 45):
                 pose = landmark.pose
-                seat.robot.floor = floor
-                seat.robot.pose = Pose2D(x=pose.x, y=pose.y, yaw=pose.yaw + turn)
+                session.robot.floor = floor
+                session.robot.pose = Pose2D(x=pose.x, y=pose.y, yaw=pose.yaw + turn)
                 yield
 
 
@@ -44,7 +44,7 @@ def spent(robot: Robot, call: Callable[[], object]) -> list[float]:
     """Return the milliseconds of processor time of a call at every pose; the floors are loaded before."""
     found, floor = [], None
     for _ in poses(robot):
-        here = robot.engine.seat(robot.session).robot.floor
+        here = robot.engine.session(robot.session).robot.floor
         if here != floor:
             floor = here
             call()
@@ -88,9 +88,9 @@ def main() -> None:
                 wedges, FloorModel._in_wedges = FloorModel._in_wedges, everywhere
                 told(f"{width}x{height} colours, all rooms drawn", spent(robot, colours))
                 FloorModel._in_wedges = wedges
-    seat = robot.engine.seat(robot.session)
-    seat.robot.floor = seat.world.building.floors[0]
-    seat.robot.pose = seat.world.view(seat.robot.floor).landmarks[0].pose
+    session = robot.engine.session(robot.session)
+    session.robot.floor = session.world.building.floors[0]
+    session.robot.pose = session.world.view(session.robot.floor).landmarks[0].pose
     begin = time.process_time()
     with Camera(robot) as camera:
         camera.render()

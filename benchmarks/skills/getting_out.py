@@ -23,7 +23,7 @@ MIDDLE = 0.5
 
 def corners(robot: Robot, floor: int) -> list[tuple[float, float]]:
     """Return the cells that a robot can get to and that have something beside and before or behind them."""
-    view = robot.engine.seat(robot.session).world.view(floor)
+    view = robot.engine.session(robot.session).world.view(floor)
     mark, blocked = view.landmarks[0].pose, view.map.blocked
     reached = region_of(blocked, *view.map.frame.cell(mark.x, mark.y))
     beside = np.roll(blocked, 1, 1) | np.roll(blocked, -1, 1)
@@ -33,15 +33,15 @@ def corners(robot: Robot, floor: int) -> list[tuple[float, float]]:
 
 def stand(robot: Robot, floor: int, x: float, y: float, yaw: float) -> None:
     """Set the robot down."""
-    body = robot.engine.seat(robot.session).robot
+    body = robot.engine.session(robot.session).robot
     body.floor, body.pose = floor, Pose2D(x=x, y=y, yaw=yaw)
 
 
 def by_hints(robot: Robot) -> bool:
     """Whether following MoveAhead's hints leads away, or to the middle of the room."""
-    seat = robot.engine.seat(robot.session)
-    body, start = seat.robot, seat.robot.place
-    marks = [(mark.pose.x, mark.pose.y) for mark in seat.world.view(body.floor).landmarks]
+    session = robot.engine.session(robot.session)
+    body, start = session.robot, session.robot.place
+    marks = [(mark.pose.x, mark.pose.y) for mark in session.world.view(body.floor).landmarks]
     for _ in range(HINTS):
         result = robot.move_ahead(20.0)
         if result.status is not SkillStatus.SUCCESS:
@@ -64,7 +64,7 @@ def main() -> None:
     tried = planned = hinted = 0
     for path in options.buildings:
         robot = Robot(path, "corners", world="corners", reset=True)
-        world = robot.engine.seat("corners").world
+        world = robot.engine.session("corners").world
         for floor in world.building.floors:
             found = corners(robot, floor)
             marks = [mark.name for mark in world.view(floor).landmarks]

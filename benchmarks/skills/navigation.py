@@ -7,8 +7,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from mansion_skills import Robot
-from mansion_skills.building import LoadedBuilding
-from mansion_skills.skills.motion import path_to
+from mansion_skills.skills.driving import path_to
+from mansion_skills.world.building import LoadedBuilding
 from mansion_skills.world.floor_view import FloorView
 from mansion_skills.world.objects import ObjectTable
 
@@ -33,13 +33,13 @@ def main() -> None:
         timed(lambda floor=floor: FloorView(building._read_scene(floor), table, {}, 0.2)) for floor in building.floors
     ]
     print(f"load a floor: median {statistics.median(loads):.1f} ms, most {max(loads):.1f} ms")
-    world = robot.engine.seat("").world
+    world = robot.engine.session("").world
     targets = [room.id for f in building.floors for room in building.scene(f).rooms]
     world.routes = None
     print(f"first route, its graph made: {timed(lambda: robot.plan_route(targets[-1])):.1f} ms")
     routes = [timed(lambda name=name: robot.plan_route(name)) for name in targets]
     print(f"plan a route: median {statistics.median(routes):.1f} ms, most {max(routes):.1f} ms")
-    body = robot.engine.seat("").robot
+    body = robot.engine.session("").robot
     paths = [
         timed(lambda mark=mark: path_to(world, body, (mark.pose.x, mark.pose.y), 1.5))
         for mark in world.view(body.floor).landmarks

@@ -28,13 +28,13 @@ LEAST = 40
 
 def stand(robot: Robot, floor: int, x: float, y: float, yaw: float) -> None:
     """Put the robot of this process somewhere; its session's state stays as it is."""
-    body = robot.engine.seat(robot.session).robot
+    body = robot.engine.session(robot.session).robot
     body.floor, body.pose = floor, Pose2D(x=x, y=y, yaw=yaw)
 
 
 def best_view(robot: Robot, camera: Camera, name: str) -> Frame:
     """Return the frame from a room's landmark that shows most of its objects."""
-    world = robot.engine.seat(robot.session).world
+    world = robot.engine.session(robot.session).world
     found = [entry for f in world.building.floors for entry in world.view(f).landmarks]
     place = next(entry for entry in found if entry.name == name)
     frames = []
@@ -70,7 +70,7 @@ def save(picture: Any, path: Path, width: int) -> None:
 
 def cores(robot: Robot, camera: Camera) -> Any:
     """Return the lift's panel and the view into the stairs beside each other."""
-    world = robot.engine.seat(robot.session).world
+    world = robot.engine.session(robot.session).world
     lift = next(entry for entry in world.view(FLOOR).landmarks if entry.kind == "elevator")
     stand(robot, FLOOR, lift.pose.x, lift.pose.y, lift.pose.yaw)
     panel, stairs = Image.fromarray(camera.lift_panel()), Image.fromarray(camera.stairs_view())

@@ -23,8 +23,8 @@ NEAR: dict[str, str] = {}
 
 def step(robot: Robot, rng: Random) -> str:
     """Run one skill that makes sense often enough; return its status."""
-    seat = robot.engine.seat(robot.session)
-    world, floor = seat.world, seat.robot.floor
+    session = robot.engine.session(robot.session)
+    world, floor = session.world, session.robot.floor
     here = [state.id for state in world.objects.on_floor(floor)]
     takeable = [name for name in here if world.objects.kinds[name].pickupable]
     holders = [name for name in here if world.objects.kinds[name].receptacle]
@@ -86,7 +86,7 @@ def main() -> None:
         robot = rng.choice(robots)
         counts[step(robot, rng)] += 1
         if number % options.check_every == 0:
-            check_world(engine.seat(robot.session).world)
+            check_world(engine.session(robot.session).world)
         if number % max(1, options.skills // 5) == 0:
             memory.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024)
     seconds = time.process_time() - begin

@@ -7,8 +7,8 @@ import pytest
 
 from mansion_msgs_py.codec import convert, decode
 from mansion_msgs_py.errors import MansionError
-from mansion_msgs_py.skills import UseElevatorArgs
 from mansion_msgs_py.task import Task, TaskSet
+from mansion_skills.skills.between_floors import UseElevatorArgs
 
 
 class Colour(StrEnum):

@@ -21,7 +21,7 @@ def _placement() -> None:
 
 
 def _navigation() -> None:
-    from mansion_skills.navigation.warming import warm as compile_kernels
+    from mansion_skills.navigation import warm as compile_kernels
 
     compile_kernels()
 

@@ -30,9 +30,9 @@ def explained(kind: Any, message: str) -> tuple[str, str]:
 
     Examples
     --------
-    >>> from mansion_msgs_py.skills import UseElevatorArgs
-    >>> explained(UseElevatorArgs, "Object contains unknown field `floor`")
-    ("unknown field 'floor'; did you mean target_floor? fields: target_floor (required), session, token", '$.floor')
+    >>> from mansion_msgs_py.skills import ControlArgs
+    >>> explained(ControlArgs, "Object contains unknown field `clients`")
+    ("unknown field 'clients'; did you mean client? fields: session, token, client, force", '$.clients')
     """
     match = _PATH.match(message)
     what, path = (message, "$") if match is None else (match["what"], match["path"])

@@ -1,9 +1,8 @@
 """The table of topics and services: names below the namespace, types, payloads and QoS, written once.
 
-A node asks for its interface by name (``service("plan_program")``), and ``docs/interfaces.md`` is made from the table.
+A node asks for its interface by name (``service("plan_program")``). The services of the skills are declared beside each
+skill; `mansion_bringup.interfaces` adds them and makes ``docs/interfaces.md`` from the whole table.
 """
-
-from typing import Any
 
 from mansion_msgs_py import building_interfaces, editing_interfaces, skill_interfaces
 from mansion_msgs_py.interface_types import (
@@ -34,7 +33,6 @@ __all__ = [
     "Qos",
     "ServiceInterface",
     "TopicInterface",
-    "markdown_table",
     "service",
     "topic",
 ]
@@ -60,25 +58,3 @@ def service(name: str) -> ServiceInterface:
 
 _TOPICS = {entry.name: entry for entry in TOPICS}
 _SERVICES = {entry.name: entry for entry in SERVICES}
-
-
-def _payload_name(kind: Any) -> str:
-    if kind is None:
-        return ""
-    return getattr(kind, "__name__", str(kind)) if kind is not dict else "object"
-
-
-def markdown_table() -> str:
-    """Return the table of all interfaces as Markdown."""
-    lines = ["| service | type | arguments | reply | node | what it does |", "| --- | --- | --- | --- | --- | --- |"]
-    lines += [
-        f"| `{s.name}` | `{s.type}` | {_payload_name(s.arguments)} | {_payload_name(s.reply)} "
-        f"| `{s.node}` | {s.description} |"
-        for s in SERVICES
-    ]
-    lines += ["", "| topic | type | payload | node | QoS | what it carries |", "| --- | --- | --- | --- | --- | --- |"]
-    lines += [
-        f"| `{t.name}` | `{t.type}` | {_payload_name(t.payload)} | `{t.node}` | {t.qos} | {t.description} |"
-        for t in TOPICS
-    ]
-    return "\n".join(lines) + "\n"

@@ -1,4 +1,4 @@
-"""The payload types by name, as ``mansion schema NAME`` lists them."""
+"""The payload types by name, without those that a skill declares for itself."""
 
 from types import ModuleType
 from typing import Any
@@ -20,9 +20,8 @@ from mansion_msgs_py import (
     topology,
     world,
 )
-from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["PAYLOADS", "payload_type"]
+__all__ = ["PAYLOADS"]
 
 _MODULES: tuple[ModuleType, ...] = (
     request,
@@ -47,18 +46,3 @@ PAYLOADS: dict[str, type[Any]] = {
     if isinstance(kind := getattr(module, name), type) and issubclass(kind, msgspec.Struct)
 }
 """Every structure that the payload modules make public."""
-
-
-def payload_type(name: str) -> type[Any]:
-    """Return the payload type of that name.
-
-    Raises
-    ------
-    MansionError
-        ``NOT_FOUND`` with the names that exist.
-    """
-    try:
-        return PAYLOADS[name]
-    except KeyError:
-        known = ", ".join(sorted(PAYLOADS))
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no payload {name!r}; known are {known}") from None

@@ -1,10 +1,9 @@
-"""Arguments and replies of the skills: one type for each, all with an optional session.
+"""Replies of the skills, and the arguments that every call of a session has.
 
-Values that a skill judges itself (a floor that is not there, a direction that does not exist) are decoded as they come,
-so that the answer is the skill's ``INVALID_ACTION`` and not a payload error.
+The further arguments of a skill are declared beside it, in `mansion_skills.skills`.
 """
 
-from typing import Any, Literal
+from typing import Literal
 
 import msgspec
 
@@ -14,25 +13,12 @@ __all__ = [
     "CameraNames",
     "Control",
     "ControlArgs",
-    "DoorArgs",
-    "GoToLandmarkArgs",
     "LandmarkInfo",
     "Landmarks",
     "Loaded",
-    "LookArgs",
-    "MoveAheadArgs",
-    "MoveToArgs",
-    "NearObjectArgs",
-    "ObjectArgs",
-    "PlaceArgs",
     "Route",
-    "RouteArgs",
     "RouteLeg",
-    "RotateArgs",
     "SessionArgs",
-    "TakeStairsArgs",
-    "UseElevatorArgs",
-    "VisibleArgs",
     "VisibleObject",
     "VisibleObjects",
     "WhereAmI",
@@ -46,90 +32,11 @@ class SessionArgs(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     token: str = ""
 
 
-class ControlArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+class ControlArgs(SessionArgs, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """Ask to be the only driver of a session; `client` says who asks."""
 
     client: str = ""
     force: bool = False
-
-
-class UseElevatorArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """Skill card UseElevator: a floor number, or a label where it is unambiguous."""
-
-    target_floor: Any
-
-
-class TakeStairsArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """Skill card TakeStairs: ``Up`` or ``Down``."""
-
-    direction: Any
-
-
-class GoToLandmarkArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """A room, a core, or ``elevator`` or ``stairs`` for the nearest of its kind on this floor."""
-
-    landmark: Any
-
-
-class MoveToArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """A point of this floor in metres; the robot ends with `yaw` (degrees), or as it arrives."""
-
-    x: Any
-    y: Any
-    yaw: Any = None
-
-
-class MoveAheadArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """Metres straight ahead; negative ones go backwards."""
-
-    distance: Any = 0.25
-
-
-class RotateArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """Degrees to turn on the spot, counter-clockwise."""
-
-    degrees: Any = 90.0
-
-
-class LookArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """Degrees to tilt the camera."""
-
-    degrees: Any = 30.0
-
-
-class ObjectArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """An object: its id, or the end of it where that is unambiguous on this floor (``desk_1/mug_2``, ``mug_2``)."""
-
-    object: Any
-
-
-class NearObjectArgs(ObjectArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """An object or a door of this floor."""
-
-
-class DoorArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """A door of this floor: its id, or the nearest one when absent."""
-
-    door: Any = ""
-
-
-class PlaceArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """Put what is held ``on``, ``in`` or ``in_front`` of `target`; ``floor`` is the floor before the robot."""
-
-    target: Any
-    relation: Any = "on"
-
-
-class VisibleArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """How far to look, metres."""
-
-    distance: Any = None
-
-
-class RouteArgs(SessionArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """Where a route shall lead: a room or core of any floor (``F3/office_1``), or an object, by its id."""
-
-    target: Any
 
 
 class LandmarkInfo(msgspec.Struct, frozen=True, kw_only=True):
@@ -176,7 +83,7 @@ class VisibleObjects(msgspec.Struct, frozen=True, kw_only=True):
     session: str = ""
 
 
-class RouteLeg(msgspec.Struct, kw_only=True):
+class RouteLeg(msgspec.Struct, frozen=True, kw_only=True):
     """One part of a route: ``walk`` on a floor, ``elevator`` or ``stair`` between two; world's `seconds`."""
 
     kind: str

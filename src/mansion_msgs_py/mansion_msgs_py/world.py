@@ -28,7 +28,7 @@ __all__ = [
 ]
 
 
-class Pose2D(msgspec.Struct, kw_only=True):
+class Pose2D(msgspec.Struct, frozen=True, kw_only=True):
     """Planar pose in the floor's frame: metres, yaw in degrees counter-clockwise from +x."""
 
     x: float
@@ -164,7 +164,7 @@ class SkillChange(msgspec.Struct, frozen=True, kw_only=True):
     after: Any = None
 
 
-class SkillResult(msgspec.Struct, kw_only=True):
+class SkillResult(msgspec.Struct, frozen=True, kw_only=True):
     """What a skill did, or why it did not and what would satisfy it."""
 
     skill: str

@@ -1,6 +1,6 @@
 """The robot in the building: world state, navigation, skills and camera.
 
-The world is a scene plus an overlay of what the robots did; a skill runs in steps and leaves the world whole at each.
+The world is a scene plus an overlay of what the robots did; a skill runs in steps, and the world is consistent at each.
 `Robot` drives one from a script, `nodes` holds the thin ROS 2 node.
 """
 

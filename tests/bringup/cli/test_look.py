@@ -11,7 +11,7 @@ from mansion_bringup.cli.app import app
 from mansion_bringup.pipeline.build import build_building
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest, identified
-from mansion_skills.vision.gl import GlThread
+from mansion_skills.vision.offscreen import GlThread
 
 
 @pytest.fixture(scope="module")

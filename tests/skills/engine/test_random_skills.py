@@ -13,6 +13,8 @@ from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.world import SkillResult, SkillStatus
 from mansion_skills import Robot
 from mansion_skills.engine import Engine
+from mansion_skills.skills.declaration import snake_case
+from mansion_skills.skills.registry import SKILLS
 from sample_building import write_building
 
 FLOORS = [1, 2]
@@ -55,7 +57,7 @@ class Building(RuleBasedStateMachine):
 
     @property
     def world(self):  # type: ignore[no-untyped-def]
-        return self.engine.seat("").world
+        return self.engine.session("").world
 
     def snapshot(self) -> bytes:
         world = self.world
@@ -68,6 +70,7 @@ class Building(RuleBasedStateMachine):
         result = self.robots[session].skill(name, **arguments)
         if isinstance(result, SkillResult) and result.status is not SkillStatus.SUCCESS:
             assert result.message and result.satisfied_by
+            assert result.status in SKILLS[snake_case(name)].failures
             assert self.snapshot() == before
 
     @rule(session=sessions, place=st.sampled_from(PLACES))

@@ -4,19 +4,21 @@ import threading
 import time
 from pathlib import Path
 
-import msgspec
 import pytest
+from msgspec.structs import replace
 
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.skills import ControlArgs, MoveToArgs, RotateArgs, SessionArgs
+from mansion_msgs_py.skills import ControlArgs, SessionArgs
 from mansion_msgs_py.world import LiftDoor, LiftMotion, LiftRequest, LiftRequestType, SkillStatus, WorldState
 from mansion_skills import Robot
 from mansion_skills.engine import Engine
-from mansion_skills.engine.driving import Drive, drive_for
-from mansion_skills.engine.fair_lock import FairLock
-from mansion_skills.engine.pace import Pace
+from mansion_skills.engine.executor import WorldClock
+from mansion_skills.engine.motion import VelocityCommand, drive_for
+from mansion_skills.engine.session import FairLock
+from mansion_skills.skills.go_to import MoveToArgs
+from mansion_skills.skills.motion_primitives import RotateArgs
 from mansion_skills.world.overlay import overlay_path
 
 
@@ -70,7 +72,7 @@ def test_a_lift_is_not_kept_by_a_robot_that_walked_away(building: Path) -> None:
 
 def test_lift_requests_hold_and_release_as_open_rmf_does(building: Path) -> None:
     robot = Robot(building)
-    engine, world = robot.engine, robot.engine.seat("").world
+    engine, world = robot.engine, robot.engine.session("").world
     request = LiftRequest(lift_name="elevator_1", session_id="fleet", destination_floor="3")
     engine.request_lift(request)
     state = world.lift_states()[0]
@@ -79,7 +81,7 @@ def test_lift_requests_hold_and_release_as_open_rmf_does(building: Path) -> None
     assert motions >= {LiftMotion.UP, LiftMotion.STOPPED}
     robot.go_to_landmark("elevator")
     assert robot.call_elevator().status is SkillStatus.PRECONDITION_FAILURE
-    engine.request_lift(msgspec.structs.replace(request, request_type=LiftRequestType.END_SESSION))
+    engine.request_lift(replace(request, request_type=LiftRequestType.END_SESSION))
     assert robot.call_elevator().status is SkillStatus.SUCCESS
     with pytest.raises(MansionError, match="does not serve"):
         engine.request_lift(LiftRequest(lift_name="elevator_1", session_id="x", destination_floor="9"))
@@ -94,7 +96,7 @@ def test_a_new_server_continues_where_the_former_one_ended(building: Path) -> No
     wanted = a.where_am_i(), b.where_am_i()
     again = pair(building)
     assert (again[0].where_am_i(), again[1].where_am_i()) == wanted
-    objects = again[0].engine.seat("").world.objects
+    objects = again[0].engine.session("").world.objects
     assert objects.held_by("default") == "F1/office/mug_1"
 
 
@@ -103,8 +105,8 @@ def test_a_new_server_takes_the_newest_overlay(building: Path, last: int) -> Non
     robots = pair(building)
     robots[1 - last].rotate(90)
     robots[last].rotate(90)
-    world = robots[0].engine.seat("").world
-    again = pair(building)[0].engine.seat("").world
+    world = robots[0].engine.session("").world
+    again = pair(building)[0].engine.session("").world
     assert (again.time, again.step) == (world.time, world.step)
 
 
@@ -174,7 +176,7 @@ def test_a_fair_lock_serves_in_the_order_of_arrival() -> None:
 
 
 def test_a_skill_in_real_time_is_cancelled_where_it_is(building: Path) -> None:
-    robot = Robot(building, engine=Engine(Pace(realtime=True, factor=2.0)))
+    robot = Robot(building, engine=Engine(WorldClock(realtime=True, factor=2.0)))
     results = []
     thread = threading.Thread(target=lambda: results.append(robot.engine.run("MoveTo", MoveToArgs(x=11.0, y=1.5))))
     thread.start()
@@ -189,7 +191,7 @@ def test_a_skill_in_real_time_is_cancelled_where_it_is(building: Path) -> None:
 
 
 def test_lifts_run_while_their_passengers_wait_in_real_time(building: Path) -> None:
-    robot = Robot(building, engine=Engine(Pace(realtime=True, factor=100.0)))
+    robot = Robot(building, engine=Engine(WorldClock(realtime=True, factor=100.0)))
     robot.go_to_landmark("elevator")
     robot.call_elevator()
     assert robot.use_elevator(3).status is SkillStatus.SUCCESS
@@ -197,31 +199,31 @@ def test_lifts_run_while_their_passengers_wait_in_real_time(building: Path) -> N
 
 
 def test_drive_commands_move_the_robot_until_a_wall_stops_it(robot: Robot) -> None:
-    seat, drive, now = robot.engine.seat(""), Drive(), 0.0
+    session, drive, now = robot.engine.session(""), VelocityCommand(), 0.0
     for _ in range(400):
         drive.command(0.8, 0.0, now)
-        assert drive_for(seat, drive, 0.05, now)
+        assert drive_for(session, drive, 0.05, now)
         now += 0.05
-    assert seat.robot.pose.x == pytest.approx(11.74, abs=0.05)
+    assert session.robot.pose.x == pytest.approx(11.74, abs=0.05)
     assert drive.forward == 0.0
-    assert not drive_for(seat, drive, 0.05, now + 1.0)
+    assert not drive_for(session, drive, 0.05, now + 1.0)
     drive.command(float("nan"), 0.0, now)
-    assert not drive_for(seat, drive, 0.05, now)
+    assert not drive_for(session, drive, 0.05, now)
 
 
 def test_a_fault_inside_a_skill_leaves_the_world_as_it_was(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
-    from mansion_skills.skills import handling
+    from mansion_skills.skills import manipulation
 
     robot.go_near_object("mug_1")
 
     def fail(*arguments: object) -> None:
-        robot.engine.seat("").world.objects.set_state("F1/office/mug_1", "open", True)
+        robot.engine.session("").world.objects.set_state("F1/office/mug_1", "open", True)
         raise RuntimeError("a fault")
 
-    monkeypatch.setattr(handling, "take_up", fail)
+    monkeypatch.setattr(manipulation, "take_up", fail)
     with pytest.raises(RuntimeError):
         robot.pick_up("mug_1")
     monkeypatch.undo()
-    assert "open" not in robot.engine.seat("").world.objects.state("F1/office/mug_1").states
+    assert "open" not in robot.engine.session("").world.objects.state("F1/office/mug_1").states
     assert robot.engine.run("Rotate", RotateArgs(degrees=5.0)).status is SkillStatus.SUCCESS
     assert robot.pick_up("mug_1").status in (SkillStatus.SUCCESS, SkillStatus.PRECONDITION_FAILURE)

@@ -27,7 +27,7 @@ def test_swinging_doors_gives_the_grids_of_an_update(swings: list[tuple[str, boo
     swung, anew = FloorMap(made, 0.2), FloorMap(made, 0.2)
     swung.update(BODIES, is_open)
     for name, wanted in swings:
-        swung.swing(name, wanted)
+        swung.swing(name, is_open=wanted)
         is_open[name] = wanted
     anew.update(BODIES, is_open)
     assert np.array_equal(swung.occupied, anew.occupied)
@@ -36,7 +36,7 @@ def test_swinging_doors_gives_the_grids_of_an_update(swings: list[tuple[str, boo
 
 
 def test_grids_in_use_are_left_as_they_are(robot: Robot) -> None:
-    grid = robot.engine.seat("").world.view(1).map
+    grid = robot.engine.session("").world.view(1).map
     before, version = grid.blocked, grid.version
     copy = before.copy()
     robot.go_near_object("F1/door_1")
@@ -48,7 +48,7 @@ def test_grids_in_use_are_left_as_they_are(robot: Robot) -> None:
 @pytest.mark.parametrize("door", ["door_1", "door_2"])
 def test_a_door_closed_and_opened_again_leaves_no_trace(building: Path, door: str) -> None:
     robot = Robot(building)
-    grid = robot.engine.seat("").world.view(1).map
+    grid = robot.engine.session("").world.view(1).map
     before = grid.blocked.copy()
     robot.go_near_object(f"F1/{door}")
     robot.close_door(f"F1/{door}")

@@ -108,7 +108,7 @@ def test_rays_measure_the_distance_to_walls() -> None:
 
 
 def test_a_laser_in_the_hall_sees_its_walls(robot: Robot) -> None:
-    grid = robot.engine.seat("").world.view(1).map
+    grid = robot.engine.session("").world.view(1).map
     row, column = grid.frame.cell(6.0, 1.5)
     up, right = cast_rays(grid.occupied, row + 0.5, column + 0.5, np.array([pi / 2, 0.0]), 500.0)
     assert up * 0.05 == pytest.approx(1.44, abs=0.06)

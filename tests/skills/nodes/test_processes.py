@@ -48,7 +48,7 @@ while True:
         ("Place", {"target": "F1/office/desk_1"}),
     ):
         result = robot.skill(skill, **arguments)
-        print(robot.engine.seat("").world.step, flush=True)
+        print(robot.engine.session("").world.step, flush=True)
 """
 
 
@@ -61,7 +61,7 @@ def test_a_killed_process_comes_back_to_its_last_finished_skill(building: Path) 
         process.kill()
         told = process.stdout.read().split("\n")[:-1]
         process.wait(10)
-        world = Robot(building).engine.seat("").world
+        world = Robot(building).engine.session("").world
         check_world(world)
         if told:
             assert int(told[-1]) <= world.step <= int(told[-1]) + 1
@@ -235,7 +235,7 @@ def test_the_example_carries_an_object_from_floor_1_to_floor_3(building: Path) -
     subprocess.run(
         [sys.executable, str(script), str(building), "F1/office/mug_1", "F3/kitchen/table_1"], check=True, timeout=60
     )
-    state = Robot(building).engine.seat("").world.objects.state("F1/office/mug_1")
+    state = Robot(building).engine.session("").world.objects.state("F1/office/mug_1")
     assert (state.floor, state.parent) == (3, "F3/kitchen/table_1")
 
 

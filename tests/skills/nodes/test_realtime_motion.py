@@ -16,7 +16,7 @@ from mansion_bringup.client import MansionClient
 from mansion_bringup.graph.domain import free_domain
 from mansion_bringup.graph.nodes import NodeProcess
 from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
-from mansion_skills.skills.motion import SPEED
+from mansion_skills.skills.driving import SPEED
 
 pytestmark = pytest.mark.graph
 

@@ -84,16 +84,16 @@ def test_another_building_swaps_what_the_topics_show(start: Start, building: Pat
     server = start("camera:=false")
     server.load(LoadBuilding(path=str(building)))
     stack = server._stacks[DEFAULT_SESSION]
-    former = stack.seat
+    former = stack.session
     publishers = list(server.publishers)
     server.load(LoadBuilding(path=str(building), reset=True))
-    assert server._stacks[DEFAULT_SESSION] is stack and stack.seat is not former
+    assert server._stacks[DEFAULT_SESSION] is stack and stack.session is not former
     assert list(server.publishers) == publishers
-    stack.seat = former
-    with server._shown(stack) as seat:
+    stack.session = former
+    with server._shown(stack) as session:
         # What a timer sees that waited for the world while another building was loaded.
-        stack.seat = server.engine.seat(DEFAULT_SESSION)
-        assert seat is former
+        stack.session = server.engine.session(DEFAULT_SESSION)
+        assert session is former
     server._drive()
     server._publish_markers()
 

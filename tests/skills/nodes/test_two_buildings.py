@@ -13,7 +13,7 @@ from mansion_bringup.client import MansionClient
 from mansion_bringup.graph.domain import free_domain
 from mansion_bringup.graph.nodes import NodeProcess
 from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
-from mansion_skills.engine.driving import STALE
+from mansion_skills.engine.motion import STALE
 
 pytestmark = pytest.mark.graph
 

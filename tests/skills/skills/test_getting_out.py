@@ -18,17 +18,17 @@ anywhere = settings(max_examples=25, deadline=None, suppress_health_check=[Healt
 
 
 def stand(robot: Robot, x: float, y: float, yaw: float = 0.0) -> None:
-    robot.engine.seat(robot.session).robot.pose = Pose2D(x=x, y=y, yaw=yaw)
+    robot.engine.session(robot.session).robot.pose = Pose2D(x=x, y=y, yaw=yaw)
 
 
 def free_cells(robot: Robot) -> list[tuple[float, float]]:
-    grid = robot.engine.seat(robot.session).world.view(1).map
+    grid = robot.engine.session(robot.session).world.view(1).map
     return [grid.frame.center(int(r), int(c)) for r, c in np.argwhere(~grid.blocked)]
 
 
 def corner_cells(robot: Robot) -> list[tuple[float, float]]:
     """Return the free cells with something beside them and something before or behind them."""
-    grid = robot.engine.seat(robot.session).world.view(1).map
+    grid = robot.engine.session(robot.session).world.view(1).map
     b = grid.blocked
     beside = np.roll(b, 1, 1) | np.roll(b, -1, 1)
     before = np.roll(b, 1, 0) | np.roll(b, -1, 0)
@@ -75,7 +75,7 @@ def test_the_hints_of_moving_ahead_lead_out_of_every_corner(robot: Robot) -> Non
                 assert f"Rotate {out['degrees']:g} and MoveAhead" in result.satisfied_by
                 robot.rotate(out["degrees"])
                 assert robot.move_ahead(out["meters"]).status is OK
-                if dist((x, y), robot.engine.seat("").robot.place) > 0.7:
+                if dist((x, y), robot.engine.session("").robot.place) > 0.7:
                     break
             else:
                 pytest.fail(f"six hints did not lead out of {(x, y, yaw)}")

@@ -14,8 +14,8 @@ from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import Pose2D, SkillStatus
 from mansion_skills import Robot
 from mansion_skills.engine import Engine
-from mansion_skills.skills.near import _tilt_towards
-from mansion_skills.skills.seeing import CAMERA_HEIGHT
+from mansion_skills.skills.go_to import _tilt_towards
+from mansion_skills.skills.visibility import CAMERA_HEIGHT
 from mansion_skills.world.overlay import overlay_path
 
 OK, UNMET, INVALID = (SkillStatus.SUCCESS, SkillStatus.PRECONDITION_FAILURE, SkillStatus.INVALID_ACTION)
@@ -134,7 +134,7 @@ def test_a_box_goes_to_another_floor_with_what_is_in_it(robot: Robot) -> None:
     do(robot, ("GoNearObject", {"object": "box_1"}), ("PickUp", {"object": "box_1"}))
     to_floor(robot, 3)
     do(robot, ("Place", {"target": "floor"}))
-    objects = robot.engine.seat("").world.objects
+    objects = robot.engine.session("").world.objects
     crate, ball = objects.state("F1/office/box_1"), objects.state("F1/office/ball_1")
     assert (crate.floor, ball.floor, ball.parent) == (3, 3, crate.id)
     assert dist(crate.position[:2], ball.position[:2]) < 1e-3
@@ -150,7 +150,7 @@ def test_things_put_on_a_surface_do_not_overlap(robot: Robot) -> None:
             do(robot, ("GoNearObject", {"object": "fridge_1"}), ("OpenObject", {"object": "fridge_1"}))
         do(robot, ("GoNearObject", {"object": name}), ("PickUp", {"object": name}))
         do(robot, ("GoNearObject", {"object": "table_1"}), ("Place", {"target": "table_1"}))
-    objects = robot.engine.seat("").world.objects
+    objects = robot.engine.session("").world.objects
     states = [objects.state(name) for name in objects.children("F1/kitchen/table_1")]
     assert len(states) == 3
     for i, a in enumerate(states):
@@ -179,7 +179,7 @@ def test_only_a_robot_on_the_doors_floor_keeps_it_open(building: Path, floor: in
     engine = Engine()
     robot, other = Robot(building, engine=engine), Robot(building, "second", engine=engine)
     do(robot, ("GoNearObject", {"object": "F1/door_1"}))
-    world = robot.engine.seat("").world
+    world = robot.engine.session("").world
     (ax, ay), (bx, by) = world.view(1).doors["F1/door_1"].segment
     body = world.robots["second"]
     body.floor, body.pose = floor, Pose2D(x=(ax + bx) / 2, y=(ay + by) / 2)
@@ -205,10 +205,10 @@ def test_moving_ahead_into_a_wall_says_where_there_is_room(robot: Robot) -> None
 
 
 def test_a_robot_gets_out_of_every_corner(robot: Robot) -> None:
-    grid = robot.engine.seat("").world.view(1).map
+    grid = robot.engine.session("").world.view(1).map
     for x, y in ((0.3, 0.3), (11.7, 2.7), (0.3, 7.7), (11.05, 7.7), (5.7, 3.3)):
-        body = robot.engine.seat("").robot
-        body.pose.x, body.pose.y = x, y
+        body = robot.engine.session("").robot
+        body.pose = Pose2D(x=x, y=y, yaw=body.pose.yaw)
         assert robot.go_to_landmark("hall").status is OK
         assert grid.is_free(*body.place)
 
@@ -220,11 +220,11 @@ def test_the_camera_tilts_between_its_stops(robot: Robot) -> None:
 
 
 def test_what_goes_somewhere_looks_ahead_and_what_handles_looks_down_as_far_as_needed(robot: Robot) -> None:
-    body = robot.engine.seat("").robot
+    body = robot.engine.session("").robot
     do(robot, ("GoNearObject", {"object": "fridge_1"}))
     assert body.pitch == 0.0, "a fridge is in the picture of a level camera"
     do(robot, ("OpenObject", {"object": "fridge_1"}), ("GoNearObject", {"object": "ball_1"}))
-    low = robot.engine.seat("").world.objects.state("F1/office/ball_1").position
+    low = robot.engine.session("").world.objects.state("F1/office/ball_1").position
     away = max(dist(body.place, low[:2]), body.radius)
     angle = degrees(atan2(low[2] - CAMERA_HEIGHT, away))
     assert body.pitch <= 0.0 and abs(angle - body.pitch) <= 30.0 + 1e-9
@@ -277,7 +277,7 @@ def test_the_same_skills_work_in_a_basement_and_on_floor_ten(tmp_path: Path) -> 
 
 
 def test_time_goes_on_with_what_is_done(robot: Robot) -> None:
-    world = robot.engine.seat("").world
+    world = robot.engine.session("").world
     robot.move_to(8.0, 1.5)
     assert world.time == pytest.approx(4.0, abs=0.2)
 

@@ -60,7 +60,7 @@ def gym(folder: Path, thor: ThorDouble) -> ThorGym:
 
 
 def world_of(robot: Robot) -> Any:
-    return robot.engine.seat(robot.session).world
+    return robot.engine.session(robot.session).world
 
 
 def nodes(scene: dict[str, Any]) -> list[str]:

@@ -13,7 +13,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_skills import Robot
 from mansion_skills.vision import Camera
-from mansion_skills.vision.gl import GlThread
+from mansion_skills.vision.offscreen import GlThread
 from sample_building import write_building
 
 FLOORS = [1, 2, 3, 4, 5]

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.world import SkillResult, SkillStatus
 from mansion_skills import Robot
-from mansion_skills.skills.seeing import CAMERA_HEIGHT
+from mansion_skills.skills.visibility import CAMERA_HEIGHT
 from mansion_skills.vision import Camera, Frame
 from mansion_skills.vision.floor_model import FloorModel
 from mansion_skills.vision.floors import KEPT
@@ -27,7 +28,7 @@ def look_at(robot: Robot, x: float, y: float, yaw: float) -> None:
 def points(frame: Frame, camera: Camera, robot: Robot) -> np.ndarray:
     """Return where each pixel lies in the floor's frame, shape (height, width, 3)."""
     where = robot.where_am_i()
-    pose, pitch = where.pose, robot.engine.seat("").robot.pitch
+    pose, pitch = where.pose, robot.engine.session("").robot.pitch
     lens = camera.intrinsics
     cx, cy = lens.center
     columns, rows = np.meshgrid(np.arange(lens.width), np.arange(lens.height))
@@ -63,7 +64,7 @@ def test_a_frame_has_the_size_and_types_that_it_says(robot: Robot, renders: None
 
 @pytest.mark.parametrize("pitch", [0.0, -30.0, 30.0])
 def test_the_pixels_of_an_object_lie_in_its_box(camera: Camera, robot: Robot, pitch: float) -> None:
-    objects = robot.engine.seat("").world.objects
+    objects = robot.engine.session("").world.objects
     seen: set[str] = set()
     if pitch:
         done(robot.look_up(pitch) if pitch > 0 else robot.look_down(-pitch))
@@ -157,7 +158,7 @@ def test_an_object_is_seen_on_the_floor_that_it_was_carried_to(camera: Camera, r
     done(robot.go_near_object(mug))
     frame = camera.render()
     at = points(frame, camera, robot)[frame.segmentation == frame.names.index(mug)]
-    place = robot.engine.seat("").world.objects.state(mug).position
+    place = robot.engine.session("").world.objects.state(mug).position
     assert np.abs(at.mean(axis=0) - place).max() < 0.06
 
 
@@ -175,7 +176,7 @@ def test_an_open_fridge_shows_what_is_in_it(camera: Camera, robot: Robot) -> Non
 
 
 def test_a_room_is_darker_with_its_lamps_off(camera: Camera, robot: Robot) -> None:
-    world = robot.engine.seat("").world
+    world = robot.engine.session("").world
     look_at(robot, 9.0, 4.4, 180.0)
 
     def brightness(on: bool, room: str) -> float:
@@ -243,10 +244,10 @@ def test_few_floors_stay_loaded(camera: Camera, robot: Robot) -> None:
 
 
 def test_a_floor_looks_the_same_after_another_was_drawn(camera: Camera, robot: Robot) -> None:
-    body = robot.engine.seat("").robot
+    body = robot.engine.session("").robot
 
     def picture(floor: int, yaw: float) -> np.ndarray:
-        body.floor, body.pose.yaw = floor, yaw
+        body.floor, body.pose = floor, replace(body.pose, yaw=yaw)
         return camera.render(depth=False, segmentation=False).rgb
 
     below, above = picture(1, 0.0), picture(2, 90.0)
@@ -332,7 +333,7 @@ def test_an_object_that_the_models_do_not_have_is_left_out(pictured: Path, rende
 
 
 def test_without_opengl_the_packages_are_named(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("mansion_skills.vision.gl.find_library", lambda name: None)
+    monkeypatch.setattr("mansion_skills.vision.offscreen.find_library", lambda name: None)
     with pytest.raises(MansionError) as error:
         Camera(robot, 48, 48)
     assert error.value.code == ErrorCode.UNAVAILABLE

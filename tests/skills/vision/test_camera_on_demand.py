@@ -53,7 +53,7 @@ class Camera:
     opened: ClassVar[list["Camera"]] = []
     broken = False
 
-    def __init__(self, seat: Any, width: int, height: int, fov: float) -> None:
+    def __init__(self, session: Any, width: int, height: int, fov: float) -> None:
         self.intrinsics = Intrinsics(width, height, fov)
         self.asked: list[tuple[bool, bool, bool]] = []
         self.closed = False
@@ -81,11 +81,11 @@ def topics(building: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[Node], 
     monkeypatch.setattr(Camera, "opened", [])
     monkeypatch.setattr(Camera, "broken", False)
     robot = Robot(building)
-    seat = robot.engine.seat(robot.session)
+    session = robot.engine.session(robot.session)
 
     def make(node: Node) -> CameraTopics:
         made = CameraTopics(node, RobotNames("", "", DEFAULT_SESSION), CameraSettings(40, 30, 90.0))
-        made.show(seat)
+        made.show(session)
         return made
 
     return make
@@ -163,7 +163,7 @@ def test_another_building_keeps_the_topics_and_gets_another_camera(
     image.listeners = 1
     camera.publish()
     other = Robot(building)
-    camera.show(other.engine.seat(other.session))
+    camera.show(other.engine.session(other.session))
     assert Camera.opened[0].closed
     camera.publish()
     assert node.publishers["camera/image"] is image and len(image.sent) == 2

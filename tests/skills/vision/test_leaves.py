@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from mansion_export.opening_meshes import leaf_parts
 from mansion_msgs_py.scene import Door
-from mansion_skills.vision.leaves import leaves_of
+from mansion_skills.vision.articulation import leaves_of
 from sample_building import scene
 
 SCENE = scene(1, [1])

@@ -11,13 +11,21 @@ from hypothesis import strategies as st
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_skills import Robot
 from mansion_skills.vision import Camera
-from mansion_skills.vision.drawing import ACCENT, DOWN, UP, fitted, font, wrapped
-from mansion_skills.vision.floor_patterns import PATTERNS, pattern_of, pattern_png
-from mansion_skills.vision.lift_panel import Button, panel_picture
-from mansion_skills.vision.pages import TILE, tile_pages
-from mansion_skills.vision.panorama import HEIGHT, VIEW, WIDTH, stitch, view_yaws
-from mansion_skills.vision.stair_arrows import with_arrows
-from mansion_skills.vision.viewpoints import FARTHEST, core_viewpoint
+from mansion_skills.vision.annotated_pictures import (
+    ACCENT,
+    DOWN,
+    TILE,
+    UP,
+    Button,
+    fitted,
+    font,
+    panel_picture,
+    tile_pages,
+    with_arrows,
+    wrapped,
+)
+from mansion_skills.vision.mjcf_model import PATTERNS, pattern_of, pattern_png
+from mansion_skills.vision.panorama import FARTHEST, HEIGHT, VIEW, WIDTH, core_viewpoint, stitch, view_yaws
 
 
 def view_of(yaw: float) -> np.ndarray:
@@ -147,9 +155,9 @@ def test_wrapped_rows_fit_and_keep_all_words(text: str, width: int) -> None:
 @pytest.mark.parametrize("kind", ["elevator", "stair"])
 def test_a_core_is_looked_at_from_before_its_door(building: Path, kind: str) -> None:
     robot = Robot(building)
-    seat = robot.engine.seat(robot.session)
-    for floor in seat.world.building.floors:
-        grid = seat.world.view(floor).map
+    session = robot.engine.session(robot.session)
+    for floor in session.world.building.floors:
+        grid = session.world.view(floor).map
         for core in (core for core in grid.scene.cores if core.type == kind):
             x, y, yaw = core_viewpoint(grid, core)
             door = next(door for door in grid.scene.doors if door.id == core.door)

@@ -81,5 +81,5 @@ def test_any_text_is_calls_of_known_skills_or_refused(code: str) -> None:
 def test_cards_are_those_of_skills_that_exist() -> None:
     for name, card in CARDS.items():
         skill = skill_named(name)
-        assert skill is not None and not skill.question
+        assert skill is not None and not skill.query
         assert set(card.arguments) <= set(skill.arguments.__struct_fields__) - {"session", "token"}

@@ -5,7 +5,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from mansion_msgs_py.world import SkillStatus
-from mansion_skills.skills.asking import list_visible
+from mansion_skills.skills.queries import VisibleArgs, list_visible
 from mansion_tasks.env.array_sight import ArraySight
 from mansion_tasks.env.low_level import MOVE, TILT, TURN, act, low_level_actions
 from mansion_tasks.tasks.sandbox import Sandbox
@@ -67,7 +67,7 @@ DEEDS = [
 def test_the_eyes_see_what_list_visible_lists(
     pair: tuple[Sandbox, Sandbox], deeds: list[tuple[str, dict[str, object]]]
 ) -> None:
-    from mansion_msgs_py.skills import VisibleArgs, VisibleObjects
+    from mansion_msgs_py.skills import VisibleObjects
 
     sandbox, _ = pair
     sandbox.reset()
@@ -75,7 +75,7 @@ def test_the_eyes_see_what_list_visible_lists(
     for skill, arguments in [("Rotate", {"degrees": 0.0}), *deeds]:
         if sandbox.skill(skill, **arguments).status is SkillStatus.SUCCESS:
             sight.world_changed()
-        listed = list_visible(sandbox.world, sandbox.robot, VisibleArgs())
+        listed = list_visible.call(sandbox.world, sandbox.robot, VisibleArgs())
         assert isinstance(listed, VisibleObjects)
         view = sight.look(sandbox.robot)
         assert sorted(view.ids) == sorted(entry.id for entry in listed.objects)

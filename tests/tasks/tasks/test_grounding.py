@@ -9,7 +9,7 @@ from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.task import Goal, GoalKind, Need, Task, TaskKind
-from mansion_skills.building import LoadedBuilding
+from mansion_skills.world.building import LoadedBuilding
 from mansion_tasks.tasks.grounding import ground
 from mansion_tasks.tasks.needs import describe, matching_objects, matching_rooms
 from mansion_tasks.tasks.paper import PAPER_TASKS, paper_task

@@ -15,7 +15,7 @@ from mansion_msgs_py.world import Pose2D
 if TYPE_CHECKING:
     from mansion_skills import Robot
     from mansion_skills.vision import Camera
-    from mansion_skills.world.landmarks import Landmark
+    from mansion_skills.world.floor_view import Landmark
     from mansion_skills.world.robot_body import RobotBody
     from mansion_skills.world.world import World
 
@@ -80,8 +80,8 @@ def look(
 
 def _stand(robot: "Robot", room: str, floor: int | None, turn: float) -> None:
     """Put the robot of this process where the picture is taken from; its session's state stays as it is."""
-    seat = robot.engine.seat(robot.session)
-    world, body = seat.world, seat.robot
+    session = robot.engine.session(robot.session)
+    world, body = session.world, session.robot
     floors = [body.floor, *(f for f in world.building.floors if f != body.floor)]
     if floor is not None:
         if floor not in floors:
@@ -97,7 +97,7 @@ def _stand(robot: "Robot", room: str, floor: int | None, turn: float) -> None:
 
 def _place(world: "World", body: "RobotBody", room: str, floors: list[int]) -> "Landmark":
     """Return the landmark of that name on the first floor that has one; without a name, the first floor's first."""
-    from mansion_skills.world.landmarks import landmark_named
+    from mansion_skills.world.floor_view import landmark_named
 
     if not room:
         return world.view(floors[0]).landmarks[0]

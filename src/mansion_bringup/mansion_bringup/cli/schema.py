@@ -6,7 +6,7 @@ import typer
 
 from mansion_bringup.cli.console import print_json
 from mansion_msgs_py.codec import schema as schema_of
-from mansion_msgs_py.payloads import PAYLOADS, payload_type
+from mansion_msgs_py.payloads import PAYLOADS
 
 __all__ = ["register"]
 
@@ -25,7 +25,13 @@ def schema(name: Annotated[str | None, typer.Argument(help="Payload type; all na
 
       mansion schema BuildRequest
     """
+    if name in PAYLOADS:
+        # The skills, which declare the other payloads, bring compiled kernels with them.
+        print_json(schema_of(PAYLOADS[name]))
+        return
+    from mansion_bringup import interfaces
+
     if name is None:
-        typer.echo("\n".join(sorted(PAYLOADS)))
+        typer.echo("\n".join(sorted(interfaces.PAYLOADS)))
     else:
-        print_json(schema_of(payload_type(name)))
+        print_json(schema_of(interfaces.payload_type(name)))

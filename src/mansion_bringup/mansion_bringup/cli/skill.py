@@ -8,7 +8,7 @@ import typer
 from mansion_bringup.cli.console import err, print_json
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
+from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE, TRIGGER, ServiceInterface
 from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import SkillResult, SkillStatus
 
@@ -55,7 +55,7 @@ def skill(
     if building is not None:
         _finish(_in_process(building, found.name, fields, reset))
     else:
-        _finish(_through_graph(namespace, found.service, fields))
+        _finish(_through_graph(namespace, found.interface, fields))
 
 
 def _in_process(building: Path, name: str, fields: dict[str, Any], reset: bool) -> Any:
@@ -65,18 +65,15 @@ def _in_process(building: Path, name: str, fields: dict[str, Any], reset: bool) 
     return robot.skill(name, **fields)
 
 
-def _through_graph(namespace: str, service: str, fields: dict[str, Any]) -> Any:
+def _through_graph(namespace: str, service: ServiceInterface, fields: dict[str, Any]) -> Any:
     from mansion_bringup.client import MansionClient
-    from mansion_msgs_py.interfaces import TRIGGER
-    from mansion_msgs_py.interfaces import service as interface
 
     with MansionClient(namespace="/" + namespace.strip("/")) as client:
-        name = f"skills/{service}"
         try:
-            if interface(name).type == TRIGGER:
+            if service.type == TRIGGER:
                 session = fields.pop("session", "")
-                return client.call(f"{session}/{name}" if session else name)
-            return client.call(name, fields)
+                return client.call(f"{session}/{service.name}" if session else service.name)
+            return client.call(service.name, fields)
         except MansionError as error:
             if "skill" not in error.info.details:
                 raise
@@ -87,7 +84,7 @@ def _finish(result: Any) -> None:
     """Print a result; a refusal is said once more on standard error and ends with status 1."""
     print_json(result)
     if isinstance(result, SkillResult) and result.status is not SkillStatus.SUCCESS:
-        wish = f"; what would do: {result.satisfied_by}" if result.satisfied_by else ""
+        wish = f"; to succeed: {result.satisfied_by}" if result.satisfied_by else ""
         text = f"{result.skill}: {result.status.value}: {result.message}{wish}"
         err.print(text, markup=False, highlight=False)
         raise typer.Exit(1)

@@ -13,10 +13,12 @@ from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.interfaces import TRIGGER, service
-from mansion_msgs_py.skills import Landmarks, SessionArgs, VisibleArgs, VisibleObjects
+from mansion_msgs_py.interfaces import TRIGGER
+from mansion_msgs_py.skills import Landmarks, SessionArgs, VisibleObjects
 from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import SkillResult
+from mansion_skills.skills.declaration import Skill
+from mansion_skills.skills.queries import VisibleArgs
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 from mansion_tasks.episodes.mirror import Mirror
@@ -58,15 +60,15 @@ class GraphPort(SkillPort):
         skill = called_skill(call)
         if isinstance(skill, SkillResult):
             return skill
-        name = f"skills/{skill.service}"
+        name = skill.interface.name
         try:
-            if service(name).type == TRIGGER:
+            if skill.interface.type == TRIGGER:
                 if call.arguments:
                     return invalid_call(skill.name, f"{skill.name} takes no arguments")
-                answer = self._client.call(f"{SESSION}/{name}", reply=_reply(skill.question))
+                answer = self._client.call(f"{SESSION}/{name}", reply=_reply(skill))
             else:
                 arguments = {**call.arguments, "session": SESSION}
-                answer = self._client.call(name, arguments, reply=_reply(skill.question))
+                answer = self._client.call(name, arguments, reply=_reply(skill))
             return as_result(skill, answer)
         except MansionError as error:
             if error.code in LOST:
@@ -95,8 +97,8 @@ class GraphPort(SkillPort):
         return self._mirror.world, self._mirror.robot
 
 
-def _reply(question: bool) -> Any:
-    return Any if question else SkillResult
+def _reply(skill: Skill) -> Any:
+    return Any if skill.query else SkillResult
 
 
 @contextmanager

@@ -22,20 +22,69 @@ from mansion_msgs_py.world import (
     SkillStatus,
     WorldEvent,
 )
-from mansion_skills.engine.loading import forget_world, open_world, seat_robot
-from mansion_skills.engine.pace import Pace
-from mansion_skills.engine.performing import catch_up, perform
-from mansion_skills.engine.seat import Seat, SharedWorld
-from mansion_skills.skills.asking import landmark_infos
-from mansion_skills.skills.registry import SKILLS, Skill, skill_named
-from mansion_skills.world.overlay import check_session, overlay_path
+from mansion_skills.engine.executor import WorldClock, catch_up, perform
+from mansion_skills.engine.session import Session, SharedWorld
+from mansion_skills.skills.declaration import Skill
+from mansion_skills.skills.queries import landmark_infos
+from mansion_skills.skills.registry import SKILLS, skill_named
+from mansion_skills.world.building import LoadedBuilding
+from mansion_skills.world.overlay import (
+    check_session,
+    forget_overlay,
+    load_overlay,
+    overlay_path,
+    restore_robot,
+    restore_shared,
+    world_overlays,
+)
+from mansion_skills.world.robot_body import RobotBody
+from mansion_skills.world.world import World
 
 __all__ = ["Engine"]
 
 MOST_WAITING = 8
-"""Calls of one session that may wait for their turn."""
+"""Most calls of one session that may wait."""
 
-Listener = Callable[[Seat, WorldEvent], None]
+Listener = Callable[[Session, WorldEvent], None]
+
+
+def _open_world(path: Path, name: str, radius: float) -> tuple[SharedWorld, list[str]]:
+    """Read a building and restore its world; also return what could not be restored."""
+    world = World(LoadedBuilding(path), name, radius)
+    notes = restore_shared(world)
+    return SharedWorld(world), notes
+
+
+def _restored_robot(world: World, session: str) -> RobotBody:
+    """Put a session's robot into a world, where its overlay says."""
+    robot = world.add_robot(session)
+    saved = load_overlay(overlay_path(world.building.path, session))
+    if saved is not None and saved.world == world.name:
+        restore_robot(world, saved, robot)
+    return robot
+
+
+def _forget_world(path: Path, name: str, session: str, others: list[str]) -> None:
+    """Remove the overlays of all sessions of a world.
+
+    Raises
+    ------
+    MansionError
+        ``CONFLICT`` while other sessions are in it.
+    """
+    if others:
+        raise MansionError(
+            ErrorCode.CONFLICT,
+            f"sessions {', '.join(others)} are in the world {name!r} too; load a world of another name",
+            path="$.reset",
+        )
+    for file in sorted((path / "state").glob("*/world.json")):
+        try:
+            shared = any(state.session == file.parent.name for state in world_overlays(path, name))
+        except MansionError:
+            shared = file.parent.name == session
+        if shared or file.parent.name == session:
+            forget_overlay(file)
 
 
 class Engine:
@@ -43,40 +92,40 @@ class Engine:
 
     Parameters
     ----------
-    pace : Pace
+    clock : WorldClock
     radius : float
-        Of the robots, metres.
+        Robots' radius, metres.
     durable : bool
         Whether each save is synced to the disk.
     changed : callable, optional
-        Told of every change, with the session's seat, while the world is locked.
+        Told of every change, with the session, while the world is locked.
     progress : callable, optional
         Gets `SkillProgress` of running skills.
     """
 
     def __init__(
         self,
-        pace: Pace | None = None,
+        clock: WorldClock | None = None,
         *,
         radius: float = ROBOT_RADIUS,
         durable: bool = True,
         changed: Listener | None = None,
         progress: Callable[[SkillProgress], None] | None = None,
     ) -> None:
-        self.pace = pace or Pace()
+        self.clock = clock or WorldClock()
         self._radius = radius
         self._durable = durable
-        self._changed = changed or (lambda seat, event: None)
+        self._changed = changed or (lambda session, event: None)
         self._progress = progress or (lambda payload: None)
         self._worlds: dict[tuple[Path, str], SharedWorld] = {}
-        self._seats: dict[str, Seat] = {}
+        self._sessions: dict[str, Session] = {}
         # Taken before a world's lock and never while one is held: looking up a session takes none.
         self._guard = threading.RLock()
 
     @property
-    def seats(self) -> list[Seat]:
+    def sessions(self) -> list[Session]:
         """The sessions that have a building."""
-        return list(self._seats.values())
+        return list(self._sessions.values())
 
     @property
     def worlds(self) -> list[SharedWorld]:
@@ -92,94 +141,94 @@ class Engine:
             ``NOT_FOUND`` when there is no building, ``CONFLICT`` when what was left does not fit it, or when others
             are in a world that is to be reset.
         """
-        session = check_session(arguments.session)
+        name = check_session(arguments.session)
         key = (Path(arguments.path).expanduser().resolve(), arguments.world)
         with self._guard:
-            others = self._others(session, key)
+            others = self._others(name, key)
             if arguments.reset:
-                forget_world(key[0], key[1], session, others)
+                _forget_world(key[0], key[1], name, others)
             shared, notes = self._worlds.get(key), list[str]()
             if shared is None or not others:
-                shared, notes = open_world(key[0], key[1], self._radius)
-                shared.seen = self.pace.now()
+                shared, notes = _open_world(key[0], key[1], self._radius)
+                shared.synced = self.clock.now()
             with shared.lock:
-                robot = seat_robot(shared.world, session)
-            self._leave(session)
+                robot = _restored_robot(shared.world, name)
+            self._leave(name)
             self._worlds[key] = shared
-            self._seats[session] = seat = Seat(session, shared, robot, self._durable)
+            self._sessions[name] = session = Session(name, shared, robot, self._durable)
             with shared.lock:
                 if others:
                     self._keep_apart(shared)
-                return self._loaded(seat, notes)
+                return self._loaded(session, notes)
 
     def _keep_apart(self, shared: SharedWorld) -> None:
-        """Save robots that share a world and have done nothing yet, so that each comes back to its own place."""
-        for name, seat in sorted(self._seats.items()):
-            if seat.shared is shared and not overlay_path(shared.world.building.path, name).exists():
-                seat.save()
+        """Save the robots of a shared world that were never saved, so that each is restored to its own pose."""
+        for name, session in sorted(self._sessions.items()):
+            if session.shared is shared and not overlay_path(shared.world.building.path, name).exists():
+                session.save()
 
-    def _others(self, session: str, key: tuple[Path, str]) -> list[str]:
+    def _others(self, own: str, key: tuple[Path, str]) -> list[str]:
         shared = self._worlds.get(key)
         return [
             name
-            for name, seat in sorted(self._seats.items())
-            if name != session and shared is not None and seat.shared is shared
+            for name, session in sorted(self._sessions.items())
+            if name != own and shared is not None and session.shared is shared
         ]
 
-    def _leave(self, session: str) -> None:
+    def _leave(self, name: str) -> None:
         """Take a session out of the world that it was in."""
-        seat = self._seats.pop(session, None)
-        if seat is None:
+        session = self._sessions.pop(name, None)
+        if session is None:
             return
-        seat.stop.set()
-        world = seat.world
-        if not any(other.shared is seat.shared for other in self._seats.values()):
-            self._worlds = {k: s for k, s in self._worlds.items() if s is not seat.shared}
-        elif world.robots.get(session) is seat.robot:
-            del world.robots[session]
-            world.absent.add(session)
+        session.stop.set()
+        world = session.world
+        if not any(other.shared is session.shared for other in self._sessions.values()):
+            self._worlds = {k: s for k, s in self._worlds.items() if s is not session.shared}
+        elif world.robots.get(name) is session.robot:
+            del world.robots[name]
+            world.absent.add(name)
 
-    def _loaded(self, seat: Seat, notes: list[str]) -> Loaded:
-        world, building = seat.world, seat.world.building
+    def _loaded(self, session: Session, notes: list[str]) -> Loaded:
+        world, building = session.world, session.world.building
         return Loaded(
             building_id=building.building_id,
             floors=building.floors,
             labels=[building.label(floor) for floor in building.floors],
-            state=world.robot_state(seat.robot),
-            landmarks=landmark_infos(world, seat.robot.floor),
-            session=seat.session,
+            state=world.robot_state(session.robot),
+            landmarks=landmark_infos(world, session.robot.floor),
+            session=session.name,
             world=world.name,
             notes=notes,
         )
 
-    def seat(self, session: str) -> Seat:
-        """Return a session's seat.
+    def session(self, name: str) -> Session:
+        """Return a session by its name, the default one for an empty name.
 
         Raises
         ------
         MansionError
             ``NOT_LOADED`` when it has no building.
         """
-        name = check_session(session)
-        seat = self._seats.get(name)
-        if seat is None:
+        name = check_session(name)
+        session = self._sessions.get(name)
+        if session is None:
             raise MansionError(ErrorCode.NOT_LOADED, f"session {name!r} has no building; call load_building first")
-        return seat
+        return session
 
     def run(self, name: str, arguments: SessionArgs) -> Any:
-        """Run a skill when its turn comes.
+        """Run a skill once the calls before it have ended.
 
         Parameters
         ----------
         name : str
             ``CallElevator`` or ``call_elevator``.
         arguments : payload
-            Of the skill's argument type.
+            Arguments of the skill's type.
 
         Returns
         -------
         SkillResult or payload
-            The answer itself for a question.
+            The answer itself for a query.
 
         Raises
         ------
@@ -191,37 +240,37 @@ class Engine:
         if skill is None:
             known = choices(name, (entry.name for entry in SKILLS.values()), "skills")
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no skill {name!r}; {known}")
-        seat = self.seat(arguments.session)
-        if skill.question:
-            with seat.shared.lock:
-                return skill.call(seat.world, seat.robot, arguments)
-        seat.check(arguments.token)
-        if seat.turn.waiting >= MOST_WAITING:
+        session = self.session(arguments.session)
+        if skill.query:
+            with session.shared.lock:
+                return skill.call(session.world, session.robot, arguments)
+        session.check(arguments.token)
+        if session.turn.waiting >= MOST_WAITING:
             raise MansionError(
-                ErrorCode.CONFLICT, f"{MOST_WAITING} calls of session {seat.session!r} wait already; try again later"
+                ErrorCode.CONFLICT, f"{MOST_WAITING} calls of session {session.name!r} wait already; try again later"
             )
-        with seat.turn, seat.shared.lock:
-            seat.check(arguments.token)
-            return self._run(seat, skill, arguments)
+        with session.turn, session.shared.lock:
+            session.check(arguments.token)
+            return self._run(session, skill, arguments)
 
-    def _run(self, seat: Seat, skill: Skill, arguments: SessionArgs) -> SkillResult:
-        result = self._perform(seat, skill, arguments)
+    def _run(self, session: Session, skill: Skill, arguments: SessionArgs) -> SkillResult:
+        result = self._perform(session, skill, arguments)
         if result.changed:
-            seat.save()
-            self._changed(seat, self._event(seat, result))
+            session.save()
+            self._changed(session, self._event(session, result))
         return result
 
-    def _perform(self, seat: Seat, skill: Skill, arguments: SessionArgs) -> SkillResult:
-        """Run a skill in the world; an engine whose robots have a body elsewhere moves that too."""
-        return perform(seat, skill, arguments, self.pace, self._progress)
+    def _perform(self, session: Session, skill: Skill, arguments: SessionArgs) -> SkillResult:
+        """Run a skill in the world; subclasses with a robot elsewhere move that too."""
+        return perform(session, skill, arguments, self.clock, self._progress)
 
     @staticmethod
-    def _event(seat: Seat, result: SkillResult) -> WorldEvent:
-        world = seat.world
+    def _event(session: Session, result: SkillResult) -> WorldEvent:
+        world = session.world
         return WorldEvent(
             step=world.step,
             time=world.time,
-            session=seat.session,
+            session=session.name,
             skill=result.skill,
             changed=result.changed,
             building_id=world.building.building_id,
@@ -230,41 +279,41 @@ class Engine:
 
     def cancel(self, arguments: SessionArgs) -> SkillResult:
         """End a session's running skill and let go of its lifts."""
-        seat = self.seat(arguments.session)
-        seat.check(arguments.token)
-        running = seat.turn.held
-        seat.stop.set()
-        with seat.shared.lock:
-            released = [lift.name for lift in seat.world.lifts.values() if lift.release(seat.session)]
-            seat.robot.call = None
-            state = seat.world.robot_state(seat.robot)
-        text = "the running skill is told to end" if running else "no skill is running"
+        session = self.session(arguments.session)
+        session.check(arguments.token)
+        running = session.turn.held
+        session.stop.set()
+        with session.shared.lock:
+            released = [lift.name for lift in session.world.lifts.values() if lift.release(session.name)]
+            session.robot.call = None
+            state = session.world.robot_state(session.robot)
+        text = "the running skill was asked to stop" if running else "no skill is running"
         return SkillResult(
             skill="Cancel",
             status=SkillStatus.SUCCESS,
             message=text,
             data={"running": running, "lifts": released},
             state=state,
-            session=seat.session,
+            session=session.name,
         )
 
     def take_control(self, arguments: ControlArgs) -> Control:
         """Make the caller the only driver of a session."""
-        seat = self.seat(arguments.session)
+        session = self.session(arguments.session)
         with self._guard:
             if not arguments.force:
-                seat.check(arguments.token)
-            seat.token, seat.driver = secrets.token_hex(8), arguments.client
-            return Control(session=seat.session, token=seat.token, client=seat.driver)
+                session.check(arguments.token)
+            session.token, session.driver = secrets.token_hex(8), arguments.client
+            return Control(session=session.name, token=session.token, client=session.driver)
 
     def release_control(self, arguments: ControlArgs) -> Control:
         """Let every client drive the session again."""
-        seat = self.seat(arguments.session)
+        session = self.session(arguments.session)
         with self._guard:
             if not arguments.force:
-                seat.check(arguments.token)
-            seat.token, seat.driver = "", ""
-            return Control(session=seat.session, token="")
+                session.check(arguments.token)
+            session.token, session.driver = "", ""
+            return Control(session=session.name, token="")
 
     def request_lift(self, request: LiftRequest) -> None:
         """Do what a lift request of Open-RMF asks.
@@ -296,7 +345,7 @@ class Engine:
                     mode = LiftMode.HUMAN if human else LiftMode.AGV
                     door = LiftDoor(request.door_state)
                     lift.call(LiftCall(session=request.session_id, floor=floor, door=door, mode=mode))
-                if not self.pace.realtime:
+                if not self.clock.realtime:
                     world.advance(lift.seconds_to_rest())
         if not found:
             raise MansionError(
@@ -304,7 +353,7 @@ class Engine:
             )
 
     def tick(self) -> None:
-        """Bring the worlds' clocks up to the pace's, when motion takes its time."""
+        """Bring the worlds' clocks up to the clock's, when motion takes its time."""
         for shared in self.worlds:
             with shared.lock:
-                catch_up(shared, self.pace)
+                catch_up(shared, self.clock)

@@ -1,43 +1,46 @@
-"""The grids of one floor: what stands where, where the robot's centre may be, what blocks the view."""
+"""The grids of one floor: obstacles, where the robot's centre may be, and what blocks the view."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from math import hypot
+from math import atan2, degrees, hypot
 
 import numpy as np
 import numpy.typing as npt
 
 from mansion_msgs_py.scene import Door, FloorScene
-from mansion_msgs_py.shapes import Point, Point3, Ring, Size3
+from mansion_msgs_py.shapes import Point, Point3, Ring, Segment, Size3
 from mansion_skills.navigation.raster import GridFrame, fill_box, fill_ring
 from mansion_skills.navigation.search import inflate, stamp_disc
-from mansion_skills.navigation.shafts import shaft_cells
 
 __all__ = [
+    "Body",
     "CLEARANCE",
     "FLAT",
     "FREE",
+    "FloorMap",
     "LEAFLESS",
     "OCCUPIED",
     "RESOLUTION",
     "UNKNOWN",
-    "Body",
-    "FloorMap",
     "is_walkway",
+    "shaft_cells",
 ]
 
+_NONE, _CABIN, _OPENING = 0, 1, 2
+
 RESOLUTION = 0.05
+
 MARGIN = 0.5
-"""Unknown metres around the building, as in the floor's ``map.yaml``."""
+"""Width of the unknown border around the building, as in the floor's ``map.yaml``, metres."""
 
 CLEARANCE = 1.5
-"""Height of the robot: what hangs higher is no obstacle, metres."""
+"""Height of the robot, metres; what hangs higher is no obstacle."""
 
 FLAT = 0.05
-"""What is lower is driven over, metres."""
+"""Height up to which the robot drives over objects, metres."""
 
 EYE_LEVEL = 1.4
-"""What is taller blocks the view, metres."""
+"""Height from which objects block the view, metres."""
 
 FREE, OCCUPIED, UNKNOWN = 0, 100, -1
 """Values of ``nav_msgs/OccupancyGrid``."""
@@ -46,11 +49,55 @@ LEAFLESS = ("open", "doorway", "frame")
 """Kinds of doors that cannot be closed."""
 
 SEE_THROUGH = ("glazed",)
+
 _INSIDE, _OUTSIDE = 0, -1
+
 _WALL = -1
+
 _CLEAR = 0
+
 _PASSAGE_DEPTH = 0.14
 """Half depth of a passage through a wall without a thickness of its own, metres."""
+
+
+def shaft_cells(scene: FloorScene, frame: GridFrame, leafless: Iterable[str]) -> npt.NDArray[np.bool_]:
+    """Return the cells that the floor's ``map.pgm`` has free inside and at the mouths of its cores.
+
+    Parameters
+    ----------
+    scene : FloorScene
+    frame : GridFrame
+    leafless : iterable of str
+        Kinds of doors that are always open.
+
+    Returns
+    -------
+    array of bool, shape (rows, columns)
+    """
+    marks = np.zeros((frame.rows, frame.columns), dtype=np.int16)
+    for core in scene.cores:
+        if core.type == "elevator":
+            fill_ring(marks, frame, core.polygon, _CABIN)
+    thickness = {wall.id: wall.thickness for wall in scene.walls}
+    for wall in scene.walls:
+        _fill(marks, frame, wall.segment, wall.thickness, wall.thickness, _NONE)
+    names = {core.id for core in scene.cores}
+    for door in scene.doors:
+        if names.intersection(str(name) for name in door.rooms):
+            passable = door.is_open or door.kind in leafless
+            depth = thickness.get(door.wall, 0.12)
+            _fill(marks, frame, door.segment, 0.0, depth, _OPENING if passable else _NONE)
+    free: npt.NDArray[np.bool_] = marks != _NONE
+    return free
+
+
+def _fill(
+    marks: npt.NDArray[np.int16], frame: GridFrame, segment: Segment, longer: float, depth: float, value: int
+) -> None:
+    (ax, ay), (bx, by) = segment
+    size = (hypot(bx - ax, by - ay) + longer, depth)
+    middle = ((ax + bx) / 2, (ay + by) / 2)
+    fill_box(marks, frame, middle, size, degrees(atan2(by - ay, bx - ax)), value)
 
 
 @dataclass(frozen=True)
@@ -102,7 +149,7 @@ class FloorMap:
     ----------
     scene : FloorScene
     radius : float
-        Of the robot, metres.
+        Robot's radius, metres.
 
     Attributes
     ----------
@@ -166,7 +213,7 @@ class FloorMap:
             fill_ring(self._bare, self.frame, core.polygon, _WALL)
 
     def update(self, bodies: Iterable[Body], is_open: Mapping[str, bool]) -> None:
-        """Put the doors and bodies of this moment into the grids.
+        """Redraw the grids with the doors and bodies as they are now.
 
         Parameters
         ----------
@@ -182,8 +229,8 @@ class FloorMap:
         self.occupied = solid != _CLEAR
         self.blocked = inflate(self.occupied, self.radius / RESOLUTION)
 
-    def swing(self, name: str, is_open: bool) -> None:
-        """Open or close one door: what `update` would do, where the door is."""
+    def swing(self, name: str, *, is_open: bool) -> None:
+        """Open or close one door, as `update` would, by redrawing only its surroundings."""
         door = next(door for door in self.scene.doors if door.id == name)
         self.is_open[name] = is_open
         if door.kind in LEAFLESS or not is_walkway(door, self._cores):
@@ -222,7 +269,7 @@ class FloorMap:
         """Return what stands in the way and what blocks the view, with some doors and bodies drawn."""
         solid, view = self._bare.copy(), self._bare.copy()
         for door in doors:
-            self._cut(door, self.is_open[door.id], solid, view)
+            self._cut(door, solid, view, is_open=self.is_open[door.id])
         for body in bodies:
             place = (body.position[0], body.position[1])
             footprint = (body.size[0], body.size[1])
@@ -231,7 +278,7 @@ class FloorMap:
                 fill_box(view, self.frame, place, footprint, body.rotation, body.number, _CLEAR)
         return solid, view
 
-    def _cut(self, door: Door, is_open: bool, solid: npt.NDArray[np.int16], view: npt.NDArray[np.int16]) -> None:
+    def _cut(self, door: Door, solid: npt.NDArray[np.int16], view: npt.NDArray[np.int16], *, is_open: bool) -> None:
         if not is_walkway(door, self._cores):
             return
         passable = is_open or door.kind in LEAFLESS

@@ -16,10 +16,10 @@ __all__ = ["SNAP", "find_path", "free_run", "is_clear", "path_length"]
 Mask = npt.NDArray[np.bool_]
 
 SNAP = 0.6
-"""How far a start or goal in an inflated cell may be from a free one, metres."""
+"""Greatest distance from a start or goal in a blocked cell to a free one, metres."""
 
 ROUNDING = 0.3
-"""How far from a corner its rounding begins, metres."""
+"""Distance from a corner at which its rounding begins, metres."""
 
 _PARTS = 4
 _PASSES = 3
@@ -125,7 +125,7 @@ def _straightened(blocked: Mask, frame: GridFrame, points: list[Point]) -> list[
 
 
 def _pulled(blocked: Mask, frame: GridFrame, points: list[Point]) -> list[Point]:
-    """Drop every point that the way can do without, from the first on."""
+    """Drop each point that a straight line from the last kept one can skip (string pulling)."""
     kept = [points[0]]
     for here, after in pairwise(points[1:]):
         if not is_clear(blocked, frame, kept[-1], after):

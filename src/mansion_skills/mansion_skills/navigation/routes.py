@@ -51,7 +51,7 @@ class RouteGraph:
     scenes : iterable of FloorScene
     rides : iterable of Ride
     speed : float
-        Of walking, metres a second.
+        Walking speed, metres a second.
     """
 
     def __init__(self, scenes: Iterable[FloorScene], rides: Iterable[Ride], speed: float) -> None:

@@ -232,7 +232,7 @@ def cast_rays(occupied: Mask, row: float, column: float, angles: Floats, reach: 
     angles : (n,) array
         Radians, counter-clockwise from the direction of growing columns.
     reach : float
-        In cells.
+        Longest range, cells.
 
     Notes
     -----
@@ -266,7 +266,7 @@ def cast_rays(occupied: Mask, row: float, column: float, angles: Floats, reach: 
 def sees(
     view: npt.NDArray[np.int16], r0: float, c0: float, r1: float, c1: float, short: float, ours: npt.NDArray[np.int16]
 ) -> bool:
-    """Whether a line of sight meets only the labels `ours`; cell coordinates, the last `short` cells left out."""
+    """Whether a line of sight meets no labels but `ours`; cell coordinates, the last `short` cells left out."""
     rows, columns = view.shape
     length = math.hypot(r1 - r0, c1 - c0)
     steps = int(length * 4) + 1

@@ -14,10 +14,10 @@ from sensor_msgs.msg import CameraInfo, Image, PointCloud2, PointField
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.nodes.shell import JsonPublisher, qos_profile
 from mansion_msgs_py.skills import CameraNames
-from mansion_skills.engine.seat import Seat
+from mansion_skills.engine.session import Session
 from mansion_skills.nodes.robot_names import RobotNames
 from mansion_skills.nodes.transforms import TransformPublisher
-from mansion_skills.skills.seeing import CAMERA_HEIGHT
+from mansion_skills.skills.visibility import CAMERA_HEIGHT
 from mansion_skills.vision import Camera, Intrinsics
 
 __all__ = ["FRAME", "CameraSettings", "CameraTopics"]
@@ -49,10 +49,10 @@ class CameraTopics:
         self._topics = names
         self._frame = names.frame(FRAME)
         self._settings = settings
-        self._seat: Seat | None = None
+        self._session: Session | None = None
         self._camera: Camera | None = None
         self._failed = False
-        self._told = 0
+        self._announced = 0
         self._rgb = self._make(Image, "camera/image")
         self._depth = self._make(Image, "camera/depth")
         self._labels = self._make(Image, "camera/segmentation")
@@ -65,10 +65,10 @@ class CameraTopics:
         entry = self._topics.interface(name)
         return self._node.create_publisher(kind, entry.name, qos_profile(entry.qos))
 
-    def show(self, seat: Seat) -> None:
-        """Look through the eyes of a session's robot from now on."""
+    def show(self, session: Session) -> None:
+        """Show the camera of a session's robot from now on."""
         self.close()
-        self._seat, self._failed, self._told = seat, False, 0
+        self._session, self._failed, self._announced = session, False, 0
 
     def close(self) -> None:
         """Free the camera."""
@@ -82,13 +82,13 @@ class CameraTopics:
             publisher.get_subscription_count() > 0
             for publisher in (self._rgb, self._depth, self._labels, self._points, self._info)
         )
-        seat = self._seat
-        camera = self._opened(seat) if rgb or depth or labels or points or info else None
-        if camera is None or seat is None:
+        session = self._session
+        camera = self._opened(session) if rgb or depth or labels or points or info else None
+        if camera is None or session is None:
             return
         stamp = self._node.get_clock().now().to_msg()
         base = self._topics.frame("base_link")
-        self._tf.publish([_optical_frame(base, self._frame, seat.robot.pitch, stamp)])
+        self._tf.publish([_optical_frame(base, self._frame, session.robot.pitch, stamp)])
         if info:
             self._info.publish(camera_info(camera.intrinsics, self._frame, stamp))
         if not (rgb or depth or labels or points):
@@ -98,10 +98,10 @@ class CameraTopics:
         except MansionError as error:
             self._fail(error)
             return
-        if labels and self._told != len(frame.names):
-            self._told = len(frame.names)
-            building = seat.world.building.building_id
-            names = CameraNames(names=list(frame.names), session=seat.session, building_id=building)
+        if labels and self._announced != len(frame.names):
+            self._announced = len(frame.names)
+            building = session.world.building.building_id
+            names = CameraNames(names=list(frame.names), session=session.name, building_id=building)
             self._names.publish(names)
         for wanted, publisher, encoding, pixels in (
             (rgb, self._rgb, "rgb8", frame.rgb),
@@ -114,11 +114,11 @@ class CameraTopics:
             cloud = point_cloud(frame.depth, frame.rgb, camera.intrinsics, self._frame, stamp)
             self._points.publish(cloud)
 
-    def _opened(self, seat: Seat | None) -> Camera | None:
-        if self._camera is None and seat is not None and not self._failed:
+    def _opened(self, session: Session | None) -> Camera | None:
+        if self._camera is None and session is not None and not self._failed:
             size = self._settings
             try:
-                self._camera = Camera(seat, size.width, size.height, size.fov)
+                self._camera = Camera(session, size.width, size.height, size.fov)
             except MansionError as error:
                 self._fail(error)
         return self._camera

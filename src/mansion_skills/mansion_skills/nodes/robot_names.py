@@ -35,9 +35,9 @@ class RobotNames:
     Parameters
     ----------
     namespace : str
-        Of the robot stack, as `robot_namespace` returns it.
+        Namespace of the robot stack, as `robot_namespace` returns it.
     frame_prefix : str
-        In front of every frame, with its separator (``site_b/``).
+        Prefix of every frame, with its separator (``site_b/``).
     session : str
         The default session's topics have no further part; the others' have the session in front.
 

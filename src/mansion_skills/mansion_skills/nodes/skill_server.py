@@ -3,16 +3,20 @@
 import threading
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from time import monotonic
 from typing import Any
 
 import msgspec
+from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.node import Node
 from rosgraph_msgs.msg import Clock
 
+from mansion_geometry.robot_body import ROBOT_RADIUS
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.codec import to_builtins
-from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import ServiceInterface, service, topic
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
@@ -20,25 +24,86 @@ from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service, add_jso
 from mansion_msgs_py.skills import Loaded, SessionArgs
 from mansion_msgs_py.world import LiftRequest, SkillProgress, SkillResult, SkillStatus, WorldEvent
 from mansion_skills.engine import Engine
-from mansion_skills.engine.driving import drive_for
-from mansion_skills.engine.pace import Pace
-from mansion_skills.engine.seat import Seat
+from mansion_skills.engine.executor import WorldClock
+from mansion_skills.engine.motion import drive_for
+from mansion_skills.engine.session import Session
 from mansion_skills.nodes.camera_topics import CameraSettings, CameraTopics
 from mansion_skills.nodes.robot_names import RobotNames, robot_namespace
 from mansion_skills.nodes.robot_stack import PERIOD, RobotStack
-from mansion_skills.nodes.server_parameters import declare_parameters
 from mansion_skills.nodes.transforms import MISSING, TransformPublisher
 from mansion_skills.skills.registry import SKILLS
-from mansion_skills.vision.gl import rendering_fault
+from mansion_skills.vision.offscreen import rendering_fault
 from mansion_skills.world.overlay import DEFAULT_SESSION
 
-__all__ = ["SkillServer", "main"]
+__all__ = ["PARAMETERS", "SkillServer", "declare_parameters", "main"]
+
+MOTIONS = ("fast", "realtime")
+PIXELS = (16, 4096)
+
+PARAMETERS: tuple[tuple[str, Any, str, tuple[float, float] | None], ...] = (
+    ("building", "", "folder of a building to load at start", None),
+    ("session", "", "session that loads it; the default robot when empty", None),
+    ("motion", "fast", "fast: skills complete at once; realtime: they take their time", None),
+    ("real_time_factor", 1.0, "seconds of the world for a second on the wall, with realtime motion", (0.01, 1000.0)),
+    ("robot_radius", ROBOT_RADIUS, "metres", (0.05, 1.0)),
+    ("durable", True, "sync every save to the disk", None),
+    ("robot_stack", True, "publish map, frames, odometry, scan and markers", None),
+    (
+        "robot_namespace",
+        "",
+        "of map, odom, scan, cmd_vel, tf and clock: / for the global names; when empty, those in the namespace "
+        "/mansion, and below the node's own namespace in any other",
+        None,
+    ),
+    ("frame_prefix", "", "in front of every frame, as in site_b/", None),
+    ("camera", True, "publish what the robots see while someone listens", None),
+    ("camera_width", 300, "pixels", PIXELS),
+    ("camera_height", 300, "pixels", PIXELS),
+    ("camera_fov", 90.0, "of the camera, across, degrees", (1.0, 170.0)),
+    ("camera_rate", 10.0, "images a second at most", (0.1, 100.0)),
+    ("publish_clock", False, "publish the world's clock on /clock", None),
+)
+"""Name, default, description and range."""
 
 UNTRIED, READY = "not tried yet", "ready"
 """What is known of making pictures here; anything else is why there are none."""
 
 THREADS = 12
 """Enough for a full queue of skills beside cancel, questions and timers."""
+
+
+def declare_parameters(node: Node) -> dict[str, Any]:
+    """Declare the parameters and return their values.
+
+    They are read only: to set one on the running server would change nothing.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` for a motion that there is not; rclpy itself refuses other types and values out of range.
+    """
+    value = {
+        name: node.declare_parameter(name, default, _descriptor(text, default, limits)).value
+        for name, default, text, limits in PARAMETERS
+    }
+    if value["motion"] not in MOTIONS:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            f"the parameter motion is {value['motion']!r}; {' and '.join(MOTIONS)} are accepted",
+        )
+    return value
+
+
+def _descriptor(text: str, default: Any, limits: tuple[float, float] | None) -> ParameterDescriptor:
+    descriptor = ParameterDescriptor(description=text, read_only=True)
+    if limits is None:
+        return descriptor
+    lower, upper = limits
+    if isinstance(default, int):
+        descriptor.integer_range = [IntegerRange(from_value=int(lower), to_value=int(upper), step=1)]
+    else:
+        descriptor.floating_point_range = [FloatingPointRange(from_value=lower, to_value=upper)]
+    return descriptor
 
 
 class SkillServer(MansionNode):
@@ -58,7 +123,7 @@ class SkillServer(MansionNode):
         self._events = JsonPublisher(self, topic("world_events"))
         self._world_clock = self._clock_publisher() if value["publish_clock"] else None
         self.engine = Engine(
-            Pace(realtime=value["motion"] == "realtime", factor=value["real_time_factor"]),
+            WorldClock(realtime=value["motion"] == "realtime", factor=value["real_time_factor"]),
             radius=value["robot_radius"],
             durable=value["durable"],
             changed=self._changed,
@@ -98,9 +163,9 @@ class SkillServer(MansionNode):
 
     def facts(self) -> Iterable[tuple[str, object]]:
         """Return what the diagnostics say of the sessions, and of what is left out."""
-        for seat in self.engine.seats:
-            where = f"{seat.world.building.building_id} floor {seat.robot.floor}"
-            yield f"session {seat.session or 'default'}", where
+        for session in self.engine.sessions:
+            where = f"{session.world.building.building_id} floor {session.robot.floor}"
+            yield f"session {session.name or 'default'}", where
         yield "camera", self._rendering
         yield "transforms", "published" if TransformPublisher.is_possible() else "no tf2_msgs"
 
@@ -112,45 +177,46 @@ class SkillServer(MansionNode):
         return RobotNames(self._namespace, self._frame_prefix, session)
 
     def _json(self, name: str, handler: Callable[[Any], Any], prefix: str = "") -> None:
-        entry = service(name)
-        if prefix:
-            entry = ServiceInterface(f"{prefix}/{name}", entry.node, entry.description, entry.arguments, entry.reply)
-        add_json_service(self, entry, handler, callback_group=self._group)
+        self._serve(service(name), handler, prefix)
+
+    def _serve(self, entry: ServiceInterface, handler: Callable[[Any], Any], prefix: str = "") -> None:
+        named = replace(entry, name=f"{prefix}/{entry.name}") if prefix else entry
+        add_json_service(self, named, handler, callback_group=self._group)
 
     def _serve_skills(self, session: str) -> None:
         """Serve all skills; below a session's name they are that session's."""
-        for name in SKILLS:
-            self._json(f"skills/{name}", self._runner(name, session), session)
+        for skill in SKILLS.values():
+            self._serve(skill.interface, self._runner(skill.name, session), session)
         if session:
             self._json("skills/cancel", self._bound(self.engine.cancel, session), session)
 
     def load(self, arguments: LoadBuilding) -> Loaded:
         """Put the session's robot into a building, where a former run of the session left it."""
         loaded = self.engine.load(arguments)
-        session = loaded.session
-        if session != DEFAULT_SESSION and session not in self._served:
-            self._served.add(session)
-            self._serve_skills(session)
-        seat = self.engine.seat(session)
-        if self._with_stack and session not in self._stacks:
-            self._stacks[session] = RobotStack(self, self._names(session), self._group)
-        with seat.shared.lock:
+        name = loaded.session
+        if name != DEFAULT_SESSION and name not in self._served:
+            self._served.add(name)
+            self._serve_skills(name)
+        session = self.engine.session(name)
+        if self._with_stack and name not in self._stacks:
+            self._stacks[name] = RobotStack(self, self._names(name), self._group)
+        with session.shared.lock:
             if self._with_stack:
-                self._stacks[session].show(seat)
-            self._show(seat)
-            self._publish_world_lifts(seat)
+                self._stacks[name].show(session)
+            self._show(session)
+            self._publish_world_lifts(session)
         if self._camera is not None:
-            self._show_pictures(seat)
+            self._show_pictures(session)
         return loaded
 
-    def _show_pictures(self, seat: Seat) -> None:
+    def _show_pictures(self, session: Session) -> None:
         """Have the session's camera show a building, once it is known whether pictures can be made here."""
         with self._looking:
             if self._rendering == UNTRIED:
                 self._rendering = "being tried"
                 threading.Thread(target=self._try_rendering, name="rendering", daemon=True).start()
             elif self._rendering == READY:
-                self._look_through(seat)
+                self._look_through(session)
 
     def _try_rendering(self) -> None:
         fault = rendering_fault()
@@ -162,15 +228,15 @@ class SkillServer(MansionNode):
             return
         with self._looking:
             self._rendering = READY
-            for seat in self.engine.seats:
-                self._look_through(seat)
+            for session in self.engine.sessions:
+                self._look_through(session)
 
-    def _look_through(self, seat: Seat) -> None:
+    def _look_through(self, session: Session) -> None:
         assert self._camera is not None
-        if seat.session not in self._cameras:
-            names = self._names(seat.session)
-            self._cameras[seat.session] = CameraTopics(self, names, self._camera)
-        self._cameras[seat.session].show(seat)
+        if session.name not in self._cameras:
+            names = self._names(session.name)
+            self._cameras[session.name] = CameraTopics(self, names, self._camera)
+        self._cameras[session.name].show(session)
 
     def _runner(self, name: str, session: str) -> Callable[[Any], Any]:
         def run(arguments: Any) -> Any:
@@ -186,32 +252,32 @@ class SkillServer(MansionNode):
 
         return run
 
-    def _changed(self, seat: Seat, event: WorldEvent) -> None:
+    def _changed(self, session: Session, event: WorldEvent) -> None:
         self._events.publish(event)
-        self._show(seat)
-        self._publish_changed_lifts(seat)
+        self._show(session)
+        self._publish_changed_lifts(session)
 
-    def _show(self, seat: Seat) -> None:
-        self._robot_state.publish(seat.world.robot_state(seat.robot))
+    def _show(self, session: Session) -> None:
+        self._robot_state.publish(session.world.robot_state(session.robot))
         for stack in list(self._stacks.values()):
-            other = stack.seat
-            if other is seat:
-                stack.publish_all(seat)
-            elif other is not None and other.shared is seat.shared:
-                stack.follow(other, seat.robot.floor)
+            other = stack.session
+            if other is session:
+                stack.publish_all(session)
+            elif other is not None and other.shared is session.shared:
+                stack.follow(other, session.robot.floor)
 
     def _report(self, progress: SkillProgress) -> None:
         self._progress.publish(progress)
-        seat = self.engine.seat(progress.session)
-        self._publish_changed_lifts(seat)
+        session = self.engine.session(progress.session)
+        self._publish_changed_lifts(session)
 
-    def _publish_changed_lifts(self, seat: Seat) -> None:
-        changes = seat.world.lift_changes
+    def _publish_changed_lifts(self, session: Session) -> None:
+        changes = session.world.lift_changes
         while changes:
             self._lift_state.publish(changes.popleft())
 
-    def _publish_world_lifts(self, seat: Seat) -> None:
-        for state in seat.world.lift_states():
+    def _publish_world_lifts(self, session: Session) -> None:
+        for state in session.world.lift_states():
             self._lift_state.publish(state)
 
     def _publish_lifts(self) -> None:
@@ -223,20 +289,20 @@ class SkillServer(MansionNode):
 
     def _publish_markers(self) -> None:
         for stack in list(self._stacks.values()):
-            with self._shown(stack) as seat:
-                if seat is not None:
-                    stack.publish_markers(seat)
+            with self._shown(stack) as session:
+                if session is not None:
+                    stack.publish_markers(session)
 
     @staticmethod
     @contextmanager
-    def _shown(stack: RobotStack) -> Iterator[Seat | None]:
+    def _shown(stack: RobotStack) -> Iterator[Session | None]:
         """Lock the world that a stack shows; ``None`` when it shows another one by then."""
-        seat = stack.seat
-        if seat is None:
+        session = stack.session
+        if session is None:
             yield None
             return
-        with seat.shared.lock:
-            yield seat if stack.seat is seat else None
+        with session.shared.lock:
+            yield session if stack.session is session else None
 
     def _publish_pictures(self) -> None:
         with self._looking:
@@ -255,10 +321,10 @@ class SkillServer(MansionNode):
             self.engine.request_lift(request)
         except MansionError as error:
             self.get_logger().warning(f"lift_requests: {error}")
-        for seat in self.engine.seats:
-            with seat.shared.lock:
-                self._publish_changed_lifts(seat)
-                self._publish_world_lifts(seat)
+        for session in self.engine.sessions:
+            with session.shared.lock:
+                self._publish_changed_lifts(session)
+                self._publish_world_lifts(session)
 
     def _drive(self) -> None:
         """Twenty times a second: drive as commanded, publish poses, and every other time scans."""
@@ -267,17 +333,17 @@ class SkillServer(MansionNode):
         self.engine.tick()
         self._odd = not self._odd
         for stack in list(self._stacks.values()):
-            with self._shown(stack) as seat:
-                if seat is None:
+            with self._shown(stack) as session:
+                if session is None:
                     continue
-                moved = drive_for(seat, stack.drive, seconds, now)
+                moved = drive_for(session, stack.drive, seconds, now)
                 if not moved and stack.drive.moved:
                     stack.drive.moved = False
-                    seat.save()
-                    self._robot_state.publish(seat.world.robot_state(seat.robot))
-                stack.publish_pose(seat)
+                    session.save()
+                    self._robot_state.publish(session.world.robot_state(session.robot))
+                stack.publish_pose(session)
                 if self._odd:
-                    stack.publish_scan(seat)
+                    stack.publish_scan(session)
         if self._world_clock is not None and (worlds := self.engine.worlds):
             nanoseconds = int(worlds[0].world.time * 1e9)
             message = Clock()
@@ -288,7 +354,7 @@ class SkillServer(MansionNode):
 def _reply(result: Any) -> Any:
     if isinstance(result, SkillResult) and result.status is not SkillStatus.SUCCESS:
         raise MansionError(
-            result.status.value, f"{result.message}; what would do: {result.satisfied_by}", details=to_builtins(result)
+            result.status.value, f"{result.message}; to succeed: {result.satisfied_by}", details=to_builtins(result)
         )
     return result
 

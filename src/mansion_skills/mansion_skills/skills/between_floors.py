@@ -1,31 +1,60 @@
 """CallElevator, UseElevator and TakeStairs, as in their skill cards (section F.1)."""
 
 from collections.abc import Generator
+from typing import Annotated, Any
 
 from mansion_msgs_py.scene import SceneCore
-from mansion_msgs_py.skills import SessionArgs, TakeStairsArgs, UseElevatorArgs
+from mansion_msgs_py.skills import SessionArgs
 from mansion_msgs_py.world import LiftCall, SkillChange, SkillResult, SkillStatus
-from mansion_skills.skills.outcome import Run, Step, done, invalid, refused, unmet
+from mansion_skills.skills.declaration import Action, Argument, Card, skill
+from mansion_skills.skills.results import Run, Step, done, invalid, refused, unmet, with_changes
 from mansion_skills.world.lift import Lift
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
-__all__ = ["NEAR_ENTRANCE", "STAIR_SPEED", "call_elevator", "take_stairs", "use_elevator"]
+__all__ = [
+    "NEAR_ENTRANCE",
+    "STAIR_SPEED",
+    "TakeStairsArgs",
+    "UseElevatorArgs",
+    "call_elevator",
+    "take_stairs",
+    "use_elevator",
+]
 
 NEAR_ENTRANCE = 1.0
 """How near to a core's entrance pose the robot must stand, metres."""
 
 DIRECTIONS = {"Up": 1, "Down": -1}
-"""Changes of the floor; written in any case."""
+"""Directions, in any case, and how they change the floor."""
 
 STAIR_SPEED = 0.25
-"""Metres of height a second on stairs."""
+"""Vertical speed on stairs, metres a second."""
 
 PATIENCE = 120.0
-"""Seconds that a robot waits for a lift that another session holds, in real time."""
+"""How long a robot waits for a lift that another session holds, in real time, seconds."""
 
 
-def call_elevator(world: World, robot: RobotBody, arguments: SessionArgs, realtime: bool) -> Run:
+class UseElevatorArgs(SessionArgs, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Skill card UseElevator: a floor number, or a label where it is unambiguous."""
+
+    target_floor: Annotated[Any, Argument("floor", "floor to ride to, by number or unambiguous label")]
+
+
+class TakeStairsArgs(SessionArgs, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Skill card TakeStairs: ``Up`` or ``Down``."""
+
+    direction: Annotated[Any, Argument("text", "`Up` or `Down`")]
+
+
+@skill(
+    "CallElevator",
+    "Bring the lift to the robot's floor and open its doors.",
+    failures=(SkillStatus.INVALID_ACTION, SkillStatus.PRECONDITION_FAILURE, SkillStatus.EXECUTION_FAILURE),
+    card=Card("call the lift; the robot must stand at its entrance (GoToLandmark elevator)"),
+    actions=(Action(),),
+)
+def call_elevator(world: World, robot: RobotBody, arguments: SessionArgs, *, realtime: bool) -> Run:
     """Bring the lift beside the robot to its floor and open its doors."""
     name = "CallElevator"
     core = world.core_near(robot, "elevator", NEAR_ENTRANCE)
@@ -44,11 +73,10 @@ def call_elevator(world: World, robot: RobotBody, arguments: SessionArgs, realti
     if rank > 0:
         text = f"{core.id} is held by session {lift.session!r}; the call is number {rank} in its queue"
         wish = "CallElevator again when that session has ended"
-        result = unmet(world, robot, name, text, wish)
-        result.changed.append(SkillChange(what=f"{core.id}.queue", after=rank))
-        return result
+        queued = SkillChange(what=f"{core.id}.queue", after=rank)
+        return with_changes(unmet(world, robot, name, text, wish), queued)
     robot.call = core.id
-    yield from _until_open(lift, robot.floor, realtime, f"{core.id} comes")
+    yield from _until_open(lift, robot.floor, f"{core.id} comes", realtime=realtime)
     if not lift.is_open_at(robot.floor):
         return _taken_away(world, robot, name, core.id)
     return done(
@@ -83,18 +111,27 @@ def _drop_idle_holder(world: World, lift: Lift) -> None:
         holder.call = None
 
 
-def _until_open(lift: Lift, floor: int, realtime: bool, message: str) -> Generator[Step, None, None]:
+def _until_open(lift: Lift, floor: int, message: str, *, realtime: bool) -> Generator[Step, None, None]:
     """Let time pass until the lift stands open at a floor, or rests elsewhere because its session was ended."""
-    whole = max(lift.seconds_to_rest(), 1e-9)
+    total = max(lift.seconds_to_rest(), 1e-9)
     while not lift.is_open_at(floor):
         left = lift.seconds_to_rest()
         if left <= 0.0:
             return
         step = min(left, 0.5) if realtime else left
-        yield Step(max(step, 1e-3), 1.0 - left / whole, message)
+        yield Step(max(step, 1e-3), 1.0 - left / total, message)
 
 
-def use_elevator(world: World, robot: RobotBody, arguments: UseElevatorArgs, realtime: bool) -> Run:
+@skill(
+    "UseElevator",
+    "Ride the called lift to another floor.",
+    arguments=UseElevatorArgs,
+    example='{"target_floor": 3}',
+    failures=(SkillStatus.INVALID_ACTION, SkillStatus.PRECONDITION_FAILURE, SkillStatus.EXECUTION_FAILURE),
+    card=Card("ride the called lift to a floor", ("target_floor",)),
+    actions=(Action(indexed="target_floor"),),
+)
+def use_elevator(world: World, robot: RobotBody, arguments: UseElevatorArgs, *, realtime: bool) -> Run:
     """Ride the called lift to another floor; what the robot holds goes with it."""
     name = "UseElevator"
     target = world.building.floor_number(arguments.target_floor)
@@ -118,7 +155,7 @@ def use_elevator(world: World, robot: RobotBody, arguments: UseElevatorArgs, rea
         return unmet(world, robot, name, text, "CallElevator first")
     before = robot.floor
     lift.call(LiftCall(session=robot.session, floor=target))
-    yield from _until_open(lift, target, realtime, f"riding to floor {target}")
+    yield from _until_open(lift, target, f"riding to floor {target}", realtime=realtime)
     if not lift.is_open_at(target):
         return _taken_away(world, robot, name, core.id)
     world.update_floor(robot, target - before, core.id)
@@ -129,7 +166,18 @@ def use_elevator(world: World, robot: RobotBody, arguments: UseElevatorArgs, rea
     )
 
 
-def take_stairs(world: World, robot: RobotBody, arguments: TakeStairsArgs, realtime: bool) -> Run:
+@skill(
+    "TakeStairs",
+    "Walk one floor up or down.",
+    arguments=TakeStairsArgs,
+    example='{"direction": "Up"}',
+    failures=(SkillStatus.INVALID_ACTION, SkillStatus.PRECONDITION_FAILURE),
+    card=Card(
+        "walk one floor `Up` or `Down`; the robot must stand at the stairs (GoToLandmark stairs)", ("direction",)
+    ),
+    actions=(Action(fixed={"direction": "Up"}), Action(fixed={"direction": "Down"})),
+)
+def take_stairs(world: World, robot: RobotBody, arguments: TakeStairsArgs, *, realtime: bool) -> Run:
     """Walk one floor up or down."""
     name = "TakeStairs"
     wanted = arguments.direction

@@ -1,47 +1,72 @@
 """OpenDoor and CloseDoor."""
 
 from math import dist, hypot
+from typing import Annotated, Any
 
 from mansion_msgs_py.scene import Door
-from mansion_msgs_py.skills import DoorArgs
+from mansion_msgs_py.skills import SessionArgs
 from mansion_msgs_py.wording import with_article
-from mansion_msgs_py.world import SkillChange, SkillResult
+from mansion_msgs_py.world import SkillChange, SkillResult, SkillStatus
 from mansion_skills.navigation.floor_map import FLAT, LEAFLESS
-from mansion_skills.skills.naming import door_named
-from mansion_skills.skills.outcome import Run, Step, done, invalid, unmet
-from mansion_skills.world.footprint import box_distance, segment_distance
+from mansion_skills.skills.declaration import Action, Argument, Card, skill
+from mansion_skills.skills.references import door_named
+from mansion_skills.skills.results import Run, Step, done, invalid, unmet
+from mansion_skills.world.objects import box_distance, segment_distance
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
-__all__ = ["DOOR_REACH", "close_door", "open_door"]
+__all__ = ["DOOR_REACH", "DoorArgs", "close_door", "open_door"]
 
 DOOR_REACH = 1.5
 """How near to a door the robot must stand, metres to its opening."""
 
 DOOR_TIME = 3.0
 LEAF = 0.07
-"""How far a leaf and its frame stick out of the opening's middle line, metres."""
+"""Half the depth of a leaf with its frame, from the centre line of the opening, metres."""
 
 
-def open_door(world: World, robot: RobotBody, arguments: DoorArgs, realtime: bool) -> Run:
+class DoorArgs(SessionArgs, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A door of this floor: its id, or the nearest one when absent."""
+
+    door: Annotated[Any, Argument("text", "id of a door of this floor; the nearest one when absent")] = ""
+
+
+@skill(
+    "OpenDoor",
+    "Open a door.",
+    arguments=DoorArgs,
+    example='{"door": "F1/door_2"}',
+    failures=(SkillStatus.INVALID_ACTION, SkillStatus.PRECONDITION_FAILURE),
+    card=Card("open the nearest door"),
+    actions=(Action(),),
+)
+def open_door(world: World, robot: RobotBody, arguments: DoorArgs, *, realtime: bool) -> Run:
     """Open a door of this floor."""
-    return (yield from _swing(world, robot, "OpenDoor", arguments, True))
+    return (yield from _swing(world, robot, "OpenDoor", arguments, wanted=True))
 
 
-def close_door(world: World, robot: RobotBody, arguments: DoorArgs, realtime: bool) -> Run:
+@skill(
+    "CloseDoor",
+    "Close a door.",
+    arguments=DoorArgs,
+    example='{"door": "F1/door_2"}',
+    failures=(SkillStatus.INVALID_ACTION, SkillStatus.PRECONDITION_FAILURE),
+    actions=(Action(),),
+)
+def close_door(world: World, robot: RobotBody, arguments: DoorArgs, *, realtime: bool) -> Run:
     """Close a door of this floor."""
-    return (yield from _swing(world, robot, "CloseDoor", arguments, False))
+    return (yield from _swing(world, robot, "CloseDoor", arguments, wanted=False))
 
 
-def _swing(world: World, robot: RobotBody, name: str, arguments: DoorArgs, wanted: bool) -> Run:
+def _swing(world: World, robot: RobotBody, name: str, arguments: DoorArgs, *, wanted: bool) -> Run:
     door = _chosen(world, robot, arguments.door)
     if isinstance(door, str):
         known = ", ".join(world.view(robot.floor).doors)
         return invalid(world, robot, name, door, f"one of {known}")
-    if (refusal := _refusal(world, robot, name, door, wanted)) is not None:
+    if (refusal := _refusal(world, robot, name, door, wanted=wanted)) is not None:
         return refusal
     yield Step(DOOR_TIME, 0.5, f"moving {door.id}")
-    if (refusal := _refusal(world, robot, name, door, wanted)) is not None:
+    if (refusal := _refusal(world, robot, name, door, wanted=wanted)) is not None:
         return refusal
     world.doors[door.id] = wanted
     if wanted == door.is_open:
@@ -65,7 +90,7 @@ def _chosen(world: World, robot: RobotBody, wanted: object) -> Door | str:
     return nearest if nearest is not None else f"floor {robot.floor} has no door that moves"
 
 
-def _refusal(world: World, robot: RobotBody, name: str, door: Door, wanted: bool) -> SkillResult | None:
+def _refusal(world: World, robot: RobotBody, name: str, door: Door, *, wanted: bool) -> SkillResult | None:
     if door.kind in LEAFLESS:
         text = f"{door.id} is {with_article(door.kind)} without a leaf"
         return invalid(world, robot, name, text, "another door")
@@ -73,7 +98,7 @@ def _refusal(world: World, robot: RobotBody, name: str, door: Door, wanted: bool
         text = f"{door.id} is a lift's landing door"
         return invalid(world, robot, name, text, "CallElevator, which opens it")
     if door.kind == "garage":
-        text = f"{door.id} is a garage door, which only its own drive lifts"
+        text = f"{door.id} is a garage door, which only its own motor opens"
         return invalid(world, robot, name, text, "another door")
     away = segment_distance(robot.place, door.segment)
     if away > DOOR_REACH or robot_room(world, robot, door) is None:
@@ -83,8 +108,8 @@ def _refusal(world: World, robot: RobotBody, name: str, door: Door, wanted: bool
     if is_open == wanted:
         word = "open" if wanted else "closed"
         return unmet(world, robot, name, f"{door.id} is {word} already", "nothing: it is done")
-    if not wanted and (thing := _in_doorway(world, robot.floor, door)) is not None:
-        text = f"{thing} is in the way of {door.id}"
+    if not wanted and (obstacle := _in_doorway(world, robot.floor, door)) is not None:
+        text = f"{obstacle} is in the way of {door.id}"
         return unmet(world, robot, name, text, "clearing the doorway")
     return None
 

@@ -1,68 +1,77 @@
-"""All skills by name: what they take, and whether they change the world."""
+"""All skills by name: those that the modules of this folder declare."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+import pkgutil
+from collections.abc import Iterable, Iterator, Mapping
+from importlib import import_module
+from types import ModuleType
+from typing import Final
 
-from mansion_msgs_py import skills as payloads
-from mansion_skills.skills import asking, between_floors, doors, handling, moving, near, placing
+import msgspec
 
-__all__ = ["SKILLS", "Skill", "skill_named"]
+from mansion_skills import skills as folder
+from mansion_skills.skills.declaration import Skill
 
+__all__ = ["SKILLS", "SKILL_PAYLOADS", "in_order", "skill_named"]
 
-@dataclass(frozen=True)
-class Skill:
-    """A skill.
-
-    Attributes
-    ----------
-    name : str
-        As the skill cards write it, ``CallElevator``.
-    call : callable
-        ``(world, robot, arguments, realtime)`` to a running skill, or, of a question, ``(world, robot, arguments)``
-        to its answer.
-    """
-
-    name: str
-    arguments: type[Any]
-    call: Callable[..., Any]
-    question: bool = False
-
-    @property
-    def service(self) -> str:
-        """The name in snake case, ``call_elevator``."""
-        return "".join(f"_{c.lower()}" if c.isupper() else c for c in self.name).lstrip("_")
-
-
-_ALL = (
-    Skill("CallElevator", payloads.SessionArgs, between_floors.call_elevator),
-    Skill("UseElevator", payloads.UseElevatorArgs, between_floors.use_elevator),
-    Skill("TakeStairs", payloads.TakeStairsArgs, between_floors.take_stairs),
-    Skill("GoToLandmark", payloads.GoToLandmarkArgs, moving.go_to_landmark),
-    Skill("MoveTo", payloads.MoveToArgs, moving.move_to),
-    Skill("GoNearObject", payloads.NearObjectArgs, near.go_near_object),
-    Skill("MoveAhead", payloads.MoveAheadArgs, moving.move_ahead),
-    Skill("Rotate", payloads.RotateArgs, moving.rotate),
-    Skill("LookUp", payloads.LookArgs, moving.look_up),
-    Skill("LookDown", payloads.LookArgs, moving.look_down),
-    Skill("OpenDoor", payloads.DoorArgs, doors.open_door),
-    Skill("CloseDoor", payloads.DoorArgs, doors.close_door),
-    Skill("OpenObject", payloads.ObjectArgs, handling.open_object),
-    Skill("CloseObject", payloads.ObjectArgs, handling.close_object),
-    Skill("PickUp", payloads.ObjectArgs, handling.pick_up),
-    Skill("Place", payloads.PlaceArgs, placing.place),
-    Skill("ToggleOn", payloads.ObjectArgs, handling.toggle_on),
-    Skill("ToggleOff", payloads.ObjectArgs, handling.toggle_off),
-    Skill("WhereAmI", payloads.SessionArgs, asking.where_am_i, question=True),
-    Skill("ListLandmarks", payloads.SessionArgs, asking.list_landmarks, question=True),
-    Skill("ListVisible", payloads.VisibleArgs, asking.list_visible, question=True),
-    Skill("PlanRoute", payloads.RouteArgs, asking.plan_route, question=True),
+_ORDER: Final = (
+    "CallElevator",
+    "UseElevator",
+    "TakeStairs",
+    "GoToLandmark",
+    "MoveTo",
+    "GoNearObject",
+    "MoveAhead",
+    "Rotate",
+    "LookUp",
+    "LookDown",
+    "OpenDoor",
+    "CloseDoor",
+    "OpenObject",
+    "CloseObject",
+    "PickUp",
+    "Place",
+    "ToggleOn",
+    "ToggleOff",
+    "WhereAmI",
+    "ListLandmarks",
+    "ListVisible",
+    "PlanRoute",
 )
 
-SKILLS: dict[str, Skill] = {skill.service: skill for skill in _ALL}
+
+def in_order(skills: Iterable[Skill], first: tuple[str, ...]) -> list[Skill]:
+    """Return skills in an order that is published: those that it names, then all others by name.
+
+    Tables, prompts and the actions of trained policies depend on positions, so what is new goes to the end.
+    """
+    rank = {name: place for place, name in enumerate(first)}
+    return sorted(skills, key=lambda skill: (rank.get(skill.name, len(first)), skill.name))
+
+
+def _modules() -> Iterator[ModuleType]:
+    for entry in pkgutil.iter_modules(folder.__path__, f"{folder.__name__}."):
+        if entry.name != __name__:
+            yield import_module(entry.name)
+
+
+def _declared() -> Iterator[Skill]:
+    for module in _modules():
+        yield from (
+            value
+            for value in vars(module).values()
+            if isinstance(value, Skill) and value.call.__module__ == module.__name__
+        )
+
+
+SKILLS: Final[Mapping[str, Skill]] = {skill.service: skill for skill in in_order(_declared(), _ORDER)}
 """Service name below ``skills/`` to skill."""
 
-_BY_NAME = {skill.name.casefold(): skill for skill in _ALL} | SKILLS
+SKILL_PAYLOADS: Final[Mapping[str, type[msgspec.Struct]]] = {
+    kind.__name__: kind for skill in SKILLS.values() for kind in (skill.arguments, skill.reply)
+}
+"""The payload types of arguments and replies by name."""
+
+_BY_NAME: Final[Mapping[str, Skill]] = {**{skill.name.casefold(): skill for skill in SKILLS.values()}, **SKILLS}
 
 
 def skill_named(name: str) -> Skill | None:

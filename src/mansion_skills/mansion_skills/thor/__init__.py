@@ -3,7 +3,7 @@
 AI2-THOR is the optional extra ``thor``; nothing here imports it before `open_controller` is called.
 """
 
-from mansion_skills.thor.controller import open_controller
+from mansion_skills.thor.engine import open_controller
 from mansion_skills.thor.gym import ThorGym
 
 __all__ = ["ThorGym", "open_controller"]

@@ -5,9 +5,11 @@ from math import atan2, degrees, dist
 from typing import Any
 
 from mansion_geometry.thor.house_format import AGENT_HEIGHT, thor_heading, thor_point, upright
-from mansion_msgs_py.skills import MoveAheadArgs, PlaceArgs, SessionArgs
+from mansion_msgs_py.skills import SessionArgs
 from mansion_msgs_py.world import Pose2D, SkillResult
-from mansion_skills.skills.outcome import number
+from mansion_skills.skills.manipulation import PlaceArgs
+from mansion_skills.skills.motion_primitives import MoveAheadArgs
+from mansion_skills.skills.results import number
 from mansion_skills.world.robot_body import RobotBody, turn_between
 from mansion_skills.world.world import World
 
@@ -69,7 +71,7 @@ def actions_for(
     Parameters
     ----------
     before, pitch : Pose2D, float
-        Of the robot before the skill.
+        Pose and pitch of the robot before the skill.
     arguments, result : payloads
     force : bool
         Whether hands reach whatever the agent's own visibility says.
@@ -80,7 +82,7 @@ def actions_for(
         return [{"action": _HANDS[name], "objectId": target, "forceAction": force}]
     if name == "Place":
         assert isinstance(arguments, PlaceArgs)
-        return [_put(world, str(result.data["object"]), force)]
+        return [_put(world, str(result.data["object"]), force=force)]
     if name == "MoveAhead":
         assert isinstance(arguments, MoveAheadArgs)
         distance = number(arguments.distance) or 0.0
@@ -95,7 +97,7 @@ def actions_for(
     return way_to(robot, before) if (robot.pose, robot.pitch) != (before, pitch) else []
 
 
-def _put(world: World, held: str, force: bool) -> Action:
+def _put(world: World, held: str, *, force: bool) -> Action:
     """Return the action that puts down what the hand holds, onto or into something or at a place of the floor."""
     state = world.objects.state(held)
     assert state.position is not None

@@ -7,12 +7,11 @@ from mansion_geometry.thor.controller import Controller
 from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore
-from mansion_skills.engine.seat import Seat
+from mansion_skills.engine.session import Session
 from mansion_skills.robot import Robot
-from mansion_skills.thor.controller import open_controller
-from mansion_skills.thor.engine import ThorEngine
+from mansion_skills.thor.engine import ThorEngine, open_controller
 from mansion_skills.thor.houses import Houses
-from mansion_skills.world.landmarks import Landmark
+from mansion_skills.world.floor_view import Landmark
 
 __all__ = ["ThorGym"]
 
@@ -38,14 +37,14 @@ class ThorGym(Robot, Closing):
     durable : bool
         Sync each save to the disk.
     **parameters
-        Of ``ai2thor.controller.Controller``.
+        Parameters of ``ai2thor.controller.Controller``.
 
     Attributes
     ----------
     landmarks : list of Landmark
-        Of this floor.
+        Landmarks of this floor.
     room_graph : dict
-        Of this floor: room or core to those that a door leads to from it.
+        Room or core of this floor to those that a door leads to from it.
 
     Raises
     ------
@@ -81,22 +80,21 @@ class ThorGym(Robot, Closing):
         self._thor = ThorEngine(self.controller, self._entered, force=force, durable=durable)
         try:
             super().__init__(building_dir, session, world="thor", reset=reset, engine=self._thor)
-            seat = self._seat
-            with seat.turn, seat.shared.lock:
-                self._enter(seat)
+            with self._session.turn, self._session.shared.lock:
+                self._enter(self._session)
         except BaseException:
             if own:
                 self.controller.stop()
             raise
 
     @property
-    def _seat(self) -> Seat:
-        return self._thor.seat(self.session)
+    def _session(self) -> Session:
+        return self._thor.session(self.session)
 
     @property
     def houses(self) -> Houses:
         """What AI2-THOR has assets for (``id in houses``), and each floor's house as it is now (``arranged``)."""
-        return self._thor.houses(self._seat)
+        return self._thor.houses(self._session)
 
     @property
     def last_event(self) -> Any:
@@ -127,28 +125,28 @@ class ThorGym(Robot, Closing):
         MansionError
             ``NOT_FOUND`` when no core leads to that floor, ``UNAVAILABLE`` when AI2-THOR cannot show it.
         """
-        seat = self._seat
-        with seat.turn, seat.shared.lock:
+        session = self._session
+        with session.turn, session.shared.lock:
             if floor_delta:
-                target = seat.robot.floor + floor_delta
-                core = _core_to(seat, target)
-                seat.world.update_floor(seat.robot, floor_delta, core.id)
-                self._enter(seat)
-                seat.save()
+                target = session.robot.floor + floor_delta
+                core = _core_to(session, target)
+                session.world.update_floor(session.robot, floor_delta, core.id)
+                self._enter(session)
+                session.save()
         return self.last_event
 
-    def _enter(self, seat: Seat) -> None:
-        if error := self._thor.enter(seat):
+    def _enter(self, session: Session) -> None:
+        if error := self._thor.enter(session):
             raise MansionError(
                 ErrorCode.UNAVAILABLE,
-                f"AI2-THOR does not show floor {seat.robot.floor}: {error}",
-                details={"floor": seat.robot.floor},
+                f"AI2-THOR does not show floor {session.robot.floor}: {error}",
+                details={"floor": session.robot.floor},
             )
-        self._thor.read_back(seat)
+        self._thor.read_back(session)
 
-    def _entered(self, seat: Seat) -> None:
+    def _entered(self, session: Session) -> None:
         """Step 3: make the landmarks and the room graph of the robot's floor."""
-        view = seat.world.view(seat.robot.floor)
+        view = session.world.view(session.robot.floor)
         self.landmarks = list(view.landmarks)
         names = [room.id for room in view.scene.rooms] + [core.id for core in view.scene.cores]
         graph: dict[str, list[str]] = {name: [] for name in names}
@@ -164,13 +162,14 @@ class ThorGym(Robot, Closing):
         self.controller.stop()
 
 
-def _core_to(seat: Seat, target: int) -> SceneCore:
+def _core_to(session: Session, target: int) -> SceneCore:
     """Return the core that leads to a floor: a lift before stairs, then the first by name."""
-    cores = [core for core in seat.world.view(seat.robot.floor).scene.cores if target in core.floors]
-    if not cores or target not in seat.world.building.floors:
+    floors = session.world.building.floors
+    cores = [core for core in session.world.view(session.robot.floor).scene.cores if target in core.floors]
+    if not cores or target not in floors:
         raise MansionError(
             ErrorCode.NOT_FOUND,
-            f"no core leads from floor {seat.robot.floor} to floor {target}; floors are {seat.world.building.floors}",
+            f"no core leads from floor {session.robot.floor} to floor {target}; floors are {floors}",
             path="$.floor_delta",
         )
     return min(cores, key=lambda core: (core.type != "elevator", core.id))

@@ -11,8 +11,8 @@ from mansion_geometry.thor.house_format import AGENT_HEIGHT, object_nodes, thor_
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.shapes import Point3
 from mansion_msgs_py.world import ObjectState, Pose2D
-from mansion_skills.building import LoadedBuilding
-from mansion_skills.world.carrying import placed_at
+from mansion_skills.world.building import LoadedBuilding
+from mansion_skills.world.objects import placed_at
 from mansion_skills.world.world import World
 
 __all__ = ["Houses"]

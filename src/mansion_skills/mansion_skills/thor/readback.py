@@ -9,8 +9,8 @@ import msgspec
 from mansion_geometry.thor.house_format import floor_heading, floor_point, floor_rotation
 from mansion_msgs_py.shapes import Point3
 from mansion_msgs_py.world import ObjectState, Pose2D, SkillChange
-from mansion_skills.skills.surfaces import can_contain
-from mansion_skills.world.carrying import put_down, take_up
+from mansion_skills.skills.receptacles import can_contain
+from mansion_skills.world.objects import put_down, take_up
 from mansion_skills.world.robot_body import RobotBody, turn_between
 from mansion_skills.world.world import World
 
@@ -20,7 +20,7 @@ SAME_PLACE, SAME_TURN = 0.01, 1.0
 """Differences that are put down to rounding, metres and degrees."""
 
 SETTLED = 0.1
-"""How far a thing may slide and still be taken to lie where it lay when AI2-THOR names nothing below it, metres."""
+"""Greatest distance that an object may slide and keep its receptacle when AI2-THOR names none, metres."""
 
 
 def read_back(world: World, robot: RobotBody, metadata: Mapping[str, Any]) -> list[SkillChange]:
@@ -46,7 +46,7 @@ def read_back(world: World, robot: RobotBody, metadata: Mapping[str, Any]) -> li
     door_changes = []
     for name, entry in seen.items():
         if name in doors:
-            door_changes += _read_door(world, name, doors[name].is_open, bool(entry["isOpen"]))
+            door_changes += _read_door(world, name, at_first=doors[name].is_open, is_open=bool(entry["isOpen"]))
     for name in [name for name in seen if name in world.objects]:
         _read_object(world, robot, name, seen[name])
     changed = [name for name in seen if name in world.objects and world.objects.changed.get(name) != before.get(name)]
@@ -69,7 +69,7 @@ def _read_agent(robot: RobotBody, agent: Mapping[str, Any]) -> None:
         robot.pitch = round(pitch, 3)
 
 
-def _read_door(world: World, name: str, at_first: bool, is_open: bool) -> list[SkillChange]:
+def _read_door(world: World, name: str, *, at_first: bool, is_open: bool) -> list[SkillChange]:
     was = world.doors.get(name, at_first)
     if was == is_open:
         return []

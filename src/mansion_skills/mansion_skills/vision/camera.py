@@ -6,20 +6,15 @@ from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore
 from mansion_msgs_py.wording import choices
-from mansion_skills.engine.seat import Seat
-from mansion_skills.skills.seeing import CAMERA_HEIGHT
-from mansion_skills.vision.drawing import floor_title
+from mansion_skills.engine.session import Session
+from mansion_skills.skills.visibility import CAMERA_HEIGHT
+from mansion_skills.vision.annotated_pictures import Button, floor_title, panel_picture, tile_pages, with_arrows
 from mansion_skills.vision.floors import Floors
-from mansion_skills.vision.frame import Frame, Intrinsics, Picture
-from mansion_skills.vision.gl import GlThread
-from mansion_skills.vision.lift_panel import Button, panel_picture
-from mansion_skills.vision.names import Names
-from mansion_skills.vision.pages import tile_pages
-from mansion_skills.vision.panorama import VIEW, stitch, view_yaws
-from mansion_skills.vision.renderer import Eye, Parts
-from mansion_skills.vision.stair_arrows import with_arrows
-from mansion_skills.vision.viewpoints import core_viewpoint
-from mansion_skills.world.landmarks import Landmark, landmark_named
+from mansion_skills.vision.frame import Frame, Intrinsics, Names, Picture
+from mansion_skills.vision.offscreen import GlThread
+from mansion_skills.vision.panorama import VIEW, core_viewpoint, stitch, view_yaws
+from mansion_skills.vision.renderer import CameraPose, Parts
+from mansion_skills.world.floor_view import Landmark, landmark_named
 
 if TYPE_CHECKING:
     from mansion_skills.robot import Robot
@@ -39,16 +34,16 @@ COLOURS = Parts(depth=False, segmentation=False)
 
 
 class Camera(Closing):
-    """Pictures of the world as it is now, through the eyes of one robot.
+    """Pictures of the world as it is now from one robot's camera.
 
     Parameters
     ----------
-    source : Robot or Seat
-        Whose eyes; of a `Robot`, its session's seat.
+    source : Robot or Session
+        Session of the robot; of a `Robot`, its own.
     width, height : int
-        Of the frames, pixels.
+        Size of the frames, pixels.
     fov : float
-        Across, degrees.
+        Horizontal field of view, degrees.
 
     Raises
     ------
@@ -65,7 +60,7 @@ class Camera(Closing):
             frame = camera.render()
     """
 
-    def __init__(self, source: "Robot | Seat", width: int = 300, height: int = 300, fov: float = 90.0) -> None:
+    def __init__(self, source: "Robot | Session", width: int = 300, height: int = 300, fov: float = 90.0) -> None:
         self._source = source
         self.intrinsics = Intrinsics(width, height, fov)
         self._size = max(width, LARGEST[0]), max(height, LARGEST[1])
@@ -77,39 +72,41 @@ class Camera(Closing):
         """The floors that are loaded now, ascending."""
         return self._floors.loaded if self._floors is not None else []
 
-    def _seat(self) -> Seat:
+    def _session(self) -> Session:
         source = self._source
-        return source if isinstance(source, Seat) else source.engine.seat(source.session)
+        return source if isinstance(source, Session) else source.engine.session(source.session)
 
-    def _world_floors(self, seat: Seat) -> Floors:
+    def _world_floors(self, session: Session) -> Floors:
         """Return the loaded floors; others when the session has loaded another building, or the same anew."""
-        if self._floors is None or self._floors.world is not seat.world:
+        if self._floors is None or self._floors.world is not session.world:
             if self._floors is not None:
                 self._floors.close()
-            building = seat.world.building
+            building = session.world.building
             names = Names(building.scene(floor) for floor in building.floors)
-            self._floors = Floors(seat.world, names, *self._size)
+            self._floors = Floors(session.world, names, *self._size)
         return self._floors
 
-    def _draw(self, seat: Seat, floor: int, eyes: list[Eye], intrinsics: Intrinsics, parts: Parts) -> list[Frame]:
+    def _draw(
+        self, session: Session, floor: int, poses: list[CameraPose], intrinsics: Intrinsics, parts: Parts
+    ) -> list[Frame]:
         """Draw several views of one moment."""
-        floors = self._world_floors(seat)
-        with seat.shared.lock:
-            floors.follow(floor, seat.robot)
-        return [floors.draw(floor, eye, intrinsics, parts) for eye in eyes]
+        floors = self._world_floors(session)
+        with session.shared.lock:
+            floors.synchronise(floor, session.robot)
+        return [floors.draw(floor, pose, intrinsics, parts) for pose in poses]
 
     def render(self, *, rgb: bool = True, depth: bool = True, segmentation: bool = True) -> Frame:
         """Return what the robot sees; a part that is not asked for is an empty array, and saves time."""
-        seat = self._seat()
-        with seat.shared.lock:
-            robot = seat.robot
+        session = self._session()
+        with session.shared.lock:
+            robot = session.robot
             floor, x, y = robot.floor, robot.pose.x, robot.pose.y
-            eye = Eye(x, y, CAMERA_HEIGHT, robot.pose.yaw, robot.pitch)
+            pose = CameraPose(x, y, CAMERA_HEIGHT, robot.pose.yaw, robot.pitch)
         parts = Parts(rgb, depth, segmentation)
-        return self._thread.run(self._draw, seat, floor, [eye], self.intrinsics, parts)[0]
+        return self._thread.run(self._draw, session, floor, [pose], self.intrinsics, parts)[0]
 
     def panorama(self, room_id: str) -> Picture:
-        """Return the whole round from where a robot stands at a landmark, stitched from six views.
+        """Return the panorama from a robot's pose at a landmark, stitched from six views.
 
         Parameters
         ----------
@@ -125,19 +122,19 @@ class Camera(Closing):
         MansionError
             ``NOT_FOUND`` when there is no such landmark.
         """
-        seat = self._seat()
-        with seat.shared.lock:
-            landmark = _landmark(seat, room_id)
-        return self._round(seat, landmark)
+        session = self._session()
+        with session.shared.lock:
+            landmark = _landmark(session, room_id)
+        return self._panorama_of(session, landmark)
 
-    def _round(self, seat: Seat, landmark: Landmark) -> Picture:
+    def _panorama_of(self, session: Session, landmark: Landmark) -> Picture:
         x, y, middle = landmark.pose.x, landmark.pose.y, landmark.pose.yaw
         if landmark.kind != "room":
-            grid = seat.world.view(landmark.floor).map
+            grid = session.world.view(landmark.floor).map
             core = next(core for core in grid.scene.cores if core.id == landmark.name)
             x, y, middle = core_viewpoint(grid, core)
-        eyes = [Eye(x, y, CAMERA_HEIGHT, yaw) for yaw in view_yaws(middle)]
-        frames = self._thread.run(self._draw, seat, landmark.floor, eyes, VIEW, COLOURS)
+        poses = [CameraPose(x, y, CAMERA_HEIGHT, yaw) for yaw in view_yaws(middle)]
+        frames = self._thread.run(self._draw, session, landmark.floor, poses, VIEW, COLOURS)
         return stitch([frame.rgb for frame in frames])
 
     def landmark_pages(self, per_page: int = 9, floor: int | None = None) -> list[Picture]:
@@ -150,16 +147,16 @@ class Camera(Closing):
         floor : int, optional
             The robot's when it is left out.
         """
-        seat = self._seat()
-        with seat.shared.lock:
-            number = seat.robot.floor if floor is None else floor
-            building = seat.world.building
+        session = self._session()
+        with session.shared.lock:
+            number = session.robot.floor if floor is None else floor
+            building = session.world.building
             if number not in building.floors:
                 known = ", ".join(map(str, building.floors))
                 raise MansionError(ErrorCode.NOT_FOUND, f"there is no floor {number}; floors: {known}", path="$.floor")
-            landmarks = seat.world.view(number).landmarks
+            landmarks = session.world.view(number).landmarks
             title = f"Landmarks of floor {floor_title(number, building.label(number))}"
-        entries = [(landmark.name, self._round(seat, landmark)) for landmark in landmarks]
+        entries = [(landmark.name, self._panorama_of(session, landmark)) for landmark in landmarks]
         return tile_pages(entries, title, per_page)
 
     def lift_panel(self) -> Picture:
@@ -170,8 +167,8 @@ class Camera(Closing):
         MansionError
             ``NOT_FOUND`` on a floor without a lift.
         """
-        seat, floor, core, view = self._at_core("elevator")
-        building = seat.world.building
+        session, floor, core, view = self._at_core("elevator")
+        building = session.world.building
         buttons = [Button(f, building.label(f), f in core.floors) for f in building.floors]
         return panel_picture(core.id, buttons, floor, view)
 
@@ -183,26 +180,26 @@ class Camera(Closing):
         MansionError
             ``NOT_FOUND`` on a floor without a stair.
         """
-        seat, floor, core, view = self._at_core("stair")
+        session, floor, core, view = self._at_core("stair")
         words = {
-            step: f"{word} to {seat.world.building.label(floor + step)}"
+            step: f"{word} to {session.world.building.label(floor + step)}"
             for word, step in (("Up", 1), ("Down", -1))
             if floor + step in core.floors
         }
         return with_arrows(view, words.get(1), words.get(-1))
 
-    def _at_core(self, kind: str) -> tuple[Seat, int, SceneCore, Picture]:
-        """Return whose eyes these are, the floor, its nearest core of a kind, and the view of that core."""
-        seat = self._seat()
-        with seat.shared.lock:
-            floor = seat.robot.floor
-            core = seat.world.core_near(seat.robot, kind, float("inf"))
+    def _at_core(self, kind: str) -> tuple[Session, int, SceneCore, Picture]:
+        """Return the session, the floor, its nearest core of a kind, and the view of that core."""
+        session = self._session()
+        with session.shared.lock:
+            floor = session.robot.floor
+            core = session.world.core_near(session.robot, kind, float("inf"))
             if core is None:
                 raise MansionError(ErrorCode.NOT_FOUND, f"floor {floor} has no {kind}")
-            x, y, yaw = core_viewpoint(seat.world.view(floor).map, core, CORE_DISTANCE[kind])
-        eyes = [Eye(x, y, CAMERA_HEIGHT, yaw)]
-        frames = self._thread.run(self._draw, seat, floor, eyes, CORE_VIEW, COLOURS)
-        return seat, floor, core, frames[0].rgb
+            x, y, yaw = core_viewpoint(session.world.view(floor).map, core, CORE_DISTANCE[kind])
+        poses = [CameraPose(x, y, CAMERA_HEIGHT, yaw)]
+        frames = self._thread.run(self._draw, session, floor, poses, CORE_VIEW, COLOURS)
+        return session, floor, core, frames[0].rgb
 
     def close(self) -> None:
         """Free the OpenGL context; the camera is of no use afterwards."""
@@ -212,9 +209,9 @@ class Camera(Closing):
         self._thread.close()
 
 
-def _landmark(seat: Seat, name: str) -> Landmark:
+def _landmark(session: Session, name: str) -> Landmark:
     """Return a landmark of the robot's floor, or of any other when none there has the name."""
-    world, robot = seat.world, seat.robot
+    world, robot = session.world, session.robot
     others = [floor for floor in world.building.floors if floor != robot.floor]
     for floor in [robot.floor, *others]:
         found = landmark_named(name, world.view(floor).landmarks, floor, robot.place)

@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_msgs_py.scene import FloorScene
-from mansion_skills.vision.model_writer import OFF, ON, PART, CameraModel
-from mansion_skills.vision.names import Names
+from mansion_skills.vision.frame import Names
+from mansion_skills.vision.mjcf_model import OFF, ON, PART, CameraModel
 from mansion_skills.vision.portals import Wedge
 
 __all__ = ["ANYWHERE", "FloorModel", "Turn", "turn_about_z"]
@@ -96,8 +96,8 @@ class FloorModel:
         for core in scene.cores:
             for part in LANDING_PARTS:
                 sides[f"{core.id}/{part}"] = sides.get(core.door, (core.id, None))
-        for thing in scene.objects:
-            sides[thing.id] = (thing.room, thing.room)
+        for item in scene.objects:
+            sides[item.id] = (item.room, item.room)
         numbers = np.full((len(names), 2), ANYWHERE, dtype=np.int32)
         for i, name in enumerate(names):
             element = element_of(name, sides)
@@ -135,7 +135,7 @@ class FloorModel:
         number = self.rooms.get(room, ANYWHERE) if room is not None else ANYWHERE
         self._room[self.geoms(body)] = number if shown else NOWHERE
 
-    def switch(self, body: str, on: bool) -> None:
+    def switch(self, body: str, *, on: bool) -> None:
         """Let the lamps and screens of a body shine, or not."""
         for geom in range(*self.geoms(body).indices(self.model.ngeom)):
             states = self._switches.get(int(self._material[geom]))

@@ -8,13 +8,11 @@ from pathlib import Path
 import numpy as np
 
 from mansion_skills.vision.floor_model import FloorModel
-from mansion_skills.vision.follow import Follower, guests_of
-from mansion_skills.vision.frame import Frame, Intrinsics
-from mansion_skills.vision.model_file import ModelFile
-from mansion_skills.vision.model_writer import camera_model
-from mansion_skills.vision.names import Names
+from mansion_skills.vision.frame import Frame, Intrinsics, Names
+from mansion_skills.vision.mjcf_model import ModelFile, camera_model
 from mansion_skills.vision.portals import SEE_THROUGH, Portals, Wedge
-from mansion_skills.vision.renderer import Eye, Parts, Renderer
+from mansion_skills.vision.renderer import CameraPose, Parts, Renderer
+from mansion_skills.vision.world_sync import WorldSync, guests_of
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
@@ -27,7 +25,7 @@ KEPT = 3
 @dataclass
 class _Loaded:
     model: FloorModel
-    follower: Follower
+    sync: WorldSync
     renderer: Renderer
     portals: Portals
     guests: list[str]
@@ -41,7 +39,7 @@ class Floors:
     world : World
     names : Names
     width, height : int
-        Of the largest picture, pixels.
+        Size of the largest picture, pixels.
     """
 
     def __init__(self, world: World, names: Names, width: int, height: int) -> None:
@@ -61,7 +59,7 @@ class Floors:
         """The floors that are loaded, ascending."""
         return sorted(self._loaded)
 
-    def follow(self, floor: int, robot: RobotBody) -> None:
+    def synchronise(self, floor: int, robot: RobotBody) -> None:
         """Load a floor when that is needed, and bring it up to date; the caller holds the world's lock."""
         loaded = self._loaded.get(floor)
         known = loaded.model.bodies if loaded is not None else self._file(floor).bodies
@@ -74,7 +72,7 @@ class Floors:
         self._loaded.move_to_end(floor)
         while len(self._loaded) > KEPT:
             self._loaded.popitem(last=False)[1].renderer.close()
-        loaded.follower.follow(robot)
+        loaded.sync.synchronise(robot)
 
     def _file(self, floor: int) -> ModelFile:
         """Return a floor's model on disk; few are kept, since only loading needs them."""
@@ -95,7 +93,7 @@ class Floors:
         homes = {
             name: number
             for number in world.building.floors
-            for name in (thing.id for thing in world.building.scene(number).objects)
+            for name in (item.id for item in world.building.scene(number).objects)
             if name in guests
         }
         below = max((f for f in world.building.floors if f < floor), default=None)
@@ -108,18 +106,18 @@ class Floors:
             None if below is None else (self._file(below), scene.elevation - world.building.entry(below).elevation),
         )
         model = FloorModel(source, scene, self._names)
-        follower = Follower(world, floor, model, self._names)
-        return _Loaded(model, follower, Renderer(model, *self._size), Portals(scene), guests)
+        sync = WorldSync(world, floor, model, self._names)
+        return _Loaded(model, sync, Renderer(model, *self._size), Portals(scene), guests)
 
-    def draw(self, floor: int, eye: Eye, intrinsics: Intrinsics, parts: Parts) -> Frame:
-        """Draw a floor that `follow` has brought up to date."""
+    def draw(self, floor: int, eye: CameraPose, intrinsics: Intrinsics, parts: Parts) -> Frame:
+        """Draw a floor that `synchronise` has brought up to date."""
         loaded = self._loaded[floor]
         view = self.world.view(floor)
         room = view.map.room_at(eye.x, eye.y)
         rooms = None
         if room is not None:
             doors = view.doors
-            closed = [name for name in loaded.follower.closed_doors() if doors[name].kind not in SEE_THROUGH]
+            closed = [name for name in loaded.sync.closed_doors() if doors[name].kind not in SEE_THROUGH]
             wedge = wedge_of(intrinsics, eye.pitch)
             rooms = loaded.portals.visible(room, (eye.x, eye.y), eye.yaw, wedge, closed)
         place = np.array([eye.x, eye.y, eye.z])

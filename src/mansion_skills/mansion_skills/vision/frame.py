@@ -1,12 +1,15 @@
-"""What a camera gives, and the pinhole that it looks through."""
+"""What a camera returns: pictures, depth and labels, the pinhole they are taken through, and the ids of labels."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import atan, degrees, radians, tan
 
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["NOTHING", "Depth", "Frame", "Intrinsics", "Labels", "Picture"]
+from mansion_msgs_py.scene import FloorScene
+
+__all__ = ["Depth", "Frame", "Intrinsics", "Labels", "NOTHING", "Names", "Picture"]
 
 Picture = npt.NDArray[np.uint8]
 """RGB, shape (height, width, 3)."""
@@ -79,3 +82,46 @@ class Frame:
             for label, count in zip(labels.tolist(), counts.tolist())
             if label != NOTHING and count >= least
         }
+
+
+class Names:
+    """Ids in a fixed order; new ones are added at the end, so that an index never changes its meaning.
+
+    Parameters
+    ----------
+    scenes : iterable of FloorScene
+    """
+
+    def __init__(self, scenes: Iterable[FloorScene]) -> None:
+        self._index: dict[str, int] = {}
+        self._table: tuple[str, ...] = ()
+        for scene in scenes:
+            for room in scene.rooms:
+                self.index(room.id)
+                self.index(f"{room.id}/ceiling")
+            for name in _ids(scene):
+                self.index(name)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._index
+
+    def index(self, name: str) -> int:
+        """Return the index of an id, a new one when it has none."""
+        return self._index.setdefault(name, len(self._index))
+
+    @property
+    def table(self) -> tuple[str, ...]:
+        """The ids, each at its index."""
+        if len(self._table) != len(self._index):
+            self._table = tuple(self._index)
+        return self._table
+
+
+def _ids(scene: FloorScene) -> list[str]:
+    return [
+        *(wall.id for wall in scene.walls),
+        *(door.id for door in scene.doors),
+        *(window.id for window in scene.windows),
+        *(core.id for core in scene.cores),
+        *(item.id for item in scene.objects),
+    ]

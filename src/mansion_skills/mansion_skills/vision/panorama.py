@@ -1,15 +1,25 @@
-"""Stitch views of one place into a cylindrical panorama."""
+"""Panoramas: the viewpoint of a lift or a stair, and views of one place stitched on to a cylinder."""
 
 from collections.abc import Sequence
 from functools import lru_cache
-from math import pi
+from math import atan2, cos, degrees, hypot, pi, radians, sin
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
+from mansion_msgs_py.scene import SceneCore
+from mansion_skills.navigation.floor_map import FloorMap
 from mansion_skills.vision.frame import Intrinsics, Picture
 
-__all__ = ["HEIGHT", "VIEW", "VIEWS", "WIDTH", "stitch", "view_yaws"]
+__all__ = ["FARTHEST", "HEIGHT", "VIEW", "VIEWS", "WIDTH", "core_viewpoint", "stitch", "view_yaws"]
+
+FARTHEST: Final = 1.4
+"""Metres from the standard pose: from there door and sign fill the height of a panorama."""
+
+STEP: Final = 0.1
+FAN: Final = (0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0)
+"""Directions that are tried, degrees from straight ahead; among equals the first counts."""
 
 VIEWS = 6
 """Views of a round."""
@@ -18,10 +28,66 @@ VIEW = Intrinsics(400, 400, 90.0)
 """The camera of a view."""
 
 WIDTH, HEIGHT = 1024, 256
-"""Of a panorama, pixels."""
+"""Size of a panorama, pixels."""
 
 SLOPE = HEIGHT * pi / WIDTH
 """Tangent of the highest direction; so pixels are as high as they are wide in the middle."""
+
+_Ints = npt.NDArray[np.int64]
+
+_Floats = npt.NDArray[np.float64]
+
+
+def core_viewpoint(grid: FloorMap, core: SceneCore, farthest: float = FARTHEST) -> tuple[float, float, float]:
+    """Return a place from which the door of a core is in view, and the direction of the door.
+
+    The way from the core's standard pose is free and stays in its room, so nothing that stands there hides the door; of
+    such places it is the farthest, one straight ahead before one aside.
+
+    Parameters
+    ----------
+    grid : FloorMap
+        The floor's grids.
+    core : SceneCore
+    farthest : float
+        Metres from the core's standard pose.
+
+    Returns
+    -------
+    x, y, yaw : float
+        Metres and degrees.
+    """
+    x0, y0, outward = core.entrance
+    room = grid.room_at(x0, y0)
+
+    def stands(x: float, y: float) -> bool:
+        return grid.is_free(x, y) and grid.room_at(x, y) == room
+
+    best, found = 0.0, (x0, y0)
+    for aside in FAN:
+        turn = radians(outward + aside)
+        away = 0.0
+        while away < farthest - 1e-9 and stands(x0 + (away + STEP) * cos(turn), y0 + (away + STEP) * sin(turn)):
+            away += STEP
+        # Obliquely a door looks narrower; beyond the square of the cosine its sign cannot be read.
+        score = away * cos(radians(aside)) ** 2
+        if score > best + 1e-9:
+            best, found = score, (x0 + away * cos(turn), y0 + away * sin(turn))
+    x, y = found
+    dx, dy = _door(grid, core)
+    if hypot(dx - x, dy - y) < 1e-6:
+        return x, y, outward + 180.0
+    return x, y, degrees(atan2(dy - y, dx - x))
+
+
+def _door(grid: FloorMap, core: SceneCore) -> tuple[float, float]:
+    """Return the middle of a core's door; without one, a step into the core."""
+    for door in grid.scene.doors:
+        if door.id == core.door:
+            (ax, ay), (bx, by) = door.segment
+            return (ax + bx) / 2, (ay + by) / 2
+    x, y, yaw = core.entrance
+    return x - cos(radians(yaw)), y - sin(radians(yaw))
 
 
 def view_yaws(middle: float) -> list[float]:
@@ -35,12 +101,12 @@ def stitch(views: Sequence[Picture]) -> Picture:
     Parameters
     ----------
     views : sequence of (400, 400, 3) arrays
-        In the directions of `view_yaws`.
+        Views in the directions of `view_yaws`.
 
     Returns
     -------
     (256, 1024, 3) array of uint8
-        A whole round from left to right, clockwise as one turns to the right.
+        The full circle from left to right, clockwise as one turns to the right.
     """
     view, corner, weight = _map()
     stack = np.stack(views)
@@ -52,10 +118,6 @@ def stitch(views: Sequence[Picture]) -> Picture:
             blended += (wy * wx)[..., None] * stack[view, rows + dy, columns + dx]
     picture: Picture = np.round(blended).astype(np.uint8)
     return picture
-
-
-_Ints = npt.NDArray[np.int64]
-_Floats = npt.NDArray[np.float64]
 
 
 @lru_cache(maxsize=1)

@@ -77,7 +77,7 @@ class Portals:
         heading : float
             Degrees counter-clockwise from +x.
         wedge : Wedge
-            Of the picture.
+            Horizontal extent of the picture.
         closed : iterable of str
             Ids of doors that hide what is behind.
         """

@@ -9,7 +9,7 @@ import numpy as np
 from mansion_skills.vision.floor_model import FloorModel
 from mansion_skills.vision.frame import NOTHING, Depth, Intrinsics, Labels, Picture
 
-__all__ = ["Eye", "Parts", "Renderer"]
+__all__ = ["CameraPose", "Parts", "Renderer"]
 
 MAX_GEOMS = 20_000
 
@@ -18,8 +18,8 @@ RANGE = 150.0
 
 
 @dataclass(frozen=True)
-class Eye:
-    """Where a camera is and where it looks: metres in the floor's frame, degrees; up is positive."""
+class CameraPose:
+    """Position and direction of a camera: metres in the floor's frame, degrees; up is positive."""
 
     x: float
     y: float
@@ -44,7 +44,7 @@ class Renderer:
     ----------
     floor : FloorModel
     width, height : int
-        Of the largest picture, pixels.
+        Size of the largest picture, pixels.
     """
 
     def __init__(self, floor: FloorModel, width: int, height: int) -> None:
@@ -69,7 +69,7 @@ class Renderer:
         self._context.free()
 
     def draw(
-        self, eye: Eye, intrinsics: Intrinsics, geoms: "np.ndarray[Any, Any]", parts: Parts
+        self, eye: CameraPose, intrinsics: Intrinsics, geoms: "np.ndarray[Any, Any]", parts: Parts
     ) -> tuple[Picture, Depth, Labels]:
         """Draw what `FloorModel.show` has chosen.
 
@@ -101,7 +101,7 @@ class Renderer:
         depth = self._metres(window)
         return np.ascontiguousarray(rgb[::-1]), depth, labels
 
-    def _look(self, eye: Eye, intrinsics: Intrinsics) -> None:
+    def _look(self, eye: CameraPose, intrinsics: Intrinsics) -> None:
         """Fill MuJoCo's scene for a free camera one metre behind what it looks at."""
         mj, floor = self._mj, self._floor
         yaw, pitch = radians(eye.yaw), radians(eye.pitch)

@@ -1,17 +1,78 @@
-"""One floor as a robot finds it: scene, grids, landmarks, and the doors and objects of this moment."""
+"""One floor as a robot finds it: scene, grids, landmarks, and its doors and objects as they are now."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from math import dist
+
+import numpy as np
 
 from mansion_msgs_py.scene import Door, FloorScene
-from mansion_msgs_py.world import ObjectState
+from mansion_msgs_py.world import ObjectState, Pose2D
 from mansion_skills.navigation.floor_map import Body, FloorMap
-from mansion_skills.world.landmarks import Landmark, floor_landmarks
+from mansion_skills.navigation.search import NO_CELL, best_cells, clearance, region_of
 from mansion_skills.world.objects import ObjectTable
 
-__all__ = ["FloorView", "bodies_of"]
+__all__ = ["FloorView", "Landmark", "bodies_of", "floor_landmarks", "landmark_named"]
+
+GENERIC = {"elevator": "elevator", "lift": "elevator", "stairs": "stair", "stair": "stair"}
 
 FEW_DOORS = 4
-"""So many doors are swung one by one; for more, all grids are made anew."""
+"""Most doors that are redrawn one by one; when more have moved, the grids are made anew."""
+
+
+@dataclass(frozen=True)
+class Landmark:
+    """A named pose on a floor; `kind` is ``room``, ``stair`` or ``elevator``."""
+
+    name: str
+    kind: str
+    floor: int
+    pose: Pose2D
+
+
+def floor_landmarks(grid: FloorMap) -> list[Landmark]:
+    """Return the cores and rooms of a floor, each with a pose where a robot can stand.
+
+    A room's pose is its point with the most free space around, among those that can be reached from the floor's
+    cores or its spawn pose.
+    """
+    scene = grid.scene
+    found = [
+        Landmark(core.id, core.type, scene.floor, Pose2D(x=x, y=y, yaw=yaw))
+        for core in scene.cores
+        for x, y, yaw in [core.entrance]
+    ]
+    distance = clearance(grid.blocked)
+    reached = np.zeros_like(grid.blocked)
+    starts = [(core.entrance[0], core.entrance[1]) for core in scene.cores]
+    starts += [(scene.spawn.x, scene.spawn.y)] if scene.spawn else []
+    for x, y in starts:
+        row, column = grid.frame.cell(x, y)
+        if grid.frame.holds(row, column) and not reached[row, column]:
+            reached |= region_of(grid.blocked, row, column)
+    cells = best_cells(grid.rooms, distance, reached, len(scene.rooms))
+    for number, room in enumerate(scene.rooms, start=1):
+        cell = int(cells[number])
+        if room.kind in ("stair", "elevator") or cell == NO_CELL:
+            continue
+        x, y = grid.frame.center(cell // grid.frame.columns, cell % grid.frame.columns)
+        pose = Pose2D(x=round(x, 3), y=round(y, 3))
+        found.append(Landmark(room.id, "room", scene.floor, pose))
+    return found
+
+
+def landmark_named(
+    name: str, landmarks: Iterable[Landmark], floor: int, position: tuple[float, float]
+) -> Landmark | None:
+    """Return the landmark of that name: an id with or without its floor, or the nearest core of a kind."""
+    wanted = name.strip().casefold()
+    known = list(landmarks)
+    for landmark in known:
+        if landmark.name.casefold() in (wanted, f"f{floor}/{wanted}"):
+            return landmark
+    kind = GENERIC.get(wanted)
+    cores = [entry for entry in known if entry.kind == kind]
+    return min(cores, key=lambda c: dist(position, (c.pose.x, c.pose.y)), default=None)
 
 
 def bodies_of(floor: int, objects: ObjectTable) -> list[Body]:
@@ -33,8 +94,8 @@ def bodies_of(floor: int, objects: ObjectTable) -> list[Body]:
     return found
 
 
-def _stand_alike(states: list[ObjectState], before: list[ObjectState]) -> bool:
-    """Whether objects are where they were, whatever else has changed about them."""
+def _unmoved(states: list[ObjectState], before: list[ObjectState]) -> bool:
+    """Whether objects are where they were, whatever else has changed."""
     return len(states) == len(before) > 0 and all(
         a is b or (a.id, a.position, a.rotation, a.mount) == (b.id, b.position, b.rotation, b.mount)
         for a, b in zip(states, before)
@@ -51,7 +112,7 @@ class FloorView:
     doors : mapping
         Door id to whether it stands open, for doors that are not as in the scene.
     radius : float
-        Of the robot, metres.
+        Robot's radius, metres.
     """
 
     def __init__(self, scene: FloorScene, objects: ObjectTable, doors: Mapping[str, bool], radius: float) -> None:
@@ -71,10 +132,10 @@ class FloorView:
         """Bring the grids up to date with doors and objects."""
         is_open = {name: doors.get(name, door.is_open) for name, door in self.doors.items()}
         states = [state for state in self._objects.on_floor(self.floor) if state.mount not in ("surface", "inside")]
-        swung = [name for name in is_open if self.map.is_open.get(name) != is_open[name]]
-        if len(swung) <= FEW_DOORS and _stand_alike(states, self._states):
-            for name in swung:
-                self.map.swing(name, is_open[name])
+        moved = [name for name in is_open if self.map.is_open.get(name) != is_open[name]]
+        if len(moved) <= FEW_DOORS and _unmoved(states, self._states):
+            for name in moved:
+                self.map.swing(name, is_open=is_open[name])
             return
         self._states = states
         bodies = bodies_of(self.floor, self._objects)

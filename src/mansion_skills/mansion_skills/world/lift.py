@@ -52,7 +52,7 @@ class Lift:
     session: str = ""
     mode: LiftMode = LiftMode.AGV
     queue: list[LiftCall] = field(default_factory=list)
-    _told: str = "rest"
+    _reported: str = "rest"
 
     @property
     def floor(self) -> int:
@@ -132,8 +132,8 @@ class Lift:
             self.name, self.elevations, self.labels, self.position, self.opening, self.target, self.door, self.session
         )
 
-    def _step(self, phase: str, seconds: float, whole: float) -> None:
-        done = seconds >= whole - _STILL
+    def _step(self, phase: str, seconds: float, total: float) -> None:
+        done = seconds >= total - _STILL
         if phase == "run":
             assert self.target is not None
             goal = self.elevations[self.target]
@@ -154,14 +154,14 @@ class Lift:
             The world's clock at the beginning.
         """
         while True:
-            phase, whole = self._phase()
-            if phase != self._told:
+            phase, total = self._phase()
+            if phase != self._reported:
                 yield self.state(building_id, time)
-            self._told = phase
+            self._reported = phase
             if phase == "rest" or seconds <= 0.0:
                 return
-            part = min(seconds, whole)
-            self._step(phase, part, whole)
+            part = min(seconds, total)
+            self._step(phase, part, total)
             seconds, time = seconds - part, time + part
 
     def state(self, building_id: str, time: float) -> LiftState:

@@ -1,30 +1,43 @@
-"""Where every object of a building is: in exactly one place, whatever happens to it."""
+"""The objects of a building: where each one is, what it carries, and the distance to its footprint."""
 
 from collections.abc import Iterable, Iterator
+from math import cos, hypot, radians, sin
 
 import msgspec
 
+from mansion_geometry.object_footprints import footprint_corners, footprint_distance
 from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_msgs_py.shapes import Point, Point3, Segment
 from mansion_msgs_py.world import ObjectState
 
-__all__ = ["ObjectTable", "scene_state"]
+__all__ = [
+    "ObjectTable",
+    "box_distance",
+    "corners",
+    "placed_at",
+    "put_down",
+    "rotated",
+    "scene_state",
+    "segment_distance",
+    "take_up",
+]
 
 
-def scene_state(thing: SceneObject, floor: int) -> ObjectState:
+def scene_state(item: SceneObject, floor: int) -> ObjectState:
     """Return the state in which the scene has an object."""
-    states = dict(thing.states)
-    if thing.openable:
+    states = dict(item.states)
+    if item.openable:
         states.setdefault("open", False)
-    if thing.toggleable:
+    if item.toggleable:
         states.setdefault("on", False)
     return ObjectState(
-        id=thing.id,
+        id=item.id,
         floor=floor,
-        room=thing.room,
-        position=thing.position,
-        rotation=thing.rotation,
-        parent=thing.parent,
-        mount=thing.mount,
+        room=item.room,
+        position=item.position,
+        rotation=item.rotation,
+        parent=item.parent,
+        mount=item.mount,
         states=states,
     )
 
@@ -32,7 +45,7 @@ def scene_state(thing: SceneObject, floor: int) -> ObjectState:
 class ObjectTable:
     """The objects of all floors: what they are, and where they are now.
 
-    There is one state for each object, so that none is lost or doubled; `put` is the only way to change one.
+    Each object has one state, so that none is lost or doubled; only `put` changes it.
 
     Parameters
     ----------
@@ -55,10 +68,10 @@ class ObjectTable:
         self._hands: dict[str, str] = {}
         self._journal: list[ObjectState] = []
         for scene in scenes:
-            for thing in scene.objects:
-                self.kinds[thing.id] = thing
-                self._first[thing.id] = scene_state(thing, scene.floor)
-                self._index(self._first[thing.id])
+            for item in scene.objects:
+                self.kinds[item.id] = item
+                self._first[item.id] = scene_state(item, scene.floor)
+                self._index(self._first[item.id])
 
     def __contains__(self, name: str) -> bool:
         return name in self._first
@@ -134,3 +147,101 @@ class ObjectTable:
             self._children[state.parent].pop(state.id, None)
         elif state.held_by is not None and self._hands.get(state.held_by) == state.id:
             del self._hands[state.held_by]
+
+
+def take_up(table: ObjectTable, name: str, session: str) -> None:
+    """Put an object into a robot's hand; what it carries goes with it, its place kept relative to the carrier."""
+    states = {entry: table.state(entry) for entry in table.carried_with(name)}
+    for entry, state in states.items():
+        held = msgspec.structs.replace(state, floor=None, room=None, held_by=session, position=None)
+        if entry == name:
+            held = msgspec.structs.replace(held, parent=None, mount=None)
+        else:
+            assert state.parent is not None
+            held = _relative(held, state, states[state.parent])
+        table.put(held)
+
+
+def put_down(
+    table: ObjectTable,
+    name: str,
+    *,
+    floor: int,
+    room: str | None,
+    position: Point3,
+    rotation: float,
+    parent: str | None,
+    mount: str,
+) -> None:
+    """Put a held object somewhere, with what it carries."""
+    state = msgspec.structs.replace(table.state(name), parent=parent, mount=mount)
+    for entry in placed_at(table, state, floor=floor, room=room, position=position, rotation=rotation):
+        table.put(entry)
+
+
+def placed_at(
+    table: ObjectTable, state: ObjectState, *, floor: int, room: str | None, position: Point3, rotation: float
+) -> list[ObjectState]:
+    """Return a held object and what it carries as they were at some place, carriers first; nothing is changed."""
+    placed = {
+        state.id: msgspec.structs.replace(
+            state, floor=floor, room=room, position=position, rotation=rotation, held_by=None
+        )
+    }
+    for entry in table.carried_with(state.id)[1:]:
+        load = table.state(entry)
+        assert load.parent is not None
+        placed[entry] = _absolute(load, placed[load.parent])
+    return list(placed.values())
+
+
+def _relative(held: ObjectState, state: ObjectState, carrier: ObjectState) -> ObjectState:
+    assert state.position is not None and carrier.position is not None
+    offset = [a - b for a, b in zip(state.position, carrier.position)]
+    x, y = rotated(offset[0], offset[1], -carrier.rotation)
+    turn = round((state.rotation - carrier.rotation) % 360.0, 6)
+    position = (round(x, 6), round(y, 6), round(offset[2], 6))
+    return msgspec.structs.replace(held, position=position, rotation=turn)
+
+
+def _absolute(state: ObjectState, carrier: ObjectState) -> ObjectState:
+    assert state.position is not None and carrier.position is not None
+    x, y = rotated(state.position[0], state.position[1], carrier.rotation)
+    cx, cy, cz = carrier.position
+    return msgspec.structs.replace(
+        state,
+        floor=carrier.floor,
+        room=carrier.room,
+        position=(round(cx + x, 6), round(cy + y, 6), round(cz + state.position[2], 6)),
+        rotation=round((carrier.rotation + state.rotation) % 360.0, 6),
+        held_by=None,
+    )
+
+
+def rotated(x: float, y: float, degrees: float) -> Point:
+    """Return a vector of the plan turned counter-clockwise."""
+    c, s = cos(radians(degrees)), sin(radians(degrees))
+    return c * x - s * y, s * x + c * y
+
+
+def box_distance(point: Point, state: ObjectState, kind: SceneObject) -> float:
+    """Return the plan distance from a point to an object's box, metres; 0 inside."""
+    assert state.position is not None
+    return footprint_distance(point, state.position, kind.size, state.rotation)
+
+
+def corners(state: ObjectState, kind: SceneObject, scale: float = 1.0) -> list[Point]:
+    """Return the corners of an object's box in plan, scaled about its centre."""
+    assert state.position is not None
+    return footprint_corners(state.position, kind.size, state.rotation, scale=scale)
+
+
+def segment_distance(point: Point, segment: Segment) -> float:
+    """Return the distance from a point to a segment, metres."""
+    (ax, ay), (bx, by) = segment
+    dx, dy = bx - ax, by - ay
+    length2 = dx * dx + dy * dy
+    t = 0.0
+    if length2 > 0.0:
+        t = min(1.0, max(0.0, ((point[0] - ax) * dx + (point[1] - ay) * dy) / length2))
+    return hypot(point[0] - ax - t * dx, point[1] - ay - t * dy)

@@ -22,13 +22,13 @@ class RobotBody:
     Attributes
     ----------
     pose : Pose2D
-        In the floor's frame.
+        Pose in the floor's frame.
     pitch : float
-        Of the camera, degrees, up is positive.
+        Pitch of the camera, degrees, up is positive.
     odometry : Pose2D
-        As its wheels count it from (0, 0, 0): rides and stairs are not in it.
+        Pose by the wheels, from (0, 0, 0), without rides and stairs.
     path : list of Point
-        The way of its last motion.
+        Path of its last motion.
     call : str, optional
         The lift that it called and has not used yet.
     """
@@ -48,7 +48,7 @@ class RobotBody:
         return self.pose.x, self.pose.y
 
     def move(self, pose: Pose2D) -> None:
-        """Go to another pose of the floor; the wheels count it."""
+        """Move to another pose of the floor and update the odometry."""
         turn = radians(self.odometry.yaw - self.pose.yaw)
         dx, dy = pose.x - self.pose.x, pose.y - self.pose.y
         self.odometry = Pose2D(

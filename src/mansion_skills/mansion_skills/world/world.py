@@ -12,9 +12,9 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import LiftState, Pose2D, RobotState, WorldState
-from mansion_skills.building import LoadedBuilding
 from mansion_skills.navigation.routes import RouteGraph
 from mansion_skills.navigation.search import NO_CELL, nearest_free
+from mansion_skills.world.building import LoadedBuilding
 from mansion_skills.world.floor_view import FloorView
 from mansion_skills.world.lift import Lift
 from mansion_skills.world.objects import ObjectTable
@@ -23,10 +23,10 @@ from mansion_skills.world.robot_body import RobotBody
 __all__ = ["World"]
 
 MOST_LIFT_CHANGES = 256
-"""How many changes of lifts wait to be published; a script that publishes nothing keeps no more."""
+"""Most changes of lifts that wait to be published; a script that publishes nothing keeps no more."""
 
 GIVING_WAY = 1.5
-"""How far beside a standard pose a robot stands where another one is in the way, metres."""
+"""Greatest distance from an occupied standard pose to the free one that is taken instead, metres."""
 
 
 class World:
@@ -36,9 +36,9 @@ class World:
     ----------
     building : LoadedBuilding
     name : str
-        Of the world; sessions of the same name share it.
+        Name of the world; sessions that name it share it.
     radius : float
-        Of the robots, metres.
+        Robots' radius, metres.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class World:
     absent : set of str
         Sessions of this world whose robots are not loaded now.
     routes : RouteGraph, optional
-        Of the building, once somebody asked for a route.
+        The building's routes, once somebody has asked for one.
     lift_changes : deque of LiftState
         What lifts did since somebody last emptied it; the oldest are dropped where nobody does.
     """
@@ -163,7 +163,7 @@ class World:
         robot.floor, robot.pose, robot.pitch, robot.path = floor, pose, 0.0, []
 
     def _beside(self, session: str, floor: int, pose: Pose2D) -> Pose2D:
-        """Return the pose, or the next free one when another robot stands there."""
+        """Return a pose, or the nearest free one when another robot is there."""
         if all(dist((pose.x, pose.y), place) >= 2 * self.radius for place in self.others(session, floor)):
             return pose
         frame = self.view(floor).map.frame

@@ -38,7 +38,7 @@ class Memory:
         line = f"{call.skill}({arguments}) -> {result.status.value}: {result.message}"[:LONGEST]
         self._steps.append(f"{observation.step}. {line}")
         if not observation.succeeded:
-            wish = f"; what would do: {result.satisfied_by}" if result.satisfied_by else ""
+            wish = f"; to succeed: {result.satisfied_by}" if result.satisfied_by else ""
             failure = f"On floor {observation.floor}, {call.skill}: {result.message}{wish}"[:LONGEST]
             self._failures[failure] = None
 

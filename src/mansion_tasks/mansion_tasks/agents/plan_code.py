@@ -4,13 +4,14 @@ import ast
 from typing import Any, Final
 
 from mansion_msgs_py.task import SkillCall
+from mansion_skills.skills.declaration import snake_case
 from mansion_tasks.agents.skill_cards import CARDS, faulty_arguments
 
 __all__ = ["MOST_CALLS", "PlanError", "read_plan"]
 
 MOST_CALLS: Final = 40
 LONGEST: Final = 6000
-_SNAKE: Final = {"".join(f"_{c.lower()}" if c.isupper() else c for c in name).lstrip("_"): name for name in CARDS}
+_SNAKE: Final = {snake_case(name): name for name in CARDS}
 
 
 class PlanError(ValueError):

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import Any, Final
 
+from mansion_skills.skills.registry import SKILLS, in_order
+
 __all__ = ["CARDS", "Card", "card_lines", "faulty_arguments"]
 
 
@@ -27,28 +29,35 @@ class Card:
     optional: tuple[str, ...] = ()
 
 
-CARDS: Final[Mapping[str, Card]] = {
-    "GoToLandmark": Card("go to a landmark of this floor", {"landmark": "text"}),
-    "GoNearObject": Card("go to an object in view, near enough to handle it", {"object": "text"}),
-    "MoveAhead": Card("go straight ahead, metres; negative goes back", {"distance": "number"}),
-    "Rotate": Card("turn on the spot, degrees, counter-clockwise; to look around", {"degrees": "number"}),
-    "LookUp": Card("tilt the camera up, degrees", {"degrees": "number"}),
-    "LookDown": Card("tilt the camera down, degrees", {"degrees": "number"}),
-    "PickUp": Card("take an object within reach; the hand must be empty", {"object": "text"}),
-    "Place": Card(
-        "put what is held `on` or `in` an object within reach, or `on` the `floor` before the robot",
-        {"target": "text", "relation": "text"},
-        ("relation",),
-    ),
-    "OpenObject": Card("open an object within reach", {"object": "text"}),
-    "CloseObject": Card("close an object within reach", {"object": "text"}),
-    "OpenDoor": Card("open the nearest door", {}),
-    "CallElevator": Card("call the lift; the robot must stand at its entrance (GoToLandmark elevator)", {}),
-    "UseElevator": Card("ride the called lift to a floor", {"target_floor": "number"}),
-    "TakeStairs": Card(
-        "walk one floor `Up` or `Down`; the robot must stand at the stairs (GoToLandmark stairs)", {"direction": "text"}
-    ),
-}
+_ORDER: Final = (
+    "GoToLandmark",
+    "GoNearObject",
+    "MoveAhead",
+    "Rotate",
+    "LookUp",
+    "LookDown",
+    "PickUp",
+    "Place",
+    "OpenObject",
+    "CloseObject",
+    "OpenDoor",
+    "CallElevator",
+    "UseElevator",
+    "TakeStairs",
+)
+"""Recorded answers are found again by the prompt, in which the cards have this order."""
+
+
+def _cards() -> dict[str, Card]:
+    cards = {}
+    for skill in in_order(SKILLS.values(), _ORDER):
+        if skill.card is not None:
+            types = {name: skill.parameters[name].json_type for name in skill.card.arguments}
+            cards[skill.name] = Card(skill.card.description, types, skill.card.optional)
+    return cards
+
+
+CARDS: Final[Mapping[str, Card]] = _cards()
 """Skill name to its card: all that a model can do, whatever it answers."""
 
 LONGEST: Final = 200

@@ -11,7 +11,7 @@ from mansion_geometry.compiled import kernel
 from mansion_msgs_py.world import ObjectState
 from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import sees
-from mansion_skills.skills.seeing import CAMERA_HEIGHT, VIEW_ANGLE, VIEW_RANGE, closed_carrier, sight_points
+from mansion_skills.skills.visibility import CAMERA_HEIGHT, VIEW_ANGLE, VIEW_RANGE, closed_carrier, sight_points
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 

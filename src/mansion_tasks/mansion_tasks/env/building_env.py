@@ -221,7 +221,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         if self._camera is None:
             from mansion_skills.vision import Camera
 
-            self._camera = Camera(self._sandbox.seat, *self._size)
+            self._camera = Camera(self._sandbox.session, *self._size)
         return self._camera.render(depth=depth, segmentation=False)
 
     def render(self) -> Any:

@@ -9,9 +9,9 @@ from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import ObjectState, Pose2D, SkillStatus
 from mansion_skills.navigation.paths import free_run
-from mansion_skills.skills.motion import SPEED, TURN_SPEED
-from mansion_skills.skills.moving import PITCHES
-from mansion_skills.skills.seeing import REACH
+from mansion_skills.skills.driving import SPEED, TURN_SPEED
+from mansion_skills.skills.motion_primitives import PITCHES
+from mansion_skills.skills.visibility import REACH
 from mansion_tasks.env.array_sight import View
 from mansion_tasks.tasks.sandbox import Sandbox
 

@@ -11,7 +11,7 @@ from gymnasium import spaces
 from mansion_msgs_py.task import Task
 from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import cast_rays
-from mansion_skills.skills.seeing import REACH, VIEW_ANGLE, VIEW_RANGE
+from mansion_skills.skills.visibility import REACH, VIEW_ANGLE, VIEW_RANGE
 from mansion_tasks.env.array_sight import View
 from mansion_tasks.tasks.sandbox import Sandbox
 from mansion_tasks.tasks.words import colour_of

@@ -4,35 +4,35 @@ from collections.abc import Sequence
 from typing import Any, Final
 
 from mansion_msgs_py.task import SkillCall
-from mansion_skills.world.landmarks import Landmark
+from mansion_skills.skills.registry import SKILLS, in_order
+from mansion_skills.world.floor_view import Landmark
 
 __all__ = ["SKILL_ACTIONS", "skill_call"]
 
-_ALL: Final[tuple[tuple[str, str, dict[str, Any]], ...]] = (
-    ("GoToLandmark", "landmark", {}),
-    ("GoNearObject", "object", {}),
-    ("PickUp", "object", {}),
-    ("Place", "target", {"relation": "on"}),
-    ("Place", "target", {"relation": "in"}),
-    ("Place", "", {"target": "floor", "relation": "on"}),
-    ("OpenObject", "object", {}),
-    ("CloseObject", "object", {}),
-    ("ToggleOn", "object", {}),
-    ("ToggleOff", "object", {}),
-    ("OpenDoor", "", {}),
-    ("CloseDoor", "", {}),
-    ("CallElevator", "", {}),
-    ("UseElevator", "target_floor", {}),
-    ("TakeStairs", "", {"direction": "Up"}),
-    ("TakeStairs", "", {"direction": "Down"}),
-    ("MoveAhead", "", {"distance": 0.5}),
-    ("Rotate", "", {"degrees": 90.0}),
-    ("Rotate", "", {"degrees": -90.0}),
-    ("LookUp", "", {"degrees": 30.0}),
-    ("LookDown", "", {"degrees": 30.0}),
+_ORDER: Final = (
+    "GoToLandmark",
+    "GoNearObject",
+    "PickUp",
+    "Place",
+    "OpenObject",
+    "CloseObject",
+    "ToggleOn",
+    "ToggleOff",
+    "OpenDoor",
+    "CloseDoor",
+    "CallElevator",
+    "UseElevator",
+    "TakeStairs",
+    "MoveAhead",
+    "Rotate",
+    "LookUp",
+    "LookDown",
 )
+"""Trained policies know the actions by their place in this order."""
 
-SKILL_ACTIONS: Final = tuple(" ".join((skill, *(str(value) for value in fixed.values()))) for skill, _, fixed in _ALL)
+_ALL: Final = tuple((skill, action) for skill in in_order(SKILLS.values(), _ORDER) for action in skill.actions)
+
+SKILL_ACTIONS: Final = tuple(" ".join((skill.name, *map(str, action.fixed.values()))) for skill, action in _ALL)
 """What each value of the action's first part does."""
 
 
@@ -53,15 +53,16 @@ def skill_call(
         Of the building.
     """
     which, landmark, thing, floor = (int(part) for part in action)
-    skill, key, fixed = _ALL[which]
-    if key == "landmark":
-        if landmark >= len(landmarks):
+    skill, chosen = _ALL[which]
+    arguments = dict(chosen.fixed)
+    if chosen.indexed:
+        choices: dict[str, tuple[int, Sequence[Any]]] = {
+            "landmark": (landmark, [mark.name for mark in landmarks]),
+            "object": (thing, objects),
+            "floor": (floor, floors),
+        }
+        index, names = choices[skill.parameters[chosen.indexed].kind]
+        if index >= len(names):
             return None
-        return SkillCall(skill=skill, arguments={key: landmarks[landmark].name})
-    if key in ("object", "target"):
-        if thing >= len(objects):
-            return None
-        return SkillCall(skill=skill, arguments={**fixed, key: objects[thing]})
-    if key == "target_floor":
-        return SkillCall(skill=skill, arguments={key: floors[floor]})
-    return SkillCall(skill=skill, arguments=fixed)
+        arguments[chosen.indexed] = names[index]
+    return SkillCall(skill=skill.name, arguments=arguments)

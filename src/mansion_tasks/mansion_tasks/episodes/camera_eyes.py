@@ -7,8 +7,8 @@ import numpy.typing as npt
 
 from mansion_msgs_py.closing import Closing
 from mansion_msgs_py.errors import MansionError
-from mansion_skills.engine.seat import Seat, SharedWorld
-from mansion_skills.vision.pages import tile_pages
+from mansion_skills.engine.session import Session, SharedWorld
+from mansion_skills.vision.annotated_pictures import tile_pages
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 from mansion_tasks.episodes.marking import marked_view, png
@@ -54,8 +54,8 @@ class CameraEyes(Closing):
             try:
                 from mansion_skills.vision import Camera
 
-                seat = Seat(robot.session, SharedWorld(world), robot, durable=False)
-                self._camera, self._world = Camera(seat, *VIEW), world
+                session = Session(robot.session, SharedWorld(world), robot, durable=False)
+                self._camera, self._world = Camera(session, *VIEW), world
             except (MansionError, ImportError):
                 self._blind = True
         return self._camera

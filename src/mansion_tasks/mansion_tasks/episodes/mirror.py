@@ -4,9 +4,8 @@ from pathlib import Path
 
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.world import LiftDoor, LiftState, WorldState
-from mansion_skills.building import LoadedBuilding
-from mansion_skills.world.overlay import overlay_path
-from mansion_skills.world.restore import restore_robot
+from mansion_skills.world.building import LoadedBuilding
+from mansion_skills.world.overlay import overlay_path, restore_robot
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 from mansion_tasks.episodes.stand_in import SESSION, WORLD

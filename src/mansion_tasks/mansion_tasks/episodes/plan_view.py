@@ -6,7 +6,7 @@ from typing import Any
 
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.shapes import Point
-from mansion_skills.world.footprint import corners
+from mansion_skills.world.objects import corners
 from mansion_skills.world.world import World
 
 __all__ = ["plan_view"]

@@ -10,7 +10,8 @@ from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import SkillResult, SkillStatus
 from mansion_skills.engine import Engine
 from mansion_skills.robot import Robot
-from mansion_skills.skills.registry import SKILLS, Skill, skill_named
+from mansion_skills.skills.declaration import Skill
+from mansion_skills.skills.registry import SKILLS, skill_named
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 from mansion_tasks.episodes.stand_in import SESSION, WORLD
@@ -79,8 +80,8 @@ class LocalPort:
 
     def world(self) -> tuple[World, RobotBody]:
         """See `SkillPort.world`."""
-        seat = self.robot.engine.seat(SESSION)
-        return seat.world, seat.robot
+        session = self.robot.engine.session(SESSION)
+        return session.world, session.robot
 
 
 def called_skill(call: SkillCall) -> Skill | SkillResult:

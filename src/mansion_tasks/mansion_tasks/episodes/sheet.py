@@ -9,7 +9,7 @@ from typing import Any
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.world import SkillStatus
-from mansion_skills.vision.drawing import INK, font, wrapped
+from mansion_skills.vision.annotated_pictures import INK, font, wrapped
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 from mansion_tasks.episodes.camera_eyes import CameraEyes

@@ -8,7 +8,7 @@ from pathlib import Path
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import TaskStart
 from mansion_msgs_py.world import RobotState, WorldState
-from mansion_skills.building import LoadedBuilding
+from mansion_skills.world.building import LoadedBuilding
 from mansion_skills.world.overlay import overlay_path, save_overlay
 
 __all__ = ["SESSION", "WORLD", "stand_in"]

@@ -7,13 +7,13 @@ from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import ObjectState
 from mansion_skills.navigation.routes import Leg
-from mansion_skills.skills.asking import route_graph
 from mansion_skills.skills.between_floors import NEAR_ENTRANCE
 from mansion_skills.skills.doors import DOOR_REACH, robot_room
-from mansion_skills.skills.motion import blocking_door, path_to
-from mansion_skills.skills.moving import LANDMARK_SNAP
-from mansion_skills.skills.seeing import REACH
-from mansion_skills.world.footprint import segment_distance
+from mansion_skills.skills.driving import blocking_door, path_to
+from mansion_skills.skills.go_to import LANDMARK_SNAP
+from mansion_skills.skills.queries import route_graph
+from mansion_skills.skills.visibility import REACH
+from mansion_skills.world.objects import segment_distance
 from mansion_skills.world.world import World
 
 __all__ = ["Approach"]

@@ -10,7 +10,7 @@ import numpy as np
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import Goal, GoalKind, Need, Task, TaskKind, TaskStart
-from mansion_skills.skills.surfaces import can_contain
+from mansion_skills.skills.receptacles import can_contain
 from mansion_tasks.tasks import wording
 from mansion_tasks.tasks.goals import done
 from mansion_tasks.tasks.grounding import missing_needs, proven, with_ids

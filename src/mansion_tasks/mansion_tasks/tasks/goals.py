@@ -8,7 +8,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.task import Goal, GoalKind, Task
 from mansion_msgs_py.world import ObjectState
-from mansion_skills.world.footprint import box_distance
+from mansion_skills.world.objects import box_distance
 from mansion_skills.world.world import World
 
 __all__ = ["done", "holds", "unmet_goals"]

@@ -9,7 +9,7 @@ from mansion_msgs_py.codec import to_builtins
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import Goal, GoalKind, Need, Task, TaskKind, TaskStart
 from mansion_msgs_py.world import Pose2D
-from mansion_skills.skills.surfaces import can_contain
+from mansion_skills.skills.receptacles import can_contain
 from mansion_skills.world.world import World
 from mansion_tasks.tasks.judging import difficulty_of, steps_for
 from mansion_tasks.tasks.needs import describe, matching_objects, matching_rooms

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.task import Need
-from mansion_skills.building import LoadedBuilding
+from mansion_skills.world.building import LoadedBuilding
 from mansion_tasks.tasks.words import colour_of, room_fits, thing_fits
 from mansion_tasks.words.nouns import article, ordinal, plain
 

@@ -6,8 +6,8 @@ from typing import Final
 
 from mansion_msgs_py.task import Goal, GoalKind, SkillCall, Task
 from mansion_msgs_py.world import SkillResult, SkillStatus
-from mansion_skills.skills.handling import out_of_reach
-from mansion_skills.skills.seeing import closed_carrier, reach_to
+from mansion_skills.skills.manipulation import out_of_reach
+from mansion_skills.skills.visibility import closed_carrier, reach_to
 from mansion_skills.world.world import World
 from mansion_tasks.tasks.approach import Approach
 from mansion_tasks.tasks.goals import unmet_goals

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from mansion_msgs_py.task import Goal, GoalKind, ProgressScore, Task
-from mansion_skills.skills.seeing import REACH, is_visible, reach_to
+from mansion_skills.skills.visibility import REACH, is_visible, reach_to
 from mansion_skills.world.world import World
 from mansion_tasks.tasks.goals import done
 

@@ -8,7 +8,7 @@ import numpy as np
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.task import Need, TaskStart
 from mansion_msgs_py.world import Pose2D
-from mansion_skills.building import LoadedBuilding
+from mansion_skills.world.building import LoadedBuilding
 from mansion_skills.world.world import World
 from mansion_tasks.tasks.words import colour_of
 from mansion_tasks.words.nouns import plain

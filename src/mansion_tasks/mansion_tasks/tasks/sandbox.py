@@ -9,12 +9,11 @@ from mansion_msgs_py.codec import convert
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import SkillCall, TaskStart
 from mansion_msgs_py.world import Pose2D, SkillProgress, SkillResult, SkillStatus
-from mansion_skills.building import LoadedBuilding
-from mansion_skills.engine.pace import Pace
-from mansion_skills.engine.performing import perform
-from mansion_skills.engine.seat import Seat, SharedWorld
-from mansion_skills.skills.outcome import invalid
+from mansion_skills.engine.executor import WorldClock, perform
+from mansion_skills.engine.session import Session, SharedWorld
 from mansion_skills.skills.registry import skill_named
+from mansion_skills.skills.results import invalid
+from mansion_skills.world.building import LoadedBuilding
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
@@ -46,14 +45,14 @@ class Sandbox:
             building = LoadedBuilding(Path(building).expanduser().resolve())
         self.world = World(building, SESSION, radius)
         self.steps = 0
-        self._pace = Pace()
+        self._clock = WorldClock()
         self._first = {name: self.world.objects.state(name) for name in self.world.objects}
         self._lifts = {name: replace(lift, queue=[]) for name, lift in self.world.lifts.items()}
         self._by_floor: dict[int, list[str]] = {}
         for name, state in self._first.items():
             if state.floor is not None:
                 self._by_floor.setdefault(state.floor, []).append(name)
-        self._seat = Seat(SESSION, SharedWorld(self.world), self.world.add_robot(SESSION), durable=False)
+        self._session = Session(SESSION, SharedWorld(self.world), self.world.add_robot(SESSION), durable=False)
 
     @property
     def building(self) -> LoadedBuilding:
@@ -61,14 +60,14 @@ class Sandbox:
         return self.world.building
 
     @property
-    def seat(self) -> Seat:
-        """The robot's seat, for a camera."""
-        return self._seat
+    def session(self) -> Session:
+        """The robot's session, for a camera."""
+        return self._session
 
     @property
     def robot(self) -> RobotBody:
         """The robot."""
-        return self._seat.robot
+        return self._session.robot
 
     def reset(self, start: TaskStart | None = None) -> None:
         """Put everything back to where the scenes have it, and the robot to `start` (its spawn pose when absent).
@@ -86,7 +85,7 @@ class Sandbox:
         world.time, world.step, self.steps = 0.0, 0, 0
         world.robots.clear()
         world.absent.clear()
-        self._seat.robot = world.add_robot(SESSION)
+        self._session.robot = world.add_robot(SESSION)
         if start is not None:
             self._put_robot(start)
 
@@ -127,7 +126,7 @@ class Sandbox:
         """Run a skill to its end; what is no skill, or has arguments that it does not take, is ``INVALID_ACTION``."""
         self.steps += 1
         skill = skill_named(call.skill)
-        if skill is None or skill.question:
+        if skill is None or skill.query:
             text = f"there is no skill {call.skill!r} that does something"
             return invalid(self.world, self.robot, call.skill, text, "a skill of docs/skills.md")
         try:
@@ -135,7 +134,7 @@ class Sandbox:
         except MansionError as error:
             wish = "the arguments of docs/skills.md"
             return invalid(self.world, self.robot, skill.name, error.info.message, wish)
-        result = perform(self._seat, skill, arguments, self._pace, _ignore)
+        result = perform(self._session, skill, arguments, self._clock, _ignore)
         self.world.lift_changes.clear()
         return result
 

@@ -5,7 +5,7 @@ from typing import Final
 import numpy as np
 
 from mansion_msgs_py.task import Need
-from mansion_skills.building import LoadedBuilding
+from mansion_skills.world.building import LoadedBuilding
 from mansion_tasks.tasks.needs import describe
 from mansion_tasks.words.nouns import is_plural, plain
 
