@@ -30,9 +30,14 @@ _ORDER: Final = (
 )
 """Trained policies know the actions by their place in this order."""
 
-_ALL: Final = tuple((skill, action) for skill in in_order(SKILLS.values(), _ORDER) for action in skill.actions)
+_ALL: Final = tuple(
+    (skill.name, action, skill.parameters[action.indexed].kind if action.indexed else "")
+    for skill in in_order(SKILLS.values(), _ORDER)
+    for action in skill.actions
+)
+"""Skill, action, and what the index of its argument counts: a ``landmark``, an ``object``, a ``floor`` or nothing."""
 
-SKILL_ACTIONS: Final = tuple(" ".join((skill.name, *map(str, action.fixed.values()))) for skill, action in _ALL)
+SKILL_ACTIONS: Final = tuple(" ".join((skill, *map(str, action.fixed.values()))) for skill, action, _ in _ALL)
 """What each value of the action's first part does."""
 
 
@@ -53,16 +58,14 @@ def skill_call(
         Of the building.
     """
     which, landmark, thing, floor = (int(part) for part in action)
-    skill, chosen = _ALL[which]
-    arguments = dict(chosen.fixed)
-    if chosen.indexed:
-        choices: dict[str, tuple[int, Sequence[Any]]] = {
-            "landmark": (landmark, [mark.name for mark in landmarks]),
-            "object": (thing, objects),
-            "floor": (floor, floors),
-        }
-        index, names = choices[skill.parameters[chosen.indexed].kind]
-        if index >= len(names):
-            return None
-        arguments[chosen.indexed] = names[index]
-    return SkillCall(skill=skill.name, arguments=arguments)
+    skill, chosen, kind = _ALL[which]
+    if not kind:
+        return SkillCall(skill=skill, arguments=dict(chosen.fixed))
+    names: Sequence[Any]
+    if kind == "landmark":
+        index, names = landmark, [mark.name for mark in landmarks]
+    else:
+        index, names = (thing, objects) if kind == "object" else (floor, floors)
+    if index >= len(names):
+        return None
+    return SkillCall(skill=skill, arguments={**chosen.fixed, chosen.indexed: names[index]})
