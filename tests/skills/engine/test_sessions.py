@@ -32,7 +32,7 @@ def test_robots_of_one_building_stand_apart_and_share_its_objects(building: Path
     assert a.where_am_i().pose != b.where_am_i().pose
     a.go_near_object("mug_1")
     assert a.pick_up("mug_1").status is SkillStatus.SUCCESS
-    assert "hand of default" in b.pick_up("F1/office/mug_1").message
+    assert "held by default" in b.pick_up("F1/office/mug_1").message
 
 
 def test_worlds_of_other_names_are_worlds_of_their_own(building: Path) -> None:

@@ -81,6 +81,7 @@ def _fill(grid: Cells, frame: Floats, ring: Floats, value: int, only: int) -> No
         for i in range(n):
             j = i + 1 if i + 1 < n else 0
             ay, by = ring[i, 1], ring[j, 1]
+            # Half-open, so that a vertex on the row counts for one of its edges only.
             if (ay > y) != (by > y):
                 crossings[count] = ring[i, 0] + (y - ay) * (ring[j, 0] - ring[i, 0]) / (by - ay)
                 count += 1

@@ -50,6 +50,7 @@ def inflate(occupied: Mask, radius: float) -> Mask:
         for c in range(columns):
             if not occupied[r, c]:
                 continue
+            # Discs of interior cells lie within those of the cells at the edge.
             edge = (
                 (r > 0 and not occupied[r - 1, c])
                 or (r + 1 < rows and not occupied[r + 1, c])
@@ -63,7 +64,15 @@ def inflate(occupied: Mask, radius: float) -> Mask:
 
 @kernel
 def clearance(blocked: Mask) -> npt.NDArray[np.int32]:
-    """Return each cell's chamfer distance (3 straight, 4 diagonal) to the next blocked one."""
+    """Return each cell's chamfer distance (3 straight, 4 diagonal) to the nearest blocked one.
+
+    Two passes over the grid suffice: the first brings distances from above and the left, the second from below and the
+    right.
+
+    Notes
+    -----
+    G. Borgefors, Distance transformations in digital images, 1986.
+    """
     rows, columns = blocked.shape
     far = np.int32(1 << 28)
     d = np.empty((rows, columns), dtype=np.int32)
@@ -130,6 +139,7 @@ def best_cells(rooms: npt.NDArray[np.int16], distance: npt.NDArray[np.int32], re
             room = rooms[r, c]
             if room == 0:
                 continue
+            # More than any distance, so that a reached cell wins over all others.
             score = distance[r, c] + ((1 << 20) if reached[r, c] else 0)
             if score > best[room]:
                 best[room], found[room] = score, r * columns + c
@@ -154,6 +164,11 @@ def astar(blocked: Mask, start: int, goal: int) -> Ints:
     """Return the cells of a shortest 8-connected path, both ends included; empty when there is none.
 
     Diagonal steps need both neighbours free, so that no corner is cut. Ties go to the lower cell index.
+
+    Notes
+    -----
+    P. E. Hart, N. J. Nilsson and B. Raphael, A formal basis for the heuristic determination of minimum cost paths,
+    1968.
     """
     rows, columns = blocked.shape
     best = np.full(rows * columns, np.inf, dtype=np.float64)
@@ -180,9 +195,11 @@ def astar(blocked: Mask, start: int, goal: int) -> Ints:
                 step = _SQRT2 if dr != 0 and dc != 0 else 1.0
                 near = nr * columns + nc
                 cost = best[cell] + step
+                # Sums of steps in another order differ by rounding; that is no improvement.
                 if cost < best[near] - 1e-9:
                     best[near] = cost
                     came[near] = cell
+                    # The octile distance: the length of a shortest path without obstacles, hence admissible.
                     h, v = abs(nc - gc), abs(nr - gr)
                     estimate = max(h, v) + (_SQRT2 - 1.0) * min(h, v)
                     heapq.heappush(heap, (cost + estimate, near))

@@ -1,4 +1,7 @@
-"""Which rooms a camera can see, through doors that stand open and glass: portals clipped in plan."""
+"""Portal culling: which rooms a camera can see through open doors and glass, clipped in plan.
+
+D. Luebke and C. Georges, Portals and mirrors: simple, fast evaluation of potentially visible sets, 1995.
+"""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
