@@ -21,8 +21,10 @@ setup(
     ],
     zip_safe=False,
     install_requires=[
+        "mansion_assets",
         "mansion_geometry",
         "mansion_knowledge",
+        "mansion_language",
         "mansion_llm",
         "mansion_msgs_py",
         "msgspec>=0.19",

@@ -218,9 +218,20 @@ def _read_toml(file: Path) -> dict[str, Any]:
     if not file.exists():
         return {}
     try:
-        return tomllib.loads(file.read_text(encoding="utf-8"))
+        records = tomllib.loads(file.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeError) as error:
         raise _fault(file, "", str(error)) from None
+    return {name: _like_another(file, name, record, records) for name, record in records.items()}
+
+
+def _like_another(file: Path, name: str, record: Any, records: dict[str, Any]) -> Any:
+    """Fill a record with what the one that its ``like`` names has; synonyms are its own."""
+    if not isinstance(record, dict) or "like" not in record:
+        return record
+    other = records.get(record["like"])
+    if not isinstance(other, dict) or "like" in other:
+        raise _fault(file, name, f"like = {record['like']!r} is no record of the same file that stands for itself")
+    return {"synonyms": []} | {key: value for key, value in other.items() if key != "synonyms"} | record
 
 
 def _read_styles(file: Path) -> dict[str, Style]:
@@ -274,6 +285,7 @@ def _building(name: str, record: dict[str, Any]) -> BuildingType:
         storeys=storeys,
         seats=parse_entry(seats) if seats else None,
         stretcher=bool(record.get("stretcher", False)),
+        like=str(record.get("like", "")),
     )
 
 

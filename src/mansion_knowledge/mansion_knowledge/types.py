@@ -176,6 +176,8 @@ class BuildingType:
         The room that occupants are counted by: its type, and occupants per room as `area`.
     storeys : dict of str to tuple of RoomEntry
         ``single``, ``ground``, ``second``, ``upper``, ``top``, ``basement``.
+    like : str
+        The building type that it is planned like, where it is a kind of another.
     stretcher : bool
         Needs a lift on any number of storeys above one.
     """
@@ -194,6 +196,7 @@ class BuildingType:
     storeys: dict[str, tuple[RoomEntry, ...]] = field(default_factory=dict)
     seats: RoomEntry | None = None
     stretcher: bool = False
+    like: str = ""
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from mansion_msgs_py.program import BuildingProgram, CorePlan, Downgrade
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.shapes import Identifier
 from mansion_msgs_py.usage import LlmUsage
+from mansion_msgs_py.wishes import Wish
 
 __all__ = ["Building", "BuildingReport", "FloorEntry", "FloorReport", "LoadBuilding"]
 
@@ -26,7 +27,13 @@ class FloorEntry(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class Building(msgspec.Struct, frozen=True, kw_only=True):
-    """The content of ``building.json``."""
+    """The content of ``building.json``.
+
+    Attributes
+    ----------
+    wishes : list of Wish
+        What the description asks for, and what became of it in the finished building.
+    """
 
     building_id: Identifier
     request: BuildRequest
@@ -37,6 +44,7 @@ class Building(msgspec.Struct, frozen=True, kw_only=True):
     versions: dict[str, str] = {}
     checks: dict[str, int] = {}
     files: dict[str, str] = {}
+    wishes: list[Wish] = []
     schema_version: Literal[1] = 1
 
 
@@ -72,6 +80,7 @@ class BuildingReport(msgspec.Struct, frozen=True, kw_only=True):
     warnings: list[str] = []
     sources: dict[str, str] = {}
     llm: LlmUsage | None = None
+    wishes: list[Wish] = []
     schema_version: Literal[1] = 1
 
 

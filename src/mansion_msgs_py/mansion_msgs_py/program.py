@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 import msgspec
 
 from mansion_msgs_py.shapes import Area, Identifier, Length, Point, Ring, Segment
+from mansion_msgs_py.wishes import Wish
 
 __all__ = [
     "AreaSummary",
@@ -12,6 +13,7 @@ __all__ = [
     "CorePlan",
     "Downgrade",
     "FloorProgram",
+    "RequestedObject",
     "RoomProgram",
     "TraceEntry",
     "VerticalConnectivity",
@@ -47,6 +49,14 @@ class VerticalConnectivity(msgspec.Struct, kw_only=True):
     justification: str = ""
 
 
+class RequestedObject(msgspec.Struct, frozen=True, kw_only=True):
+    """Furniture that the brief wants in a room: `count` pieces of a category of the catalogue, none where it is 0."""
+
+    category: str
+    count: int
+    words: str = ""
+
+
 class RoomProgram(msgspec.Struct, kw_only=True):
     """A room that a floor is to have.
 
@@ -65,6 +75,12 @@ class RoomProgram(msgspec.Struct, kw_only=True):
     adjacent_to : list of str
         Ids on the same floor that the brief or the type wants beside it.
     notes : str
+    name : str
+        What the user calls it; empty for a room that the brief does not name.
+    aliases : list of str
+        Other names that mean it.
+    objects : list of RequestedObject
+        Furniture beyond what such rooms usually have.
     """
 
     id: Identifier
@@ -75,6 +91,9 @@ class RoomProgram(msgspec.Struct, kw_only=True):
     open_relation: Literal["open", "door"] = "door"
     adjacent_to: list[str] = []
     notes: str = ""
+    name: str = ""
+    aliases: list[str] = []
+    objects: list[RequestedObject] = []
 
 
 class AreaSummary(msgspec.Struct, frozen=True, kw_only=True):
@@ -151,4 +170,5 @@ class BuildingProgram(msgspec.Struct, kw_only=True):
     seed: int = 0
     trace: list[TraceEntry] = []
     downgrades: list[Downgrade] = []
+    wishes: list[Wish] = []
     schema_version: Literal[1] = 1

@@ -52,6 +52,10 @@ class SceneRoom(msgspec.Struct, frozen=True, kw_only=True):
         Of the polygon, square metres.
     ceiling_height : float
         Of the ceiling above the finished floor.
+    name : str
+        What people call it: the user's words where the brief names it.
+    aliases : list of str
+        Other names that mean it.
     """
 
     id: Identifier
@@ -63,6 +67,7 @@ class SceneRoom(msgspec.Struct, frozen=True, kw_only=True):
     holes: list[Ring] = []
     net_holes: list[Ring] = []
     name: str = ""
+    aliases: list[str] = []
     floor_material: str = ""
     wall_material: str = ""
     ceiling_material: str = ""

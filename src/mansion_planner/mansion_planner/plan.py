@@ -9,10 +9,8 @@ from mansion_geometry.randomness import item_generator
 from mansion_knowledge import KnowledgeBase, default_knowledge
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.program import BuildingProgram, Downgrade
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
-from mansion_msgs_py.wording import with_article
 from mansion_planner.brief import BriefFacts, read_brief
 from mansion_planner.program.building import plan_program
 from mansion_planner.topology.graph import floor_topology
@@ -28,18 +26,43 @@ def building_id_of(request: BuildRequest) -> str:
     return "b" + hashlib.sha256(encode_bytes(request)).hexdigest()[:12]
 
 
-def _report_unread(facts: BriefFacts, program: BuildingProgram) -> None:
-    """Record that no word of the brief says what to build."""
-    if any(vars(facts).values()):
-        return
-    kind = program.building_type.replace("_", " ")
-    program.downgrades.append(
-        Downgrade(
-            wish=program.description.strip()[:80],
-            got=with_article(kind),
-            reason="not understood: no building type, room, number of storeys or area is named",
-            stage="program",
+MOST_CHARACTERS = 20_000
+"""Characters of a description that are read."""
+
+
+def _check_length(description: str) -> None:
+    if len(description) > MOST_CHARACTERS:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            f"the description has {len(description)} characters; up to {MOST_CHARACTERS} are read",
+            path="$.description",
         )
+
+
+def _check_understood(facts: BriefFacts, description: str) -> None:
+    """Refuse a text of which next to nothing was read.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` with the words that were not understood.
+    """
+    stated = [
+        name
+        for name, value in vars(facts).items()
+        if value and name not in ("unread", "building_name", "building_span", "size")
+    ]
+    unread = sum(len(span.words.split()) for span in facts.unread)
+    words = len(description.split())
+    if (stated and unread < 0.6 * words) or (len(stated) > 2 and unread < 0.8 * words):
+        return
+    shown = ", ".join(f'"{span.words}"' for span in facts.unread[:4]) or f'"{description.strip()[:60]}"'
+    raise MansionError(
+        ErrorCode.INVALID_PAYLOAD,
+        f"next to nothing of the description was understood: {shown}; it must be English and name a kind of building, "
+        "rooms, storeys or an area; --planner llm reads other languages",
+        path="$.description",
+        details={"unread": [span.words for span in facts.unread], "stage": "program"},
     )
 
 
@@ -83,12 +106,13 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
         from mansion_planner.llm.planner import plan_with_model
 
         return plan_with_model(request, base, building_id)
+    _check_length(request.description)
     try:
         facts = read_brief(request.description, base)
+        _check_understood(facts, request.description)
         planned = plan_program(request, facts, base, building_id, item_generator(request.seed, "program"))
     except MansionError as error:
         raise error.at_stage("program") from None
-    _report_unread(facts, planned.program)
     topologies = [floor_topology(planned, storey, base) for storey in planned.storeys]
     problems = [
         floor_problem(planned, storey, topology, request.seed) for storey, topology in zip(planned.storeys, topologies)

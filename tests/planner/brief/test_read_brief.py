@@ -7,9 +7,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mansion_knowledge import default_knowledge
+from mansion_language import tokenize
 from mansion_planner.brief import read_brief
 from mansion_planner.brief.facts import BriefFacts
-from mansion_planner.brief.tokens import tokenize
 
 
 def read(text: str) -> BriefFacts:
@@ -178,7 +178,7 @@ def test_common_words_are_not_taken_for_misspellings() -> None:
 def test_unknown_rooms_become_rooms_like_known_ones() -> None:
     facts = read("an office with a quantum lab and two drone rooms")
     assert [(f.name, f.room_type, f.count) for f in facts.rooms] == [
-        ("laboratory", "laboratory", 1),
+        ("quantum_lab", "laboratory", 1),
         ("drone_room", "study_room", 2),
     ]
 

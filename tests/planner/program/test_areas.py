@@ -14,19 +14,35 @@ OUTLINE = Footprint(boundary=[(0, 0), (20, 0), (20, 10), (0, 10)])
 @pytest.mark.parametrize(
     ("description", "options", "path"),
     [
-        ("a two-storey office of 100 m2 per floor", {"area": 1000.0}, "$.area"),
-        ("a two-storey office of 1000 m2", {"floor_area": 100.0}, "$.floor_area"),
-        ("a two-storey office of 1000 m2", {"area": 500.0}, "$.area"),
-        ("a two-storey office, 1000 m2 in total, 300 m2 per floor", {}, "$.description"),
+        ("a two-storey office", {"area": 1000.0, "floor_area": 100.0}, "$.floor_area"),
         ("a shop", {"footprint": OUTLINE, "floor_area": 215.0}, "$.footprint"),
         ("a two-storey shop", {"footprint": OUTLINE, "area": 200.0}, "$.footprint"),
     ],
 )
-def test_areas_that_do_not_agree_are_refused(description: str, options: dict[str, Any], path: str) -> None:
+def test_two_fields_of_the_request_that_do_not_agree_are_refused(
+    description: str, options: dict[str, Any], path: str
+) -> None:
     with pytest.raises(MansionError) as caught:
         plan_building(BuildRequest(description=description, **options))
     assert caught.value.code == "CONTRADICTION"
     assert caught.value.info.path == path
+
+
+@pytest.mark.parametrize(
+    ("description", "options", "storey", "wish"),
+    [
+        ("a two-storey office of 100 m2 per floor", {"area": 1000.0}, 500.0, "100 m2"),
+        ("a two-storey office of 1000 m2", {"floor_area": 300.0}, 300.0, "1000 m2"),
+        ("a two-storey office of 1000 m2", {"area": 500.0}, 250.0, "1000 m2"),
+        ("a two-storey office, 1000 m2 in total, 300 m2 per floor", {}, 500.0, "300 m2"),
+    ],
+)
+def test_an_area_of_the_text_that_does_not_agree_gives_way_and_is_reported(
+    description: str, options: dict[str, Any], storey: float, wish: str
+) -> None:
+    program = plan_building(BuildRequest(description=description, **options)).program
+    assert program.floors[0].gross_floor_area == pytest.approx(storey, rel=0.06)
+    assert wish in [downgrade.wish for downgrade in program.downgrades]
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ import pytest
 import shapely
 from shapely.geometry import Polygon
 
+from mansion_bringup.building.receipt import receipt_of_plan
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
@@ -155,14 +156,21 @@ def test_other_seeds_give_other_outlines() -> None:
 
 
 @pytest.mark.parametrize(
-    "entry", [e for e in CORPUS if e["facts"][0].startswith("error=")], ids=lambda e: e["brief"][:40]
+    "entry", [e for e in CORPUS if "error=INFEASIBLE" in e["facts"]], ids=lambda e: e["brief"][:40]
 )
-def test_briefs_that_cannot_be_met_are_refused_with_both_places(entry: dict[str, list[str]]) -> None:
+def test_briefs_that_no_building_can_meet_are_refused(entry: dict[str, list[str]]) -> None:
     with pytest.raises(MansionError) as caught:
         plan_building(BuildRequest(description=str(entry["brief"])))
-    assert f"error={caught.value.code}" in entry["facts"]
-    if caught.value.code == "CONTRADICTION":
-        assert caught.value.info.details["first"] and caught.value.info.details["second"]
+    assert caught.value.code == "INFEASIBLE"
+
+
+@pytest.mark.parametrize(
+    "entry", [e for e in CORPUS if "error=CONTRADICTION" in e["facts"]], ids=lambda e: e["brief"][:40]
+)
+def test_statements_that_exclude_each_other_are_settled_and_reported(entry: dict[str, list[str]]) -> None:
+    reply = plan_building(BuildRequest(description=str(entry["brief"])))
+    unmet = [wish for wish in receipt_of_plan(reply.program, reply.topologies) if wish.status != "met"]
+    assert reply.program.downgrades or unmet
 
 
 @pytest.mark.parametrize("brief", ["a small flat", "a small flat for two", "2 bed flat"])

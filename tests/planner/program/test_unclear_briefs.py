@@ -17,9 +17,18 @@ def test_a_blank_brief_is_refused(brief: str) -> None:
     assert caught.value.info.path == "$.description"
 
 
-def test_a_brief_without_a_known_word_is_built_and_reported() -> None:
-    reply = plan_building(BuildRequest(description="a submarine"))
-    assert [d.reason.startswith("not understood") for d in reply.program.downgrades] == [True]
+@pytest.mark.parametrize("brief", ["a submarine", "xyzzy foo quux", "Ein Haus mit drei Schlafzimmern und Balkon"])
+def test_a_brief_of_which_nothing_is_understood_is_refused_with_a_way_out(brief: str) -> None:
+    with pytest.raises(MansionError) as caught:
+        plan_building(BuildRequest(description=brief))
+    assert caught.value.code == "INVALID_PAYLOAD"
+    assert "--planner llm" in caught.value.info.message
+
+
+def test_a_brief_of_more_than_twenty_thousand_characters_is_refused() -> None:
+    with pytest.raises(MansionError) as caught:
+        plan_building(BuildRequest(description="two bedrooms, " * 2000))
+    assert "20000" in caught.value.info.message
 
 
 def test_node_ids_differ_when_the_brief_speaks_of_corridors() -> None:

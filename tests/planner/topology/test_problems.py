@@ -82,12 +82,11 @@ def test_a_footprint_that_is_no_polygon_is_refused(ring: list[tuple[float, float
     assert caught.value.info.path == "$.footprint.boundary"
 
 
-def test_a_footprint_against_a_stated_area_is_a_contradiction() -> None:
+def test_an_area_of_the_text_gives_way_to_a_footprint_and_is_reported() -> None:
     footprint = Footprint(boundary=[(0, 0), (20, 0), (20, 10), (0, 10)])
-    with pytest.raises(MansionError) as caught:
-        plan_building(BuildRequest(description="a shop of 500 m2", footprint=footprint))
-    assert caught.value.code == "CONTRADICTION"
-    assert "500 m2" in caught.value.info.details["first"]
+    program = plan_building(BuildRequest(description="a shop of 500 m2", footprint=footprint)).program
+    assert program.floors[0].gross_floor_area == pytest.approx(200.0)
+    assert [downgrade.wish for downgrade in program.downgrades] == ["500 m2"]
 
 
 def test_the_scorer_finds_what_is_missing() -> None:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from mansion_bringup import __version__
 from mansion_bringup.building.files import building_file_names, floor_file_names
+from mansion_bringup.building.receipt import receipt
 from mansion_msgs_py.building import Building, BuildingReport, FloorEntry, FloorReport
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.layout import FloorLayout
@@ -34,6 +35,7 @@ def building_index(request: BuildRequest, plan: PlanReply, scenes: Sequence[Floo
             "objects": sum(len(scene.objects) for scene in scenes),
         },
         files=building_file_names(),
+        wishes=receipt(program.wishes, program, scenes),
     )
 
 
@@ -73,6 +75,7 @@ def building_report(
         seconds={name: round(value, 4) for name, value in seconds.items()},
         sources=_sources(plan, scenes),
         llm=total_usage([u for u in (plan.llm, *(scene.llm for scene in scenes)) if u is not None]),
+        wishes=receipt(plan.program.wishes, plan.program, scenes),
         warnings=[f"floor {lay.floor}: {text}" for lay in layouts for text in lay.messages],
     )
 

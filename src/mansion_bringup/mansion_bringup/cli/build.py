@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from mansion_bringup.cli.console import EXIT_INTERRUPTED, err, out, progress_bar
+from mansion_bringup.cli.receipt_table import print_receipt
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -181,9 +182,4 @@ def _print_summary(result: "BuildResult") -> None:
         f"{result.report.seconds.get('total', 0.0):.1f} s",
         highlight=False,
     )
-    wishes = result.report.downgrades
-    if wishes:
-        met = counted(len(wishes), "wish", "wishes")
-        out.print(f"{met} met in part or not at all (report.json):", highlight=False)
-        for entry in wishes[:5]:
-            out.print(f"  {entry.wish}: {entry.got} ({entry.reason})", markup=False, highlight=False)
+    print_receipt(building.wishes)

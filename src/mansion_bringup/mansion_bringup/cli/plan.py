@@ -3,6 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
+import msgspec
 import typer
 
 from mansion_bringup.cli.build import planner_name, prepare_planner, request_from_options
@@ -27,6 +28,7 @@ def plan(
     footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
     seed: Annotated[int, typer.Option(min=0)] = 0,
     planner: Annotated[str, typer.Option(help="rules or llm.")] = "rules",
+    strict: Annotated[bool, typer.Option("--strict", help="Refuse what meets a wish in part or not at all.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="The program as JSON alone.")] = False,
 ) -> None:
     """Show the program of a brief: floors, rooms, areas, and which words led to what.
@@ -37,16 +39,22 @@ def plan(
 
       mansion plan "a clinic" --floors 2 --json
     """
+    from mansion_bringup.building.receipt import receipt_of_plan
+    from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
     from mansion_bringup.pipeline.stages import LocalStages
 
     request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner))
     prepare_planner(request)
     reply = LocalStages().plan(identified(request))
+    wishes = receipt_of_plan(reply.program, reply.topologies)
+    if strict:
+        refuse_unmet(wishes)
     if as_json:
-        print_json(reply.program)
+        print_json(msgspec.structs.replace(reply.program, wishes=wishes))
         return
     _print_program(reply.program)
     _print_sources(reply)
+    print_receipt(wishes)
 
 
 def _print_sources(reply: PlanReply) -> None:
@@ -76,8 +84,6 @@ def _print_program(program: BuildingProgram) -> None:
     for entry in program.trace:
         words = f"“{entry.words}”" if entry.words else "(not said)"
         out.print(f"  {words} -> {entry.effect}", markup=False, highlight=False)
-    for wish in program.downgrades:
-        out.print(f"  not as asked: {wish.wish}: {wish.got} ({wish.reason})", markup=False)
 
 
 def _print_floor(floor: FloorProgram) -> None:

@@ -1,165 +1,266 @@
-"""Give rooms the storeys that the brief names for them, by where the two stand in its clauses."""
+"""Give rooms and furniture the storeys that the brief names for them, by where the two stand in its sentences.
 
-from mansion_planner.brief.facts import FloorRef, RoomFact, UseFact
-from mansion_planner.brief.places import Place
+A reference that opens a clause ("On the second floor ...", "Level 2: ...", a heading of its own line) leads what
+follows it; one right after a list ("a gym and a sauna on the top floor") belongs to the list; one right before a
+noun ("a ground-floor cafeteria") to that noun alone.
+"""
+
+from dataclasses import dataclass
+
+from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.noun_phrases import Phrase
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.storeys import Place
 
-__all__ = ["attach_places"]
+__all__ = ["Attachment", "attach_storeys"]
 
-_AS_USE = {"flat": "apartment_building", "studio_flat": "apartment_building", "shop_building": "shopping_mall",
-           "house": "apartment_building", "penthouse": "apartment_building"}  # fmt: skip
-
-
-def attach_places(reading: Reading, places: list[Place], found: list[tuple[int, int, RoomFact]]) -> None:
-    """Give each room the storeys that the brief names for it.
-
-    A floor reference right before a room ("ground-floor cafeteria") is the room's; one after it ("a gym and a sauna on
-    the top floor") belongs to the rooms listed just before it; one that opens a clause ("the second floor has ...") to
-    the rooms that follow it in the clause.
+_SHARED_OUT = frozenset({"spread", "distributed", "divided", "split", "evenly", "total", "altogether", "shared"})
+_GLUE = frozenset(
     """
-    assigned: dict[int, tuple[FloorRef, ...]] = {}
-    each: set[int] = set()
-    for place in sorted(places, key=lambda entry: entry.first):
-        rooms = _rooms_of(reading, place, places, found, set(assigned))
-        for number in rooms:
-            assigned[number] = place.refs
-            several = place.refs[0].kind in ("every", "range", "upper", "middle", "lower") or len(place.refs) > 1
-            if several and not _shared_out(reading, found[number][0], place):
-                each.add(number)
-    for number, (first, _, fact) in enumerate(found):
-        mention = reading.mention_at.get(first)
-        building = _use_of(reading, found[number]) if assigned.get(number) else ""
-        if building and fact.area is None and (fact.count is None or mention is not None):
-            reading.facts.uses.append(UseFact(building, assigned[number], fact.span))
-            continue
-        room = RoomFact(
-            fact.room_type, fact.name, fact.span, fact.count, fact.area,
-            assigned.get(number, ()), fact.each or number in each,
-        )  # fmt: skip
-        if not _said_before(reading, room):
-            reading.facts.rooms.append(room)
+    is are be goes go stay stays sit sits lie lies located situated placed both all only right directly up that
+    which stand kept should must will shall belong take takes occupy occupies fills fill come found needed wanted ,
+    on in at to entirely mostly alone as well too also each one apiece most much of occupy therefore be well
+    """.split()
+)
+_OPENERS = frozenset(
+    """
+    , and while but : ( where then - – | with plus whereas also finally
+    """.split()
+)
+_VERBS = frozenset(
+    """
+    has have contain hold house include : host feature is are comprise offer should must provide accommodate consist
+    there will – = housing containing get need want carry also itself take serve share for being
+    """.split()
+)
+_JOINTS = frozenset(
+    """
+    and a an the & one , large small its own as well plus both another two three
+    """.split()
+)
 
 
-_SHARED_OUT = frozenset({"spread", "distributed", "divided", "split"})
+@dataclass(frozen=True)
+class Attachment:
+    """The storeys of a phrase; `each`: its number holds for each of them."""
+
+    refs: tuple[FloorRef, ...] = ()
+    each: bool = False
 
 
-def _shared_out(reading: Reading, first: int, place: Place) -> bool:
-    """Whether a number of rooms is that of all the named storeys ("six wards spread over the upper floors")."""
-    words = [reading.word(index) for index in range(first - 3, place.first)]
-    return "total of" in " ".join(words[:5]) or not _SHARED_OUT.isdisjoint(words)
+def attach_storeys(
+    reading: Reading, places: list[Place], phrases: list[Phrase], building: int | None
+) -> dict[int, Attachment]:
+    """Return the storeys of phrases, by their number in `phrases`.
+
+    Parameters
+    ----------
+    building : int, optional
+        Number of the phrase that names the building itself.
+    """
+    return _Walk(reading, places, phrases, building).run()
 
 
-_MORE = ("another", "second", "extra", "additional", "further", "more")
+class _Walk:
+    """Goes from sentence to sentence with the scope that headings and openings leave."""
 
+    def __init__(self, reading: Reading, places: list[Place], phrases: list[Phrase], building: int | None) -> None:
+        self.reading, self.places, self.phrases, self.building = reading, places, phrases, building
+        self.found: dict[int, Attachment] = {}
+        self.heading: Place | None = None
 
-def _said_before(reading: Reading, room: RoomFact) -> bool:
-    """Whether an unnumbered room only says again what the brief wants already ("a library ... library")."""
-    before = reading.text[: room.span.start].lower().split()
-    numbered = room.span.words[:1].isdigit() or room.count not in (None, 1)
-    if numbered or (before and before[-1] in _MORE):
-        return False
-    return any(
-        (other.name, other.count, other.area, other.each) == (room.name, room.count, room.area, room.each)
-        and [(r.kind, r.first, r.last) for r in other.floors] == [(r.kind, r.first, r.last) for r in room.floors]
-        for other in reading.facts.rooms
-    )
+    def run(self) -> dict[int, Attachment]:
+        """Walk over all sentences."""
+        carried: Place | None = None
+        last_end = -1
+        for sentence in range((self.reading.sentence or [0])[-1] + 1):
+            items = [("place", n, p.first) for n, p in enumerate(self.places) if self._in(p.first, sentence)]
+            items += [
+                ("phrase", n, p.first)
+                for n, p in enumerate(self.phrases)
+                if self._in(p.first, sentence) and n != self.building
+            ]
+            items.sort(key=lambda item: item[2])
+            end = max((i for i, s in enumerate(self.reading.sentence) if s == sentence), default=0)
+            carried = self._sentence(items, carried, sentence)
+            if self.reading.word(end) != ";":
+                carried = None
+            blank = self.reading.word(end) == "\n" and self.reading.word(last_end) == "\n" and end == last_end + 1
+            if blank and self.heading is not None and not self._heading_follows(sentence):
+                self.heading = self.heading if self._list_follows(sentence) else None
+            last_end = end
+        return self.found
 
+    def _in(self, index: int, sentence: int) -> bool:
+        return index < len(self.reading.sentence) and self.reading.sentence[index] == sentence
 
-def _use_of(reading: Reading, entry: tuple[int, int, RoomFact]) -> str:
-    """Return the building type when the phrase is a plural use of whole storeys ("offices", "apartments", "shops")."""
-    first, last, fact = entry
-    for index in range(first, last):
-        mention = reading.mention_at.get(index)
-        if mention is not None and mention.building and mention.plural and fact.count is None:
-            return _AS_USE.get(mention.building, mention.building)
-    return ""
+    def _heading_follows(self, sentence: int) -> bool:
+        return any(place.heading and self.reading.sentence[place.first] > sentence for place in self.places)
 
+    def _list_follows(self, sentence: int) -> bool:
+        first = next((i for i, s in enumerate(self.reading.sentence) if s == sentence + 1), -1)
+        return self.reading.word(first) in ("-", "*") or self.reading.kind(first) == "number"
 
-def _rooms_of(
-    reading: Reading, place: Place, places: list[Place], found: list[tuple[int, int, RoomFact]], done: set[int]
-) -> list[int]:
-    after = [n for n, entry in enumerate(found) if entry[0] >= place.last and n not in done]
-    before = [n for n, entry in enumerate(found) if entry[1] <= place.first and n not in done]
-    if _opens_clause(reading, place):
-        stop = _clause_end(reading, place.last)
-        others = [other.first for other in places if other.first >= place.last]
-        limit = min([stop, *others])
-        return [n for n in after if found[n][0] < limit]
-    if after and reading.word(place.last) == "with" and place.refs[0].kind == "basement":
-        return after[:1]
-    if after and not place.led and _touches(reading, place.last, found[after[0]][0]):
-        return after[:1]
-    if before and _no_break(reading, found[before[-1]][1], place.first):
-        return _conjuncts(reading, found, before, place)
-    if after and _touches(reading, place.last, found[after[0]][0]):
-        return after[:1]
-    return []
+    def _sentence(self, items: list[tuple[str, int, int]], carried: Place | None, sentence: int) -> Place | None:
+        scope = carried or self.heading
+        opened = carried is not None
+        left: list[int] = []
+        for position, (kind, number, _) in enumerate(items):
+            if kind == "phrase":
+                if scope is not None:
+                    self._give(number, scope, trailing=False)
+                left.append(number)
+                continue
+            place = self.places[number]
+            rest = [n for k, n, _ in items[position + 1 :] if k == "phrase"]
+            if place.refs[0].kind == "basement" and self.reading.word(place.last) == "with" and rest:
+                for target in self._joined(rest):
+                    self._give(target, place, trailing=True)
+                left += rest[:1]
+            elif self._ends_line(place):
+                self.heading = scope = place
+                opened, left = True, []
+            elif self._is_prenominal(place, rest):
+                scope_before, scope = scope, None
+                self._give(rest[0], place, trailing=False)
+                self.found.setdefault(rest[0], Attachment())
+                items[position + 1 :] = [item for item in items[position + 1 :] if item[:2] != ("phrase", rest[0])]
+                left.append(rest[0])
+                scope = scope_before
+            elif self._trails(place, left):
+                for target in self._claimed(place, left, opened=opened):
+                    self._give(target, place, trailing=True)
+                left = []
+                if not opened:
+                    scope = self.heading
+            else:
+                scope, opened, left = place, True, []
+        return scope if opened else None
 
+    def _joined(self, rest: list[int]) -> list[int]:
+        """Return the first of some phrases and those joined to it by "and" alone."""
+        chosen = rest[:1]
+        for number in rest[1:]:
+            if self.reading.words(self.phrases[chosen[-1]].last, self.phrases[number].begin) not in (
+                ("and",),
+                ("and", "a"),
+                ("and", "an"),
+            ):
+                break
+            chosen.append(number)
+        return chosen
 
-def _opens_clause(reading: Reading, place: Place) -> bool:
-    before = reading.word(place.first - 1)
-    opens = place.first == 0 or before in (".", ";", ":", "\n", "and", ",", "while", "but", "!", "–", "where", "then")
-    after = reading.word(place.last)
-    verbs = ("has", "have", "contain", "hold", "house", "include", ":", "host", "feature", "is", "are", "with",
-             "comprise", "offer", "should", "must", "provide", "accommodate", "consist", "there", "will", "–",
-             "housing", "containing", "for", "used")  # fmt: skip
-    if after in verbs:
-        return after not in ("with", "for", "is", "are", "used") or opens
-    return (
-        opens
-        and place.led
-        and (
-            after == ","
-            or place.first == 0
-            or before in (".", ";", "\n")
-            or after in ("a", "an", "the", "we", "put", "i", "you")
-            or reading.kind(place.last) == "number"
+    def _ends_line(self, place: Place) -> bool:
+        reading = self.reading
+        last = place.last + (reading.word(place.last) in (":", "="))
+        return reading.starts(place.first) and (reading.word(last) == "\n" or self._bracket_ends_line(last))
+
+    def _bracket_ends_line(self, last: int) -> bool:
+        reading = self.reading
+        if reading.word(last) not in ("(", ","):
+            return False
+        index = last
+        while index < len(reading.tokens) and reading.word(index) not in ("\n", ".", ";") and index - last < 12:
+            index += 1
+        inside = any(last <= phrase.first < index for phrase in self.phrases)
+        return reading.word(index) == "\n" and not inside
+
+    def _is_prenominal(self, place: Place, rest: list[int]) -> bool:
+        """Whether the reference stands inside a noun phrase: "a ground-floor cafeteria"."""
+        if place.led or place.heading or not rest:
+            return False
+        phrase = self.phrases[rest[0]]
+        if phrase.begin != place.last or phrase.first < place.last or phrase.counted:
+            return False
+        reading = self.reading
+        lead = reading.word(place.first)
+        if lead in ("a", "an"):
+            return True
+        before = reading.word(place.first - 1)
+        return (
+            before in ("a", "an")
+            or reading.kind(place.first - 1) == "number"
+            or (
+                lead == "the"
+                and place.refs[0].kind == "number"
+                and not reading.starts(place.first)
+                and before in ("and", "with", "in")
+            )
         )
-    )
 
-
-def _clause_end(reading: Reading, index: int) -> int:
-    while index < len(reading.tokens) and reading.word(index) not in (".", ";", "\n", "!", "?"):
-        index += 1
-    return index
-
-
-def _touches(reading: Reading, begin: int, end: int) -> bool:
-    return (
-        end >= begin
-        and end - begin <= 3
-        and all(
-            reading.kind(i) in ("word", "number", "unit") and reading.word(i) not in ("and", "with", "or")
-            for i in range(begin, end)
+    def _trails(self, place: Place, left: list[int]) -> bool:
+        if not left or place.heading:
+            return False
+        phrase = self.phrases[left[-1]]
+        gap = self.reading.words(phrase.last, place.first)
+        if (
+            self.reading.word(place.last) in ("has", "have", "hold", "house", "contain", ":", "get", "carry", "host")
+            and self.reading.word(place.first - 1) in _OPENERS
+        ):
+            return False
+        if len(gap) > 6:
+            return False
+        measures = all(
+            word in _GLUE
+            or self.reading.kind(phrase.last + k) in ("number", "unit")
+            or word in ("(", ")", "of", "about", "x", "people")
+            for k, word in enumerate(gap)
         )
-    )
+        if not measures:
+            return False
+        return not (gap and gap[-1] == "," and not self._closes(place))
 
+    def _closes(self, place: Place) -> bool:
+        """Whether a reference after a comma ends its clause, so that it can only belong to what stands before it."""
+        following = self.reading.word(place.last)
+        return self.reading.breaks(place.last) or following in (")", ",", "and")
 
-def _no_break(reading: Reading, begin: int, end: int) -> bool:
-    return end - begin <= 6 and not any(
-        reading.word(i) in (".", ";", ":", "\n", ",", "with", "and", "but") for i in range(begin, end)
-    )
+    def _claimed(self, place: Place, left: list[int], *, opened: bool) -> list[int]:
+        sentence = self.reading.sentence[place.first]
+        titled = self.building is not None and self.reading.sentence[self.phrases[self.building].first] == sentence
+        if not opened and not titled:
+            return left
+        chosen = [left[-1]]
+        joined = False
+        for number in reversed(left[:-1]):
+            between = self.reading.words(self.phrases[number].last, self.phrases[chosen[-1]].first)
+            joined = joined or "and" in between or "&" in between
+            if not all(word in _JOINTS for word in between) or not joined or (opened and "," in between):
+                break
+            if not self._suits(number, place):
+                break
+            chosen.append(number)
+        return chosen
 
+    def _suits(self, number: int, place: Place) -> bool:
+        phrase = self.phrases[number]
+        if not phrase.room_type:
+            return True
+        storey = self.reading.knowledge.room(phrase.room_type).storey
+        return not (storey == "ground" and place.refs[0].kind in ("top", "roof", "basement"))
 
-def _conjuncts(reading: Reading, found: list[tuple[int, int, RoomFact]], before: list[int], place: Place) -> list[int]:
-    """The rooms listed just before a floor reference, as far back as the list goes and the storey suits them."""
-    chosen = [before[-1]]
-    for number in reversed(before[:-1]):
-        _first, last, fact = found[number]
-        between = [reading.word(i) for i in range(last, found[chosen[-1]][0])]
-        linked = all(word in ("and", "a", "an", "the", ",", "&", "one", "large", "small") for word in between)
-        joined = "and" in between or "&" in between or (len(chosen) > 1 and "," in between)
-        if not linked or not joined or not _suits(reading, fact, place):
-            break
-        chosen.append(number)
-    return chosen
+    def _give(self, number: int, place: Place, *, trailing: bool) -> None:
+        if number in self.found and not trailing:
+            return
+        several = len(place.refs) > 1 or place.refs[0].kind in (
+            "every",
+            "range",
+            "middle",
+            "lower",
+            "odd",
+            "even",
+            "not_top",
+        )
+        several = several or (place.refs[0].kind == "upper" and self._plural_upper(place))
+        several = several and not (place.refs[0].kind == "middle" and not self._plural_upper(place))
+        phrase = self.phrases[number]
+        near = self.reading.words(max(phrase.first - 4, 0), place.first if trailing else phrase.first)
+        rest = self.reading.words(phrase.last, phrase.last + 3)
+        shared = not _SHARED_OUT.isdisjoint(near) or not _SHARED_OUT.isdisjoint(rest) or phrase.determiner == "all"
+        self.found[number] = Attachment(place.refs, several and not shared)
 
-
-def _suits(reading: Reading, fact: RoomFact, place: Place) -> bool:
-    storey = reading.knowledge.room(fact.room_type).storey
-    kinds = {ref.kind for ref in place.refs}
-    if fact.count is None or fact.count > 2:
-        return False
-    if "basement" in kinds or "roof" in kinds:
-        return storey in ("any", "basement")
-    return not ("top" in kinds and storey in ("ground", "basement"))
+    def _plural_upper(self, place: Place) -> bool:
+        return any(
+            self.reading.plural(i) and self.reading.word(i) in ("floor", "storey", "level", "story", "deck")
+            for i in range(place.first, place.last)
+        )

@@ -1,93 +1,151 @@
-"""Find which mention of a brief names the building itself."""
+"""Find which noun phrase of a brief names the building itself."""
 
-from mansion_planner.brief.places import Place
-from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.noun_phrases import Phrase
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.storeys import Place
 
-__all__ = ["read_building"]
+__all__ = ["building_phrase", "unknown_building"]
 
-_OPENERS = frozenset({"with", "containing", "including", "featuring", "contain", "include", "featur", "housing"})
-_INNER = frozenset({"with", "and", "or", "next", "no", "without", "beside", "one", "plus", "near", "above", "over"})
-_GENERIC = frozenset({"building", "block", "tower", "complex", "center", "centre", "facility", "centr"})
+_OPENERS = frozenset(
+    """
+    with containing including featuring contain include housing has have there comprising
+    """.split()
+)
+_INNER = frozenset(
+    """
+    and or next no without beside near above over under plus in inside into on from old former behind
+    """.split()
+)
+_WISHES = frozenset(
+    """
+    want need design build make create plan like generate give for of as is run are have search bought please
+    needing buy get
+    """.split()
+)
+_ALWAYS_ROOMS = frozenset({"private_office"})
 
 
-def read_building(reading: Reading, places: list[Place]) -> None:
-    """Record the building type: the first building phrase that no clause makes a part of another.
+def building_phrase(reading: Reading, phrases: list[Phrase], places: list[Place]) -> int | None:
+    """Return the number of the phrase that names the building: the likeliest of the first sentences, or none.
 
     "A four-storey office with a cafeteria" is an office; "a gym on the third floor" leaves the type open.
     """
-    best: tuple[int, int] | None = None
-    for order, mention in enumerate(reading.mentions):
-        if not mention.building or set(range(mention.first, mention.last)) & reading.taken:
+    best: tuple[float, int] | None = None
+    for number, phrase in enumerate(phrases):
+        if not phrase.building:
             continue
-        score = _headness(reading, places, mention.first, mention.last, bool(mention.room))
+        score = _score(reading, phrases, places, phrase, number)
         if score > 0 and (best is None or score > best[0]):
-            best = (score, order)
-    if best is not None:
-        mention = reading.mentions[best[1]]
-        name = mention.building
-        if name == "flat" and mention.plural:
-            name = "apartment_building"
-        reading.facts.building.append((name, reading.span(mention.first, mention.last)))
-        reading.take(mention.first, mention.last)
-        doubled = reading.mention_at.get(mention.last)
-        if doubled is not None and doubled.building and not doubled.plural:
-            reading.take(doubled.first, doubled.last)
+            best = (score, number)
+    return best[1] if best is not None else None
 
 
-def _headness(reading: Reading, places: list[Place], first: int, last: int, is_room: bool) -> int:
-    """How likely the mention is the building: 0 for a part of it."""
-    begin = first
-    while begin > 0 and reading.word(begin - 1) not in _OPENERS | {".", ";", ":", "\n"} and first - begin < 14:
-        begin -= 1
-    opened = any(reading.word(i) in _OPENERS for i in range(first))
-    score = 6 if not opened else 3
-    stated = any(reading.word(i) in ("has", "have", "contain", "hold") for i in range(first))
-    if _in_section(reading, places, first) or "there" in [reading.word(first - k) for k in (2, 3, 4)]:
-        return 0
-    score -= 3 if stated and is_room else 0
-    lead = first - 1
-    while lead >= 0 and reading.kind(lead) in ("word", "number", "unit") and first - lead < 8:
-        if reading.word(lead) in {"a", "an", "the", "our", "my", "this"} | _INNER:
-            break
-        lead -= 1
-    before = reading.word(lead - 1)
-    if reading.word(lead) in _INNER or before in _INNER or before in ("on", "in", "has", "have"):
-        score -= 2 if not opened else 3
-    if any(place.last == first and not place.led for place in places):
-        return 0
-    following = next((place for place in places if place.first in (last, last + 1) and place.led), None)
-    if following is not None and not any(r.kind in ("every",) for r in following.refs):
-        score -= 2 if first > 4 else 0
-        if is_room or reading.tokens[last - 1].plural:
-            score -= 3
-    if reading.tokens[last - 1].plural and is_room:
-        score -= 3
-    if reading.word(last) in _GENERIC or reading.word(last - 1) in _GENERIC:
-        score += 2
-    if not is_room:
-        score += 1
-    return max(score, 0)
-
-
-def _in_section(reading: Reading, places: list[Place], first: int) -> bool:
-    """Whether the mention stands in a list that a storey opens ("ground floor: lobby, cafe")."""
-    earlier = [place for place in places if place.last <= first]
-    if not earlier:
-        return False
-    place = earlier[-1]
-    between = [reading.word(i) for i in range(place.last, first)]
-    if any(word in (".", ";", "\n") for word in between):
-        return False
-    return bool(between) and between[0] in (
-        ":",
-        "has",
-        "have",
-        "contain",
-        "hold",
-        "house",
-        "include",
-        ",",
-        "host",
-        "–",
-        "with",
+def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase: Phrase, number: int) -> float:
+    """How likely the phrase is the building: 0 for a part of it."""
+    sentence = reading.sentence[phrase.first]
+    start = next(i for i, s in enumerate(reading.sentence) if s == sentence)
+    before = reading.words(start, phrase.first)
+    is_room = phrase.head == "room" or phrase.building == "office"
+    score = 6.0 - min(sentence, 4) - 0.1 * number
+    owner = reading.word(phrase.first - 1) == "of" and any(place.last == phrase.first - 1 for place in places)
+    if owner:  # "on the first floor of a library"
+        return score + 2.0
+    if any(
+        place.first < phrase.first and reading.sentence[place.first] == sentence and not _about_all(place)
+        for place in places
+    ):
+        return 0.0
+    placed = any(
+        0 <= place.first - phrase.last <= 1 and place.led and place.refs[0].kind not in ("every", "upper")
+        for place in places
     )
+    if placed and is_room and number > 0:
+        return 0.0
+    if not _OPENERS.isdisjoint(before) and not ({"we", "i"} & set(before) and number == 0):
+        return 0.0
+    if phrase.plural and is_room:
+        score -= 5.0 if phrase.building not in ("flat", "shop_building") or phrase.counted else 3.0
+    if phrase.counted and (phrase.count or 0) > 1:
+        score -= 4.0
+    earlier = [p for p in phrases[:number] if p.head in ("room", "building") and reading.sentence[p.first] == sentence]
+    if earlier:
+        score -= 2.0 if not is_room else 4.0
+    lead = reading.word(phrase.first - 1)
+    if lead in _INNER and phrase.first - 1 > 0:
+        score -= 3.0
+    if phrase.determiner == "the" and is_room:
+        score -= 2.0
+    if placed and is_room:
+        score -= 4.0
+    if is_room and sentence > 0:
+        score -= 3.0
+    if is_room and number and not earlier and not ({*before} & _WISHES):
+        score -= 1.0
+    following = reading.word(phrase.last)
+    if following in ("block", "building", "tower", "house", "complex"):
+        score += 2.0
+    if not is_room:
+        score += 1.5
+    if phrase.areas and is_room:
+        score += 0.0
+    return max(score, 0.0)
+
+
+def _about_all(place: Place) -> bool:
+    return place.refs[0].kind in ("every",)
+
+
+def unknown_building(reading: Reading) -> tuple[str, int, int] | None:
+    """Return the opening words where they can name an unknown kind of building, and their tokens."""
+    index = 0
+    while index < min(len(reading.tokens), 12) and (
+        reading.word(index)
+        in (
+            "a",
+            "an",
+            "the",
+            "i",
+            "we",
+            "want",
+            "need",
+            "like",
+            "please",
+            "design",
+            "build",
+            "create",
+            "make",
+            "would",
+            "our",
+            "my",
+            "small",
+            "big",
+            "large",
+            "new",
+            "local",
+            "to",
+            "plan",
+            "generate",
+            "me",
+            "us",
+            "give",
+            "two",
+            "three",
+            "tiny",
+            "modern",
+        )
+        or reading.kind(index) in ("number", "ordinal")
+        or reading.word(index) in FLOOR_WORDS
+    ):
+        index += 1
+    first = index
+    while (
+        index < len(reading.tokens)
+        and reading.kind(index) == "word"
+        and index not in reading.taken
+        and reading.word(index) not in ("with", "for", "of", "on", "in", "and", "to", "that", "is", "has", "at", "by")
+    ):
+        index += 1
+    if index == first or index - first > 4:
+        return None
+    words = reading.words(first, index)
+    return "_".join(words), first, index

@@ -8,7 +8,9 @@ __all__ = [
     "BriefFacts",
     "CopyFact",
     "FloorRef",
+    "HeightFact",
     "MaterialFact",
+    "ObjectFact",
     "OccupantFact",
     "Quantity",
     "RoomFact",
@@ -44,12 +46,28 @@ class FloorRef:
     Attributes
     ----------
     kind : str
-        ``number``, ``range``, ``top``, ``every``, ``upper``, ``basement``, ``roof``, ``lower`` or ``middle``.
+        ``number``, ``range``, ``top``, ``below_top``, ``every``, ``upper``, ``basement``, ``roof``, ``lower``,
+        ``middle``, ``odd``, ``even`` or ``not_top`` (all but the uppermost).
     first, last : int
-        Floor numbers, 1 at the ground, for ``number`` and ``range``; `first` is the number of storeys for ``top``.
+        Floor numbers, 1 at the ground, for ``number`` and ``range``; `first` is the number of storeys for ``top``, the
+        storeys below the uppermost for ``below_top``, and how many storeys are meant for ``upper`` (0: all).
     """
 
-    kind: Literal["number", "range", "top", "every", "upper", "basement", "roof", "lower", "middle"]
+    kind: Literal[
+        "number",
+        "range",
+        "top",
+        "below_top",
+        "every",
+        "upper",
+        "basement",
+        "roof",
+        "lower",
+        "middle",
+        "odd",
+        "even",
+        "not_top",
+    ]
     first: int = 0
     last: int = 0
     span: Span = Span("", 0, 0)
@@ -64,7 +82,7 @@ class RoomFact:
     room_type : str
         Type of the knowledge base that it is furnished as.
     name : str
-        Snake-case name; differs from `room_type` for a room that the knowledge base does not know.
+        Snake-case name in the user's words; differs from `room_type` where the user calls it otherwise.
     count : int, optional
         ``None`` for an unnumbered plural.
     area : float, optional
@@ -73,6 +91,14 @@ class RoomFact:
         Empty when the brief does not say where.
     each : bool
         `count` is for every storey that is meant, rather than in all.
+    exact : bool
+        No more of them are wanted than stated.
+    label : str
+        What the user calls it, as written.
+    suite : tuple of RoomFact
+        Rooms that each of these has for itself ("each with a bathroom").
+    known : bool
+        The knowledge base has the user's words; otherwise `room_type` is only the nearest kind.
     """
 
     room_type: str
@@ -82,6 +108,10 @@ class RoomFact:
     area: float | None = None
     floors: tuple[FloorRef, ...] = ()
     each: bool = False
+    exact: bool = True
+    label: str = ""
+    suite: tuple["RoomFact", ...] = ()
+    known: bool = True
 
 
 @dataclass(frozen=True)
@@ -96,10 +126,58 @@ class UseFact:
 
 @dataclass(frozen=True)
 class AdjacencyFact:
-    """Two room types that the brief wants side by side."""
+    """Two rooms, by type, that the brief wants side by side (or apart, in `BriefFacts.apart`).
+
+    Attributes
+    ----------
+    first_name, second_name : str
+        The user's own names, where the rooms have some.
+    """
 
     first: str
     second: str
+    span: Span
+    first_name: str = ""
+    second_name: str = ""
+
+
+@dataclass(frozen=True)
+class ObjectFact:
+    """Furniture that the brief wants.
+
+    Attributes
+    ----------
+    words : str
+        As written.
+    category : str
+        Of the asset catalogue; empty where it has nothing like it.
+    count : int, optional
+        ``None`` for an unnumbered plural.
+    room : str
+        Name of the room, in snake case; empty when the brief does not say where.
+    each : bool
+        `count` is for every such room.
+    excluded : bool
+        None of it is wanted.
+    """
+
+    words: str
+    category: str
+    span: Span
+    count: int | None = 1
+    room: str = ""
+    room_type: str = ""
+    each: bool = False
+    excluded: bool = False
+    floors: tuple[FloorRef, ...] = ()
+
+
+@dataclass(frozen=True)
+class HeightFact:
+    """The clear height of rooms, metres; of a room type, or of all rooms when `room_type` is empty."""
+
+    height: float
+    room_type: str
     span: Span
 
 
@@ -132,17 +210,43 @@ class OccupantFact:
 
 @dataclass
 class BriefFacts:
-    """Everything that a brief states."""
+    """Everything that a brief states.
+
+    Attributes
+    ----------
+    excluded : list of (str, Span)
+        Room types that are nowhere wanted; ``basement``.
+    excluded_on : list of (str, FloorRef, Span)
+        Room types that are not wanted on some storeys.
+    apart : list of AdjacencyFact
+        Rooms that must not share a wall.
+    floors : list of Quantity
+        The one that counts first.
+    only : list of Span
+        Words such as "nothing else": no room is added to those that the brief names.
+    building_name : str
+        What the user calls the kind of building, in snake case, where the knowledge base does not have it.
+    building_span : list of Span
+        Its words.
+    unread : list of Span
+        Words that no fact was read from.
+    """
 
     floors: list[Quantity] = field(default_factory=list)
     basements: list[Quantity] = field(default_factory=list)
     area: list[Quantity] = field(default_factory=list)
     floor_area: list[Quantity] = field(default_factory=list)
     building: list[tuple[str, Span]] = field(default_factory=list)
+    building_name: str = ""
+    building_span: list[Span] = field(default_factory=list)
     rooms: list[RoomFact] = field(default_factory=list)
     uses: list[UseFact] = field(default_factory=list)
     excluded: list[tuple[str, Span]] = field(default_factory=list)
+    excluded_on: list[tuple[str, FloorRef, Span]] = field(default_factory=list)
     adjacent: list[AdjacencyFact] = field(default_factory=list)
+    apart: list[AdjacencyFact] = field(default_factory=list)
+    objects: list[ObjectFact] = field(default_factory=list)
+    heights: list[HeightFact] = field(default_factory=list)
     copies: list[CopyFact] = field(default_factory=list)
     styles: list[tuple[str, Span]] = field(default_factory=list)
     materials: list[MaterialFact] = field(default_factory=list)
@@ -151,4 +255,8 @@ class BriefFacts:
     setback: list[Span] = field(default_factory=list)
     protruding: list[Span] = field(default_factory=list)
     vertical: list[tuple[str, Span]] = field(default_factory=list)
+    lifts: list[Quantity] = field(default_factory=list)
+    stairs: list[Quantity] = field(default_factory=list)
     size: list[tuple[str, Span]] = field(default_factory=list)
+    only: list[Span] = field(default_factory=list)
+    unread: list[Span] = field(default_factory=list)

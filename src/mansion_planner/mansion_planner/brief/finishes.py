@@ -1,37 +1,125 @@
 """Read what a brief says of style and materials."""
 
 from mansion_planner.brief.facts import MaterialFact
-from mansion_planner.brief.neighbours import room_after, room_name
 from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.similarity import room_of_building
 
 __all__ = ["read_materials", "read_style"]
 
 _MATERIALS = (
-    "oak", "walnut", "pine", "maple", "birch", "bamboo", "cherry", "ash", "parquet", "hardwood", "wooden", "wood",
-    "timber", "laminate", "marble", "granite", "limestone", "travertine", "slate", "stone", "terrazzo", "concrete",
-    "tile", "tiled", "ceramic", "porcelain", "carpet", "carpeted", "vinyl", "linoleum", "rubber", "cork", "brick",
-    "plaster", "wallpaper", "stucco", "glass", "terracotta", "mosaic", "epoxy", "panelled", "paneled", "panelling",
-)  # fmt: skip
+    "oak",
+    "walnut",
+    "pine",
+    "maple",
+    "birch",
+    "bamboo",
+    "cherry",
+    "ash",
+    "parquet",
+    "hardwood",
+    "wooden",
+    "wood",
+    "timber",
+    "laminate",
+    "marble",
+    "granite",
+    "limestone",
+    "travertine",
+    "slate",
+    "stone",
+    "terrazzo",
+    "concrete",
+    "tile",
+    "tiled",
+    "ceramic",
+    "porcelain",
+    "carpet",
+    "carpeted",
+    "vinyl",
+    "linoleum",
+    "rubber",
+    "cork",
+    "brick",
+    "plaster",
+    "wallpaper",
+    "stucco",
+    "glass",
+    "terracotta",
+    "mosaic",
+    "epoxy",
+    "panelled",
+    "paneled",
+    "panelling",
+)
 
-_COLOURS = ("white", "black", "gray", "grey", "beige", "blue", "green", "red", "yellow", "cream", "dark", "light",
-            "polished", "exposed", "warm", "brown", "pink", "painted", "glossy", "matte", "pale", "orange", "navy",
-            "turquoise", "purple", "ivory", "charcoal", "herringbone")  # fmt: skip
+_COLOURS = (
+    "white",
+    "black",
+    "gray",
+    "grey",
+    "beige",
+    "blue",
+    "green",
+    "red",
+    "yellow",
+    "cream",
+    "dark",
+    "light",
+    "polished",
+    "exposed",
+    "warm",
+    "brown",
+    "pink",
+    "painted",
+    "glossy",
+    "matte",
+    "pale",
+    "orange",
+    "navy",
+    "turquoise",
+    "purple",
+    "ivory",
+    "charcoal",
+    "herringbone",
+)
 
 _SURFACES = {"floor": "floor", "flooring": "floor", "wall": "wall"}
 
 
-def read_style(reading: Reading) -> None:
-    """Read the style; a style word inside a room's name ("modern kitchen") counts as well."""
+_STYLE_NOUNS = frozenset(
+    """
+    style look feel feeling character design interior manner spirit flavour flavor aesthetic vibe taste decor theme
+    furniture fittings touch atmosphere
+    """.split()
+)
+
+
+def read_style(reading: Reading, *, named: bool) -> None:
+    """Read the style; a style word inside a room's name ("modern kitchen") counts as well.
+
+    Parameters
+    ----------
+    named : bool
+        Whether to read only those that are called a style ("industrial loft look"), or all others.
+    """
     for mention in reading.mentions:
-        if mention.style and not reading.taken & set(range(mention.first, mention.last)):
-            following = reading.mention_at.get(mention.last)
-            if (
-                mention.room
-                or mention.building
-                or (following is not None and following.room and following.room in ("roof_terrace",))
-            ):
-                continue
-            reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
+        modifies = not named and reading.modifiers.issuperset(range(mention.first, mention.last))
+        if not mention.style or not (modifies or reading.free(mention.first, mention.last)):
+            continue
+        last = mention.last
+        while last < mention.last + 2 and reading.kind(last) == "word" and reading.word(last) not in _STYLE_NOUNS:
+            last += 1
+        called = reading.word(last) in _STYLE_NOUNS or "style" in reading.words(mention.first - 3, mention.first)
+        if named and not called:
+            continue
+        last = last + 1 if reading.word(last) in _STYLE_NOUNS else mention.last
+        following = reading.mention_at.get(mention.last)
+        if not called and (
+            mention.room or mention.building or (following is not None and following.room in ("roof_terrace",))
+        ):
+            continue
+        reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
+        reading.take(mention.first, last)
 
 
 def read_materials(reading: Reading) -> None:
@@ -48,8 +136,7 @@ def read_materials(reading: Reading) -> None:
             continue
         room = ""
         if reading.word(i + 1) in ("in", "for", "throughout"):
-            target = room_after(reading, i + 2)
-            room = room_name(target) if target is not None else ""
+            room = _room_after(reading, i + 2)
         reading.facts.materials.append(
             MaterialFact(surface, words, room, reading.span(first - 1, i + 1))  # type: ignore[arg-type]
         )
@@ -64,3 +151,14 @@ def _material_ending(reading: Reading, end: int) -> int:
     ):
         first -= 1
     return first + 1 if first < end else 0
+
+
+def _room_after(reading: Reading, index: int) -> str:
+    """Return the room type named within four words from `index`, in the same clause; empty for none."""
+    for at in range(index, index + 4):
+        mention = reading.mention_at.get(at)
+        if mention is not None and (mention.room or mention.building):
+            return mention.room or room_of_building(mention.building, reading.knowledge)
+        if reading.breaks(at) or reading.word(at) == ",":
+            break
+    return ""

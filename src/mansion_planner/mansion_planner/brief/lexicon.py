@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from mansion_knowledge import KnowledgeBase
-from mansion_planner.brief.tokens import Token, singular
+from mansion_language import Token, singular
 
 __all__ = ["Lexicon", "Mention", "lexicon_of"]
 

@@ -1,17 +1,27 @@
-"""Read a brief: storeys, areas, building type, rooms and wishes, each from the words that state it."""
+"""Read a brief: storeys, areas, building type, rooms, furniture and wishes, each from the words that state it.
+
+The text is parsed from the smallest parts up: tokens, then areas and storey references, then noun phrases, then what
+joins them (storeys, relations, negations, "each with"), and at last the facts. Every token belongs to one part at most;
+content words that belong to none are reported as not understood. No step looks further than its sentence, so the time
+is proportional to the length of the text.
+"""
+
+from dataclasses import replace
 
 from mansion_knowledge import KnowledgeBase
-from mansion_planner.brief.areas import read_areas
-from mansion_planner.brief.building import read_building
-from mansion_planner.brief.facts import BriefFacts
+from mansion_planner.brief.attachment import Attachment, attach_storeys
+from mansion_planner.brief.building import building_phrase, unknown_building
+from mansion_planner.brief.exclusions import negated_phrases
+from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity, RoomFact, Span, UseFact
 from mansion_planner.brief.finishes import read_materials, read_style
-from mansion_planner.brief.neighbours import read_adjacency, repeated_mentions
-from mansion_planner.brief.places import find_places
-from mansion_planner.brief.quantities import read_floor_counts, read_occupants
-from mansion_planner.brief.reading import start_reading
-from mansion_planner.brief.rooms import read_rooms
+from mansion_planner.brief.furnishings import read_furnishings
+from mansion_planner.brief.measures import Measure, find_measures, give_measures, read_heights
+from mansion_planner.brief.noun_phrases import FUNCTION_WORDS, PLAIN, Phrase, noun_phrases
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading, start_reading
+from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.stacking import read_stacking
-from mansion_planner.brief.wishes import read_copies, read_exclusions, read_massing, read_shape, read_vertical
+from mansion_planner.brief.storeys import Place, read_storeys
+from mansion_planner.brief.wishes import read_copies, read_massing, read_shape, read_sizes
 
 __all__ = ["read_brief"]
 
@@ -37,18 +47,628 @@ def read_brief(text: str, knowledge: KnowledgeBase) -> BriefFacts:
     """
     reading = start_reading(text, knowledge)
     read_materials(reading)
+    read_heights(reading)
+    read_style(reading, named=True)
     read_shape(reading)
-    read_vertical(reading)
+    measures = find_measures(reading)
+    places = read_storeys(reading)
     read_massing(reading)
-    read_exclusions(reading)
-    read_floor_counts(reading)
-    places = find_places(reading)
+    _Reader(reading, places).read(measures)
     read_copies(reading, places)
-    read_stacking(reading)
-    read_building(reading, places)
-    read_style(reading)
-    read_areas(reading)
-    read_occupants(reading)
-    read_adjacency(reading)
-    read_rooms(reading, places, repeated_mentions(reading))
+    read_style(reading, named=False)
+    _leave_unread(reading)
     return reading.facts
+
+
+class _Reader:
+    """Joins the parts of a brief into facts."""
+
+    def __init__(self, reading: Reading, places: list[Place]) -> None:
+        self.reading, self.facts, self.places = reading, reading.facts, places
+
+    def read(self, measures: list[Measure]) -> None:
+        """Read everything that noun phrases are part of."""
+        reading = self.reading
+        self.shared: set[int] = set()
+        self.groups: dict[int, list[int]] = {}
+        self._bedrooms_of_adverts()
+        phrases = noun_phrases(reading)
+        stacked = read_stacking(reading, phrases)
+        phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
+        self.building = self._name_building(phrases)
+        self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
+        self._containers()
+        self._elliptical()
+        self.relations = read_relations(reading, self.phrases, set() if self.building is None else {self.building})
+        self.negated = negated_phrases(reading, self.phrases)
+        self.attached = attach_storeys(reading, self.places, self.phrases, self.building)
+        for number, phrase in enumerate(self.phrases):
+            if phrase.first in self.shared and number in self.attached:
+                self.attached[number] = Attachment(self.attached[number].refs)
+        self.same = self._coreferences()
+        self._multiply()
+        self.suites = self._suites()
+        self._occupants()
+        self._vertical()
+        self.facts.objects += read_furnishings(reading, self.phrases, self.attached, self.negated, self.same)
+        self._rooms()
+        self._relations()
+        self._only()
+        self.facts.excluded.sort(key=lambda entry: entry[1].end)
+        for index, token in enumerate(reading.tokens):
+            if (
+                token.kind == "number"
+                and reading.word(index - 1) == "for"
+                and any(p.last == index - 1 and p.head == "room" for p in self.phrases)
+            ):
+                reading.take(index, index + 1)  # how many a room is for
+
+    # The building ---------------------------------------------------------------------------------------------------
+
+    def _name_building(self, phrases: list[Phrase]) -> int | None:
+        number = building_phrase(self.reading, phrases, self.places)
+        if number is None:
+            unknown = unknown_building(self.reading)
+            if unknown is not None and not any(p.begin < unknown[2] for p in phrases if p.head == "room"):
+                self.facts.building_name = unknown[0]
+                self.facts.building_span.append(self.reading.span(unknown[1], unknown[2]))
+                self.reading.take(unknown[1], unknown[2])
+            read_sizes(self.reading, 0, 0)
+            return None
+        phrase = phrases[number]
+        name = "apartment_building" if phrase.building == "flat" and phrase.plural else phrase.building
+        self.facts.building.append((name, self.reading.span(phrase.begin, phrase.noun_end)))
+        self._bedrooms_of_building(phrase)
+        read_sizes(self.reading, phrase.first, phrase.noun_end)
+        return number
+
+    def _plain_rooms(self, phrase: Phrase) -> Phrase:
+        """Read "40 rooms" in a hotel, hospital or dormitory as the rooms that it is for; elsewhere they stay unread."""
+        if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
+            return phrase
+        kind = self.facts.building[0][0] if self.facts.building else ""
+        record = self.reading.knowledge.buildings.get(kind)
+        room = _PLAIN.get(kind) or _PLAIN.get(record.like if record is not None else "")
+        if room is not None:
+            return replace(phrase, room_type=room, known=True)
+        return replace(phrase, head="unknown") if phrase.name == "room" else phrase
+
+    def _containers(self) -> None:
+        """Leave out what only holds rooms that are counted themselves: "wards with twelve patient rooms"."""
+        for number, phrase in enumerate(self.phrases[:-1]):
+            following = self.phrases[number + 1]
+            if (
+                phrase.head == "room"
+                and phrase.plural
+                and not phrase.counted
+                and self.reading.words(phrase.last, following.first) in (("with",), ("of",))
+                and following.head == "room"
+                and following.counted
+                and (following.count or 0) > 2
+            ):
+                self.phrases[number] = replace(phrase, head="unknown")
+
+    def _bedrooms_of_building(self, phrase: Phrase) -> None:
+        """Read "three-bedroom" before the building's name."""
+        reading = self.reading
+        for index in range(max(phrase.begin - 6, 0), phrase.noun_end - 1):
+            if (
+                reading.kind(index) == "number"
+                and reading.word(index + 1) in ("bedroom", "bed", "br")
+                and not reading.tokens[index + 1].spaced
+            ) and reading.sentence[index] == reading.sentence[phrase.begin]:
+                self._advert("bedroom", index, index + 2, inside=True)
+
+    def _bedrooms_of_adverts(self) -> None:
+        """Read "3 bed / 2 bath" and "4BR" as advertisements of homes write them."""
+        reading = self.reading
+        for index in range(min(len(reading.tokens) - 1, 14)):
+            word = reading.word(index + 1)
+            if reading.kind(index) != "number" or index in reading.taken:
+                continue
+            if word == "br" or (
+                word == "bed" and reading.word(index + 2) in ("/", ",") and reading.kind(index + 3) == "number"
+            ):
+                self._advert("bedroom", index, index + 2)
+            elif (
+                word in ("bath", "ba")
+                and reading.word(index - 1) in ("/", ",")
+                and reading.word(index - 2) in ("bed", "br", "bedroom")
+            ):
+                self._advert("bathroom", index, index + 2)
+
+    def _advert(self, room_type: str, first: int, last: int, *, inside: bool = False) -> None:
+        span = self.reading.span(first, last)
+        if (not inside and not self.reading.free(first, last)) or any(room.span == span for room in self.facts.rooms):
+            return
+        self.facts.rooms.append(RoomFact(room_type, room_type, span, int(self.reading.value(first)), label=room_type))
+        self.reading.take(first, last)
+
+    # Phrases that stand for others ----------------------------------------------------------------------------------
+
+    def _elliptical(self) -> None:
+        """Read "five on the second floor, four on the third" and "four per floor" as of the rooms named before."""
+        reading = self.reading
+        starts = {place.first: place for place in self.places}
+        extra: list[tuple[int, Phrase]] = []
+        for index, token in enumerate(reading.tokens):
+            if (
+                token.kind != "number"
+                or index in reading.taken
+                or index + 1 not in starts
+                or token.value != int(token.value)
+            ):
+                continue
+            before = [
+                n
+                for n, p in enumerate(self.phrases)
+                if p.last <= index and p.head == "room" and reading.sentence[p.first] == reading.sentence[index]
+            ]
+            if not before or reading.word(index - 1) not in (",", ":", "and", "-", "(", "–"):
+                continue
+            total = self.phrases[before[-1]]
+            reading.take(index, index + 1)
+            if starts[index + 1].refs[0].kind == "every":
+                self.shared.add(total.first)
+                continue
+            extra.append(
+                (
+                    before[-1],
+                    replace(
+                        total,
+                        first=index,
+                        begin=index,
+                        noun_end=index + 1,
+                        last=index + 1,
+                        count=int(token.value),
+                        counted=True,
+                        determiner="",
+                    ),
+                )
+            )
+        for number in {n for n, _ in extra}:
+            total = self.phrases[number]
+            parts = [p for n, p in extra if n == number]
+            if (
+                total.counted
+                and total.count is not None
+                and sum(p.count or 0 for p in parts) >= total.count
+                and len(parts) > 1
+            ):
+                self.phrases[number] = replace(total, head="unknown")
+        self.phrases = sorted([*self.phrases, *(p for _, p in extra)], key=lambda p: p.first)
+        if self.building is not None:
+            span = self.facts.building[0][1]
+            self.building = next(
+                n for n, p in enumerate(self.phrases) if self.reading.tokens[p.begin].start == span.start
+            )
+
+    def _multiply(self) -> None:
+        """Read "Each group has a playroom" as one for every group, where the brief has a number of groups."""
+        reading = self.reading
+        counts: dict[str, int] = {}
+        for index, token in enumerate(reading.tokens[:-1]):
+            if token.kind == "number" and token.value == int(token.value) and 1 < token.value <= 60:
+                for noun in (index + 1, index + 2):
+                    if reading.plural(noun) and reading.word(noun) not in FLOOR_WORDS:
+                        counts.setdefault(reading.word(noun), int(token.value))
+        for index, token in enumerate(reading.tokens[:-1]):
+            if token.text not in ("each", "every") or not (
+                reading.starts(index) or reading.word(index - 1) in (",", "and", ":")
+            ):
+                continue
+            subject = reading.word(index + 1)
+            if subject not in counts or any(
+                p.begin <= index + 1 < p.noun_end and p.head == "room" for p in self.phrases
+            ):
+                continue
+            for number, phrase in enumerate(self.phrases):
+                if (
+                    phrase.head == "room"
+                    and phrase.first > index
+                    and reading.sentence[phrase.first] == reading.sentence[index]
+                    and phrase.count == 1
+                    and phrase.determiner not in ("the",)
+                ):
+                    self.phrases[number] = replace(phrase, count=counts[subject], counted=True)
+            reading.take(index, index + 2)
+
+    def _coreferences(self) -> dict[int, int]:
+        """Return the phrases that only speak of a room named elsewhere, and which one they mean."""
+        same: dict[int, int] = {}
+        rooms = [
+            n
+            for n, p in enumerate(self.phrases)
+            if p.head in ("room", "building") and n != self.building and n not in self.negated
+        ]
+        operands = {n for r in self.relations for n in (*r.rights,)}
+        lefts = {n for r in self.relations for n in r.lefts}
+        for number in rooms:
+            phrase = self.phrases[number]
+            definite = phrase.determiner in (
+                "per",
+                "the",
+                "this",
+                "that",
+                "each",
+                "every",
+                "both",
+                "either",
+                "any",
+                "these",
+                "those",
+                "its",
+                "all",
+            )
+            topical = (
+                self.reading.word(phrase.last) in ("should", "must", "is", "are", "shall", "has", "need")
+                and not phrase.counted
+            )
+            if phrase.counted and phrase.determiner not in ("the", "both", "these", "those", "all"):
+                continue
+            group = self._group(number, rooms)
+            if group:
+                self.groups[number] = group
+                same[number] = group[-1]
+                continue
+            if not (
+                definite
+                or number in operands
+                or ((number in lefts or topical) and phrase.determiner not in ("a", "an"))
+            ):
+                continue
+            others = [n for n in rooms if n != number and n not in same and self._names_same(phrase, self.phrases[n])]
+            earlier = [n for n in others if n < number]
+            later = [
+                n
+                for n in others
+                if n > number
+                and self.phrases[n].determiner not in ("the", "this", "that", "its")
+                and number in operands
+            ]
+            if earlier:
+                same[number] = self._best(phrase, earlier[::-1])
+            elif later and phrase.determiner not in ("a", "an"):
+                same[number] = self._best(phrase, later)
+        return same
+
+    def _group(self, number: int, rooms: list[int]) -> list[int]:
+        """Return the rooms that "the two dormitories" speaks of, where so many of the name stand before."""
+        phrase = self.phrases[number]
+        if not phrase.plural or phrase.determiner not in ("the", "these", "both", "all"):
+            return []
+        before = [
+            n for n in rooms if n < number and self._names_same(phrase, self.phrases[n]) and self.phrases[n].count == 1
+        ]
+        wanted = phrase.count if phrase.counted and phrase.count else len(before)
+        return before[-wanted:] if 2 <= wanted <= len(before) else []
+
+    def _best(self, phrase: Phrase, others: list[int]) -> int:
+        exact = [n for n in others if self.phrases[n].name == phrase.name]
+        return exact[0] if exact else others[0]
+
+    def _names_same(self, phrase: Phrase, other: Phrase) -> bool:
+        if phrase.head == "unknown" or other.head == "unknown":
+            return False
+        if phrase.name == other.name:
+            return True
+        if other.name.endswith("_" + phrase.name):
+            return True
+        if phrase.determiner == "the" and (other.count or 2) > 1 and phrase.name.endswith("_" + other.name):
+            return True
+        bare = phrase.name == phrase.room_type or phrase.known
+        return (
+            bare
+            and phrase.room_type == other.room_type
+            and phrase.determiner in ("the", "each", "every", "both")
+            and "_" not in phrase.name
+        )
+
+    def _suites(self) -> dict[int, int]:
+        """Return the rooms that others have for themselves ("bedrooms, each with a bathroom"), and of which."""
+        suites: dict[int, int] = {}
+        self.twins: dict[int, list[int]] = {}
+        reading = self.reading
+        rooms = [
+            n for n, p in enumerate(self.phrases) if p.head == "room" and n != self.building and n not in self.negated
+        ]
+        for position, number in enumerate(rooms):
+            phrase = self.phrases[number]
+            if phrase.determiner == "per" or number in self.same:
+                continue
+            owner = next(
+                (
+                    n
+                    for n in reversed(rooms[:position])
+                    if reading.sentence[self.phrases[n].first] == reading.sentence[phrase.first]
+                ),
+                None,
+            )
+            if owner is None:
+                continue
+            gap = set(reading.words(self.phrases[owner].last, phrase.begin))
+            tail = reading.words(phrase.last, phrase.last + 1)
+            has = bool(gap & {"with", "having", "has", "have", "own", "get", "plus", "its", "contain"})
+            distributed = self.phrases[owner].determiner in ("each", "every", "both", "all")
+            owner = self.same.get(owner, owner)
+            several = (self.phrases[owner].count or 2) > 1 or distributed
+            if owner in suites:
+                joined = gap <= {"and", "a", "an", "its", "own", ",", "the", "one"} and "and" in gap
+                if joined:
+                    suites[number] = suites[owner]
+                continue
+            distributive = has and (
+                bool(gap & {"each", "every", "apiece"}) or tail in (("each",), ("apiece",)) or distributed
+            )
+            both = phrase.determiner in ("both", "all", "each") and phrase.room_type == "ensuite_bathroom"
+            mine = "own" in gap or phrase.determiner == "own"
+            own = has and (mine or (("its" in gap or phrase.determiner == "its") and phrase.room_type in _PRIVATE))
+            plain = (
+                has
+                and phrase.room_type in _PRIVATE
+                and not several
+                and "with" in gap
+                and self.phrases[owner].room_type in _SLEEPING
+            )
+            if has and "each" in gap and not several:
+                twins = [
+                    n
+                    for n in rooms[:position]
+                    if self.phrases[n].room_type == self.phrases[owner].room_type
+                    and reading.sentence[self.phrases[n].first] == reading.sentence[phrase.first]
+                ]
+                if len(twins) > 1:
+                    self.twins[number] = twins
+                    suites[number] = owner
+                    continue
+            if (several and distributive) or both or own or plain or (several and tail == ("each",)):
+                suites[number] = owner
+        return {n: o for n, o in suites.items() if n not in self.same}
+
+    # Facts ----------------------------------------------------------------------------------------------------------
+
+    def _occupants(self) -> None:
+        reading = self.reading
+        for number, phrase in enumerate(self.phrases):
+            if phrase.head != "people":
+                continue
+            noun = reading.word(phrase.noun_end - 1)
+            after_room = any(
+                p.head == "room" and n != self.building and 0 <= phrase.first - p.last <= 3
+                for n, p in enumerate(self.phrases[:number])
+            )
+            if phrase.counted and phrase.count and not after_room and number not in self.attached:
+                self.facts.occupants.append(OccupantFact(phrase.count, noun, reading.span(phrase.first, phrase.last)))
+        for index in range(len(reading.tokens)):
+            if (
+                reading.kind(index) == "number"
+                and index not in reading.taken
+                and reading.word(index - 1) == "of"
+                and reading.word(index - 2) in ("family", "household", "group")
+            ):
+                self.facts.occupants.append(
+                    OccupantFact(int(min(reading.value(index), 1e6)), "family", reading.span(index - 2, index + 1))
+                )
+                reading.take(index - 2, index + 1)
+            elif reading.word(index) == "couple" and reading.word(index + 1) != "of" and not self.facts.occupants:
+                self.facts.occupants.append(OccupantFact(2, "family", reading.span(index, index + 1)))
+                reading.take(index, index + 1)
+
+    def _vertical(self) -> None:
+        for number, phrase in enumerate(self.phrases):
+            if phrase.head not in ("stair", "elevator"):
+                continue
+            span = self.reading.span(phrase.first, phrase.last)
+            if number in self.negated:
+                first, last = self.negated[number]
+                self.facts.vertical.append(
+                    (f"no_{phrase.head}", self.reading.span(min(first, phrase.first), max(last, phrase.last)))
+                )
+                continue
+            if self.reading.word(phrase.last) == "only" or self.reading.word(phrase.first - 1) == "only":
+                self.facts.vertical.append(("no_elevator" if phrase.head == "stair" else "no_stair", span))
+            self.facts.vertical.append((phrase.head, span))
+            if phrase.counted and phrase.count is not None and phrase.determiner not in ("the", "both"):
+                held = self.facts.stairs if phrase.head == "stair" else self.facts.lifts
+                held.append(Quantity(float(phrase.count), span))
+        reading = self.reading
+        for index in range(len(reading.tokens) - 1):
+            if (
+                reading.word(index) in ("walk", "stair")
+                and reading.word(index + 1) == "up"
+                and not reading.tokens[index + 1].spaced
+            ):
+                self.facts.vertical.append(("no_elevator", reading.span(index, index + 2)))
+
+    def _rooms(self) -> None:
+        for number, phrase in enumerate(self.phrases):
+            if (
+                phrase.head not in ("room", "building")
+                or number == self.building
+                or number in self.same
+                or number in self.suites
+            ):
+                continue
+            place = self.attached.get(number, Attachment())
+            if number in self.negated:
+                self._exclude(number, phrase, place)
+                continue
+            if not phrase.room_type or (phrase.determiner in ("each", "every", "all") and not phrase.known):
+                continue
+            if self._is_use(phrase, place):
+                name = _AS_USE.get(phrase.building, phrase.building)
+                self.facts.uses.append(UseFact(name, place.refs, self.reading.span(phrase.first, phrase.last)))
+                continue
+            self.facts.rooms += self._room_facts(number, phrase, place)
+
+    def _exclude(self, number: int, phrase: Phrase, place: Attachment) -> None:
+        first, last = self.negated[number]
+        span = self.reading.span(min(first, phrase.first), max(last, phrase.last))
+        if not phrase.room_type:
+            return
+        if place.refs and self._is_placed(phrase):
+            self.facts.excluded_on += [(phrase.room_type, ref, span) for ref in place.refs]
+        else:
+            self.facts.excluded.append((phrase.room_type, span))
+
+    def _is_placed(self, phrase: Phrase) -> bool:
+        """Whether a negated room is unwanted on some storeys only: named after it, or it is wanted elsewhere."""
+        after = any(0 <= place.first - phrase.last <= 2 for place in self.places)
+        other = any(
+            p.room_type == phrase.room_type and n not in self.negated and p is not phrase
+            for n, p in enumerate(self.phrases)
+        )
+        return after or other or "there" in self.reading.words(phrase.last, phrase.last + 2)
+
+    def _is_use(self, phrase: Phrase, place: Attachment) -> bool:
+        """Whether a plural is the use of whole storeys: "offices on floors 2 to 5"."""
+        return (
+            bool(phrase.building) and bool(place.refs) and phrase.plural and phrase.count is None and not phrase.areas
+        )
+
+    def _room_facts(self, number: int, phrase: Phrase, place: Attachment) -> list[RoomFact]:
+        """Return a phrase's rooms: one fact, or one for each of several areas."""
+        span = self._span(phrase)
+        children = [n for n, owner in self.suites.items() if owner == number or number in self.twins.get(n, ())]
+        suite = tuple(
+            RoomFact(
+                child.room_type,
+                child.name or child.room_type,
+                self._span(child),
+                child.count or 1,
+                child.areas[0] if child.areas else None,
+                label=child.label,
+                known=child.known,
+            )
+            for child in (self.phrases[n] for n in children)
+            if child.room_type
+        )
+        fact = RoomFact(
+            room_type=phrase.room_type,
+            name=_identifier(phrase.name) or phrase.room_type,
+            span=span,
+            count=phrase.count,
+            area=phrase.areas[0] if phrase.areas else None,
+            floors=place.refs,
+            each=place.each or (phrase.determiner in ("each", "every") and False),
+            label=phrase.label,
+            suite=suite,
+            known=phrase.known,
+        )
+        if self._said_before(fact, phrase):
+            return []
+        if len(phrase.areas) > 1:
+            return [replace(fact, count=1, area=area) for area in phrase.areas]
+        return [fact]
+
+    def _span(self, phrase: Phrase) -> Span:
+        """Return the words of a phrase, its article left out."""
+        return self.reading.span(phrase.first if phrase.counted else min(phrase.begin, phrase.last - 1), phrase.last)
+
+    def _said_before(self, fact: RoomFact, phrase: Phrase) -> bool:
+        """Whether an unnumbered room only says again what the brief wants already ("a library ... library")."""
+        if phrase.counted or fact.count not in (None, 1) or phrase.determiner in ("a", "an", "another"):
+            return False
+        return any(
+            (other.name, other.count, other.each) == (fact.name, fact.count, fact.each)
+            and [(r.kind, r.first, r.last) for r in other.floors] == [(r.kind, r.first, r.last) for r in fact.floors]
+            for other in self.facts.rooms
+        )
+
+    def _relations(self) -> None:
+        for relation in self.relations:
+            held = self.facts.apart if relation.apart else self.facts.adjacent
+            for pair in self._pairs(relation):
+                first, second = (self.phrases[self.same.get(n, n)] for n in pair)
+                if not first.room_type or not second.room_type:
+                    continue
+                span = self.reading.span(min(first.begin, relation.first), relation.last)
+                if relation.last <= second.begin and second.noun_end - first.begin < 14:
+                    span = self.reading.span(min(first.begin, relation.first), second.noun_end)
+                elif relation.first - first.begin > 10:
+                    span = self.reading.span(relation.first, relation.last)
+                held.append(
+                    AdjacencyFact(
+                        first.room_type, second.room_type, span, _identifier(first.name), _identifier(second.name)
+                    )
+                )
+
+    def _pairs(self, relation: Relation) -> list[tuple[int, int]]:
+        whole = relation.lefts[0]
+        if relation.lefts == relation.rights == (whole,) and whole in self.groups:
+            group = self.groups[whole]
+            return [(a, b) for n, a in enumerate(group) for b in group[n + 1 :]]
+        if len(relation.lefts) == len(relation.rights) and len(relation.lefts) > 1:
+            return list(zip(relation.lefts, relation.rights))
+        return [(left, right) for left in relation.lefts for right in relation.rights]
+
+    def _only(self) -> None:
+        """Read "nothing else", "no other rooms", "are the only other spaces"."""
+        reading = self.reading
+        for index in range(len(reading.tokens) - 1):
+            pair = reading.words(index, index + 2)
+            only = pair == ("nothing", "else") or (
+                pair == ("only", "other") and reading.word(index + 2) in ("room", "space")
+            )
+            if (
+                only
+                or (pair == ("no", "other") and reading.word(index + 2) in ("room", "space"))
+                or pair == ("nothing", "besides")
+            ):
+                self.facts.only.append(reading.span(index, index + 2))
+                reading.take(index, index + 3)
+
+
+_PLAIN = {
+    "hotel": "hotel_room",
+    "hospital": "patient_room",
+    "hostel": "hostel_dorm",
+    "student_dormitory": "dorm_room",
+    "nursing_home": "resident_room",
+}
+_AS_USE = {
+    "flat": "apartment_building",
+    "studio_flat": "apartment_building",
+    "shop_building": "shopping_mall",
+    "house": "apartment_building",
+    "penthouse": "apartment_building",
+}
+_SLEEPING = frozenset(
+    """
+    bedroom master_bedroom guest_room childrens_room hotel_room hotel_suite resident_room patient_room dorm_room
+    apartment studio_apartment
+    """.split()
+)
+_PRIVATE = frozenset(
+    {"bathroom", "ensuite_bathroom", "toilet", "walk_in_closet", "dressing_room", "shower_area", "restroom", "pantry"}
+)
+
+
+def _identifier(name: str) -> str:
+    """Return a snake-case identifier that starts with a letter."""
+    return name if name[:1].isalpha() else f"room_{name}" if name else ""
+
+
+def _leave_unread(reading: Reading) -> None:
+    """Record the runs of content words that nothing was read from."""
+    first = -1
+    for index in range(len(reading.tokens) + 1):
+        open_word = index < len(reading.tokens) and index not in reading.taken and _is_content(reading, index)
+        if open_word and first < 0:
+            first = index
+        elif not open_word and first >= 0:
+            reading.facts.unread.append(reading.span(first, min(index, first + 12)))
+            first = -1
+
+
+def _is_content(reading: Reading, index: int) -> bool:
+    token = reading.tokens[index]
+    if token.kind == "number":
+        return True
+    return (
+        token.kind == "word"
+        and token.text not in FUNCTION_WORDS
+        and token.text not in PLAIN
+        and token.text not in FLOOR_WORDS
+        and len(token.text) > 1
+    )

@@ -1,16 +1,26 @@
-"""A brief while it is read: its tokens, the phrases found in them, and which tokens are spoken for."""
+"""A brief while it is read: its tokens, the phrases found in them, and which tokens a statement was read from."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from mansion_knowledge import KnowledgeBase
+from mansion_language import Token, tokenize
 from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.spelling import corrected
-from mansion_planner.brief.tokens import Token, tokenize
 
 __all__ = ["FLOOR_WORDS", "Reading", "start_reading"]
 
-FLOOR_WORDS = frozenset({"floor", "storey", "story", "level", "storied", "storeyed", "floored", "leveled", "levelled"})
+FLOOR_WORDS = frozenset(
+    """
+    floor storey story level storied storeyed floored leveled levelled deck storie
+    """.split()
+)
+_BREAKS = frozenset({".", ";", "\n", "!", "?"})
+_ABBREVIATIONS = frozenset(
+    """
+    approx ca incl max min no nr sq etc st vs eg resp
+    """.split()
+)
 
 
 @dataclass
@@ -20,9 +30,13 @@ class Reading:
     Attributes
     ----------
     taken : set of int
-        Indices of tokens that are part of a fact already.
+        Indices of tokens that are part of a statement.
     mention_at : dict of int to Mention
-        Phrases by their first token.
+        Phrases of the lexicon by their first token.
+    modifiers : set of int
+        Indices of tokens that stand before the head of a room or a building, and may say of its style.
+    sentence : list of int
+        For each token the number of its sentence; lines, semicolons and full stops end one.
     """
 
     text: str
@@ -32,7 +46,8 @@ class Reading:
     facts: BriefFacts = field(default_factory=BriefFacts)
     taken: set[int] = field(default_factory=set)
     mention_at: dict[int, Mention] = field(default_factory=dict)
-    mention_ending: dict[int, Mention] = field(default_factory=dict)
+    sentence: list[int] = field(default_factory=list)
+    modifiers: set[int] = field(default_factory=set)
 
     def word(self, index: int) -> str:
         """Return the normal form of a token, or an empty string outside the brief."""
@@ -42,26 +57,83 @@ class Reading:
         """Return the kind of a token, or an empty string outside the brief."""
         return self.tokens[index].kind if 0 <= index < len(self.tokens) else ""
 
+    def value(self, index: int) -> float:
+        """Return the number of a token, or 0."""
+        return self.tokens[index].value if 0 <= index < len(self.tokens) else 0.0
+
+    def plural(self, index: int) -> bool:
+        """Whether a token is a noun in the plural."""
+        return 0 <= index < len(self.tokens) and self.tokens[index].plural
+
+    def words(self, first: int, last: int) -> tuple[str, ...]:
+        """Return the normal forms of tokens `first` to `last` (exclusive)."""
+        return tuple(self.word(index) for index in range(first, last))
+
+    def breaks(self, index: int) -> bool:
+        """Whether a token ends a sentence (or lies outside the brief)."""
+        return not 0 <= index < len(self.tokens) or (self.word(index) in _BREAKS and not self._abbreviated(index))
+
+    def _abbreviated(self, index: int) -> bool:
+        """Whether a full stop belongs to an abbreviation: "approx.", "sq.m. each"."""
+        if self.word(index) != "." or self.tokens[index].spaced:
+            return False
+        unit = self.kind(index - 1) == "unit" and self.text[self.tokens[index - 1].end - 1] in "mt"
+        lower = index + 1 < len(self.tokens) and self.text[self.tokens[index + 1].start].islower()
+        return self.word(index - 1) in _ABBREVIATIONS or (unit and lower)
+
+    def starts(self, index: int) -> bool:
+        """Whether a token is the first of its sentence, bullets and numbering of a list aside."""
+        before = index - 1
+        while self.word(before) in ("*", "-", "(", ")") and before >= 0:
+            before -= 1
+        numbered = self.kind(before) == "number" and self.word(before + 1) in (".", ")")
+        return self.breaks(before) or (numbered and self.breaks(before - 1))
+
     def span(self, first: int, last: int) -> Span:
         """Return the piece of the brief from token `first` to `last` (exclusive)."""
         start, end = self.tokens[first].start, self.tokens[last - 1].end
         return Span(self.text[start:end], start, end)
 
     def take(self, first: int, last: int) -> None:
-        """Mark tokens as part of a fact."""
+        """Mark tokens as part of a statement."""
         self.taken.update(range(first, last))
+
+    def free(self, first: int, last: int) -> bool:
+        """Whether no token from `first` to `last` (exclusive) is part of a statement yet."""
+        return self.taken.isdisjoint(range(first, last))
+
+
+def _compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
+    """Join hyphenated words that the lexicon writes as one: "co-working", "check-in"."""
+    joined: list[Token] = []
+    for token in tokens:
+        last = joined[-1] if joined else None
+        if (
+            last is not None
+            and not token.spaced
+            and last.kind == token.kind == "word"
+            and last.text + token.text in words
+        ):
+            joined[-1] = replace(last, text=last.text + token.text, end=token.end, plural=token.plural)
+        else:
+            joined.append(token)
+    return joined
 
 
 def start_reading(text: str, knowledge: KnowledgeBase) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
-    tokens = corrected(tokenize(text), lexicon.words)
+    tokens = _compounds(corrected(tokenize(text), lexicon.words), lexicon.words)
     mentions = lexicon.find(tokens)
-    return Reading(
+    reading = Reading(
         text=text,
         tokens=tokens,
         mentions=mentions,
         knowledge=knowledge,
         mention_at={mention.first: mention for mention in mentions},
-        mention_ending={mention.last: mention for mention in mentions},
     )
+    number = 0
+    for index in range(len(tokens)):
+        reading.sentence.append(number)
+        number += reading.breaks(index)
+    return reading

@@ -5,7 +5,7 @@ from functools import cache
 
 from mansion_knowledge import KnowledgeBase
 
-__all__ = ["AS_ROOM", "HEAD_TYPES", "similar_room_type"]
+__all__ = ["AS_ROOM", "HEAD_TYPES", "room_of_building", "similar_room_type"]
 
 AS_ROOM = {
     "office": "private_office", "flat": "apartment", "apartment_building": "apartment",
@@ -40,8 +40,22 @@ HEAD_TYPES = {
     "parlour": "lounge", "closet": "storage", "ward": "hospital_ward", "bay": "storage",
     "office": "private_office", "department": "open_office", "gallery": "gallery", "bar": "bar",
     "theater": "cinema_hall", "court": "sports_hall", "kitchen": "kitchen", "section": "lounge",
+    "booth": "phone_booth", "cabin": "bedroom", "cell": "holding_cell", "rental": "shop",
+    "mess": "cafeteria", "galley": "kitchen",
+    "salon": "lounge", "loft": "attic", "storeroom": "storage", "dock": "loading_dock",
+    "kiosk": "shop", "station": "nurse_station",
+    "checkpoint": "security_check", "surgery": "treatment_room", "theatre": "auditorium",
+    "library": "library", "chapel": "prayer_hall",
+    "garage": "garage", "bathroom": "bathroom", "bedroom": "bedroom", "archive": "archive", "cafe": "cafe",
+    "gym": "gym", "school": "classroom", "wash": "laundry_room", "helpdesk": "open_office",
     "cellar": "storage", "vault": "vault", "nook": "lounge", "garden": "greenhouse", "pool": "indoor_pool",
 }  # fmt: skip
+
+
+def room_of_building(building: str, knowledge: KnowledgeBase) -> str:
+    """Return the room type that a building type stands for within another building; empty for none."""
+    record = knowledge.buildings.get(building)
+    return AS_ROOM.get(building) or (AS_ROOM.get(record.like, "") if record is not None else "")
 
 
 def similar_room_type(name: str, knowledge: KnowledgeBase) -> str:

@@ -1,9 +1,11 @@
 """Correct misspelt words to the planner's vocabulary, by one edit (two in long words)."""
 
+from dataclasses import replace
 from functools import cache
 
 from mansion_knowledge.words import common_words
-from mansion_planner.brief.tokens import ORDINALS, Token, singular
+from mansion_language import Token, singular
+from mansion_language.numbers import ORDINALS
 
 __all__ = ["GRAMMAR", "corrected"]
 
@@ -105,7 +107,7 @@ def corrected(tokens: list[Token], words: frozenset[str]) -> list[Token]:
     known: dict[str, str] = {}
     result: list[Token] = []
     for token in tokens:
-        if token.kind != "word" or len(token.text) < 5 or len(token.text) > 20:
+        if token.kind != "word" or len(token.text) < 4 or len(token.text) > 20:
             result.append(token)
             continue
         if token.text not in known:
@@ -115,9 +117,9 @@ def corrected(tokens: list[Token], words: frozenset[str]) -> list[Token]:
             result.append(token)
         elif text in ORDINALS:
             value = float(ORDINALS[text])
-            result.append(Token("ordinal", text, token.start, token.end, value))
+            result.append(replace(token, kind="ordinal", text=text, value=value))
         else:
-            result.append(Token("word", text, token.start, token.end, plural=token.plural))
+            result.append(replace(token, text=text))
     return result
 
 
@@ -126,7 +128,7 @@ def _index(words: frozenset[str]) -> dict[str, list[str]]:
     """Vocabulary words by each form that they take with one letter left out."""
     index: dict[str, list[str]] = {}
     for word in sorted(words | GRAMMAR | set(ORDINALS)):
-        if len(word) >= 5:
+        if len(word) >= 4:
             for form in _deletions(word):
                 index.setdefault(form, []).append(word)
     return index
@@ -151,8 +153,10 @@ def _nearest(word: str, words: frozenset[str]) -> str:
         for candidate in index.get(form, ()):
             if candidate[0] != word[0] or abs(len(candidate) - len(word)) > limit:
                 continue
+            if len(word) < 5 and candidate not in GRAMMAR:
+                continue
             distance = _edit_distance(word, candidate, limit)
-            if (distance, candidate) < (best_distance, best):
+            if (distance, candidate not in GRAMMAR, candidate) < (best_distance, best not in GRAMMAR, best):
                 best, best_distance = candidate, distance
     return best
 

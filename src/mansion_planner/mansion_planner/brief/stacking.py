@@ -1,58 +1,54 @@
 """Read what stands below another use: "a museum and a shop under a block of flats"."""
 
 from mansion_planner.brief.facts import FloorRef, RoomFact, UseFact
-from mansion_planner.brief.lexicon import Mention
+from mansion_planner.brief.noun_phrases import Phrase
 from mansion_planner.brief.reading import Reading
 
 __all__ = ["read_stacking"]
 
 _UNDER = frozenset({"under", "below", "beneath", "underneath"})
-_UPPER = frozenset({"apartment_building", "flat", "office", "hotel", "student_dormitory"})
-_BETWEEN = frozenset({"a", "an", "the", "and", "small", "large", "big", "new"})
-
-
-def read_stacking(reading: Reading) -> None:
-    """Give the ground floor to the uses named before "under" and the storeys above to the one after it.
-
-    A phrase that may be a room ("a shop") becomes a room of the ground floor where another one gives it its use.
+_UPPER = frozenset({"apartment_building", "flat", "office", "hotel", "student_dormitory", "residential_building"})
+_JOINTS = frozenset(
     """
-    for index in range(1, len(reading.tokens)):
-        if reading.word(index) not in _UNDER or index in reading.taken:
+    a an the and , small large big new
+    """.split()
+)
+
+
+def read_stacking(reading: Reading, phrases: list[Phrase]) -> set[int]:
+    """Give the ground floor to what is named before "under" and the storeys above to the use after it.
+
+    Returns
+    -------
+    set of int
+        Numbers of the phrases that this reads; a phrase that may be a room becomes a room of the ground floor.
+    """
+    used: set[int] = set()
+    for number, above in enumerate(phrases):
+        link = above.first - 1
+        if number == 0 or above.building not in _UPPER or reading.word(link) not in _UNDER or link in reading.taken:
             continue
-        above = _mention_after(reading, index + 1)
-        below = _mentions_before(reading, index)
-        if above is None or not below:
+        below = [number - 1]
+        while below[0] > 0 and set(reading.words(phrases[below[0] - 1].last, phrases[below[0]].first)) <= _JOINTS:
+            below.insert(0, below[0] - 1)
+        if (
+            any(not phrases[n].building or "parking" in phrases[n].building for n in below)
+            or phrases[number - 1].last != link
+        ):
             continue
-        ground = (FloorRef("number", 1, 1, reading.span(below[0].first, below[-1].last)),)
-        upper = (FloorRef("upper", 0, 0, reading.span(above.first, above.last)),)
+        reading.take(link, link + 1)
+        used |= {number, *below}
+        span = reading.span(above.first, above.last)
         name = "apartment_building" if above.building == "flat" else above.building
-        reading.facts.uses.append(UseFact(name, upper, reading.span(above.first, above.last), count=1))
-        for mention in below:
-            span = reading.span(mention.first, mention.last)
-            if mention.room:
-                room = RoomFact(mention.room, mention.room, span, None if mention.plural else 1, floors=ground)
-                reading.facts.rooms.append(room)
+        reading.facts.uses.append(UseFact(name, (FloorRef("upper", span=span),), span, count=1))
+        for entry in (phrases[n] for n in below):
+            words = reading.span(entry.first, entry.last)
+            ground = (FloorRef("number", 1, 1, words),)
+            if entry.head == "room":
+                count = None if entry.plural else 1
+                reading.facts.rooms.append(
+                    RoomFact(entry.room_type, entry.name, words, count, floors=ground, label=entry.label)
+                )
             else:
-                reading.facts.uses.append(UseFact(mention.building, ground, span))
-        reading.take(below[0].first, above.last)
-
-
-def _mention_after(reading: Reading, index: int) -> Mention | None:
-    while reading.word(index) in _BETWEEN:
-        index += 1
-    mention = reading.mention_at.get(index)
-    return mention if mention is not None and mention.building in _UPPER else None
-
-
-def _mentions_before(reading: Reading, index: int) -> list[Mention]:
-    """Return the joined phrases that end at a token, from left to right; all of them name a building."""
-    found: list[Mention] = []
-    while index > 0:
-        mention = reading.mention_ending.get(index)
-        if mention is None or not mention.building or "parking" in mention.building:
-            break
-        found.insert(0, mention)
-        index = mention.first
-        while index > 0 and reading.word(index - 1) in _BETWEEN | {","}:
-            index -= 1
-    return found
+                reading.facts.uses.append(UseFact(entry.building, ground, words))
+    return used

@@ -1,18 +1,18 @@
-"""Read what a brief wishes of the building's shape: outline, setbacks, lifts, equal storeys, and what to leave out."""
+"""Read what a brief wishes of the building's shape: outline, setbacks, size, and equal storeys."""
 
 from mansion_planner.brief.facts import CopyFact, FloorRef, Shape
-from mansion_planner.brief.places import Place
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.similarity import AS_ROOM
+from mansion_planner.brief.storeys import Place
 
-__all__ = ["read_copies", "read_exclusions", "read_massing", "read_shape", "read_vertical"]
+__all__ = ["read_copies", "read_massing", "read_shape", "read_sizes"]
 
 _SHAPES: dict[str, Shape] = {"l": "L", "u": "U", "t": "T", "h": "H"}
-_LIFT = ("elevator", "lift")
-_NEGATIONS = (
-    "no", "without", "exclude", "excluding", "omit", "not", "neither", "nor", "avoid", "skip", "never",
-)  # fmt: skip
-_CLAUSE_ENDS = (".", ";", ":", "\n", "but", "with", "!", "?", "however", "only")
+_NEGATIONS = frozenset({"no", "without", "not", "never"})
+_EQUAL = frozenset(
+    """
+    identical same repeat repeated alike equal clone copy duplicate mirror
+    """.split()
+)
 
 
 def read_shape(reading: Reading) -> None:
@@ -41,90 +41,72 @@ def read_shape(reading: Reading) -> None:
             reading.facts.shapes.append(("square", reading.span(i, i + 2)))
 
 
-def read_vertical(reading: Reading) -> None:
-    """Read wishes for lifts and stairs, and their exclusion."""
-    for i in range(len(reading.tokens)):
-        word = reading.word(i)
-        if word in _LIFT or word == "stair" or word == "staircase":
-            name = "elevator" if word in _LIFT else "stair"
-            before = [reading.word(i - k) for k in (1, 2, 3, 4)]
-            stop = next((k for k, w in enumerate(before) if w in _CLAUSE_ENDS), len(before))
-            negated = any(w in _NEGATIONS for w in before[:stop])
-            if i in reading.mention_at or reading.word(i + 1) in ("lobby", "hall"):
-                continue
-            begin = max(i - 1, 0)
-            key = f"no_{name}" if negated else name
-            reading.facts.vertical.append((key, reading.span(begin, i + 1)))
-            reading.take(i, i + 1)
-        elif word in ("walk", "stairs") and reading.word(i + 1) == "up":
-            reading.facts.vertical.append(("no_elevator", reading.span(i, i + 2)))
-
-
-def read_exclusions(reading: Reading) -> None:
-    """Read what must not be there: "no basement", "without a kitchen or a gym"."""
-    for i in range(len(reading.tokens)):
-        if reading.word(i) not in _NEGATIONS or (
-            reading.word(i) == "no" and reading.word(i + 1) in ("more", "less", "fewer", "bigger", "larger")
-        ):
-            continue
-        index, steps, listed = i + 1, 0, False
-        while index < len(reading.tokens) and steps < 12:
-            word = reading.word(index)
-            if (
-                word in _CLAUSE_ENDS
-                or (word == "," and reading.word(index + 1) not in ("no", "nor", "or"))
-                or (word == "and" and listed and reading.word(index + 1) in ("a", "an", "the"))
-                or reading.kind(index) == "number"
-            ):
-                break
-            mention = reading.mention_at.get(index)
-            if mention is not None and not reading.taken & set(range(mention.first, mention.last)):
-                name = mention.room or AS_ROOM.get(mention.building, "")
-                if name:
-                    reading.facts.excluded.append((name, reading.span(i, mention.last)))
-                    reading.take(mention.first, mention.last)
-                    listed = True
-                index = mention.last
-                continue
-            if word in ("basement", "cellar", "underground"):
-                reading.facts.excluded.append(("basement", reading.span(i, index + 1)))
-                reading.take(index, index + 1)
-                listed = True
-            index += 1
-            steps += 1
-
-
 def read_copies(reading: Reading, places: list[Place]) -> None:
-    """Read storeys that are to be identical: "floors 3 to 8 identical", "identical upper floors"."""
-    for i in range(len(reading.tokens)):
-        if reading.word(i) not in ("identical", "same", "repeated", "repeat", "alike", "equal") and not (
-            reading.word(i) == "typical" and reading.word(i + 1) in FLOOR_WORDS
+    """Read storeys that are to be identical: "floors 3 to 8 identical", "L3, L4, L5 the same", "share one plan"."""
+    for index, token in enumerate(reading.tokens):
+        sharing = (
+            token.text in ("share", "sharing")
+            and reading.word(index + 1) in ("one", "a", "the")
+            and ({"plan", "layout"} & set(reading.words(index + 1, index + 5)))
+        )
+        typical = token.text == "typical" and reading.word(index + 1) in FLOOR_WORDS
+        if not (token.text in _EQUAL or sharing or typical) or reading.word(index + 1) in (
+            "time",
+            "building",
+            "room",
+            "walls",
         ):
             continue
-        pair = _same_as(places, i)
+        if token.text == "same" and reading.words(index + 1, index + 3) in (
+            ("level", ","),
+            ("floor", "as"),
+            ("level", "."),
+        ):
+            continue
+        pair = _same_as(places, index)
         if pair is not None:
             first, last = sorted((pair[0].refs[0].first, pair[1].refs[0].first))
             span = reading.span(pair[0].first, pair[1].last)
             reading.facts.copies.append(CopyFact(FloorRef("range", first, last, span), span))
             continue
-        near = [
-            p for p in places
-            if (0 <= i - p.last <= 5 or 0 < p.first - i <= 3)
-            and p.refs[0].kind in ("range", "upper", "middle", "every")
-        ]  # fmt: skip
+        near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] and _several(p)]
+        if not near and reading.word(index) not in ("same", "equal", "copy", "mirror"):
+            near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] - 1 and _several(p)][-1:]
         if near:
-            place = min(near, key=lambda p: min(abs(p.last - i), abs(p.first - i)))
-            reading.facts.copies.append(
-                CopyFact(place.refs[0], reading.span(min(place.first, i), max(place.last, i + 1)))
-            )
-        elif reading.word(i) == "identical" and reading.word(i + 1) in FLOOR_WORDS:
-            span = reading.span(i, i + 2)
-            reading.facts.copies.append(CopyFact(FloorRef("upper", span=span), span))
+            place = min(near, key=lambda p: min(abs(p.last - index), abs(p.first - index)))
+            words = reading.span(min(place.first, index), max(place.last, index + 1))
+            group = _joined(place)
+            if all(
+                (copy.first.kind, copy.first.first, copy.first.last) != (group.kind, group.first, group.last)
+                for copy in reading.facts.copies
+            ):
+                reading.facts.copies.append(CopyFact(group, words))
+        elif FLOOR_WORDS & set(reading.words(index + 1, index + 3)) and token.text in ("identical", "equal"):
+            span = reading.span(index, index + 2)
+            counted = reading.kind(index - 1) == "number"
+            reading.facts.copies.append(CopyFact(FloorRef("every" if counted else "upper", span=span), span))
+        reading.take(index, index + 1)
+
+
+def _several(place: Place) -> bool:
+    return len(place.refs) > 1 or (
+        place.refs[0].kind in ("range", "upper", "middle", "every", "not_top", "top")
+        and (place.refs[0].kind != "top" or place.refs[0].first > 1)
+    )
+
+
+def _joined(place: Place) -> FloorRef:
+    """Return consecutive storeys as one range."""
+    if len(place.refs) == 1:
+        return place.refs[0]
+    return FloorRef(
+        "range", min(ref.first for ref in place.refs), max(ref.last for ref in place.refs), place.refs[0].span
+    )
 
 
 def _same_as(places: list[Place], index: int) -> tuple[Place, Place] | None:
     """Return the two neighbouring storeys of "floor 3: same as floor 2"."""
-    before = [p for p in places if 0 <= index - p.last <= 3 and p.refs[0].kind == "number"]
+    before = [p for p in places if 0 <= index - p.last <= 3 and p.refs[0].kind == "number" and len(p.refs) == 1]
     after = [p for p in places if 0 < p.first - index <= 3 and p.refs[0].kind == "number"]
     if before and after and abs(before[-1].refs[0].first - after[0].refs[0].first) == 1:
         return before[-1], after[0]
@@ -141,3 +123,33 @@ def read_massing(reading: Reading) -> None:
             reading.facts.setback.append(reading.span(i, i + 1 + (following == "back")))
         elif word in ("protruding", "projecting", "podium", "wider") or (word == "larger" and following == "ground"):
             reading.facts.protruding.append(reading.span(i, i + 1))
+
+
+_SMALL = frozenset({"small", "compact", "tiny", "little", "modest", "mini"})
+_LARGE = frozenset({"large", "big", "spacious", "huge", "vast", "generous", "giant", "sprawling"})
+_NAMED = {"duplex": 2, "triplex": 3, "bungalow": 1}
+
+
+def read_sizes(reading: Reading, first: int, last: int) -> None:
+    """Read how large and tall the building is called, from the words around the noun that names it.
+
+    Parameters
+    ----------
+    first, last : int
+        Tokens of the noun phrase that names the building; both 0 where none does.
+    """
+    for index in range(len(reading.tokens)):
+        word = reading.word(index)
+        span = reading.span(index, index + 1)
+        if word in _NAMED:
+            reading.facts.size.append((word, span))
+        elif word in ("high", "mid", "low") and reading.word(index + 1) in ("rise", "riser"):
+            reading.facts.size.append((f"{word}_rise", reading.span(index, index + 2)))
+            reading.take(index, index + 2)
+        elif word in ("highrise", "midrise", "lowrise"):
+            reading.facts.size.append((f"{word[:-4]}_rise", span))
+        elif word in ("skyscraper", "tower") and reading.word(index + 1) not in ("room", "block"):
+            reading.facts.size.append(("high_rise", span))
+        elif word in _SMALL | _LARGE and (first - 3 <= index < max(last, 4)):
+            reading.facts.size.append(("small" if word in _SMALL else "large", span))
+            reading.take(index, index + 1)

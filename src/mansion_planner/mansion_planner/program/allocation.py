@@ -3,9 +3,8 @@
 from dataclasses import dataclass, field
 
 from mansion_knowledge import KnowledgeBase, RoomType
-from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.facts import RoomFact
-from mansion_planner.program.decisions import Decisions, quoted
+from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.inference import note
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import floors_of
@@ -31,10 +30,20 @@ class Allocation:
         One fact for each room, by storey.
     settled : frozenset of str
         Room types whose number the brief settles; no storey adds more.
+    unwanted : dict of int to set of str
+        Room types that the brief does not want on a storey.
+    complete : bool
+        The brief wants no room but those that it names.
     """
 
     wanted: dict[int, list[RoomFact]] = field(default_factory=dict)
     settled: frozenset[str] = frozenset()
+    unwanted: dict[int, set[str]] = field(default_factory=dict)
+    complete: bool = False
+
+    def adds(self, room_type: str, floor: int) -> bool:
+        """Whether a storey may have rooms of a type that the brief does not ask for."""
+        return not self.complete and room_type not in self.settled and room_type not in self.unwanted.get(floor, ())
 
 
 def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFact]:
@@ -73,28 +82,36 @@ def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFa
 def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Storey]) -> Allocation:
     """Distribute the rooms that the brief asks for over the storeys.
 
-    Raises
-    ------
-    MansionError
-        ``CONTRADICTION`` for a storey that does not exist, or a room that is asked for and excluded.
+    A room that the brief asks for by name is built although another statement excludes its kind.
     """
     allocation = Allocation({storey.index: [] for storey in storeys})
-    excluded = dict(decisions.facts.excluded)
+    wanted = {fact.room_type for fact in decisions.facts.rooms}
+    excluded = {name for name, _ in decisions.facts.excluded} - wanted
     settled: set[str] = set()
     for fact in [*decisions.facts.rooms, *_people_rooms(decisions, knowledge)]:
-        if fact.room_type in excluded:
-            raise MansionError(
-                ErrorCode.CONTRADICTION,
-                f"{quoted(fact.span)} asks for a room that {quoted(excluded[fact.room_type])} excludes; keep one",
-                path="$.description",
-                details={"first": fact.span.words, "second": excluded[fact.room_type].words, "stage": "program"},
-            )
         kind = knowledge.room(fact.room_type)
         if fact.count is not None and not (fact.room_type in _EVERYWHERE and fact.count == 1):
             settled.update(next((kin for kin in _KIN if fact.room_type in kin), {fact.room_type}))
+            if fact.count > 1:
+                settled.update(_same_head(fact.name, knowledge))
         _distribute(fact, kind, decisions, storeys, allocation)
     allocation.settled = frozenset(settled | set(excluded))
+    allocation.complete = bool(decisions.facts.only)
+    for name, ref, _ in decisions.facts.excluded_on:
+        for floor in floors_of((ref,), decisions):
+            allocation.unwanted.setdefault(floor, set()).update({name}, _same_head(name, knowledge))
     return allocation
+
+
+_GENERAL_HEADS = frozenset({"room", "hall", "area", "store", "storage", "space", "centre", "center", "section"})
+
+
+def _same_head(name: str, knowledge: KnowledgeBase) -> set[str]:
+    """Return the room types whose name ends in the same noun: a number of "offices" holds for every kind of office."""
+    head = name.rpartition("_")[2]
+    if head in _GENERAL_HEADS:
+        return set()
+    return {room for room in knowledge.rooms if room.rpartition("_")[2] == head}
 
 
 def _distribute(
@@ -129,11 +146,11 @@ def _distribute(
 
 def _beside(fact: RoomFact, decisions: Decisions, allocation: Allocation) -> list[int]:
     """Return the storeys of the rooms that this one is to stand beside, once they have theirs."""
-    wanted = {a.second if a.first == fact.room_type else a.first for a in decisions.facts.adjacent
-              if fact.room_type in (a.first, a.second)}  # fmt: skip
+    wanted = {a.second_name if a.first_name == fact.name else a.first_name for a in decisions.facts.adjacent
+              if fact.name in (a.first_name, a.second_name)}  # fmt: skip
     return [
         floor for floor, facts in sorted(allocation.wanted.items())
-        if any(other.room_type in wanted for other in facts)
+        if any(other.name in wanted for other in facts)
     ]  # fmt: skip
 
 
@@ -176,8 +193,17 @@ def planned_room(
         fixed=stated,
         stated=fact is not None,
         notes=f"from {fact.span.words!r}" if fact is not None else "",
+        base=fact.name if fact is not None else kind.name,
+        label=fact.label if fact is not None else "",
     )
+    stated_suite = fact.suite if fact is not None else ()
+    for child in stated_suite:
+        room.suite += [
+            planned_room(knowledge.room(child.room_type), knowledge, fact=child) for _ in range(child.count or 1)
+        ]
+    taken = {knowledge.room(child.room_type).zone for child in stated_suite}
     for entry in kind.suite:
-        child = knowledge.room(entry.room_type)
-        room.suite.append(planned_room(child, knowledge, area=entry.area))
+        child_kind = knowledge.room(entry.room_type)
+        if not stated_suite or child_kind.zone not in taken:
+            room.suite.append(planned_room(child_kind, knowledge, area=entry.area))
     return room

@@ -16,7 +16,7 @@ from mansion_planner.program.hall import sketch_hall
 from mansion_planner.program.massing import MassingWish, choose_massing, rectangle_massing
 from mansion_planner.program.model import Massing, Storey, box_area
 from mansion_planner.program.neighbours import apart_pairs, wanted_pairs
-from mansion_planner.program.placement import Sketch, short_edges
+from mansion_planner.program.placement import Sketch, loosened, misses_areas, short_edges
 from mansion_planner.program.sketch import capacity, sketch_storey
 
 __all__ = ["Arrangement", "best_arrangement"]
@@ -44,13 +44,20 @@ def best_arrangement(
         )
         apart = sum(len(apart_pairs(decisions, s, layout[2][s.index])) for s in storeys)
         short = sum(len(short_edges(layout[2][s.index])) for s in storeys if s.copy is None)
-        missed = apart + short
+        missed = apart + short + sum(misses_areas(layout[2][s.index]) for s in storeys if s.copy is None)
         if best is None or missed < best[0]:
             best = (missed, layout)
         if missed == 0:
             break
     assert best is not None
-    return best[1]
+    massing, frame, sketches, envelopes = best[1]
+    for storey in storeys:
+        sketch = sketches[storey.index]
+        if storey.copy is None and (misses_areas(sketch) or apart_pairs(decisions, storey, sketch)):
+            sketches[storey.index] = loosened(sketch)
+        elif storey.copy is not None:
+            sketches[storey.index] = sketches[storey.copy]
+    return massing, frame, sketches, envelopes
 
 
 def _arranged(

@@ -101,8 +101,10 @@ def _fit(block: Block, room: PlannedRoom, depth: float, pairs: list[tuple[str, s
     """Prefer hosts of kindred use with room to spare."""
     same_zone = block.host.kind.zone == room.kind.zone
     wanted = room.kind.name in block.host.kind.near or block.host.kind.name in room.kind.near
-    names = (block.host.kind.name, room.kind.name)
-    asked = names in pairs or (names[1], names[0]) in pairs
+    asked = any(
+        (block.host.called(one) and room.called(other)) or (block.host.called(other) and room.called(one))
+        for one, other in pairs
+    )
     clean = not (room.kind.wet and "kitchen" in block.host.kind.name)
     return (
         3.0 * wanted

@@ -16,6 +16,7 @@ from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.envelope import Envelope
 from mansion_planner.program.floor_program import floor_program
 from mansion_planner.program.frame import Frame
+from mansion_planner.program.furniture import assign_furniture
 from mansion_planner.program.inference import note
 from mansion_planner.program.massing import MassingWish, choose_shape
 from mansion_planner.program.model import Massing, Storey
@@ -24,6 +25,7 @@ from mansion_planner.program.resolve import decide
 from mansion_planner.program.sizes import storey_area, typical_room
 from mansion_planner.program.storeys import make_storeys
 from mansion_planner.program.vertical import vertical_method
+from mansion_planner.program.wishes import wishes_of
 
 __all__ = ["PlannedBuilding", "plan_program"]
 
@@ -61,6 +63,7 @@ def plan_program(
         room=typical_room(storeys, allocation, knowledge), shape=choose_shape(decisions, area, generator),
     )  # fmt: skip
     massing, frame, sketches, envelopes = best_arrangement(decisions, wish, storeys, allocation, knowledge)
+    assign_furniture(decisions, storeys)
     walls = bearing_walls([sketches[storey.index] for storey in storeys], frame)
     program = BuildingProgram(
         building_id=building_id,
@@ -76,6 +79,7 @@ def plan_program(
         seed=request.seed,
         trace=decisions.trace,
         downgrades=decisions.downgrades,
+        wishes=wishes_of(decisions, knowledge),
     )
     for floor in program.floors:
         floor.structural_walls = list(walls)

@@ -1,15 +1,14 @@
-"""What is decided of a building before its rooms, and the refusal of statements that exclude each other."""
+"""What is decided of a building before its rooms, and the record of statements that gave way to others."""
 
 from dataclasses import dataclass, field
 
 from shapely.geometry import Polygon
 
 from mansion_knowledge import BuildingType
-from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.program import Downgrade, TraceEntry
-from mansion_planner.brief.facts import BriefFacts, Quantity, Span
+from mansion_msgs_py.program import Downgrade, RequestedObject, TraceEntry
+from mansion_planner.brief.facts import BriefFacts, Span
 
-__all__ = ["Decisions", "contradiction", "one_value", "quoted"]
+__all__ = ["Decisions", "conflict", "quoted"]
 
 
 @dataclass
@@ -27,6 +26,8 @@ class Decisions:
         The given footprint.
     free_form : bool
         The outline is given and is no rectangle.
+    furniture : dict of (int, str) to list of RequestedObject
+        What the brief wants in a room, by storey and room id.
     """
 
     building: BuildingType
@@ -42,30 +43,14 @@ class Decisions:
     outline: Polygon | None = None
     trace: list[TraceEntry] = field(default_factory=list)
     downgrades: list[Downgrade] = field(default_factory=list)
+    furniture: dict[tuple[int, str], list[RequestedObject]] = field(default_factory=dict)
 
 
-def contradiction(what: str, first: str, second: str, path: str = "$.description") -> MansionError:
-    """Return the refusal of two statements that exclude each other."""
-    return MansionError(
-        ErrorCode.CONTRADICTION,
-        f"{what}: {first} against {second}; keep one of the two",
-        path=path,
-        details={"first": first, "second": second, "stage": "program"},
-    )
+def conflict(wish: str, got: str, reason: str, floor: int | None = None) -> Downgrade:
+    """Return the record of a statement that gave way to another one."""
+    return Downgrade(wish=wish, got=got, reason=reason, stage="program", floor=floor)
 
 
 def quoted(span: Span) -> str:
     """Return the place of some words for an error message."""
     return f'"{span.words}" (characters {span.start} to {span.end} of the description)'
-
-
-def one_value(values: list[Quantity], what: str) -> Quantity | None:
-    """Return the value that all statements share, or refuse."""
-    if not values:
-        return None
-    for other in values[1:]:
-        if abs(other.value - values[0].value) > 0.02 * values[0].value:
-            raise contradiction(
-                f"the description states two different {what}", quoted(values[0].span), quoted(other.span)
-            )
-    return values[0]

@@ -59,7 +59,7 @@ def fill_storey(
         kind = knowledge.room(entry.room_type)
         if entry.repeat:
             repeats.append(entry)
-        if kind.name in allocation.settled or kind.name == storey.hub.name:
+        if not allocation.adds(kind.name, storey.index) or kind.name == storey.hub.name:
             continue
         count = 0 if entry.repeat else max(entry.count - (kind.name in present), 0)
         for _ in range(count):
@@ -70,7 +70,7 @@ def fill_storey(
                 used += room.gross
     for entry in repeats:
         kind = knowledge.room(entry.room_type)
-        while kind.name not in allocation.settled and len(rooms) < MOST_ROOMS:
+        while allocation.adds(kind.name, storey.index) and len(rooms) < MOST_ROOMS:
             room = planned_room(kind, knowledge, area=entry.area)
             if used + 0.72 * room.gross > budget:
                 break
@@ -85,7 +85,7 @@ def _top_up(
 ) -> None:
     """Add rooms of general use where the brief settles the number of those that would fill the storey."""
     kinds = [knowledge.room(name) for name in _GENERAL.get(storey.use.family, _GENERAL["civic"])]
-    kinds = [kind for kind in kinds if kind.name not in allocation.settled]
+    kinds = [kind for kind in kinds if allocation.adds(kind.name, storey.index)]
     for kind in kinds * 3:
         used = sum(room.gross for room in rooms)
         if used >= 0.82 * budget or len(rooms) >= MOST_ROOMS:

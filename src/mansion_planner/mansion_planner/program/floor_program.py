@@ -5,8 +5,10 @@ from mansion_msgs_py.program import AreaSummary, FloorProgram, RoomProgram
 from mansion_msgs_py.wording import with_article
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.envelope import Envelope
+from mansion_planner.program.furniture import requested_objects
 from mansion_planner.program.materials import materials_of
 from mansion_planner.program.model import Storey
+from mansion_planner.program.names import aliases_of
 from mansion_planner.program.neighbours import neighbours
 from mansion_planner.program.placement import Sketch
 
@@ -39,7 +41,8 @@ def floor_program(
                 id=room.id, area_estimate=round(placement.area, 2), room_type=room.kind.name,
                 floor_material=floor, wall_material=wall,
                 open_relation="open" if room.kind.open else "door", notes=room.notes,
-                adjacent_to=beside.get(room.id, []),
+                adjacent_to=beside.get(room.id, []), name=room.label, aliases=aliases_of(room),
+                objects=requested_objects(decisions, room, storey),
             )
         )  # fmt: skip
     total = sum(room.area_estimate for room in rooms)

@@ -36,6 +36,10 @@ class PlannedRoom:
         The brief asks for the room.
     suite : list of PlannedRoom
         Rooms that are reached through it.
+    base : str
+        The name that the brief or the type gives it; rooms of one name differ by the number in their `id`.
+    label : str
+        What the user calls it, as written; empty for a room that the brief does not name.
     """
 
     id: str
@@ -47,11 +51,17 @@ class PlannedRoom:
     stated: bool = False
     suite: list["PlannedRoom"] = field(default_factory=list)
     notes: str = ""
+    base: str = ""
+    label: str = ""
 
     @property
     def gross(self) -> float:
         """Area with its suite."""
         return self.area + sum(room.gross for room in self.suite)
+
+    def called(self, name: str) -> bool:
+        """Whether a name means this room: its own, or its type's."""
+        return name in (self.base, self.kind.name)
 
     def each(self) -> list["PlannedRoom"]:
         """Return the room and its suite, the room first."""

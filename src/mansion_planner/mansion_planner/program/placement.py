@@ -11,6 +11,8 @@ __all__ = [
     "Sketch",
     "far_stair",
     "lobby_length",
+    "loosened",
+    "misses_areas",
     "pocket",
     "shared_wall",
     "short_edges",
@@ -57,6 +59,8 @@ class Sketch:
 
     Attributes
     ----------
+    loose : bool
+        Rooms have areas and a room graph, and no places: the floor solver finds them.
     bearing : dict of float to list of (float, float)
         Stretches along x, by their y, where both sides of the main corridor are walls.
     """
@@ -64,7 +68,36 @@ class Sketch:
     corridors: list[Corridor]
     rooms: list[Placement]
     core_parent: dict[str, str] = field(default_factory=dict)
+    loose: bool = False
     bearing: dict[float, list[tuple[float, float]]] = field(default_factory=dict)
+
+
+def misses_areas(sketch: Sketch) -> int:
+    """Return how many rooms of a stated area a sketch gives another one, by more than a tenth."""
+    return sum(abs(p.area - p.room.area) > 0.1 * p.room.area for p in sketch.rooms if p.room.fixed)
+
+
+def loosened(sketch: Sketch) -> Sketch:
+    """Return a sketch with the areas that the rooms are to have and without places; its room graph stays.
+
+    Corridors keep their share of the floor, a twentieth at least; rooms without a stated area share the rest.
+    """
+    total = sum(corridor.area for corridor in sketch.corridors) + sum(placement.area for placement in sketch.rooms)
+    passages = sum(corridor.area for corridor in sketch.corridors)
+    widened = max(passages, 0.05 * total) / max(passages, 1e-9)
+    fixed = sum(p.room.area for p in sketch.rooms if p.room.fixed)
+    others = sum(p.room.area for p in sketch.rooms if not p.room.fixed)
+    scale = max(total - fixed - passages * widened, 0.3 * others) / max(others, 1e-9)
+    return Sketch(
+        [Corridor(c.id, [], c.parent, given=c.area * widened) for c in sketch.corridors],
+        [Placement(p.room, [], p.parent, given=_given(p.room, scale)) for p in sketch.rooms],
+        dict(sketch.core_parent),
+        loose=True,
+    )
+
+
+def _given(room: PlannedRoom, scale: float) -> float:
+    return room.area if room.fixed else max(room.area * scale, 0.8 * room.kind.least)
 
 
 def lobby_length(massing: Massing, storey: Storey) -> float:

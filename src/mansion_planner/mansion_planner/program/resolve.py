@@ -1,4 +1,6 @@
-"""Resolve the numbers of a brief (Algorithm 1, line 1): type, storeys, areas, style; refuse what contradicts itself."""
+"""Resolve the numbers of a brief (Algorithm 1, line 1): type, storeys, areas, style; settle what contradicts itself."""
+
+from dataclasses import replace
 
 import numpy as np
 
@@ -8,7 +10,7 @@ from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Span
 from mansion_planner.program.areas import area_of_footprint, settle_area
-from mansion_planner.program.decisions import Decisions, contradiction, one_value, quoted
+from mansion_planner.program.decisions import Decisions, conflict, quoted
 from mansion_planner.program.inference import MOST_FLOORS, infer_building, infer_floors, note
 
 __all__ = ["decide"]
@@ -17,30 +19,31 @@ __all__ = ["decide"]
 def decide(
     request: BuildRequest, facts: BriefFacts, knowledge: KnowledgeBase, generator: np.random.Generator
 ) -> Decisions:
-    """Resolve type, storeys, area and style.
+    """Resolve type, storeys, area and style; statements that exclude each other are settled and recorded.
+
+    Fields of the request win over the text; in the text explicit counts and storeys win over rooms, rooms over areas.
 
     Raises
     ------
     MansionError
-        ``CONTRADICTION`` with both places, ``INFEASIBLE`` for numbers that no building can meet.
+        ``INFEASIBLE`` for numbers beyond the limits of a program.
     """
     trace: list[TraceEntry] = []
+    given_way: list[Downgrade] = []
+    facts = _settled(facts, given_way)
     building = _building(facts, knowledge, trace)
-    floors = _floors(request, facts, building, trace, generator)
+    floors, facts = _floors(request, facts, building, trace, generator, given_way)
     basements = _basements(facts, trace)
     style = building.style
     if facts.styles:
         style = facts.styles[0][0]
         note(trace, facts.styles[0][1], f"style {style}")
-    _check_wishes(facts)
-    decisions = Decisions(building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace)
+    decisions = Decisions(
+        building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace, downgrades=given_way
+    )
     if building.name == "bungalow" and floors > 1:
-        decisions.downgrades.append(
-            Downgrade(
-                wish="bungalow", got=f"a house of {floors} storeys", stage="program",
-                reason="a bungalow has one storey, and the number of storeys is stated",
-            )
-        )  # fmt: skip
+        reason = "a bungalow has one storey, and the number of storeys is stated"
+        decisions.downgrades.append(conflict("bungalow", f"a house of {floors} storeys", reason))
     if request.footprint is not None:
         area_of_footprint(request, decisions)
     else:
@@ -48,30 +51,32 @@ def decide(
     return decisions
 
 
-def _check_wishes(facts: BriefFacts) -> None:
-    """Refuse wishes that exclude each other."""
-    wishes: dict[str, Span] = {}
-    for name, span in facts.vertical:
-        opposite = wishes.get(name[3:] if name.startswith("no_") else f"no_{name}")
-        if opposite is not None:
-            raise contradiction(f"{name.replace('_', ' ')}", quoted(opposite), quoted(span))
-        wishes.setdefault(name, span)
-    shapes = dict(reversed(facts.shapes))
-    if len(shapes) > 1:
-        first, second = list(shapes.values())[-1], list(shapes.values())[-2]
-        raise contradiction("two outlines", quoted(first), quoted(second))
-    no_basement = next((span for name, span in facts.excluded if name == "basement"), None)
+def _settled(facts: BriefFacts, given_way: list[Downgrade]) -> BriefFacts:
+    """Return the facts without those that exclude others; record what gave way."""
+    facts = replace(facts, vertical=_vertical_of(facts, given_way))
+    if len({shape for shape, _ in facts.shapes}) > 1:
+        kept, other = facts.shapes[0], next(entry for entry in facts.shapes if entry[0] != facts.shapes[0][0])
+        given_way.append(conflict(other[1].words, f"outline {kept[0]}", "the outline named first is kept"))
+        facts = replace(facts, shapes=[kept])
     below = next((ref for room in facts.rooms for ref in room.floors if ref.kind == "basement"), None)
-    if no_basement is not None and (below is not None or facts.basements):
-        other = below.span if below is not None else facts.basements[0].span
-        raise contradiction("a basement", quoted(no_basement), quoted(other))
-    counted: dict[str, tuple[int, Span]] = {}
-    for room in facts.rooms:
-        if room.floors or room.each or room.count is None or room.count < 2 or room.area is not None:
-            continue
-        earlier = counted.setdefault(room.name, (room.count, room.span))
-        if earlier[0] != room.count:
-            raise contradiction(f"two numbers of {room.name}", quoted(earlier[1]), quoted(room.span))
+    unwanted = next((span for name, span in facts.excluded if name == "basement"), None)
+    if unwanted is not None and (below is not None or facts.basements):
+        words = below.span.words if below is not None else facts.basements[0].span.words
+        given_way.append(conflict(unwanted.words, "a basement", f'"{words}" asks for it'))
+        facts = replace(facts, excluded=[entry for entry in facts.excluded if entry[0] != "basement"])
+    return facts
+
+
+def _vertical_of(facts: BriefFacts, given_way: list[Downgrade]) -> list[tuple[str, Span]]:
+    """Return the wishes for stairs and lifts; what is not wanted wins over what is, but one way up stays."""
+    unwanted = {name for name, _ in facts.vertical if name.startswith("no_")}
+    kept = []
+    for name, span in facts.vertical:
+        if f"no_{name}" in unwanted:
+            given_way.append(conflict(span.words, f"no {name}", "the brief says elsewhere that it is not wanted"))
+        elif (name, span) not in kept:
+            kept.append((name, span))
+    return kept
 
 
 def _building(facts: BriefFacts, knowledge: KnowledgeBase, trace: list[TraceEntry]) -> BuildingType:
@@ -91,8 +96,10 @@ def _floors(
     building: BuildingType,
     trace: list[TraceEntry],
     generator: np.random.Generator,
-) -> int:
-    stated = one_value(facts.floors, "numbers of storeys")
+    given_way: list[Downgrade],
+) -> tuple[int, BriefFacts]:
+    """Return the number of storeys, and the facts without storeys that the building does not have."""
+    stated = facts.floors[0] if facts.floors else None
     needed, place = _highest(facts)
     if stated is not None and not 1 <= stated.value <= MOST_FLOORS:
         raise MansionError(
@@ -102,20 +109,21 @@ def _floors(
             details={"stage": "program"},
         )
     if request.floors is not None:
-        if stated is not None and int(stated.value) != request.floors:
-            raise contradiction(
-                "the number of storeys", f"$.floors = {request.floors}", quoted(stated.span), "$.floors"
-            )
-        count, words, span = request.floors, f"$.floors = {request.floors}", None
+        count = request.floors
+        if stated is not None and int(stated.value) != count:
+            given_way.append(conflict(stated.span.words, f"{count} storeys", "the request's own field says so"))
         note(trace, None, f"{count} storeys, as the request states")
     elif stated is not None:
-        count, words, span = int(stated.value), quoted(stated.span), stated.span
-        note(trace, span, f"{count} storeys")
+        count = int(stated.value)
+        note(trace, stated.span, f"{count} storeys")
+        reason = f'"{stated.span.words}" is the larger number'
+        given_way += [conflict(other.span.words, f"{count} storeys", reason) for other in facts.floors[1:]]
     else:
-        return infer_floors(facts, building, needed, trace, generator)
+        return infer_floors(facts, building, needed, trace, generator), facts
     if place is not None and needed > count:
-        raise contradiction(f"a storey that the building does not have (it has {count})", quoted(place.span), words)
-    return count
+        reason = f"the building has {count} {'storeys' if count > 1 else 'storey'}"
+        given_way.append(conflict(place.span.words, f"storey {count}", reason, count))
+    return count, facts
 
 
 def _highest(facts: BriefFacts) -> tuple[int, FloorRef | None]:

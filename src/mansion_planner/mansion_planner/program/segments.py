@@ -215,7 +215,7 @@ def _transfer(a: _Share, b: _Share, number: int, here: _Parts, there: _Parts) ->
 
 
 def _holds(block: Block, name: str) -> bool:
-    return block.host.kind.name == name
+    return block.host.called(name)
 
 
 def bring_together(segments: list[Segment], first: str, second: str) -> None:

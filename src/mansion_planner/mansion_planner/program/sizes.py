@@ -5,7 +5,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wording import with_article
 from mansion_planner.program.allocation import Allocation, planned_room
 from mansion_planner.program.areas import AREA_CAP
-from mansion_planner.program.decisions import Decisions
+from mansion_planner.program.decisions import Decisions, conflict
 from mansion_planner.program.filling import base_rooms, hub_area
 from mansion_planner.program.inference import note
 from mansion_planner.program.massing import least_area
@@ -13,6 +13,12 @@ from mansion_planner.program.model import Storey
 from mansion_planner.program.storeys import entries_of, is_hall
 
 __all__ = ["storey_area", "typical_room"]
+
+_SQUEEZE = 1.3
+"""By how much rooms may ask for more than the stated area, at their least usual sizes: they are then made smaller."""
+
+_HOPELESS = 1.5
+"""From what share of the stated area on no building can hold the rooms asked for."""
 
 
 def _circulation(decisions: Decisions, stairs: int, lifts: int) -> tuple[float, float]:
@@ -49,19 +55,9 @@ def storey_area(
         if wished + hub > need:
             need, fullest = wished + hub, storey
     if decisions.area_stated:
-        if least > decisions.area * 1.02:
-            facts = allocation.wanted[fullest.index]
-            words = ", ".join(dict.fromkeys(fact.span.words for fact in facts))
-            words = words or f"the rooms of {with_article(fullest.use.name.replace('_', ' '))}"
-            given = decisions.area_span.startswith("$.")
-            raise MansionError(
-                ErrorCode.INFEASIBLE,
-                f"{words} on storey {fullest.index} need at least {least:.0f} m2 with stairs and corridors; "
-                f"{decisions.area_span} leaves {decisions.area:.0f} m2",
-                path=decisions.area_span.split()[0] if given else "$.description",
-                details={"first": words, "second": decisions.area_span, "stage": "program"},
-            )
-        return decisions.area
+        if least > decisions.area * _SQUEEZE:
+            least = _grown(decisions, storeys, allocation, fullest, least)
+        return decisions.area if least <= decisions.area * _SQUEEZE else least
     asked = (need + fixed) / (1.0 - share) * 1.02
     usual = decisions.area
     if decisions.building.parti != "spine":
@@ -76,6 +72,33 @@ def storey_area(
     if result > AREA_CAP:
         note(decisions.trace, None, f"above {AREA_CAP:.0f} m2 a storey, for the rooms asked for")
     return result
+
+
+def _grown(decisions: Decisions, storeys: list[Storey], allocation: Allocation, fullest: Storey, least: float) -> float:
+    """Return the area that the rooms asked for need, and record that the stated one gave way.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` when the rooms alone take far more than the area asked for, or the outline is given.
+    """
+    facts = allocation.wanted[fullest.index]
+    words = ", ".join(dict.fromkeys(fact.span.words for fact in facts))
+    words = words or f"the rooms of {with_article(fullest.use.name.replace('_', ' '))}"
+    given = decisions.area_span.startswith("$.")
+    asked = sum(fact.area or 4.0 for storey in storeys for fact in allocation.wanted[storey.index])
+    if given or asked > _HOPELESS * decisions.area * len(storeys):
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"{words} on storey {fullest.index} need at least {least:.0f} m2 with stairs and corridors; "
+            f"{decisions.area_span} leaves {decisions.area:.0f} m2",
+            path=decisions.area_span.split()[0] if given else "$.description",
+            details={"first": words, "second": decisions.area_span, "stage": "program"},
+        )
+    wish = decisions.area_span.partition('"')[2].partition('"')[0] or decisions.area_span
+    reason = f"{words} on storey {fullest.index} need it, with stairs and corridors"
+    decisions.downgrades.append(conflict(wish, f"{least:.0f} m2 a storey", reason, fullest.index))
+    return least
 
 
 def _typical(
@@ -93,7 +116,7 @@ def _typical(
         if is_hall(decisions):
             total += 1.3 * storey.hub.usual
         for entry in entries_of(storey):
-            if entry.room_type in allocation.settled or entry.repeat:
+            if not allocation.adds(entry.room_type, storey.index) or entry.repeat:
                 continue
             kind = knowledge.room(entry.room_type)
             total += entry.count * planned_room(kind, knowledge, area=entry.area).gross

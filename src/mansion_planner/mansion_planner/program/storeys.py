@@ -1,9 +1,8 @@
 """The storeys of a building: role, use, hub, which repeat another, and what rooms the building type gives to each."""
 
 from mansion_knowledge import BuildingType, KnowledgeBase, RoomEntry
-from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_planner.brief.facts import FloorRef
-from mansion_planner.program.decisions import Decisions, quoted
+from mansion_planner.program.decisions import Decisions, conflict
 from mansion_planner.program.inference import note
 from mansion_planner.program.model import Storey
 
@@ -39,13 +38,7 @@ def _passage_hub(decisions: Decisions, entrance: bool) -> str:
 
 
 def _mark_copies(decisions: Decisions, storeys: list[Storey]) -> None:
-    """Let storeys repeat the lowest of their group.
-
-    Raises
-    ------
-    MansionError
-        ``CONTRADICTION`` when the brief gives rooms to one storey of an identical group only.
-    """
+    """Let storeys repeat the lowest of their group; one that has rooms of its own is left out and recorded."""
     by_index = {storey.index: storey for storey in storeys}
     for fact in decisions.facts.copies:
         group = [f for f in floors_of((fact.first,), decisions) if f in by_index]
@@ -59,13 +52,9 @@ def _mark_copies(decisions: Decisions, storeys: list[Storey]) -> None:
                 and group[0] not in pinned
                 and any(ref.kind in ("number", "top") for ref in room.floors)
             ):
-                raise MansionError(
-                    ErrorCode.CONTRADICTION,
-                    f"{quoted(fact.span)} makes storeys identical, {quoted(room.span)} is for storey "
-                    f"{min(pinned)} alone; keep one of the two",
-                    path="$.description",
-                    details={"first": fact.span.words, "second": room.span.words, "stage": "program"},
-                )
+                words = f'"{room.span.words}" is for storey {min(pinned)} alone'
+                decisions.downgrades.append(conflict(fact.span.words, "storeys that differ", words, min(pinned)))
+                group = [floor for floor in group if floor not in pinned]
         for floor in group[1:]:
             by_index[floor].copy = group[0]
             by_index[floor].role = by_index[group[0]].role
@@ -149,8 +138,14 @@ def floors_of(refs: tuple[FloorRef, ...], decisions: Decisions) -> list[int]:
             found.update(range(max(top - max(ref.first, 1) + 1, 1), top + 1))
         elif ref.kind == "every":
             found.update(range(1, top + 1))
+        elif ref.kind == "below_top":
+            found.add(max(top - ref.first, 1))
+        elif ref.kind == "not_top":
+            found.update(range(1, top) if top > 1 else [1])
+        elif ref.kind in ("odd", "even"):
+            found.update(range(1 if ref.kind == "odd" else 2, top + 1, 2))
         elif ref.kind == "upper":
-            found.update(range(2, top + 1) if top > 1 else [1])
+            found.update(range(2, (min(ref.first + 1, top) if ref.first else top) + 1) if top > 1 else [1])
         elif ref.kind == "middle":
             found.update(range(2, top) if top > 2 else [top])
         elif ref.kind == "lower":

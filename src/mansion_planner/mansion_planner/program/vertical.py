@@ -10,6 +10,9 @@ from mansion_planner.program.storeys import entries_of
 
 __all__ = ["vertical_method"]
 
+_MOST_LIFTS = 2
+"""Lifts that a massing has places for."""
+
 Method = Literal["none", "stair", "elevator", "stair_and_elevator"]
 
 
@@ -34,6 +37,9 @@ def vertical_method(
         lifts, reason = 0, f'{levels} storeys, "{wishes["no_elevator"].words}"'
     elif "elevator" in wishes and lifts == 0:
         lifts, reason = 1, f'{levels} storeys, "{wishes["elevator"].words}"'
+    wanted_lifts = max((int(quantity.value) for quantity in decisions.facts.lifts), default=0)
+    if wanted_lifts and "no_elevator" not in wishes:
+        lifts, reason = min(wanted_lifts, _MOST_LIFTS), f'{levels} storeys, "{decisions.facts.lifts[0].span.words}"'
     if "no_stair" in wishes:
         return "elevator", 0, max(lifts, 1), f'elevator alone, as "{wishes["no_stair"].words}" asks'
     stairs = 1
@@ -53,5 +59,8 @@ def vertical_method(
     ):
         stairs = 2
         reason += ", more than 340 m2 a storey: a second stair at the far end"
+    wanted_stairs = max((int(quantity.value) for quantity in decisions.facts.stairs), default=0)
+    if wanted_stairs == 1:
+        stairs = 1
     method: Method = "stair_and_elevator" if lifts else "stair"
     return method, stairs, lifts, f"{method.replace('_', ' ')} for {reason}"

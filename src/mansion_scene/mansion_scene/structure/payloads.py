@@ -80,13 +80,24 @@ def _room(
         net_polygon=ring_points(net.exterior),
         net_holes=[ring_points(hole) for hole in net.interiors],
         area=round(region.polygon.area, 4),
-        name=region.node.replace("_", " ").capitalize(),
+        name=_display_name(region, program),
+        aliases=list(program.aliases) if program is not None else [],
         floor_material=match_material(floor_words or _by_type(region, _FLOORS), "floor").name,
         wall_material=match_material(wall_words or _by_type(region, _WALLS), "wall").name,
         ceiling_material=match_material(_ceiling(region), "ceiling").name,
         ceiling_height=ceiling,
         open_relation=region.open_relation,
     )
+
+
+def _display_name(region: Region, program: RoomProgram | None) -> str:
+    """Return the user's name for a room, with the number of its id where several have it; else its id in words."""
+    if program is None or not program.name:
+        return region.node.replace("_", " ").capitalize()
+    number = region.node.rpartition("_")[2]
+    numbered = number.isdigit() and not program.name.endswith(number)
+    name = f"{program.name} {number}" if numbered else program.name
+    return name[:1].upper() + name[1:]
 
 
 def _by_type(region: Region, table: tuple[tuple[str, str], ...]) -> str:

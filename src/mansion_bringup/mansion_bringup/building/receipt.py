@@ -1,0 +1,405 @@
+"""What became of every wish of a brief: derived from the plan, or from the finished floors where there are some."""
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+import msgspec
+from shapely.geometry import Polygon
+
+from mansion_msgs_py.program import BuildingProgram
+from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.topology import FloorTopology
+from mansion_msgs_py.wishes import Wish, WishStatus
+
+__all__ = ["receipt", "receipt_of_plan"]
+
+_AREA = 0.1
+"""Share by which an area may miss the one that is asked for and still meet it."""
+
+_SHARED = 1.2
+"""Metres of wall that neighbours share at least: a door and its frame (the solver's least access wall)."""
+
+
+@dataclass(frozen=True)
+class _Room:
+    """A room of a planned or finished floor."""
+
+    floor: int
+    id: str
+    type: str
+    names: frozenset[str]
+    area: float
+    height: float = 0.0
+    material: str = ""
+    objects: Counter[str] = field(default_factory=Counter)
+
+    @property
+    def full_id(self) -> str:
+        return f"F{self.floor}/{self.id}"
+
+
+@dataclass(frozen=True)
+class _State:
+    """A building as far as its wishes go: rooms, and the pairs of their full ids that share a wall."""
+
+    program: BuildingProgram
+    rooms: Sequence[_Room]
+    touching: frozenset[tuple[str, str]]
+    built: bool
+
+    def called(self, name: str, kind: str, floors: Sequence[int] = ()) -> list[_Room]:
+        """Return the rooms of a name; where none has it, those of a type."""
+        rooms = [room for room in self.rooms if not floors or room.floor in floors]
+        own = [room for room in rooms if name in room.names]
+        return own or [room for room in rooms if kind and room.type == kind]
+
+    def near(self, first: _Room, second: _Room) -> bool:
+        """Whether two rooms share a wall."""
+        return first is not second and (
+            (first.full_id, second.full_id) in self.touching or (second.full_id, first.full_id) in self.touching
+        )
+
+
+def receipt(wishes: Iterable[Wish], program: BuildingProgram, scenes: Sequence[FloorScene]) -> list[Wish]:
+    """Return the wishes with the status that the finished floors give them.
+
+    Parameters
+    ----------
+    wishes : iterable of Wish
+    program : BuildingProgram
+    scenes : sequence of FloorScene
+        All floors.
+    """
+    rooms = [_built_room(scene, number) for scene in scenes for number in range(len(scene.rooms))]
+    state = _State(program, rooms, frozenset(pair for scene in scenes for pair in _touching(scene)), True)
+    return [_judged(wish, state) for wish in wishes]
+
+
+def receipt_of_plan(program: BuildingProgram, topologies: Sequence[FloorTopology]) -> list[Wish]:
+    """Return a plan's wishes with the status that they are going to have if every later stage keeps to the plan."""
+    rooms = [
+        _Room(
+            floor.index,
+            room.id,
+            room.room_type,
+            _names(room.id, room.name, room.aliases),
+            room.area_estimate,
+            floor.height,
+            f"{room.floor_material} {room.wall_material}",
+            Counter({entry.category: entry.count for entry in room.objects}),
+        )
+        for floor in program.floors
+        for room in floor.rooms
+    ]
+    edges = frozenset(
+        (f"F{graph.floor}/{edge.source}", f"F{graph.floor}/{edge.target}")
+        for graph in topologies
+        for edge in graph.edges
+    )
+    state = _State(program, rooms, edges, False)
+    return [_judged(wish, state) for wish in program.wishes]
+
+
+def _names(identifier: str, name: str, aliases: Iterable[str]) -> frozenset[str]:
+    stem, _, number = identifier.rpartition("_")
+    plain = [identifier, *([stem] if number.isdigit() else []), name, *aliases]
+    return frozenset(word.lower().replace(" ", "_") for word in plain if word)
+
+
+def _built_room(scene: FloorScene, number: int) -> _Room:
+    room = scene.rooms[number]
+    short = room.id.removeprefix(f"F{scene.floor}/")
+    objects = Counter(entry.category for entry in scene.objects if entry.room == room.id)
+    return _Room(
+        scene.floor,
+        short,
+        room.room_type,
+        _names(short, "", room.aliases) | _names(short, room.name, ()),
+        room.area,
+        room.ceiling_height,
+        f"{room.floor_material} {room.wall_material}",
+        objects,
+    )
+
+
+def _touching(scene: FloorScene) -> Iterable[tuple[str, str]]:
+    """Yield the rooms that share enough straight wall for a door."""
+    shapes = [(room.id, Polygon(room.polygon, room.holes)) for room in scene.rooms]
+    for number, (first, shape) in enumerate(shapes):
+        for second, other in shapes[number + 1 :]:
+            if (
+                shape.distance(other) < 0.05
+                and shape.buffer(0.02).intersection(other.buffer(0.02)).length / 2 > _SHARED - 0.1
+            ):
+                yield first, second
+
+
+def _judged(wish: Wish, state: _State) -> Wish:
+    if wish.kind == "unread":
+        return msgspec.structs.replace(wish, status="not_understood")
+    verdict = _JUDGES[wish.kind](wish, state)
+    reason = verdict.reason
+    if verdict.status == "met" and wish.reason and wish.kind in ("room", "building_type"):
+        verdict = _Verdict("partly", wish.reason, verdict.rooms, verdict.objects)
+        reason = wish.reason
+    return msgspec.structs.replace(
+        wish, status=verdict.status, reason=reason, rooms=list(verdict.rooms), objects=list(verdict.objects)
+    )
+
+
+@dataclass(frozen=True)
+class _Verdict:
+    status: WishStatus
+    reason: str = ""
+    rooms: Sequence[str] = ()
+    objects: Sequence[str] = ()
+
+
+def _met(ok: bool, reason: str, *, partly: bool = False, rooms: Sequence[str] = ()) -> _Verdict:
+    return _Verdict("met", "", rooms) if ok else _Verdict("partly" if partly else "not_met", reason, rooms)
+
+
+def _building_type(wish: Wish, state: _State) -> _Verdict:
+    return _met(state.program.building_type == wish.value.name, f"planned as {_words(state.program.building_type)}")
+
+
+def _floors(wish: Wish, state: _State) -> _Verdict:
+    have = sum(floor.index >= 1 for floor in state.program.floors)
+    return _met(have == wish.value.count, f"the building has {have} above ground")
+
+
+def _basements(wish: Wish, state: _State) -> _Verdict:
+    have = sum(floor.index < 1 for floor in state.program.floors)
+    return _met(have == wish.value.count, f"the building has {have}")
+
+
+def _total_area(wish: Wish, state: _State) -> _Verdict:
+    wanted = wish.value.area or 0.0
+    above = sum(floor.gross_floor_area for floor in state.program.floors if floor.index >= 1)
+    whole = sum(floor.gross_floor_area for floor in state.program.floors)
+    off = min(abs(above - wanted), abs(whole - wanted)) / max(wanted, 1.0)
+    return _met(off <= _AREA, f"the building has {whole:.0f} m2", partly=off <= 2 * _AREA)
+
+
+def _floor_area(wish: Wish, state: _State) -> _Verdict:
+    wanted = wish.value.area or 0.0
+    areas = sorted(floor.gross_floor_area for floor in state.program.floors if floor.index >= 1)
+    have = areas[len(areas) // 2]
+    off = abs(have - wanted) / max(wanted, 1.0)
+    return _met(off <= _AREA, f"a storey has {have:.0f} m2", partly=off <= 2 * _AREA)
+
+
+_CORNERS = {"L": 6, "U": 8, "T": 8, "H": 12, "rectangle": 4, "square": 4, "courtyard": 8}
+
+
+def _outline(wish: Wish, state: _State) -> _Verdict:
+    ground = next((floor for floor in state.program.floors if floor.index == 1), state.program.floors[0])
+    corners, name = len(ground.outline), wish.value.name
+    if name == "courtyard":
+        return _met(
+            bool(ground.holes) or corners == _CORNERS[name], f"the outline has {corners} corners and no courtyard"
+        )
+    ok = corners == _CORNERS.get(name, 4) and not ground.holes
+    if name == "square" and ok:
+        xs, ys = [x for x, _ in ground.outline], [y for _, y in ground.outline]
+        ok = 0.9 <= (max(xs) - min(xs)) / max(max(ys) - min(ys), 0.1) <= 1.1
+    return _met(ok, f"the outline has {corners} corners")
+
+
+def _style(wish: Wish, state: _State) -> _Verdict:
+    return _met(state.program.style == wish.value.name, f"the style is {_words(state.program.style)}")
+
+
+def _use(wish: Wish, state: _State) -> _Verdict:
+    words = _words(wish.value.name)
+    missing = [
+        floor.index
+        for floor in state.program.floors
+        if floor.index in wish.scope.floors and words not in floor.requirement
+    ]
+    return _met(not missing, f"storey {_listed(missing)} has another use", partly=len(missing) < len(wish.scope.floors))
+
+
+def _copy(wish: Wish, state: _State) -> _Verdict:
+    group = set(wish.scope.floors)
+    originals = {
+        floor.copy if floor.copy is not None else floor.index for floor in state.program.floors if floor.index in group
+    }
+    return _met(len(originals) <= 1 and len(group) > 1, "the storeys differ", partly=len(originals) < len(group))
+
+
+def _core(wish: Wish, state: _State) -> _Verdict:
+    have = sum(core.type == wish.kind for core in state.program.vertical_connectivity.cores)
+    noun = "stair" if wish.kind == "stair" else "lift"
+    if wish.value.unwanted:
+        return _met(have == 0, f"the building has a {noun}: its storeys cannot be reached otherwise")
+    if wish.value.count is None or have >= wish.value.count:
+        storeys = sum(floor.index >= 1 for floor in state.program.floors)
+        return _met(have > 0, "one storey needs none" if storeys == 1 else f"there is no {noun}")
+    return _Verdict("partly" if have else "not_met", f"{have} of {wish.value.count} {noun}s have a place")
+
+
+def _room(wish: Wish, state: _State) -> _Verdict:
+    value, floors = wish.value, wish.scope.floors
+    rooms = state.called(value.name, value.type, floors)
+    ids = [room.full_id for room in rooms]
+    if not rooms:
+        elsewhere = state.called(value.name, value.type)
+        if elsewhere:
+            where = _listed(sorted({room.floor for room in elsewhere}))
+            return _Verdict("partly", f"on storey {where} instead", [room.full_id for room in elsewhere])
+        return _Verdict("not_met", "no room of this kind found a place")
+    wanted = _wanted(wish, state)
+    if wish.scope.each and floors:
+        counts = Counter(room.floor for room in rooms)
+        short = [floor for floor in floors if counts[floor] != (value.count or max(counts[floor], 1))]
+        if short:
+            return _Verdict("partly", f"storey {_listed(short)} has {_listed([counts[f] for f in short])}", ids)
+    elif wanted is None and len(rooms) < 2:
+        return _Verdict("partly", "one room where several are asked for", ids)
+    elif wanted is not None and len(rooms) != wanted:
+        return _Verdict("partly", f"{len(rooms)} of {wanted}", ids)
+    if value.area is not None:
+        close = [room for room in rooms if abs(room.area - value.area) <= _AREA * 1.5 * value.area]
+        if 2 * len(close) < len(rooms) and not (wanted or 0) > (value.count or 1) <= len(close):
+            sizes = ", ".join(f"{room.area:.0f}" for room in rooms[:4])
+            return _Verdict("partly", f"{sizes} m2 instead of {value.area:.0f} m2", ids)
+    return _Verdict("met", "", ids)
+
+
+def _wanted(wish: Wish, state: _State) -> int | None:
+    """How many rooms of the name the brief wants in the wish's scope, over all wishes that share both."""
+    same = [
+        w
+        for w in state.program.wishes
+        if w.kind == "room" and w.value.name == wish.value.name and w.scope.floors == wish.scope.floors
+    ]
+    counts = [w.value.count for w in same]
+    return None if any(count is None for count in counts) else sum(count or 0 for count in counts)
+
+
+def _no_room(wish: Wish, state: _State) -> _Verdict:
+    if wish.value.type == "basement":
+        return _met(all(floor.index >= 1 for floor in state.program.floors), "the building has a basement")
+    rooms = [
+        room
+        for room in state.rooms
+        if room.type == wish.value.type and (not wish.scope.floors or room.floor in wish.scope.floors)
+    ]
+    return _met(not rooms, f"{rooms[0].full_id if rooms else ''} is one", rooms=[room.full_id for room in rooms])
+
+
+def _adjacent(wish: Wish, state: _State) -> _Verdict:
+    firsts, seconds = (
+        state.called(name, kind)
+        for name, kind in ((wish.value.name, wish.value.type), (wish.value.other, wish.value.other_type))
+    )
+    pairs = [(a, b) for a in firsts for b in seconds if state.near(a, b)]
+    ids = [room.full_id for pair in pairs[:1] for room in pair]
+    if not firsts or not seconds:
+        return _Verdict("not_met", f"there is no {_words(wish.value.name if not firsts else wish.value.other)}")
+    same = any(a.floor == b.floor for a in firsts for b in seconds)
+    return _met(bool(pairs), "they share no wall" if same else "they are on different storeys", rooms=ids)
+
+
+def _apart(wish: Wish, state: _State) -> _Verdict:
+    firsts, seconds = (
+        state.called(name, kind)
+        for name, kind in ((wish.value.name, wish.value.type), (wish.value.other, wish.value.other_type))
+    )
+    pairs = [(a, b) for a in firsts for b in seconds if state.near(a, b)]
+    ids = [room.full_id for pair in pairs[:1] for room in pair]
+    return _met(not pairs, "they share a wall", rooms=ids)
+
+
+def _object(wish: Wish, state: _State) -> _Verdict:
+    if not wish.value.type:
+        return _Verdict("not_met", "the catalogue has nothing of this kind")
+    rooms = _object_rooms(wish, state)
+    if not rooms:
+        return _Verdict("not_met", f"there is no {_words(wish.scope.room)}")
+    counts = [room.objects[wish.value.type] for room in rooms]
+    found = [f"{room.full_id}/{wish.value.type}" for room in rooms if room.objects[wish.value.type]]
+    wanted = wish.value.count if wish.value.count is not None else 2
+    least = min(counts) if wish.scope.each else sum(counts)
+    status: WishStatus = "met" if least >= wanted else "partly" if sum(counts) else "not_met"
+    reason = "" if status == "met" else f"{least} of {wanted} found a place" + (" in a room" if wish.scope.each else "")
+    return _Verdict(status, reason, [room.full_id for room in rooms if room.objects[wish.value.type]], found)
+
+
+def _no_object(wish: Wish, state: _State) -> _Verdict:
+    rooms = [room for room in _object_rooms(wish, state) if room.objects[wish.value.type]]
+    return _met(not rooms, f"{rooms[0].full_id if rooms else ''} has one", rooms=[room.full_id for room in rooms])
+
+
+def _object_rooms(wish: Wish, state: _State) -> list[_Room]:
+    if wish.scope.room:
+        return state.called(wish.scope.room, wish.scope.room_type, wish.scope.floors)
+    return [room for room in state.rooms if not wish.scope.floors or room.floor in wish.scope.floors]
+
+
+def _height(wish: Wish, state: _State) -> _Verdict:
+    wanted = wish.value.height or 0.0
+    rooms = [room for room in state.rooms if not wish.scope.room_type or room.type == wish.scope.room_type]
+    have = max((room.height for room in rooms), default=0.0)
+    slack = 0.1 if state.built else 0.7
+    return _met(abs(have - wanted) <= slack, f"ceilings are {have:.1f} m high")
+
+
+def _material(wish: Wish, state: _State) -> _Verdict:
+    rooms = [room for room in state.rooms if not wish.scope.room_type or room.type == wish.scope.room_type]
+    words = wish.value.name.split()
+    have = [room for room in rooms if any(word in room.material.replace("_", " ").lower() for word in words)]
+    return _met(2 * len(have) > len(rooms), "most rooms have another material", partly=bool(have))
+
+
+def _occupants(wish: Wish, state: _State) -> _Verdict:
+    count = wish.value.count or 1
+    area = sum(room.area for room in state.rooms)
+    return _met(area >= 2.0 * count, f"{area:.0f} m2 of rooms are little for {count} people")
+
+
+def _only(wish: Wish, state: _State) -> _Verdict:
+    named = {w.value.type for w in state.program.wishes if w.kind == "room"} | {
+        "corridor",
+        "hallway",
+        "lobby",
+        "stair",
+        "elevator",
+    }
+    extra = [room.full_id for room in state.rooms if room.type not in named]
+    return _met(not extra, f"{_listed(extra[:3])} were added", rooms=extra)
+
+
+_JUDGES = {
+    "building_type": _building_type,
+    "floors": _floors,
+    "basements": _basements,
+    "total_area": _total_area,
+    "floor_area": _floor_area,
+    "outline": _outline,
+    "style": _style,
+    "use": _use,
+    "copy": _copy,
+    "stair": _core,
+    "elevator": _core,
+    "room": _room,
+    "no_room": _no_room,
+    "adjacent": _adjacent,
+    "apart": _apart,
+    "object": _object,
+    "no_object": _no_object,
+    "height": _height,
+    "material": _material,
+    "occupants": _occupants,
+    "only": _only,
+}
+
+
+def _words(name: str) -> str:
+    return name.replace("_", " ")
+
+
+def _listed(values: Sequence[object]) -> str:
+    return ", ".join(str(value) for value in values)

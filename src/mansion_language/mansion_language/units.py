@@ -1,0 +1,20 @@
+"""Units of length and area, as people write them."""
+
+__all__ = ["AREA", "AREA_PATTERN", "LENGTH", "LENGTH_PATTERN", "SQUARE_FOOT"]
+
+FOOT = 0.3048
+SQUARE_FOOT = 0.09290304
+"""Square metres in a square foot, exactly."""
+
+AREA = {"m2": 1.0, "ft2": SQUARE_FOOT}
+"""Square metres in one of each unit."""
+
+LENGTH = {"m": 1.0, "cm": 0.01, "ft": FOOT}
+"""Metres in one of each unit."""
+
+_SQUARE = r"(?:square|sq)\b[.]?[ ]?"
+AREA_PATTERN = (
+    rf"(?P<m2>{_SQUARE}m(?:et(?:er|re)s?|trs?|ts?)?\b|m(?:²|\^?2\b|[ ]2(?=[ .,;:)]|$))|sqm\b|qm\b|sq[.]m\b|m[.]?sq\b)"
+    rf"|(?P<ft2>{_SQUARE}f(?:ee|oo)?t\b|(?:ft|f)(?:²|\^?2\b)|sqft\b|sf\b|sq[.]ft\b)"
+)
+LENGTH_PATTERN = r"(?P<cm>cm\b)|(?P<m>m(?:et(?:er|re)s?|trs?)?\b)|(?P<ft>f(?:ee|oo)?t\b)"

@@ -1,0 +1,112 @@
+"""The ledger of a brief: every wish that was read in it, where it holds, and what became of it."""
+
+from typing import Literal, TypeAlias
+
+import msgspec
+
+from mansion_msgs_py.shapes import Identifier
+
+__all__ = ["Scope", "Wish", "WishKind", "WishStatus", "WishValue"]
+
+WishKind: TypeAlias = Literal[
+    "building_type",
+    "floors",
+    "basements",
+    "total_area",
+    "floor_area",
+    "outline",
+    "style",
+    "use",
+    "copy",
+    "stair",
+    "elevator",
+    "room",
+    "no_room",
+    "adjacent",
+    "apart",
+    "object",
+    "no_object",
+    "height",
+    "material",
+    "occupants",
+    "only",
+    "unread",
+]
+
+WishStatus: TypeAlias = Literal["", "met", "partly", "not_met", "not_understood"]
+"""Empty before the building is finished."""
+
+
+class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """What a wish asks for; which fields are set follows from its kind.
+
+    Attributes
+    ----------
+    name : str
+        Of the room, the building type, the style, the outline or the material, in snake case.
+    type : str
+        Room type or asset category that stands for `name`; empty where nothing does.
+    other : str
+        The second room of a relation.
+    count : int, optional
+        How many; at least one where absent.
+    area, height : float, optional
+        Square metres of each; metres.
+    unwanted : bool
+        None of it is wanted.
+    """
+
+    name: str = ""
+    type: str = ""
+    other: str = ""
+    other_type: str = ""
+    count: int | None = None
+    area: float | None = None
+    height: float | None = None
+    unwanted: bool = False
+
+
+class Scope(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """Where a wish holds.
+
+    Attributes
+    ----------
+    floors : list of int
+        Floor numbers; everywhere when empty.
+    room, room_type : str
+        The room that furniture is wanted in; anywhere when empty.
+    each : bool
+        The count is for every such floor or room, not for all together.
+    """
+
+    floors: list[int] = []
+    room: str = ""
+    room_type: str = ""
+    each: bool = False
+
+
+class Wish(msgspec.Struct, frozen=True, kw_only=True):
+    """Something that the brief asks for.
+
+    Attributes
+    ----------
+    text : str
+        The words of the brief, a phrase of at most twelve words.
+    span : (int, int)
+        Where they stand in the description: characters, end exclusive.
+    reason : str
+        Why it is not met, and what was built instead; what it was taken for, where the words are not known.
+    rooms, objects : list of str
+        What answers to it: ``F1/kitchen``, ``F1/kitchen/stove_1``.
+    """
+
+    id: Identifier
+    text: str
+    span: tuple[int, int]
+    kind: WishKind
+    value: WishValue = WishValue()
+    scope: Scope = Scope()
+    status: WishStatus = ""
+    reason: str = ""
+    rooms: list[str] = []
+    objects: list[str] = []

@@ -1,0 +1,180 @@
+"""Read what a brief does not want, and how far a negation reaches: "no gym or sauna", "no bedroom downstairs"."""
+
+from mansion_planner.brief.noun_phrases import FUNCTION_WORDS, Phrase
+from mansion_planner.brief.reading import Reading
+
+__all__ = ["negated_phrases"]
+
+_BEFORE = frozenset(
+    """
+    no without not neither nor omit skip exclude excluding avoid never refuse nowhere lose drop minus
+    """.split()
+)
+_PHRASES = (
+    ("instead", "of"),
+    ("rather", "than"),
+    ("free", "of"),
+    ("free", "from"),
+    ("leave", "out"),
+    ("get", "rid", "of"),
+    ("do", "without"),
+    ("anything", "but"),
+)
+_AFTER = (
+    ("not", "needed"),
+    ("not", "wanted"),
+    ("not", "required"),
+    ("not", "necessary"),
+    ("is", "not", "needed"),
+    ("are", "not", "wanted"),
+    ("unnecessary",),
+    ("is", "not", "wanted"),
+    ("are", "not", "needed"),
+    ("we", "do", "not", "want"),
+    (":", "none"),
+    (":", "no"),
+    ("=", "no"),
+    ("=", "none"),
+    ("not", "included"),
+    ("can", "be", "omitted"),
+    ("we", "do", "not", "have"),
+    ("we", "not", "have"),
+    ("we", "not", "want"),
+    ("is", "outside"),
+    ("not", "allowed"),
+)
+_ENDS = frozenset(
+    {
+        "(",
+        ")",
+        ".",
+        ";",
+        ":",
+        "\n",
+        "but",
+        "with",
+        "!",
+        "?",
+        "however",
+        "only",
+        "because",
+        "so",
+        "while",
+        "since",
+        "just",
+        "except",
+        "if",
+        "keep",
+        "yet",
+        "instead",
+        "for",
+    }
+)
+_COMPARISONS = frozenset(
+    """
+    more less fewer bigger larger later smaller longer higher matter doubt problem need
+    """.split()
+)
+
+
+def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[int, int]]:
+    """Return the phrases that the brief does not want, each with the tokens that say so (first, last).
+
+    A negation reaches to the end of its clause: over "or", "nor" and "and", not over "but".
+    """
+    found: dict[int, tuple[int, int]] = {}
+    starts = {phrase.first: number for number, phrase in enumerate(phrases)}
+    for number, phrase in enumerate(phrases):
+        after = next((p for p in _AFTER if reading.words(phrase.last, phrase.last + len(p)) == p), None)
+        if (
+            after is None
+            and reading.word(phrase.last) == "no"
+            and (reading.breaks(phrase.last + 1) or reading.word(phrase.last + 1) == ",")
+        ):
+            after = ("no",)  # "stairs yes, lift no"
+        if after is not None:
+            found[number] = (phrase.first, phrase.last + len(after))
+            reading.take(phrase.last, phrase.last + len(after))
+    for index in range(len(reading.tokens)):
+        length = _negation(reading, index)
+        if length:
+            for number in _reached(reading, phrases, starts, index + length):
+                found.setdefault(number, (index, phrases[number].last))
+            if length and any(first == index for first, _ in found.values()):
+                reading.take(index, index + length)
+    return found
+
+
+def _negation(reading: Reading, index: int) -> int:
+    """Return how many tokens a negation at `index` has, or 0."""
+    if index in reading.taken:
+        return 0
+    for words in _PHRASES:
+        if reading.words(index, index + len(words)) == words:
+            return len(words)
+    if (
+        reading.word(index) == "no"
+        and reading.word(index + 1) in ("space", "room", "need", "budget", "money", "place")
+        and reading.word(index + 2) in ("for", "of")
+    ):
+        return 3
+    if reading.word(index) not in _BEFORE or reading.word(index + 1) in _COMPARISONS:
+        return 0
+    if reading.word(index) == "not" and reading.word(index + 1) in (
+        "only",
+        "just",
+        "least",
+        "even",
+        "too",
+        "including",
+        "counting",
+        "yet",
+    ):
+        return 0
+    if reading.word(index) == "not" and any(
+        reading.word(i) in ("more", "exceed", "mind", "sure", "far", "necessarily") for i in range(index + 1, index + 4)
+    ):
+        return 0
+    return 1
+
+
+def _reached(reading: Reading, phrases: list[Phrase], starts: dict[int, int], index: int) -> list[int]:
+    """Return the phrases that a negation reaches from token `index` on."""
+    reached: list[int] = []
+    steps, passed = 0, False
+    while index < len(reading.tokens) and steps < 9:
+        number = starts.get(index)
+        if number is not None:
+            phrase = phrases[number]
+            if phrase.head in ("room", "building", "object", "stair", "elevator") and not (
+                reached and phrase.determiner in ("a", "the")
+            ):
+                if phrase.counted and reached:
+                    break
+                reached.append(number)
+            index, steps = phrase.last, 0
+            continue
+        word = reading.word(index)
+        if word in _ENDS or reading.breaks(index):
+            break
+        if passed and not reached and word in ("in", "on", "at", "to", "of", "from", "into", "and", "("):
+            break  # "no windows in the game rooms" is about windows
+        passed = passed or (reading.kind(index) == "word" and word not in FUNCTION_WORDS)
+        if reached and word not in ("or", "nor", "and", ",", "any", "anywhere", "a", "no", "either", "&", "/", "not"):
+            break
+        if word == "," and not _goes_on(reading, phrases, starts, index + 1):
+            break
+        index += 1
+        steps += 1
+    return reached
+
+
+def _goes_on(reading: Reading, phrases: list[Phrase], starts: dict[int, int], index: int) -> bool:
+    """Whether a list of what is not wanted goes on after a comma: "no gym, no sauna", "without gym, bar or pool"."""
+    if reading.word(index) in ("no", "nor", "or"):
+        return True
+    number = starts.get(index)
+    if number is None:
+        return False
+    after = phrases[number].last
+    return phrases[number].first == phrases[number].begin and reading.word(after) in ("or", "nor", ",")

@@ -1,0 +1,169 @@
+"""Read which furniture a brief wants, and in which room: "a fireplace in the living room", "each with two beds"."""
+
+from mansion_planner.brief.attachment import Attachment
+from mansion_planner.brief.facts import ObjectFact
+from mansion_planner.brief.noun_phrases import Phrase
+from mansion_planner.brief.reading import Reading
+
+__all__ = ["read_furnishings"]
+
+_INTO = frozenset(
+    """
+    in into inside within for per at to of
+    """.split()
+)
+_EACH = frozenset({"each", "every", "all", "both", "any", "per", "either"})
+
+
+def read_furnishings(
+    reading: Reading,
+    phrases: list[Phrase],
+    attached: dict[int, Attachment],
+    negated: dict[int, tuple[int, int]],
+    same: dict[int, int],
+) -> list[ObjectFact]:
+    """Return the wishes for furniture.
+
+    Parameters
+    ----------
+    attached : dict of int to Attachment
+        Storeys by phrase.
+    negated : dict of int to (int, int)
+        Phrases that are not wanted.
+    same : dict of int to int
+        Phrases that only name an earlier room again, and which.
+    """
+    found = _seats(reading, phrases, negated)
+    owners: dict[int, tuple[int | None, bool]] = {}
+    rooms = [
+        n
+        for n, phrase in enumerate(phrases)
+        if phrase.head == "room" or (phrase.head == "building" and phrase.room_type)
+    ]
+    for number in reversed(range(len(phrases))):
+        if phrases[number].head == "object":
+            owners[number] = _shared_owner(reading, phrases, owners, number) or _owner(reading, phrases, rooms, number)
+    for number, phrase in enumerate(phrases):
+        if phrase.head != "object":
+            continue
+        owner, each = owners[number]
+        owner = same.get(owner, owner) if owner is not None else None
+        room = phrases[owner] if owner is not None else None
+        if room is not None and owner in negated and number not in negated:
+            room = None
+        found.append(
+            ObjectFact(
+                words=phrase.label,
+                category=phrase.category,
+                span=reading.span(phrase.first, phrase.last),
+                count=phrase.count,
+                room=room.name if room is not None else "",
+                room_type=room.room_type if room is not None else "",
+                each=each,
+                excluded=number in negated,
+                floors=attached[number].refs if number in attached and room is None else (),
+            )
+        )
+    return found
+
+
+_SEATED = frozenset(
+    """
+    people guest person diner student pupil visitor patient customer worshipper seat chair child
+    """.split()
+)
+
+
+def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]]) -> list[ObjectFact]:
+    """Read how many people a room is for as the seats that it needs: "a dining room for 48 guests", "seating 50"."""
+    found = []
+    for number, phrase in enumerate(phrases):
+        if phrase.head != "room" or number in negated or phrase.room_type in _UNSEATED:
+            continue
+        link, at = reading.word(phrase.last), phrase.last + 1
+        at += reading.word(at) in ("about", "around", "up", "at", "some")
+        at += reading.word(at) in ("to", "least")
+        if link not in ("for", "seating", "seat") or reading.kind(at) != "number" or not 1 < reading.value(at) <= 500:
+            continue
+        last = at + 1 + (reading.word(at + 1) in _SEATED)
+        if (
+            last == at + 1
+            and reading.kind(last) == "word"
+            and reading.word(last) not in ("and", "with", "on", "in", "at", "or")
+        ):
+            continue  # "for 150 stacking chairs" is about what is kept there
+        span = reading.span(phrase.last, last)
+        found.append(ObjectFact(span.words, "chair", span, int(reading.value(at)), phrase.name, phrase.room_type))
+        reading.take(phrase.last, last)
+    return found
+
+
+_UNSEATED = frozenset(
+    """
+    bedroom storage garage parking bike_storage bathroom toilet cloakroom apparatus_bay dorm_room hostel_dorm
+    bunk_room hotel_room archive warehouse apartment
+    """.split()
+)
+
+
+def _shared_owner(
+    reading: Reading, phrases: list[Phrase], owners: dict[int, tuple[int | None, bool]], number: int
+) -> tuple[int | None, bool] | None:
+    """Return the room of the furniture that this one is joined to: "one desk and one wardrobe per bedroom"."""
+    following = owners.get(number + 1)
+    if following is None or following[0] is None or phrases[following[0]].first < phrases[number].first:
+        return None
+    between = reading.words(phrases[number].last, phrases[number + 1].first)
+    return following if set(between) <= {"and", ",", "&", "a", "an", "plus"} and between else None
+
+
+def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: int) -> tuple[int | None, bool]:
+    """Return the room that furniture is wanted in, and whether its number is for each such room."""
+    phrase = phrases[number]
+    sentence = reading.sentence[phrase.first]
+    after = next(
+        (n for n in rooms if phrases[n].first >= phrase.last and reading.sentence[phrases[n].first] == sentence), None
+    )
+    if after is not None:
+        gap = reading.words(phrase.last, phrases[after].begin)
+        if len(gap) <= 6 and _leads_into(gap):
+            lead = {*gap, phrases[after].determiner}
+            return after, not _EACH.isdisjoint(lead) or (phrases[after].plural and "the" not in lead)
+    before = next(
+        (
+            n
+            for n in reversed(rooms)
+            if phrases[n].last <= phrase.first and reading.sentence[phrases[n].first] == sentence
+        ),
+        None,
+    )
+    if before is None:
+        before = next(
+            (
+                n
+                for n in reversed(rooms)
+                if phrases[n].last <= phrase.first and reading.sentence[phrases[n].first] == sentence - 1
+            ),
+            None,
+        )
+        if before is None or not _continues(reading, phrase):
+            return None, False
+    gap = reading.words(phrases[before].last, phrase.first)
+    tail = reading.words(phrase.last, phrase.last + 2)
+    each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
+    return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
+
+
+def _leads_into(gap: tuple[str, ...]) -> bool:
+    """Whether the words between furniture and a room put the one into the other: "in the", "into each"."""
+    return any(word in _INTO for word in gap) and not any(
+        word in (",", "and", "with", ";", "next", "beside", "near", "from") for word in gap
+    )
+
+
+def _continues(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a sentence without a room goes on about the room before: "... a lounge. It has two sofas"."""
+    index = phrase.first
+    while index > 0 and reading.sentence[index - 1] == reading.sentence[phrase.first]:
+        index -= 1
+    return reading.word(index) in ("it", "there", "with", "put", "inside", "each", "all")

@@ -1,0 +1,278 @@
+"""Read areas and heights, and tell whose they are: a room's, a storey's or the whole building's."""
+
+import itertools
+from dataclasses import dataclass, replace
+
+from mansion_language.units import AREA, LENGTH
+from mansion_planner.brief.facts import HeightFact, Quantity
+from mansion_planner.brief.noun_phrases import Phrase
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+
+__all__ = ["Measure", "find_measures", "give_measures", "read_heights"]
+
+_FILLERS = frozenset(
+    """
+    of with ( about around at least measuring is has approximately be should covering roughly an area size sized
+    each : having = a must will exactly occupying minimum than more floor something like the region in circa ca
+    approx some apiece over for maybe nearly almost are being up to each one - – every max maximum no less not under
+    total below every
+    """.split()
+)
+_TOTALS = frozenset(
+    """
+    total overall altogether gross gfa together whole all gia net
+    """.split()
+)
+_PLATE = frozenset({"plate", "footprint"})
+
+
+@dataclass(frozen=True)
+class Measure:
+    """Areas in the text: tokens `first` to `last` (exclusive), square metres; several for a list."""
+
+    first: int
+    last: int
+    values: tuple[float, ...]
+    sides: bool = False
+
+
+def find_measures(reading: Reading) -> list[Measure]:
+    """Return all areas from left to right, and take their tokens."""
+    found: list[Measure] = []
+    index = 0
+    while index < len(reading.tokens):
+        measure = None if index in reading.taken else _measure_at(reading, index)
+        if measure is None:
+            index += 1
+            continue
+        found.append(measure)
+        reading.take(measure.first, measure.last)
+        index = measure.last
+    return found
+
+
+def _measure_at(reading: Reading, index: int) -> Measure | None:
+    if reading.kind(index) != "number" or reading.value(index) <= 0:
+        return None
+    sides = _sides_at(reading, index)
+    if sides is not None:
+        return sides
+    values, last = [reading.value(index)], index + 1
+    while reading.word(last) in (",", "and", "&", "/") or (reading.word(last) in ("–", "to", "-") and len(values) == 1):
+        ranged = reading.word(last) in ("–", "to", "-")
+        step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
+        if reading.kind(last + step) != "number":
+            break
+        values.append(reading.value(last + step))
+        last += step + 1
+        if ranged:
+            values = [sum(values) / 2]
+            break
+    if reading.kind(last) != "unit" or reading.word(last) not in AREA:
+        return None
+    if len(values) > 1 and values[0] < 5 and reading.word(index + 1) == ",":
+        return None
+    factor = AREA[reading.word(last)]
+    return Measure(index, last + 1, tuple(value * factor for value in values))
+
+
+def _sides_at(reading: Reading, index: int) -> Measure | None:
+    """Read "20 x 15 m" and "5 by 8 metres" as an area."""
+    link = index + 1 + (reading.kind(index + 1) == "unit" and reading.word(index + 1) in LENGTH)
+    if reading.word(link) not in ("x", "by") or reading.kind(link + 1) != "number":
+        return None
+    unit = reading.word(link + 2)
+    if unit not in LENGTH:
+        return None
+    area = reading.value(index) * reading.value(link + 1) * LENGTH[unit] ** 2
+    return Measure(index, link + 3, (area,), sides=True)
+
+
+def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phrase]) -> list[Phrase]:
+    """Give each area to the room, the storeys or the building that it is of; return the phrases with their areas."""
+    result = list(phrases)
+    for measure in measures:
+        target = _room_of(reading, measure, result)
+        if target is not None:
+            result[target] = replace(result[target], areas=result[target].areas + measure.values)
+            continue
+        fact = Quantity(measure.values[0], reading.span(measure.first, measure.last))
+        if _of_storey(reading, measure):
+            reading.facts.floor_area.append(fact)
+        elif not _of_part(reading, measure):
+            reading.facts.area.append(fact)
+    _settle(reading)
+    return result
+
+
+def _settle(reading: Reading) -> None:
+    """Keep the total that is called so where a brief gives two areas of the building."""
+    facts = reading.facts
+    if len(facts.area) > 1:
+        called = [q for q in facts.area if _called_total(reading, q)]
+        facts.area = (called or facts.area)[:1]
+    facts.floor_area = facts.floor_area[:1]
+
+
+def _called_total(reading: Reading, quantity: Quantity) -> bool:
+    index = next(i for i, token in enumerate(reading.tokens) if token.start >= quantity.span.start)
+    near = reading.words(max(index - 4, 0), index + 6)
+    return not _TOTALS.isdisjoint(near)
+
+
+def _after(reading: Reading, measure: Measure, count: int = 5) -> list[str]:
+    words = []
+    for index in range(measure.last, measure.last + count):
+        if reading.breaks(index) or reading.word(index) in (",", ":", "with"):
+            break
+        words.append(reading.word(index))
+    return words
+
+
+def _of_storey(reading: Reading, measure: Measure) -> bool:
+    after = _after(reading, measure)
+    before = [reading.word(i) for i in range(measure.first - 6, measure.first) if i >= 0]
+    for cut in (".", ";", "\n", ","):
+        if cut in before:
+            before = before[len(before) - before[::-1].index(cut) :]
+    if not _TOTALS.isdisjoint(after[:4]) or not _TOTALS.isdisjoint(before):
+        return "plate" in after
+    if not _PLATE.isdisjoint(after) or not _PLATE.isdisjoint(before):
+        return True
+    for word, following in zip(after, [*after[1:], ""]):
+        if word in ("per", "a", "each", "every", "/", "by") and following in FLOOR_WORDS:
+            return True
+        if word not in ("per", "a", "each", "every", "/", "apiece", "gross", "or", "so"):
+            break
+    if measure.sides:
+        return True
+    if any(word in FLOOR_WORDS for word in before) or (before and before[-1] in ("each", "level")):
+        index = measure.first - 1
+        while reading.word(index) in _FILLERS and reading.word(index) not in ("each", "floor") and index > 0:
+            index -= 1
+        apiece = bool({"each", "apiece"} & set(after[:2])) or reading.word(index) == "each"
+        index -= reading.word(index) == "each"
+        if reading.word(index) == "," and apiece:
+            index -= 1
+        if reading.word(index) in FLOOR_WORDS:
+            plural = reading.plural(index) or _many_before(reading, index)
+            linked = (
+                reading.word(index + 1)
+                in ("of", "at", "with", "(", "is", "has", "are", "each", "about", "measuring", "around")
+                or apiece
+            )
+            each = any(word in ("each", "every", "per", "all") for word in before)
+            return (plural or each or apiece) and linked
+    return False
+
+
+def _many_before(reading: Reading, index: int) -> bool:
+    return any(reading.kind(i) == "number" and reading.value(i) > 1 for i in range(index - 3, index))
+
+
+def _of_part(reading: Reading, measure: Measure) -> bool:
+    """Whether an area is of a part of the building that is no room ("45 m2 on the ground"); such areas are left."""
+    return bool(reading.facts.area) and reading.word(measure.last) in ("on", "in") and not measure.sides
+
+
+def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int | None:
+    """Return which phrase an area belongs to: the room right after it, or the one that it is said of."""
+    after = _after(reading, measure, 4)
+    if not _TOTALS.isdisjoint(after[:3]) and "each" not in after:
+        return None
+    if measure.sides and any(
+        word in ("plot", "site", "footprint", "lot") for word in reading.words(max(measure.first - 6, 0), measure.first)
+    ):
+        return None
+    for number, phrase in enumerate(phrases):
+        gap = phrase.first - measure.last
+        if (
+            (
+                phrase.head == "room"
+                and 0 <= gap <= 2
+                and all(
+                    reading.word(i) in ("of", "for", "-")
+                    or (reading.kind(i) == "word" and reading.word(i) in ("each",))
+                    for i in range(measure.last, phrase.first)
+                )
+                and (gap == 0 or reading.word(measure.last) == "of")
+            )
+            and not phrase.areas
+            and not _is_building(reading, phrase)
+        ):
+            return number
+    if any(word in ("per", "a", "/") and nxt in FLOOR_WORDS for word, nxt in itertools.pairwise(after)) and after[
+        :1
+    ] != ["each"]:
+        return None
+    before = measure.first - 1
+    comma = False
+    while (reading.word(before) in _FILLERS or (reading.word(before) == "," and not comma)) and before >= 0:
+        comma = comma or reading.word(before) == ","
+        before -= 1
+    if "total" in reading.words(before, measure.first) and "area" in reading.words(before, measure.first):
+        return None
+    candidates = [
+        n
+        for n, p in enumerate(phrases)
+        if p.noun_end <= before + 1 <= p.last and p.head in ("room", "building") and p.room_type
+    ]
+    if not candidates and reading.word(measure.first - 1) == "(":  # "the bay for three engines (180 m2)"
+        sentence = reading.sentence[measure.first]
+        candidates = [
+            n
+            for n, p in enumerate(phrases)
+            if p.head == "room"
+            and 0 <= measure.first - p.last <= 7
+            and reading.sentence[p.first] == sentence
+            and reading.word(p.last) in ("for", "of", "with")
+        ]
+    if not candidates:
+        return None
+    number = candidates[-1]
+    phrase = phrases[number]
+    if _is_building(reading, phrase) or (phrase.areas and len(measure.values) == 1):
+        return None
+    if comma and not _listed(reading, measure, phrase, after):
+        return None
+    return number
+
+
+def _is_building(reading: Reading, phrase: Phrase) -> bool:
+    return any(
+        span.start == reading.tokens[phrase.begin].start
+        or span.start <= reading.tokens[phrase.noun_end - 1].start < span.end
+        for _, span in reading.facts.building
+    )
+
+
+def _listed(reading: Reading, measure: Measure, phrase: Phrase, after: list[str]) -> bool:
+    """Whether a comma joins an area to the room before it: "rooms, 15 m2 each", "hall, 320 m2 |", an item of a list."""
+    if after[:1] and after[0] in ("each", "apiece"):
+        return True
+    if len(measure.values) > 1:
+        return True
+    alone = reading.word(measure.last) in ("|", "\n", "", ")", ";")
+    if reading.sentence[measure.first] > 0 and reading.word(phrase.last) == ",":
+        return True
+    return alone and (reading.starts(phrase.first) or reading.word(phrase.first - 1) == "|")
+
+
+def read_heights(reading: Reading) -> None:
+    """Read "ceilings 5 m high", "a ceiling height of 3.5 m", "4.5 m ceiling"."""
+    for index, token in enumerate(reading.tokens):
+        if token.text not in ("ceiling", "headroom") or index in reading.taken:
+            continue
+        for number in [*range(index + 1, index + 7), *range(index - 1, index - 5, -1)]:
+            unit = number + 1
+            if reading.kind(number) == "number" and reading.word(unit) in LENGTH and number not in reading.taken:
+                height = reading.value(number) * LENGTH[reading.word(unit)]
+                if not 1.8 <= height <= 30:
+                    break
+                first, last = min(index, number), max(index + 1, unit + 1)
+                last += reading.word(last) in ("high", "height")
+                reading.facts.heights.append(HeightFact(height, "", reading.span(first, last)))
+                reading.take(first, last)
+                break
+            if number > index and reading.breaks(number):
+                break

@@ -1,0 +1,377 @@
+"""Read which rooms are to be side by side or apart: "the kitchen next to the dining room", "away from the nursery".
+
+A relation joins the room named last before it and the rooms named right after it; pronouns stand for the room before.
+"""
+
+import itertools
+from dataclasses import dataclass
+
+from mansion_planner.brief.noun_phrases import Phrase
+from mansion_planner.brief.reading import Reading
+
+__all__ = ["Relation", "read_relations"]
+
+_TO = ("to", "onto", "into", "on", "off", "from", "with", "up")
+_BESIDE = [
+    ("next", "to"),
+    ("next", "door", "to"),
+    ("right", "next", "to"),
+    ("adjacent", "to"),
+    ("adjacent", "with"),
+    ("beside",),
+    ("besides",),
+    ("alongside",),
+    ("close", "to"),
+    ("near", "to"),
+    ("near",),
+    ("by", "the"),
+    ("adjoining",),
+    ("adjoin",),
+    ("bordering",),
+    ("border",),
+    ("abut",),
+    ("abutting",),
+    ("touch",),
+    ("touching",),
+    ("against",),
+    ("neighbouring",),
+    ("neighboring",),
+    ("behind",),
+    ("in", "front", "of"),
+    ("directly", "off"),
+    ("off", "the"),
+    ("off", "a"),
+    ("off", "it"),
+    ("share", "a", "wall", "with"),
+    ("sharing", "a", "wall", "with"),
+    ("reached", "through"),
+    ("reached", "from"),
+    ("accessed", "from"),
+    ("accessible", "from"),
+    ("entered", "from"),
+    ("visible", "from"),
+    ("in", "between"),
+    ("contiguous", "to"),
+    ("opposite",),
+    *[
+        (verb, to)
+        for verb in (
+            "open",
+            "opening",
+            "lead",
+            "leading",
+            "connected",
+            "connect",
+            "connecting",
+            "attached",
+            "linked",
+            "joined",
+            "link",
+            "belonging",
+            "communicate",
+            "communicating",
+            "direct",
+            "directly",
+            "straight",
+            "access",
+        )
+        for to in _TO
+    ],
+    *[
+        (verb, adverb, to)
+        for verb in ("open", "connected", "attached", "opening", "connect", "linked", "leading", "lead", "access")
+        for adverb in ("directly", "straight", "direct", "internally")
+        for to in _TO
+    ],
+]
+_APART = [
+    ("away", "from"),
+    ("apart", "from"),
+    ("far", "from"),
+    ("far", "away", "from"),
+    ("separated", "from"),
+    ("remote", "from"),
+    ("distance", "from"),
+    ("isolated", "from"),
+    ("as", "far", "as", "you", "can", "from"),
+]
+_MUTUAL = [
+    ("next", "to", "each", "other"),
+    ("beside", "each", "other"),
+    ("side", "by", "side"),
+    ("adjacent", "to", "each", "other"),
+    ("back", "to", "back"),
+    ("next", "to", "one", "another"),
+    ("neighbour",),
+    ("neighbor",),
+    ("adjoin",),
+    ("adjacent",),
+    ("adjoining",),
+    ("beside", "one", "another"),
+    ("connected", "to", "each", "other"),
+    ("together",),
+    ("touch",),
+    ("opening", "to", "each", "other"),
+    ("share", "a", "wall"),
+    ("connected",),
+]
+_NEGATIONS = frozenset({"not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
+_PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these"})
+
+
+@dataclass(frozen=True)
+class Relation:
+    """Rooms that are to be side by side, or apart.
+
+    Attributes
+    ----------
+    lefts, rights : tuple of int
+        Numbers of the phrases; every one on the left with some one on the right.
+    apart : bool
+    first, last : int
+        Tokens of the words of the relation.
+    """
+
+    lefts: tuple[int, ...]
+    rights: tuple[int, ...]
+    apart: bool
+    first: int
+    last: int
+
+
+def read_relations(reading: Reading, phrases: list[Phrase], excluded_phrases: set[int]) -> list[Relation]:
+    """Return the relations from left to right; the tokens of their words are taken.
+
+    Parameters
+    ----------
+    excluded_phrases : set of int
+        Phrases that are no rooms of the building (the building itself).
+    """
+    rooms = [
+        n
+        for n, phrase in enumerate(phrases)
+        if phrase.head in ("room", "building", "elevator", "stair") and n not in excluded_phrases
+    ]
+    relations: list[Relation] = []
+    index = 0
+    while index < len(reading.tokens):
+        found = _relation_at(reading, phrases, rooms, index)
+        if found is None:
+            index += 1
+            continue
+        relation, last = found
+        relations.append(relation)
+        reading.take(relation.first, relation.last)
+        index = max(last, index + 1)
+    return relations
+
+
+def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
+    if reading.word(index) == "between" and index not in reading.taken:
+        return _between(reading, phrases, rooms, index)
+    if reading.words(index, index + 3) == ("each", "leading", "into") or reading.words(index, index + 3) == (
+        "each",
+        "opening",
+        "into",
+    ):
+        before = _in_sentence(reading, phrases, rooms, index, before=True)
+        pairs = list(itertools.pairwise(before))
+        if pairs:
+            return Relation(tuple(a for a, _ in pairs), tuple(b for _, b in pairs), False, index, index + 5), index + 5
+    mutual = next((p for p in _MUTUAL if reading.words(index, index + len(p)) == p), None)
+    if mutual is not None and _closes(reading, index + len(mutual), phrases, rooms):
+        found = _mutual(reading, phrases, rooms, index, index + len(mutual))
+        if found is not None:
+            return found, index + len(mutual)
+    apart = next((p for p in _APART if reading.words(index, index + len(p)) == p), None)
+    beside = apart or max((p for p in _BESIDE if reading.words(index, index + len(p)) == p), key=len, default=None)
+    if beside is None or (index in reading.taken and reading.word(index) not in ("direct", "open")):
+        return None
+    return _directed(reading, phrases, rooms, index, index + len(beside), apart=apart is not None)
+
+
+def _closes(reading: Reading, last: int, phrases: list[Phrase], rooms: list[int]) -> bool:
+    """Whether nothing that could be the second room follows before the clause ends."""
+    return reading.breaks(last) or reading.word(last) in (",", ")", "and", "on", "in", "at", ":", "if", "to")
+
+
+def _in_sentence(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, *, before: bool) -> list[int]:
+    sentence = reading.sentence[index]
+    return [
+        n
+        for n in rooms
+        if reading.sentence[phrases[n].first] == sentence
+        and (phrases[n].last <= index if before else phrases[n].begin >= index)
+    ]
+
+
+def _negated(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> bool:
+    """Whether a negation stands before the relation, after the room on its left or before its sentence's first one."""
+    sentence = reading.sentence[index]
+    before = _in_sentence(reading, phrases, rooms, index, before=True)
+    start = index
+    while (
+        start > 0
+        and reading.sentence[start - 1] == sentence
+        and index - start < 9
+        and reading.word(start - 1) not in (",", "but", "(", ":")
+    ):
+        start -= 1
+        if reading.word(start) in _NEGATIONS - {"nor"}:
+            break
+    window = range(start, index)
+    hits = [i for i in window if reading.word(i) in _NEGATIONS]
+    if not hits:
+        return False
+    # "no lift next to the stairs" negates the lift; "must not be next to" and "neither A nor B" the relation.
+    if before and hits[-1] < phrases[before[-1]].first and reading.word(hits[-1]) in ("no", "without"):
+        return False
+    for hit in hits:
+        reading.take(hit, hit + 1)
+    return True
+
+
+def _directed(
+    reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int, *, apart: bool
+) -> tuple[Relation, int] | None:
+    rights = (
+        []
+        if reading.word(last) in _PRONOUNS or reading.word(last - 1) == "it"
+        else _right(reading, phrases, rooms, last)
+    )
+    before = _in_sentence(reading, phrases, rooms, index, before=True)
+    negated = apart or _negated(reading, phrases, rooms, index)
+    if not before and rights:  # "Next to the kitchen: the pantry", "beside the library a writing room"
+        following = [n for n in _in_sentence(reading, phrases, rooms, last, before=False) if n not in rights]
+        if following and phrases[following[0]].first - phrases[rights[-1]].last <= 6:
+            return Relation((following[0],), tuple(rights), negated, index, last), phrases[following[0]].last
+        return None
+    if not rights:
+        pronoun = next((i for i in range(last - 1, last + 2) if reading.word(i) in _PRONOUNS), None)
+        if pronoun is None:
+            return None
+        earlier = [n for n in rooms if phrases[n].last <= index]
+        if (
+            before and reading.word(pronoun + 1) == "," and reading.word(index - 1) in (",", "and")
+        ):  # "a preparation room and, adjoining it, the cold room"
+            after = [
+                n for n in _in_sentence(reading, phrases, rooms, last, before=False) if phrases[n].first - pronoun <= 3
+            ]
+            if after:
+                return Relation((after[0],), (before[-1],), negated, index, last), last
+        following = _in_sentence(reading, phrases, rooms, last, before=False)
+        if following and earlier and (not before or reading.starts(index)):
+            return Relation((following[0],), (_subject(reading, phrases, rooms, index),), negated, index, last), last
+        lefts = _lefts(reading, phrases, before, index)
+        others = [n for n in earlier if n < min(lefts, default=0)]
+        if lefts and others:
+            return Relation(tuple(lefts), (_referent(reading, phrases, others, lefts),), negated, index, last), last
+        return None
+    lefts = _lefts(reading, phrases, before, index)
+    if lefts and not negated and _inverted(reading, phrases, before, index):
+        following = [n for n in _in_sentence(reading, phrases, rooms, last, before=False) if n not in rights]
+        if (
+            following
+            and phrases[following[0]].first - phrases[rights[-1]].last <= 4
+            and not _joint(reading, phrases, rights[-1], following[0])
+        ):
+            lefts = [following[0]]
+    return (Relation(tuple(lefts), tuple(rights), negated, index, last), last) if lefts else None
+
+
+def _referent(reading: Reading, phrases: list[Phrase], others: list[int], lefts: list[int]) -> int:
+    """Return which room "it" is: the one that has the room on the left ("a hall with a shoe room in front of it")."""
+    sentence = reading.sentence[phrases[lefts[0]].first]
+    for number in reversed(others):
+        if reading.sentence[phrases[number].first] != sentence:
+            break
+        following = phrases[number + 1].first if number + 1 < len(phrases) else len(reading.tokens)
+        if "with" in reading.words(phrases[number].last, min(following, phrases[number].last + 6)):
+            return number
+    return others[-1]
+
+
+def _inverted(reading: Reading, phrases: list[Phrase], before: list[int], index: int) -> bool:
+    """Whether the relation opens its clause: ", and next to the kitchen the pantry"."""
+    return reading.word(index - 1) in (",", "and") and phrases[before[-1]].last < index
+
+
+def _joint(reading: Reading, phrases: list[Phrase], one: int, other: int) -> bool:
+    return any(word in ("and", ",", "or") for word in reading.words(phrases[one].last, phrases[other].first))
+
+
+def _subject(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> int:
+    return next(n for n in reversed(rooms) if phrases[n].last <= index)
+
+
+def _lefts(reading: Reading, phrases: list[Phrase], before: list[int], index: int) -> list[int]:
+    """Return the rooms on the left: the last one, and those joined to it by "and" where the verb is of several."""
+    if not before:
+        return []
+    lefts = [before[-1]]
+    for number in reversed(before[:-1]):
+        between = reading.words(phrases[number].last, phrases[lefts[-1]].first)
+        if "nor" in between or ("or" in between and "," not in between):
+            lefts.append(number)
+            continue
+        break
+    return lefts[::-1]
+
+
+def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int) -> list[int]:
+    """Return the rooms right after a relation: one, and those joined to it by "and the"."""
+    following = list(_in_sentence(reading, phrases, rooms, last, before=False)) if last < len(reading.tokens) else []
+    if not following or phrases[following[0]].begin - last > 5:
+        return []
+    if reading.breaks(last - 1) or any(
+        word in (",", ":", ")") for word in reading.words(last, phrases[following[0]].first)
+    ):
+        return []
+    rights = [following[0]]
+    if len(following) > 1 and reading.words(phrases[rights[0]].last, phrases[following[1]].first) in (
+        ("and", "the"),
+        ("and", "to", "the"),
+    ):
+        definite = phrases[rights[0]].determiner in ("the", "both")
+        if definite and (
+            reading.breaks(phrases[following[1]].last) or reading.word(phrases[following[1]].last) in (",", ")")
+        ):
+            rights.append(following[1])
+    return rights
+
+
+def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
+    following = _in_sentence(reading, phrases, rooms, index, before=False)[:2]
+    before = _in_sentence(reading, phrases, rooms, index, before=True)
+    if not following or not before or (reading.kind(index + 1) == "number" and not phrases[following[0]].plural):
+        return None
+    if len(following) > 1 and "and" not in reading.words(phrases[following[0]].last, phrases[following[1]].first):
+        following = following[:1]
+    if phrases[following[0]].first - index > 4:
+        return None
+    lefts = (before[-1],)
+    if len(following) == 1 and not phrases[following[0]].plural:
+        return None
+    # One room between two: both are its neighbours, so each is a pair of its own.
+    return Relation(lefts * len(following), tuple(following), False, index, index + 1), phrases[following[-1]].last
+
+
+def _mutual(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int) -> Relation | None:
+    before = _in_sentence(reading, phrases, rooms, index, before=True)
+    if not before:
+        return None
+    pair = before[-2:]
+    if len(pair) == 1:
+        if not phrases[pair[0]].plural and phrases[pair[0]].count in (1, None):
+            return None
+        pair = pair * 2
+    elif (
+        phrases[pair[-1]].counted
+        and (phrases[pair[-1]].count or 0) > 1
+        and phrases[pair[-1]].determiner in ("the", "both", "these")
+    ):
+        pair = [pair[-1]] * 2
+    elif not set(reading.words(phrases[pair[0]].last, phrases[pair[1]].first)) & {"and", "with", "or", "plus", "&"}:
+        return None
+    negated = _negated(reading, phrases, rooms, index)
+    return Relation((pair[0],), (pair[1],), negated, index, last)

@@ -1,0 +1,805 @@
+"""Read which storeys a brief speaks of, and how many there are to be.
+
+A storey is named absolutely ("the third floor", "L3", "levels 2 to 6"), from above ("the top floor", "two below the
+top"), as a set ("every floor", "all but the last") or from the storey named before ("the seven storeys above").
+"""
+
+import itertools
+from dataclasses import dataclass, replace
+
+from mansion_planner.brief.facts import FloorRef, Quantity
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+
+__all__ = ["Place", "read_storeys"]
+
+_PREPOSITIONS = frozenset(
+    """
+    on in at to across throughout occupying for over from under
+    """.split()
+)
+_STREET = frozenset(
+    """
+    ground street entrance entry garden courtyard water lobby arrival bottom lowest lower public shop pavement
+    """.split()
+)
+_TOPS = frozenset({"top", "uppermost", "topmost", "highest", "last", "final"})
+_NEGATIONS = frozenset({"no", "without", "not", "neither", "nor", "never"})
+_DEFINITE = frozenset(
+    """
+    the these those both all other remaining top upper first last bottom lower lowest uppermost middle following
+    next every each
+    """.split()
+)
+_ADJECTIVES = frozenset(
+    """
+    full whole habitable residential office guest typical additional more storied underground basement parking
+    subterranean identical main equal different separate small large big classroom hotel retail working usable
+    living successive consecutive more
+    """.split()
+)
+_BELOW = frozenset({"underground", "basement", "subterranean", "below"})
+_CLOSERS = frozenset({"", ".", ",", ";", ":", "\n", ")", "!", "?", "=", "-"})
+_COPULAS = frozenset(
+    """
+    is are be has have hold contain house carry belong will stay
+    """.split()
+)
+
+
+@dataclass(frozen=True)
+class Place:
+    """A reference to storeys: tokens `first` to `last` (exclusive).
+
+    Attributes
+    ----------
+    refs : tuple of FloorRef
+    led : bool
+        A preposition leads it ("on the top floor"), so it may belong to what stands before it.
+    heading : bool
+        It stands alone before a colon or a line break: all that follows belongs to it.
+    """
+
+    first: int
+    last: int
+    refs: tuple[FloorRef, ...]
+    led: bool
+    heading: bool = False
+
+
+def read_storeys(reading: Reading) -> list[Place]:
+    """Record the numbers of storeys and basements; return the references to storeys from left to right."""
+    scanner = _Scanner(reading)
+    scanner.scan()
+    _settle_counts(reading)
+    return [_with_edges(reading, place) for place in scanner.places]
+
+
+def _with_edges(reading: Reading, place: Place) -> Place:
+    first = place.first
+    while (
+        reading.word(first - 1) in ("the", "its", "our", "very", "that", "a", "this") and first - 1 not in reading.taken
+    ):
+        first -= 1
+    led = reading.word(first - 1) in _PREPOSITIONS and first - 1 not in reading.taken
+    if led:
+        first -= 1
+    last = place.last
+    if reading.word(last) == "(" and reading.word(last + 2) == ")" and reading.kind(last + 1) == "word":
+        last += 3
+    heading = reading.word(last) in (":", "=") or (reading.starts(first) and reading.word(last) in ("\n", "-"))
+    reading.take(first, last)
+    each = place.refs[0].kind == "every" and reading.kind(place.first - 1) in ("word", "number")
+    return replace(place, first=first, last=last, led=led or each, heading=heading)
+
+
+class _Scanner:
+    """Goes over the tokens once; knows the storey named last, which others are told from."""
+
+    def __init__(self, reading: Reading) -> None:
+        self.reading = reading
+        self.places: list[Place] = []
+        self.british = _counts_from_ground(reading)
+        self.previous: FloorRef | None = None
+        texts = [token.text for token in reading.tokens]
+        self.has_floors = not FLOOR_WORDS.isdisjoint(texts) or "ground" in texts or "upstairs" in texts
+        self.numbered_headings = sum(
+            reading.kind(i) == "number" and reading.word(i + 1) == ":" and reading.starts(i) for i in range(len(texts))
+        )
+
+    def scan(self) -> None:
+        """Find all counts and references."""
+        index, end = 0, len(self.reading.tokens)
+        while index < end:
+            if index in self.reading.taken:
+                index += 1
+                continue
+            last = self._unwanted_basement(index) or self._count(index)
+            if last > index:
+                self.reading.take(index, last)
+                index = last
+                continue
+            refs, last = self._reference(index)
+            if refs:
+                self.places.append(Place(index, last, refs, led=False))
+                self.reading.take(index, last)
+                self.previous = refs[-1]
+                index = last
+                continue
+            index += 1
+
+    def _unwanted_basement(self, index: int) -> int:
+        """Read "no garage or basement" and "a cellar is not needed"; return where it ends, or 0."""
+        reading = self.reading
+        if reading.word(index) not in ("basement", "cellar") or reading.word(index + 1) in ("room", "store"):
+            return 0
+        before = index - 1
+        while before > index - 8 and reading.word(before) not in _NEGATIONS:
+            if (
+                reading.breaks(before)
+                or reading.word(before) in ("but", "with", ":")
+                or reading.kind(before) == "number"
+            ):
+                before = index - 8
+            before -= 1
+        last = index + 1
+        last += reading.word(last) in ("is", "level", "floor")
+        after = reading.words(last, last + 2) in (
+            ("not", "needed"),
+            ("not", "wanted"),
+            ("not", "required"),
+            ("not", "necessary"),
+        )
+        if before <= index - 8 and not after:
+            return 0
+        first = before if before > index - 8 else index
+        last = last + 2 if after else index + 1
+        reading.facts.excluded.append(("basement", reading.span(first, last)))
+        return last
+
+    # Counts ---------------------------------------------------------------------------------------------------------
+
+    def _count(self, index: int) -> int:
+        """Read a number of storeys at `index`; return where it ends, or `index`."""
+        reading = self.reading
+        for read in (
+            self._labelled_count,
+            self._ground_and_more,
+            self._everything_on_one,
+            self._plain_count,
+            self._basement_count,
+        ):
+            last = read(index)
+            if last > index:
+                return last
+        word = reading.word(index)
+        if (
+            word in ("nothing", "none")
+            and reading.words(index + 1, index + 3) in (("above", "that"), ("over", "it"), ("above", "it"))
+            and self.previous is not None
+            and self.previous.kind in ("number", "range")
+        ):
+            self._state(self.previous.last, index, index + 3)
+            return index + 3
+        return index
+
+    def _state(self, value: float, first: int, last: int, *, below: bool = False) -> None:
+        facts = self.reading.facts
+        (facts.basements if below else facts.floors).append(Quantity(float(value), self.reading.span(first, last)))
+
+    def _labelled_count(self, index: int) -> int:
+        """Read "floors: 3", "Storeys = 3", "number of floors: 3", "basement: none"."""
+        reading = self.reading
+        if reading.word(index) in FLOOR_WORDS | {"basement"} and reading.word(index + 1) in (":", "="):
+            below = reading.word(index) == "basement"
+            if reading.kind(index + 2) == "number" and reading.word(index + 3) in _CLOSERS | {"and"}:
+                self._state(reading.value(index + 2), index, index + 3, below=below)
+                return index + 3
+            if below and reading.word(index + 2) in ("no", "none", "without"):
+                reading.facts.excluded.append(("basement", reading.span(index, index + 3)))
+                return index + 3
+        return index
+
+    def _ground_and_more(self, index: int) -> int:
+        """Read "G+3", "ground plus two", "street level and one upper floor"."""
+        reading = self.reading
+        word, last = reading.word(index), index + 1
+        if word not in ("g", "ground", "street", "entrance"):
+            return index
+        last += reading.word(last) in FLOOR_WORDS
+        if reading.word(last) not in ("+", "plus", "and") or reading.kind(last + 1) != "number":
+            return index
+        joint, value = reading.word(last), int(reading.value(last + 1))
+        last += 2
+        storeyed = False
+        while (
+            reading.word(last) in ("upper", "more", "further", "additional", "other")
+            or reading.word(last) in FLOOR_WORDS
+        ):
+            storeyed = storeyed or reading.word(last) in FLOOR_WORDS
+            last += 1
+        if joint == "and" and not storeyed:
+            return index
+        if joint == "plus" and not storeyed and reading.word(last) not in _CLOSERS | {"with", "and", "in"}:
+            return index
+        self._state(value + 1, index, last)
+        return last
+
+    def _everything_on_one(self, index: int) -> int:
+        """Read "everything on one level", "all at grade", "ground floor only", "no other floors"."""
+        reading = self.reading
+        word = reading.word(index)
+        if (
+            word == "no"
+            and reading.word(index + 1) in ("other", "upper", "further")
+            and reading.word(index + 2) in FLOOR_WORDS
+        ):
+            self._state(1, index, index + 3)
+            return index + 3
+        if (
+            word in ("ground", "street")
+            and reading.word(index + 1) in FLOOR_WORDS
+            and reading.word(index + 2) in ("only", "alone")
+        ):
+            self._state(1, index, index + 3)
+            return index + 3
+        if word not in ("everything", "all", "wholly", "entirely") or reading.word(index + 1) not in ("on", "at", "in"):
+            return index
+        last = index + 2
+        last += reading.word(last) in ("the", "a")
+        grade = reading.word(last) == "grade"
+        ground = reading.word(last) == "ground" and (
+            reading.word(last + 1) in _CLOSERS or reading.word(last + 1) in ("floor", "level")
+        )
+        one = reading.kind(last) == "number" and reading.value(last) == 1 and reading.word(last + 1) in FLOOR_WORDS
+        if not (grade or ground or one):
+            return index
+        last += 1 + (reading.word(last + 1) in FLOOR_WORDS)
+        self._state(1, index, last)
+        return last
+
+    def _plain_count(self, index: int) -> int:
+        """Read "four storeys", "3-storey", "between two and three floors", "two more floors below ground"."""
+        reading = self.reading
+        if (
+            reading.words(index, index + 1) == ("tree",)
+            and reading.word(index + 1) in FLOOR_WORDS
+            and reading.plural(index + 1)
+        ):
+            self._state(3, index, index + 2)  # the commonest misspelling of "three"
+            return index + 2
+        if reading.kind(index) != "number" or (
+            reading.word(index - 1) in FLOOR_WORDS and reading.word(index - 1) != "story"
+        ):
+            return index
+        value, last = reading.value(index), index + 1
+        ranged = reading.word(last) in ("and", "to", "or", "–", "-") and reading.kind(last + 1) == "number"
+        if ranged and reading.word(last + 2) in FLOOR_WORDS and value < reading.value(last + 1) <= value + 3:
+            value, last = float(int((value + reading.value(last + 1)) / 2)), last + 2
+        if reading.word(last) in ("of", "or") and reading.word(last + 1) in ("those", "these", "the"):
+            return index
+        adjectives: list[str] = []
+        while reading.word(last) in _ADJECTIVES | {"upper"} and len(adjectives) < 2:
+            adjectives.append(reading.word(last))
+            last += 1
+        if reading.word(last) not in FLOOR_WORDS or value != int(value) or not 0 < value < 10_000:
+            return index
+        if reading.word(index - 1) in _DEFINITE and not (
+            reading.word(index - 1) == "all" and value > 1 and not self.places
+        ):
+            return index
+        last += 1
+        last += reading.word(last) in ("high", "height", "tall")
+        above = reading.word(last) in ("over", "above") and reading.word(last + 1) in ("it", "that", "them", "this")
+        ground = reading.word(last) in ("over", "above") and reading.words(last + 1, last + 3) in (
+            ("the", "street"),
+            ("the", "ground"),
+            ("ground", "level"),
+        )
+        if ground or (reading.word(last) == "above" and reading.word(last + 1) in ("ground", "grade")):
+            self._state(value, index, last)
+            return last
+        if above and self.previous is None and not reading.facts.floors:
+            self._state(value + 1, index, last + 2)
+            low = 2
+            self.places.append(
+                Place(
+                    index,
+                    last + 2,
+                    (FloorRef("range", low, low + int(value) - 1, reading.span(index, last + 2)),),
+                    False,
+                )
+            )
+            return last + 2
+        below = bool(_BELOW & set(adjectives)) or (
+            reading.word(last) in ("below", "underground", "under")
+            and reading.word(last + 1) in ("ground", "grade", *_CLOSERS)
+        )
+        if below:
+            last += reading.word(last) in ("below", "underground", "under")
+            last += reading.word(last) in ("ground", "grade")
+            self._state(value, index, last, below=True)
+            return last
+        if "upper" in adjectives or "additional" in adjectives or "more" in adjectives:
+            value += 1
+        if reading.word(last) == "of" and self._storeys_of_a_use(last):
+            return index
+        self._state(value, index, last)
+        return last
+
+    def _storeys_of_a_use(self, last: int) -> bool:
+        """Whether "of" leads on to a use of the storeys ("three floors of apartments"), not to their size."""
+        mention = next((self.reading.mention_at[i] for i in (last + 1, last + 2) if i in self.reading.mention_at), None)
+        return mention is not None and (mention.plural or bool(mention.building))
+
+    def _basement_count(self, index: int) -> int:
+        reading = self.reading
+        if (
+            reading.word(index) not in ("over", "above", "on", "with")
+            or reading.word(index + 2) not in ("basement", "cellar")
+        ) and not (
+            reading.words(index, index + 2) in (("and", "a"), ("plus", "a"), ("with", "cellar"), ("with", "basement"))
+            and (reading.word(index + 2) in ("basement", "cellar") or reading.word(index + 1) in ("basement", "cellar"))
+        ):
+            if (
+                reading.word(index) in ("over", "above")
+                and reading.word(index + 3) in ("basement", "cellar")
+                and reading.word(index + 1) == "a"
+            ):
+                self._state(1, index, index + 4, below=True)
+                if reading.word(index + 4) == "with":
+                    ref = FloorRef("basement", span=reading.span(index + 3, index + 4))
+                    self.places.append(Place(index + 3, index + 4, (ref,), led=False))
+                return index + 4
+            return index
+        last = index + (2 if reading.word(index + 1) in ("basement", "cellar") else 3)
+        if reading.word(index) in ("on", "above") and reading.word(index + 1) == "the":
+            return index
+        if reading.word(last) in ("level", "floor", "storey"):
+            last += 1
+        if reading.word(index + 1) in ("the", "each", "no"):
+            return index
+        self._state(1, index, last, below=True)
+        if reading.word(last) == "with":
+            ref = FloorRef("basement", span=reading.span(last - 1, last))
+            self.places.append(Place(last - 1, last, (ref,), led=False))
+        return last
+
+    # References -----------------------------------------------------------------------------------------------------
+
+    def _reference(self, index: int) -> tuple[tuple[FloorRef, ...], int]:
+        """Read a reference at `index`: what it means, and where it ends."""
+        for read in (
+            self._level,
+            self._basement,
+            self._counted_set,
+            self._relative,
+            self._ground,
+            self._top,
+            self._upper,
+            self._set,
+            self._numbered,
+            self._ordinal,
+            self._number_heading,
+        ):
+            found = read(index)
+            if found is not None:
+                refs, last = found
+                span = self.reading.span(index, last)
+                return tuple(replace(ref, span=span) for ref in refs), last
+        return (), index
+
+    def _level(self, index: int) -> tuple[list[FloorRef], int] | None:
+        reading = self.reading
+        if reading.kind(index) != "level":
+            return None
+        numbers, last = [int(reading.value(index))], index + 1
+        while reading.word(last) in ("to", "–", "-", ",", "and", "&", "+", "through"):
+            step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
+            value = int(reading.value(last + step))
+            if reading.kind(last + step) != "level" and not (
+                reading.word(last) in ("–", "to") and reading.kind(last + step) == "number"
+            ):
+                break
+            if reading.word(last) in ("to", "–", "-", "through"):
+                return [FloorRef("range", min(numbers[-1], value), max(numbers[-1], value))], last + step + 1
+            numbers.append(value)
+            last += step + 1
+        return [FloorRef("number", n, n) for n in numbers], last
+
+    def _basement(self, index: int) -> tuple[list[FloorRef], int] | None:
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        mention = reading.mention_at.get(index)
+        if (word in ("below", "under") and following in ("ground", "grade")) or (
+            word == "under" and following == "the" and reading.word(index + 2) == "ground"
+        ):
+            return [FloorRef("basement")], index + (2 if following != "the" else 3)
+        if word not in ("basement", "cellar", "underground", "souterrain", "subterranean", "b1") or following == "car":
+            return None
+        last = index + 2 if following in FLOOR_WORDS else index + 1
+        if mention is not None and mention.last > last:
+            return None
+        if reading.word(index - 1) in ("wine", "beer", "root", "coal", "finished"):
+            return None
+        if word in ("underground", "subterranean") and following not in FLOOR_WORDS:
+            return None
+        return [FloorRef("basement")], last
+
+    def _counted_set(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "top two floors", "first 3 floors", "the seven storeys above", "the other four levels"."""
+        reading = self.reading
+        word = reading.word(index)
+        lead = word if word in _DEFINITE - {"the", "these", "those", "both", "all"} else ""
+        at = index + bool(lead)
+        while reading.word(at) in ("upper", "top", "other", "first") and not lead:
+            lead, at = reading.word(at), at + 1
+        if reading.kind(at) != "number" or reading.tokens[at].value > 200:
+            return None
+        many, last = int(reading.value(at)), at + 1
+        after = ""
+        while reading.word(last) in _ADJECTIVES | {"upper", "lower", "top", "middle", "other"}:
+            after, last = reading.word(last), last + 1
+        if reading.word(last) not in FLOOR_WORDS:
+            return None
+        last += 1
+        lead = lead or (after if after in ("upper", "lower", "top", "other", "middle") else "")
+        definite = bool(lead) or reading.word(index - 1) in ("the", "these", "those", "other", "all", "both")
+        if not definite:
+            return None
+        trailing = reading.word(last)
+        relative = trailing in ("above", "over", "after", "higher", "up", "following", "upstairs", "on")
+        if (
+            relative
+            and trailing in ("over", "after", "above", "on")
+            and reading.word(last + 1) in ("it", "that", "them", "this", "top", "these")
+        ):
+            last += 1
+        if relative and lead not in ("top", "first", "last", "upper"):
+            last += 1
+            base = self.previous.last if self.previous is not None and self.previous.kind in ("number", "range") else 1
+            return [FloorRef("range", base + 1, base + many)], last
+        if lead in ("top", "last", "upper", "uppermost"):
+            return [FloorRef("top", many, many)], last
+        if lead in ("first", "bottom", "lower", "lowest"):
+            return [FloorRef("range", 1, many)], last
+        if lead in ("other", "remaining"):
+            return [FloorRef("upper", many)], last
+        if lead in ("following", "next"):
+            base = self.previous.last if self.previous is not None else 1
+            return [FloorRef("range", base + 1, base + many)], last
+        if lead == "middle":
+            return [FloorRef("middle")], last
+        if reading.word(index - 1) in ("these", "those") and self.previous is not None:
+            return list(self.places[-1].refs if self.places else (self.previous,)), last
+        return [FloorRef("every")], last
+
+    def _relative(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "one flight up", "next storey up", "the floor above", "the one below", "two below the top"."""
+        reading = self.reading
+        word = reading.word(index)
+        if word == "penultimate" or reading.words(index, index + 3) == ("second", "to", "last"):
+            last = index + (1 if word == "penultimate" else 3)
+            return [FloorRef("below_top", 1)], last + (reading.word(last) in FLOOR_WORDS)
+        if reading.kind(index) == "number" and reading.words(index + 1, index + 4) == ("below", "the", "top"):
+            return [FloorRef("below_top", int(reading.value(index)))], index + 4
+        base = self.previous
+        if base is None or base.kind not in ("number", "range", "top", "below_top"):
+            base = FloorRef("number", 1, 1)
+        if reading.words(index, index + 3) == ("one", "flight", "up"):
+            return [FloorRef("number", 2, 2)], index + 3
+        if (
+            word in ("next",)
+            and reading.word(index + 1) in FLOOR_WORDS
+            and reading.word(index + 2) in ("up", *_CLOSERS, "above")
+        ):
+            return [FloorRef("number", base.last + 1, base.last + 1)], index + 2 + (
+                reading.word(index + 2) in ("up", "above")
+            )
+        if (
+            word in FLOOR_WORDS | {"one"}
+            and reading.word(index - 1) == "the"
+            and reading.word(index + 1) in ("above", "over", "below", "under", "beneath")
+        ):
+            up = reading.word(index + 1) in ("above", "over")
+            last = index + 2 + (reading.word(index + 2) in ("it", "that", "this"))
+            if word == "one" and self.previous is None:
+                return None
+            if base.kind in ("top", "below_top") and not up:
+                return [FloorRef("below_top", base.first + 1 if base.kind == "below_top" else 1)], last
+            return [FloorRef("number", base.last + (1 if up else -1), base.last + (1 if up else -1))], last
+        return None
+
+    def _ground(self, index: int) -> tuple[list[FloorRef], int] | None:
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        ground = [FloorRef("number", 1, 1)]
+        if word in _STREET and following in FLOOR_WORDS and not reading.plural(index + 1):
+            return ground, index + 2
+        if reading.words(index, index + 4) == ("level", "of", "the", "street"):
+            return ground, index + 4
+        if word == "lower" and following in (":", ",") and reading.word(index - 1) == "the":
+            return ground, index + 1
+        if word in ("downstair", "downstairs"):
+            return ground, index + 1
+        if word == "at" and following == "grade":
+            return ground, index + 2
+        if (
+            word == "ground"
+            and (following in _CLOSERS or following in ("and", "there", "has", "is"))
+            and (reading.word(index - 1) in ("the", "on", "at") or reading.starts(index))
+        ):
+            return ground, index + 1
+        if (
+            word == "bottom"
+            and following in _CLOSERS | _COPULAS | {"with", "and"}
+            and reading.word(index - 1) in ("the", "at", "from")
+        ):
+            return None if reading.word(index - 2) == "from" else (ground, index + 1)
+        if word == "bottom" and following == ":":
+            return ground, index + 1
+        if word == "below" and (
+            (reading.starts(index) and following in (":", "is", "are", "there", ",", "the"))
+            or (following in _CLOSERS and self._is_storeyed_adverb(index))
+        ):
+            return ground, index + 1
+        if (
+            word == "down"
+            and self.has_floors
+            and following in _CLOSERS
+            and reading.word(index - 1) in ("stay", "is", "are", "go")
+        ):
+            return ground, index + 1
+        return None
+
+    def _is_storeyed_adverb(self, index: int) -> bool:
+        """Whether a final "above" or "below" is an adverb of place: its opposite stands in the brief too."""
+        texts = {token.text for token in self.reading.tokens}
+        return {"above", "below"} <= texts or {"upstairs", "below"} <= texts
+
+    def _top(self, index: int) -> tuple[list[FloorRef], int] | None:
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        if word in _TOPS and following in FLOOR_WORDS and not reading.plural(index + 1):
+            return [FloorRef("top")], index + 2
+        if word in ("rooftop", "roof") and following in FLOOR_WORDS:
+            return [FloorRef("top")], index + 2
+        if word == "roof" and reading.words(index - 2, index) == ("under", "the") and following not in FLOOR_WORDS:
+            # "under the roof on the third": the storey that is named counts.
+            return [FloorRef("top")], index + 1
+        if (
+            word in ("rooftop", "roof")
+            and following not in ("terrace", "garden", "bar", "deck")
+            and (
+                index not in reading.mention_at
+                and reading.word(index - 1) in ("the", "on")
+                and reading.word(index - 2) in ("on", "")
+            )
+        ):
+            return [FloorRef("top")], index + 1
+        led = reading.word(index - 1) in ("the", "on", "very", "at") or reading.starts(index)
+        if (
+            word in ("top", "topp")
+            and led
+            and (following in _CLOSERS | _COPULAS | {"with", "and", "there", "nothing", "only", "two", "one"})
+        ):
+            return [FloorRef("top")], index + 1
+        if word in ("attic", "loft") and following == ":":
+            return [FloorRef("top")], index + 1
+        return None
+
+    def _upper(self, index: int) -> tuple[list[FloorRef], int] | None:
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        upper = [FloorRef("upper")]
+        if word in ("upstair", "upstairs"):
+            return upper, index + 1
+        if word == "upper" and following in (":", ",") and reading.word(index - 1) == "the":
+            return upper, index + 1
+        if word in ("upper", "higher", "other") and following in FLOOR_WORDS:
+            return upper, index + 2
+        if word in ("lower",) and following in FLOOR_WORDS and reading.plural(index + 1):
+            return [FloorRef("lower")], index + 2
+        if word == "higher" and following == "up":
+            return upper, index + 2
+        if word == "above" and (
+            (reading.starts(index) and following in (":", ",", "are", "is", "there"))
+            or (
+                following in _CLOSERS | {"with"} and (self._is_storeyed_adverb(index) or reading.word(index - 1) == ",")
+            )
+        ):
+            return upper, index + 1
+        if word == "up" and reading.starts(index) and following == ":":
+            return upper, index + 1
+        if word == "middle" and following in FLOOR_WORDS:
+            return [FloorRef("middle")], index + 2
+        if (
+            word == "middle"
+            and reading.words(index - 2, index) == ("in", "the")
+            and following in _CLOSERS | {"with"}
+            and self.has_floors
+        ):
+            return [FloorRef("middle")], index + 1
+        return None
+
+    def _set(self, index: int) -> tuple[list[FloorRef], int] | None:
+        reading = self.reading
+        word, last = reading.word(index), index + 1
+        if word in ("odd", "even") and reading.word(last) in FLOOR_WORDS | {"numbered"}:
+            return [FloorRef("odd" if word == "odd" else "even")], last + 1 + (reading.word(last) == "numbered")
+        if (
+            word in ("both", "each", "all")
+            and reading.word(last) in _CLOSERS
+            and reading.word(index - 1) == "on"
+            and self.has_floors
+        ):
+            return [FloorRef("every")], last
+        if word == "typical" and reading.word(last) in FLOOR_WORDS:
+            numbered = self._numbered(last)
+            return numbered if numbered is not None else ([FloorRef("middle")], last + 1)
+        if word == "per" and reading.kind(index - 1) == "unit":
+            return None
+        if word not in ("every", "each", "all", "per", "both", "any", "either", "whole"):
+            return None
+        if reading.word(last) == "of":
+            last += 1 + (reading.word(last + 1) in ("the", "its", "our", "these", "those"))
+        last += reading.word(last) in ("the", "our", "single", "one")
+        last += reading.kind(last) == "number"
+        upper = reading.word(last) in ("upper", "other", "guest", "remaining")
+        last += upper or reading.word(last) in ("residential", "office", "typical")
+        if reading.word(last) not in FLOOR_WORDS:
+            return None
+        last += 1
+        if reading.word(last) in ("except", "without", "but", "save") or reading.words(last, last + 2) == (
+            "other",
+            "than",
+        ):
+            at = last + 1 + (reading.word(last) == "other")
+            at += reading.word(at) in ("for", "on")
+            at += reading.word(at) == "the"
+            if reading.word(at) in _TOPS:
+                at += 1 + (reading.word(at + 1) in FLOOR_WORDS | {"one"})
+                return [FloorRef("not_top")], at
+            if reading.word(at) in ("ground", "first"):
+                return [FloorRef("upper")], at + 1 + (reading.word(at + 1) in FLOOR_WORDS | {"one"})
+        return [FloorRef("upper" if upper else "every")], last
+
+    def _number(self, index: int, kind: str) -> int | None:
+        reading = self.reading
+        if reading.kind(index) != kind or index in reading.taken or reading.tokens[index].soft:
+            return None
+        value = reading.value(index)
+        return int(value) if value == int(value) and abs(value) <= 1000 else None
+
+    def _numbered(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "floor 3", "floors 3 to 8", "levels 2 and 3", "floors 2, 3 and 5"."""
+        reading = self.reading
+        if reading.word(index) not in FLOOR_WORDS or reading.word(index) == "storie":
+            return None
+        first = self._number(index + 1, "number")
+        if first is None or reading.kind(index + 2) == "unit" or reading.word(index + 2) in ("people", "person"):
+            return None
+        last = index + 2
+        link, second = reading.word(last), self._number(last + 1, "number")
+        if link in ("to", "through", "until", "–", "-", "thru") and second is not None:
+            return [FloorRef("range", min(first, second), max(first, second))], last + 2
+        if reading.kind(last) == "word" and not reading.plural(index) and reading.plural(last):
+            return None  # "level 2 bedrooms" has no plural room of one level: the number counts the rooms
+        numbers = [first]
+        while reading.word(last) in (",", "and", "&"):
+            step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
+            more = self._number(last + step, "number")
+            if more is None or not reading.plural(index) or more <= numbers[-1]:
+                break
+            if reading.kind(last + step + 1) == "unit" or reading.plural(last + step + 1):
+                break
+            numbers.append(more)
+            last += step + 1
+        return [FloorRef("number", number, number) for number in numbers], last
+
+    def _ordinal(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "third floor", "second and third floors", "third to eighth floors", "second:", "on the second"."""
+        reading = self.reading
+        number = self._number(index, "ordinal")
+        if number is None:
+            return None
+        numbers, last, ranged = [number], index + 1, False
+        while reading.word(last) in ("and", ",", "&", "to", "through", "–", "floor", "-"):
+            link = reading.word(last)
+            if link == "floor" and reading.word(last + 1) not in ("to", "through", "–"):
+                break
+            step = 2 if link == "floor" or (link == "," and reading.word(last + 1) == "and") else 1
+            step += reading.word(last + step) == "the"
+            more = self._number(last + step, "ordinal")
+            if more is None:
+                break
+            ranged = ranged or link in ("to", "through", "–", "floor", "-")
+            numbers.append(more)
+            last += step + 1
+        following = reading.word(last)
+        if following in FLOOR_WORDS:
+            last += 1
+            if reading.words(last, last + 3) == ("from", "the", "top"):
+                return [FloorRef("below_top", number - 1)], last + 3
+        elif not self._bare_ordinal(index, last):
+            return None
+        shift = int(self.british)
+        numbers = [value + shift for value in numbers]
+        if ranged and len(numbers) == 2:
+            return [FloorRef("range", min(numbers), max(numbers))], last
+        return [FloorRef("number", value, value) for value in numbers], last
+
+    def _bare_ordinal(self, index: int, last: int) -> bool:
+        """Whether an ordinal without "floor" means one: a heading, or the end of "on the second"."""
+        reading = self.reading
+        following = reading.word(last)
+        if not self.has_floors and not self.places:
+            return False
+        if reading.starts(index):
+            return following in (":", "\n", "(", "=", "-") or (following == "is" and reading.word(index - 1) == "the")
+        if reading.word(index - 1) != "the":
+            return False
+        if reading.word(index - 2) in ("on", "to", "and", "in", "at") or reading.starts(index - 1):
+            led = reading.word(index - 2) in ("on", "to", "and", "in", "at")
+            return (following in _CLOSERS | {"and", "with", "is", "has", "are"}) or (
+                led and reading.word(index - 2) == "on"
+            )
+        return False
+
+    def _number_heading(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "1: lobby", "4, 5 and 6: wards" where such headings number the storeys."""
+        reading = self.reading
+        if self.numbered_headings < 2 or reading.kind(index) != "number" or not reading.starts(index):
+            return None
+        numbers, last = [int(reading.value(index))], index + 1
+        while reading.word(last) in (",", "and", "&", "–", "to"):
+            if reading.kind(last + 1) != "number":
+                return None
+            if reading.word(last) in ("–", "to"):
+                numbers += range(numbers[-1] + 1, int(reading.value(last + 1)) + 1)
+            else:
+                numbers.append(int(reading.value(last + 1)))
+            last += 2
+        if reading.word(last) != ":" or max(numbers) > 200:
+            return None
+        return [FloorRef("number", number, number) for number in numbers], last
+
+
+def _counts_from_ground(reading: Reading) -> bool:
+    """Whether the first floor is the one above the ground floor: the brief uses both names, as the British do.
+
+    A brief that counts as many storeys as its highest ordinal counts from the ground floor as the first all the same.
+    """
+    words = [token.text for token in reading.tokens]
+    pairs = list(itertools.pairwise(words))
+    ground = any(
+        (word, floor) in pairs for word in ("ground", "street", "entrance") for floor in ("floor", "level", "storey")
+    )
+    if not ground or not ({("first", "floor"), ("first", "storey")} & set(pairs)):
+        return False
+    if ("second", "storey") in pairs:
+        return False
+    highest = max(
+        (
+            int(token.value)
+            for token, after in itertools.pairwise(reading.tokens)
+            if token.kind == "ordinal" and after.text in FLOOR_WORDS
+        ),
+        default=1,
+    )
+    stated = [
+        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
+    ]
+    return not (stated and max(stated) == highest)
+
+
+def _settle_counts(reading: Reading) -> None:
+    """Put the largest number of storeys first: the others count parts of the building, or do not agree."""
+    facts = reading.facts
+    if len({quantity.value for quantity in facts.floors}) > 1:
+        best = max(facts.floors, key=lambda quantity: quantity.value)
+        facts.floors = [best, *(quantity for quantity in facts.floors if quantity.value != best.value)]
+    facts.basements = (
+        facts.basements[:1]
+        if len({q.value for q in facts.basements}) < 2
+        else [max(facts.basements, key=lambda q: q.value)]
+    )

@@ -1,0 +1,166 @@
+"""The wishes of a brief as a ledger: each statement once, with its storeys resolved, in the order of the text."""
+
+from mansion_knowledge import KnowledgeBase
+from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
+from mansion_planner.brief.facts import AdjacencyFact, FloorRef, ObjectFact, RoomFact, Span
+from mansion_planner.program.decisions import Decisions
+from mansion_planner.program.storeys import floors_of
+
+__all__ = ["wishes_of"]
+
+
+def wishes_of(decisions: Decisions, knowledge: KnowledgeBase) -> list[Wish]:
+    """Return every statement of the brief as a wish without a status.
+
+    Parameters
+    ----------
+    decisions : Decisions
+        Resolves what "the top floor" and "every storey" are.
+    """
+    ledger = _Ledger(decisions, knowledge)
+    ledger.collect()
+    found = sorted(ledger.found, key=lambda wish: (wish.span, wish.kind))
+    return [
+        Wish(
+            id=f"wish_{n}",
+            text=w.text,
+            span=w.span,
+            kind=w.kind,
+            value=w.value,
+            scope=w.scope,
+            status=w.status,
+            reason=w.reason,
+        )
+        for n, w in enumerate(found, 1)
+    ]
+
+
+class _Ledger:
+    def __init__(self, decisions: Decisions, knowledge: KnowledgeBase) -> None:
+        self.decisions, self.facts, self.knowledge = decisions, decisions.facts, knowledge
+        self.found: list[Wish] = []
+
+    def add(
+        self, kind: WishKind, span: Span, value: WishValue, scope: Scope | None = None, *, reason: str = ""
+    ) -> None:
+        """Add a statement, unless the same words say the same already."""
+        text = " ".join(span.words.split()[:12])
+        unread = kind == "unread"
+        wish = Wish(
+            id="wish",
+            text=text,
+            span=(span.start, span.end),
+            kind=kind,
+            value=value,
+            scope=scope or Scope(),
+            status="not_understood" if unread else "",
+            reason=reason,
+        )
+        if wish not in self.found:
+            self.found.append(wish)
+
+    def floors(self, refs: tuple[FloorRef, ...]) -> list[int]:
+        """Return the floor numbers that references mean."""
+        return floors_of(refs, self.decisions)
+
+    def collect(self) -> None:
+        """Go through all facts."""
+        facts = self.facts
+        for name, span in facts.building[:1]:
+            self.add("building_type", span, WishValue(name=name, type=name))
+        if facts.building_name:
+            kind = self.decisions.building.name
+            for span in facts.building_span[:1]:
+                reason = f"no such kind of building is known; planned like {kind.replace('_', ' ')}"
+                self.add("building_type", span, WishValue(name=facts.building_name, type=kind), reason=reason)
+        for quantity in facts.floors:
+            self.add("floors", quantity.span, WishValue(count=int(quantity.value)))
+        for quantity in facts.basements:
+            self.add("basements", quantity.span, WishValue(count=int(quantity.value)))
+        for quantity in facts.area:
+            self.add("total_area", quantity.span, WishValue(area=quantity.value))
+        for quantity in facts.floor_area:
+            self.add("floor_area", quantity.span, WishValue(area=quantity.value))
+        for shape, span in facts.shapes:
+            self.add("outline", span, WishValue(name=shape))
+        for style, span in facts.styles:
+            self.add("style", span, WishValue(name=style))
+        for material in facts.materials:
+            self.add(
+                "material",
+                material.span,
+                WishValue(name=material.material, type=material.surface),
+                Scope(room_type=material.room_type),
+            )
+        for height in facts.heights:
+            self.add("height", height.span, WishValue(height=height.height), Scope(room_type=height.room_type))
+        for use in facts.uses:
+            self.add(
+                "use",
+                use.span,
+                WishValue(name=use.building_type, type=use.building_type),
+                Scope(floors=self.floors(use.floors)),
+            )
+        for copy in facts.copies:
+            self.add("copy", copy.span, WishValue(), Scope(floors=self.floors((copy.first,))))
+        for occupant in facts.occupants:
+            self.add("occupants", occupant.span, WishValue(name=occupant.noun, count=occupant.count))
+        for span in facts.only:
+            self.add("only", span, WishValue())
+        self._vertical()
+        for room in facts.rooms:
+            self._room(room)
+        for name, span in facts.excluded:
+            self.add("no_room", span, WishValue(name=name, type=name, unwanted=True))
+        for name, ref, span in facts.excluded_on:
+            self.add("no_room", span, WishValue(name=name, type=name, unwanted=True), Scope(floors=self.floors((ref,))))
+        for fact in facts.adjacent:
+            self._relation("adjacent", fact)
+        for fact in facts.apart:
+            self._relation("apart", fact)
+        for wanted in facts.objects:
+            self._object(wanted)
+        for span in facts.unread:
+            self.add("unread", span, WishValue(), reason="these words were not understood")
+
+    def _vertical(self) -> None:
+        counts = {q.span: int(q.value) for q in (*self.facts.lifts, *self.facts.stairs)}
+        for name, span in self.facts.vertical:
+            kind: WishKind = "elevator" if name.endswith("elevator") else "stair"
+            self.add(kind, span, WishValue(unwanted=name.startswith("no_"), count=counts.get(span)))
+
+    def _room(self, room: RoomFact) -> None:
+        reason = ""
+        if not room.known:
+            reason = f"no such room is known; planned and furnished like {room.room_type.replace('_', ' ')}"
+        value = WishValue(name=room.name, type=room.room_type, count=room.count, area=room.area)
+        self.add("room", room.span, value, Scope(floors=self.floors(room.floors), each=room.each), reason=reason)
+        owners = room.count
+        for child in room.suite:
+            many = None if owners is None else owners * (child.count or 1)
+            scope = Scope(floors=self.floors(room.floors), each=room.each, room=room.name, room_type=room.room_type)
+            self.add(
+                "room", child.span, WishValue(name=child.name, type=child.room_type, count=many, area=child.area), scope
+            )
+
+    def _relation(self, kind: WishKind, fact: AdjacencyFact) -> None:
+        value = WishValue(
+            name=fact.first_name or fact.first,
+            type=fact.first,
+            other=fact.second_name or fact.second,
+            other_type=fact.second,
+        )
+        self.add(kind, fact.span, value)
+
+    def _object(self, wanted: ObjectFact) -> None:
+        kind: WishKind = "no_object" if wanted.excluded else "object"
+        name = wanted.words.lower().replace(" ", "_")
+        value = WishValue(
+            name=name, type=wanted.category, count=None if wanted.excluded else wanted.count, unwanted=wanted.excluded
+        )
+        self.add(
+            kind,
+            wanted.span,
+            value,
+            Scope(floors=self.floors(wanted.floors), room=wanted.room, room_type=wanted.room_type, each=wanted.each),
+        )
