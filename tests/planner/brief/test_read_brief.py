@@ -1,13 +1,10 @@
 """What the reader finds in the words of a brief."""
 
-import itertools
-
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mansion_knowledge import default_knowledge
-from mansion_language import tokenize
 from mansion_planner.brief import read_brief
 from mansion_planner.brief.facts import BriefFacts
 
@@ -197,14 +194,6 @@ def test_any_text_is_read(text: str) -> None:
     for fact in facts.rooms:
         assert fact.room_type in default_knowledge().rooms
         assert text[fact.span.start : fact.span.end] == fact.span.words
-
-
-@given(st.text(max_size=200))
-@settings(max_examples=100, deadline=None)
-def test_tokens_keep_their_order_and_place(text: str) -> None:
-    tokens = tokenize(text)
-    assert all(a.end <= b.start for a, b in itertools.pairwise(tokens))
-    assert all(0 <= token.start < token.end <= len(text) for token in tokens)
 
 
 def test_a_negation_ends_with_its_sentence() -> None:

@@ -63,6 +63,8 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
         return 0.0
     if not _OPENERS.isdisjoint(before) and not ({"we", "i"} & set(before) and number == 0):
         return 0.0
+    if phrase.plural and is_room and "each" in reading.words(phrase.last, phrase.last + 5):
+        return 0.0
     if phrase.plural and is_room:
         score -= 5.0 if phrase.building not in ("flat", "shop_building") or phrase.counted else 3.0
     if phrase.counted and (phrase.count or 0) > 1:
@@ -71,6 +73,8 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     if earlier:
         score -= 2.0 if not is_room else 4.0
     lead = reading.word(phrase.first - 1)
+    if lead in ("in", "inside", "into"):
+        return 0.0
     if lead in _INNER and phrase.first - 1 > 0:
         score -= 3.0
     if phrase.determiner == "the" and is_room:

@@ -132,10 +132,11 @@ def _after(reading: Reading, measure: Measure, count: int = 5) -> list[str]:
 def _of_storey(reading: Reading, measure: Measure) -> bool:
     after = _after(reading, measure)
     before = [reading.word(i) for i in range(measure.first - 6, measure.first) if i >= 0]
-    for cut in (".", ";", "\n", ","):
+    for cut in (".", ";", "\n"):
         if cut in before:
             before = before[len(before) - before[::-1].index(cut) :]
-    if not _TOTALS.isdisjoint(after[:4]) or not _TOTALS.isdisjoint(before):
+    own = before[len(before) - before[::-1].index(",") :] if "," in before else before
+    if not _TOTALS.isdisjoint(after[:4]) or not _TOTALS.isdisjoint(own):
         return "plate" in after
     if not _PLATE.isdisjoint(after) or not _PLATE.isdisjoint(before):
         return True
@@ -217,7 +218,7 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
         for n, p in enumerate(phrases)
         if p.noun_end <= before + 1 <= p.last and p.head in ("room", "building") and p.room_type
     ]
-    if not candidates and reading.word(measure.first - 1) == "(":  # "the bay for three engines (180 m2)"
+    if not candidates and reading.word(measure.first - 1) in ("(", "of"):  # "the bay for three engines (180 m2)"
         sentence = reading.sentence[measure.first]
         candidates = [
             n

@@ -450,6 +450,9 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         return _finish(reading, "room", begin, end, room="study_room", known=False)
     if last == "room" and end - begin == 1 and reading.word(end) == "for" and not reading.plural(end - 1):
         return _finish(reading, "room", begin, end, room="study_room", known=False)
+    alone = last in _STANDS_ALONE and (reading.plural(end - 1) or _before(reading, begin, end)[2])
+    if alone and end - begin == 1:
+        return _finish(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
     if last in HEAD_TYPES and end - begin > 1 and not (last in _NO_HEADS and reading.word(end - 2) in PLAIN):
         name = _name(reading, begin, end)
         if name != last:
@@ -461,6 +464,10 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     if category:
         return _finish(reading, "object", begin, end, category=category)
     return None
+
+
+_STANDS_ALONE = frozenset({"surgery", "booth", "cabin", "cell", "ward", "salon", "loft", "kiosk", "chapel"})
+"""Nouns that name a room without a word before them, where they are counted or stand in the plural."""
 
 
 def _hall_of(reading: Reading, begin: int, end: int) -> str:

@@ -229,12 +229,8 @@ class _Reader:
         for number in {n for n, _ in extra}:
             total = self.phrases[number]
             parts = [p for n, p in extra if n == number]
-            if (
-                total.counted
-                and total.count is not None
-                and sum(p.count or 0 for p in parts) >= total.count
-                and len(parts) > 1
-            ):
+            whole = total.counted and sum(p.count or 0 for p in parts) >= (total.count or 0) and len(parts) > 1
+            if whole or (not total.counted and total.plural):
                 self.phrases[number] = replace(total, head="unknown")
         self.phrases = sorted([*self.phrases, *(p for _, p in extra)], key=lambda p: p.first)
         if self.building is not None:

@@ -328,14 +328,11 @@ def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int)
     ):
         return []
     rights = [following[0]]
-    if len(following) > 1 and reading.words(phrases[rights[0]].last, phrases[following[1]].first) in (
-        ("and", "the"),
-        ("and", "to", "the"),
-    ):
-        definite = phrases[rights[0]].determiner in ("the", "both")
-        if definite and (
-            reading.breaks(phrases[following[1]].last) or reading.word(phrases[following[1]].last) in (",", ")")
-        ):
+    if len(following) > 1:
+        first, second = (phrases[number] for number in following[:2])
+        joined = reading.words(first.last, second.begin) in (("and",), ("and", "the"), ("and", "to", "the"))
+        ends = reading.breaks(second.last) or reading.word(second.last) in (",", ")")
+        if joined and ends and first.determiner in ("the", "both") and second.determiner in ("the", ""):
             rights.append(following[1])
     return rights
 

@@ -469,9 +469,20 @@ class _Scanner:
             return [FloorRef("range", base + 1, base + many)], last
         if lead == "middle":
             return [FloorRef("middle")], last
-        if reading.word(index - 1) in ("these", "those") and self.previous is not None:
-            return list(self.places[-1].refs if self.places else (self.previous,)), last
+        if reading.word(index - 1) in ("these", "those") and self.places:
+            return self._gathered(many, index), last
         return [FloorRef("every")], last
+
+    def _gathered(self, many: int, index: int) -> list[FloorRef]:
+        """Return the storeys that "those five floors" speaks of: that many, named last in the sentence."""
+        refs: list[FloorRef] = []
+        for place in reversed(self.places):
+            if self.reading.sentence[place.first] != self.reading.sentence[index]:
+                break
+            refs = [*place.refs, *refs]
+            if sum(ref.last - ref.first + 1 for ref in refs if ref.kind in ("number", "range")) >= many:
+                break
+        return refs or list(self.places[-1].refs)
 
     def _relative(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "one flight up", "next storey up", "the floor above", "the one below", "two below the top"."""
@@ -632,7 +643,9 @@ class _Scanner:
             and reading.word(index - 1) == "on"
             and self.has_floors
         ):
-            return [FloorRef("every")], last
+            named = [p for p in self.places if reading.sentence[p.first] == reading.sentence[index]]
+            several = named and (len(named[-1].refs) > 1 or named[-1].refs[0].kind == "range")
+            return (list(named[-1].refs) if several else [FloorRef("every")]), last
         if word == "typical" and reading.word(last) in FLOOR_WORDS:
             numbered = self._numbered(last)
             return numbered if numbered is not None else ([FloorRef("middle")], last + 1)
