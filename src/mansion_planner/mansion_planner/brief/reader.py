@@ -77,6 +77,7 @@ class _Reader:
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
+        self._late_counts()
         self._containers()
         self._elliptical()
         self.relations = read_relations(reading, self.phrases, set() if self.building is None else {self.building})
@@ -132,6 +133,23 @@ class _Reader:
         if room is not None:
             return replace(phrase, room_type=room, known=True)
         return replace(phrase, head="unknown") if phrase.name == "room" else phrase
+
+    def _late_counts(self) -> None:
+        """Read "offices of 14 m2 each, six of them": a count that something else parts from its noun."""
+        reading = self.reading
+        for index, token in enumerate(reading.tokens):
+            if (
+                token.kind != "number"
+                or index in reading.taken
+                or reading.words(index + 1, index + 3) != ("of", "them")
+            ):
+                continue
+            before = [
+                n for n, p in enumerate(self.phrases) if p.last <= index and p.head in ("room", "building", "object")
+            ]
+            if before and self.phrases[before[-1]].plural and not self.phrases[before[-1]].counted and token.value >= 1:
+                self.phrases[before[-1]] = replace(self.phrases[before[-1]], count=int(token.value), counted=True)
+                reading.take(index, index + 3)
 
     def _containers(self) -> None:
         """Leave out what only holds rooms that are counted themselves: "wards with twelve patient rooms"."""
