@@ -341,7 +341,7 @@ def _room_rank(room: SceneRoom, words: tuple[str, ...], whole: tuple[str, ...]) 
     own = stems(room.id.split("/", 1)[-1].replace("_", " "))
     kind = stems(room.room_type.replace("_", " "))
     named = stems(room.name)
-    if whole == own or (named and whole == named):
+    if whole == own or (named and whole == named) or whole in [stems(alias) for alias in room.aliases]:
         return 4
     if whole == kind:
         return 3

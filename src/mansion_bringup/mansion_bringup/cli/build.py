@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from mansion_bringup.cli.console import EXIT_INTERRUPTED, err, out, progress_bar
-from mansion_bringup.cli.receipt_table import print_receipt
+from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -76,6 +76,7 @@ def build(
     graph: Annotated[bool, typer.Option("--graph", help="Build through the node graph.")] = False,
     jobs: Annotated[int, typer.Option(min=0, help="Floors in work at once; 0: all cores.")] = 0,
     timeout: Annotated[float, typer.Option(min=1, help="Seconds, for --graph.")] = 900.0,
+    strict: Annotated[bool, typer.Option("--strict", help="Refuse what meets a wish in part or not at all.")] = False,
     force: Annotated[
         bool, typer.Option("--force", help="Replace a building even if robots have left state in it.")
     ] = False,
@@ -93,6 +94,8 @@ def build(
       mansion build "a library" --floors 3 --floor-area 400 --graph -o out/library
     """
     request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner))
+    if strict:
+        _refuse_unmet_plan(request)
     if (output / "building.json").is_file():
         err.print(f"{output} holds a building: it is replaced when this one is done")
     try:
@@ -104,6 +107,19 @@ def build(
         err.print("interrupted; the same command goes on from the floors that are done")
         raise typer.Exit(EXIT_INTERRUPTED) from None
     _print_summary(result)
+    if strict:
+        refuse_unmet(result.building.wishes)
+
+
+def _refuse_unmet_plan(request: BuildRequest) -> None:
+    """Plan first, so that a brief whose wishes no plan meets is refused before anything is built."""
+    from mansion_bringup.building.receipt import receipt_of_plan
+    from mansion_bringup.pipeline.stages import LocalStages
+    from mansion_msgs_py.request import identified
+
+    prepare_planner(request)
+    reply = LocalStages().plan(identified(request))
+    refuse_unmet(receipt_of_plan(reply.program, reply.topologies))
 
 
 def _in_processes(request: BuildRequest, output: Path, jobs: int, force: bool) -> "BuildResult":

@@ -13,7 +13,7 @@ from mansion_planner.program.filling import fill_storey, fit_areas, hub_area, na
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
 from mansion_planner.program.frame import Frame
 from mansion_planner.program.hall import sketch_hall
-from mansion_planner.program.massing import MassingWish, choose_massing, rectangle_massing
+from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
 from mansion_planner.program.model import Massing, Storey, box_area
 from mansion_planner.program.neighbours import apart_pairs, wanted_pairs
 from mansion_planner.program.placement import Sketch, loosened, misses_areas, short_edges
@@ -23,6 +23,10 @@ __all__ = ["Arrangement", "best_arrangement"]
 
 Arrangement = tuple[Massing, Frame, dict[int, Sketch], dict[int, Envelope]]
 """A massing, where it stands, and the sketch and the envelope of each storey by index."""
+
+
+_AREA_MISSED = 3
+"""Rooms out of place that count as much as a storey whose stated area is missed: the solver may still place rooms."""
 
 
 def best_arrangement(
@@ -45,6 +49,8 @@ def best_arrangement(
         apart = sum(len(apart_pairs(decisions, s, layout[2][s.index])) for s in storeys)
         short = sum(len(short_edges(layout[2][s.index])) for s in storeys if s.copy is None)
         missed = apart + short + sum(misses_areas(layout[2][s.index]) for s in storeys if s.copy is None)
+        if decisions.area_stated and abs(gross_area(layout[0]) - wish.area) > 0.06 * wish.area:
+            missed += _AREA_MISSED
         if best is None or missed < best[0]:
             best = (missed, layout)
         if missed == 0:
