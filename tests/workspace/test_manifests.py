@@ -15,6 +15,7 @@ import setuptools
 catkin_package = pytest.importorskip("catkin_pkg.package")
 
 NAMES = [
+    "mansion",
     "mansion_assets",
     "mansion_bringup",
     "mansion_editing",

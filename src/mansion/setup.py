@@ -1,0 +1,25 @@
+"""Build mansion with colcon (ament_python) or pip."""
+
+from setuptools import find_packages, setup
+
+NAME = "mansion"
+
+setup(
+    name=NAME,
+    version="0.1.0",
+    description="The front door: what a script imports to plan, build and read buildings.",
+    author="Mansion maintainers",
+    maintainer="Mansion maintainers",
+    maintainer_email="maintainers@mansion.example",
+    license="Apache-2.0",
+    python_requires=">=3.11,<3.14",
+    packages=find_packages(include=[NAME, f"{NAME}.*"]),
+    package_data={"": ["py.typed"]},
+    data_files=[
+        ("share/ament_index/resource_index/packages", [f"resource/{NAME}"]),
+        (f"share/{NAME}", ["package.xml"]),
+    ],
+    zip_safe=False,
+    install_requires=["mansion_bringup", "mansion_msgs_py", "mansion_planner"],
+    extras_require={"test": ["pytest"]},
+)
