@@ -178,7 +178,7 @@ class _Writer:
             self._material_index[material] = len(self.materials) - 1
         return self._material_index[material]
 
-    def accessor(self, array: npt.NDArray[Any], kind: str, component: int, target: int, bounds: bool = False) -> int:
+    def accessor(self, array: npt.NDArray[Any], kind: str, component: int, target: int, *, bounds: bool = False) -> int:
         """Append an array to the buffer, on a multiple of four bytes, and describe it."""
         data = array.tobytes()
         self.views.append({"buffer": 0, "byteOffset": len(self.buffer), "byteLength": len(data), "target": target})

@@ -1,4 +1,4 @@
-"""Boxes and prisms as triangles."""
+"""Boxes and prisms, and their triangles."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -64,7 +64,7 @@ def boxes_surface(boxes: Sequence[Box], material: Material) -> Surface:
     return Surface(material, vertices.reshape(-1, 3), faces.reshape(-1, 3).astype(np.int64))
 
 
-def polygon_surface(polygon: Polygon, bottom: float, top: float, material: Material, sides: bool = True) -> Surface:
+def polygon_surface(polygon: Polygon, bottom: float, top: float, material: Material, *, sides: bool = True) -> Surface:
     """Return an upright prism over a polygon with holes; without `sides` only its upper face."""
     flat, faces = triangulate(polygon)
     count = len(flat)
@@ -88,12 +88,21 @@ def polygon_surface(polygon: Polygon, bottom: float, top: float, material: Mater
 
 
 def triangulate(polygon: Polygon) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
-    """Triangulate a polygon with holes by ear clipping, holes joined to the outer ring first.
+    """Triangulate a polygon with holes by ear clipping [1]_.
 
     Returns
     -------
     (vertices, faces)
         Points (n, 2) and counter-clockwise triangles (m, 3).
+
+    Notes
+    -----
+    Each hole is joined to the outer ring by a doubled edge, the hole that reaches furthest right first, so that later
+    holes may join earlier ones.
+
+    References
+    ----------
+    .. [1] Meisters, G. H. (1975). Polygons have ears. The American Mathematical Monthly, 82(6), 648-651.
     """
     ring = _bridge(orient(polygon))
     points = np.array(ring, dtype=float)

@@ -27,7 +27,7 @@ def draw_cores(scene: FloorScene) -> list[Canvas]:
 
 
 def _lift(shaft: Shaft) -> list[Shape]:
-    """The cabin with its cross; the opening towards the landing door."""
+    """Draw the cabin with its cross, its opening towards the landing door."""
     a, b = shaft.width / 2 - 0.16, shaft.depth / 2 - 0.16
     frame = Frame(shaft.x, shaft.y, shaft.rotation)
     cabin = rectangle(-a, -b, a, b)
@@ -63,8 +63,8 @@ def stair_shapes(core: SceneCore) -> list[Shape]:
         shapes += _flights(details)
         path = _corners([_middle(box) for box in details.treads])
         if not details.floor_opening:
-            return shapes + _way(path, "UP")
-        return shapes + _way(path[:2], "UP") + _way(path[:-3:-1], "DN")
+            return shapes + _walking_line(path, "UP")
+        return shapes + _walking_line(path[:2], "UP") + _walking_line(path[:-3:-1], "DN")
     if details.floor_opening:
         shapes += _flights_below(details)
     return shapes
@@ -86,8 +86,8 @@ def _rails(details: StairDetails) -> list[Shape]:
     ]
 
 
-def _way(path: list[Point], word: str) -> list[Shape]:
-    """A line along the middles of the steps in walking order, an arrow at its end, a word before its start."""
+def _walking_line(path: list[Point], word: str) -> list[Shape]:
+    """Draw a line along the middles of the steps in walking order, an arrow at its end, a word before its start."""
     if len(path) < 2:
         return []
     tip, ahead = np.array(path[-1]), _unit(path[-2], path[-1])
@@ -162,4 +162,4 @@ def _flights_below(details: StairDetails) -> list[Shape]:
     shapes += [Line(well, INK["core_line"], 0.04), Line([at(0.0, 0.0), at(0.0, flight)], INK["core_line"], 0.06)]
     lanes = (width - flight / 2, flight / 2)
     path = [at(0.5 * going, lanes[0]), at(turn, lanes[0]), at(turn, lanes[1]), at(0.5 * going, lanes[1])]
-    return shapes + _way(path, "DN")
+    return shapes + _walking_line(path, "DN")

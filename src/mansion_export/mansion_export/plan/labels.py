@@ -73,7 +73,7 @@ def _label(scene: FloorScene, room: SceneRoom, tallest: float) -> list[Shape]:
 
 @dataclass(frozen=True)
 class _Option:
-    """A way to write a name: its rows and the height of its letters in metres."""
+    """A name broken into rows, and the height of its letters in metres."""
 
     rows: list[str]
     size: float
@@ -88,7 +88,7 @@ class _Option:
 
 
 def _options(words: Sequence[str], tallest: float) -> list[_Option]:
-    """Return ways to write a name, the largest letters first, each in one to three rows."""
+    """Return the name in one to three rows at each height of letters, the largest first."""
     return [_Option(rows, share * tallest) for share in _SHARES for rows in _wraps(words)]
 
 
@@ -242,7 +242,7 @@ def _inside(ring: Floats, xs: Floats, ys: Floats) -> Bools:
 
 
 def _sums(cells: Bools) -> Floats:
-    """Return sums over all cells below and left of each corner."""
+    """Return sums over all cells below and left of each corner: a summed-area table (Crow, F. C. 1984)."""
     sums = np.zeros((cells.shape[0] + 1, cells.shape[1] + 1))
     sums[1:, 1:] = cells.cumsum(0).cumsum(1)
     return sums
