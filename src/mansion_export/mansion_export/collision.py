@@ -23,6 +23,21 @@ FLAT = 0.05
 FLOOR_DEPTH = 0.2
 """Thickness of the ground below the finished floor, metres."""
 
+Bounds: TypeAlias = tuple[float, float, float, float, float, float]
+"""Lowest x, y, z and highest x, y, z."""
+
+PLAY = 0.002
+"""Metres between an object and the walls of its cavity."""
+
+DEEP = 0.001
+"""Boxes that share less than this, metres, only touch."""
+
+SHELF = 0.01
+"""Thickness of the board that is put below what an asset's boxes do not carry, metres."""
+
+LEVEL = 0.004
+"""Difference of heights below which an object rests on a face, metres."""
+
 
 def ground_boxes(scene: FloorScene) -> list[tuple[str, Box]]:
     """Return the ground of rooms, landings and lift cabins, and the steps of stairs, as upright boxes by name."""
@@ -77,21 +92,6 @@ def collision_box(node: Node, mesh: Mesh, item: SceneObject | None) -> Box | Non
         center, size = (low + high) / 2, high - low
         return Box(tuple(center.tolist()), tuple(size.tolist()))
     return None
-
-
-Bounds: TypeAlias = tuple[float, float, float, float, float, float]
-"""Lowest x, y, z and highest x, y, z."""
-
-PLAY = 0.002
-"""Metres between an object and the walls of its cavity."""
-
-DEEP = 0.001
-"""Boxes that share less than this, metres, only touch."""
-
-SHELF = 0.01
-"""Thickness of the board that is put below what an asset's boxes do not carry, metres."""
-
-LEVEL = 0.004
 
 
 def is_loose(item: SceneObject) -> bool:

@@ -16,8 +16,42 @@ from mansion_scene.structure.outer_doors import is_residential
 __all__ = ["core_parts", "core_sign"]
 
 RAIL = 0.05
+"""Breadth of a handrail, metres."""
+
 WALL = 0.05
 """Thickness of a lift cabin's walls, metres."""
+
+_WORDS: Final = {"elevator": "LIFT", "stair": "STAIRS"}
+
+_PLATES: Final = {
+    "elevator": Material("sign_blue", (0.07, 0.22, 0.55), roughness=0.6, emission=0.3),
+    "stair": Material("sign_green", (0.02, 0.42, 0.25), roughness=0.6, emission=0.3),
+}
+
+_LETTERS: Final = Material("sign_white", (1.0, 1.0, 1.0), roughness=0.6, emission=0.9)
+
+_FONT: Final = {
+    "A": "01110 10001 10001 11111 10001 10001 10001",
+    "F": "11111 10000 10000 11110 10000 10000 10000",
+    "I": "111 010 010 010 010 010 111",
+    "L": "10000 10000 10000 10000 10000 10000 11111",
+    "R": "11110 10001 10001 11110 10100 10010 10001",
+    "S": "01111 10000 10000 01110 00001 00001 11110",
+    "T": "11111 00100 00100 00100 00100 00100 00100",
+}
+"""Rows of each letter's points, the uppermost first."""
+
+_DOT: Final = 0.026
+"""Side of a letter's point, metres."""
+
+_MARGIN: Final = 0.06
+
+_THICK: Final = 0.03
+
+_ABOVE: Final = 0.14
+"""From the door's head to the plate, metres."""
+
+_HEIGHT: Final = 7 * _DOT + 2 * _MARGIN
 
 
 def core_parts(scene: FloorScene, cabins: frozenset[str] | None = None) -> Iterator[Part]:
@@ -155,35 +189,6 @@ def _plate(at: Point3, facing: float, width: float, height: float, material: Mat
     """Return a thin plate across `facing`, the same on both sides."""
     box = Box(at, (width, 0.03 if height > 0.06 else 0.05, height), facing - 90.0)
     return [boxes_surface([box], material)]
-
-
-_WORDS: Final = {"elevator": "LIFT", "stair": "STAIRS"}
-_PLATES: Final = {
-    "elevator": Material("sign_blue", (0.07, 0.22, 0.55), roughness=0.6, emission=0.3),
-    "stair": Material("sign_green", (0.02, 0.42, 0.25), roughness=0.6, emission=0.3),
-}
-_LETTERS: Final = Material("sign_white", (1.0, 1.0, 1.0), roughness=0.6, emission=0.9)
-
-_FONT: Final = {
-    "A": "01110 10001 10001 11111 10001 10001 10001",
-    "F": "11111 10000 10000 11110 10000 10000 10000",
-    "I": "111 010 010 010 010 010 111",
-    "L": "10000 10000 10000 10000 10000 10000 11111",
-    "R": "11110 10001 10001 11110 10100 10010 10001",
-    "S": "01111 10000 10000 01110 00001 00001 11110",
-    "T": "11111 00100 00100 00100 00100 00100 00100",
-}
-"""Rows of each letter's points, the uppermost first."""
-
-_DOT: Final = 0.026
-"""Side of a letter's point, metres."""
-
-_MARGIN: Final = 0.06
-_THICK: Final = 0.03
-_ABOVE: Final = 0.14
-"""From the door's head to the plate, metres."""
-
-_HEIGHT: Final = 7 * _DOT + 2 * _MARGIN
 
 
 def core_sign(scene: FloorScene, core: SceneCore) -> list[Surface]:

@@ -27,6 +27,18 @@ SEAM = 0.012
 PROUD = 0.01
 """Metres by which frames stand out from the wall's faces, so that no faces coincide."""
 
+SLAT = 0.44
+"""Height of a slat, metres."""
+
+GROOVE = 0.012
+"""Between two slats, metres."""
+
+THICKNESS = 0.05
+"""Thickness of a slat, metres."""
+
+ROLL = 0.26
+"""Height of the roll of an open door, metres."""
+
 
 def door_parts(scene: FloorScene) -> Iterator[Part]:
     """Yield the frame of each door, then all leaves, open or closed as the scene has them."""
@@ -202,15 +214,6 @@ def _window(window: Window, length: float, deep: float, inward: float) -> list[S
         boxes_surface([board], named("painted_wood")),
         boxes_surface([pane], named("glass")),
     ]
-
-
-SLAT = 0.44
-"""Height of a slat, metres."""
-
-GROOVE = 0.012
-THICKNESS = 0.05
-ROLL = 0.26
-"""Height of the roll of an open door, metres."""
 
 
 def _garage_slats(width: float, height: float, door: Door) -> list[Surface]:

@@ -39,6 +39,20 @@ MOST_COLUMNS = 6
 FROM_ABOVE = View(azimuth=-72.0, elevation=54.0)
 FROM_STREET = View(azimuth=-58.0, elevation=26.0)
 
+Floats = npt.NDArray[np.float64]
+
+CUT = 1.5
+"""Height at which walls are cut open, metres."""
+
+CAP = np.array([0.23, 0.25, 0.28])
+"""Colour of cut walls."""
+
+DEPTH = np.array([0.36, 0.38, 0.41])
+"""Colour of the ground of shafts, which is seen through the openings of stairs and lifts."""
+
+_SHAFT = 0.35
+"""How far below the floor a shaft's dark ground lies, metres."""
+
 
 @dataclass(frozen=True, slots=True)
 class _Sheet:
@@ -172,19 +186,6 @@ def _caption(scene: FloorScene) -> str:
 
 def _rgb(color: tuple[float, float, float]) -> tuple[int, int, int]:
     return (round(255 * color[0]), round(255 * color[1]), round(255 * color[2]))
-
-
-Floats = npt.NDArray[np.float64]
-
-CUT = 1.5
-"""Height at which walls are cut open, metres."""
-
-CAP = np.array([0.23, 0.25, 0.28])
-DEPTH = np.array([0.36, 0.38, 0.41])
-"""What is seen below the openings of stairs and lifts."""
-
-_SHAFT = 0.35
-"""How far below the floor a shaft's dark ground lies, metres."""
 
 
 def _cut_open(model: Model, scene: FloorScene, turns: int = 0) -> Triangles:

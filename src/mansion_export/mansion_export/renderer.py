@@ -19,6 +19,26 @@ __all__ = ["Triangles", "View", "bounds", "flatten", "project", "render"]
 
 Floats = npt.NDArray[np.float64]
 
+Singles = npt.NDArray[np.float32]
+
+SUN = np.array([-0.45, -0.62, 0.95]) / np.linalg.norm([-0.45, -0.62, 0.95])
+"""Direction towards the light."""
+
+_ACROSS = np.array([-SUN[1], SUN[0], 0.0]) / np.hypot(SUN[0], SUN[1])
+
+LIGHT = np.stack([_ACROSS, np.cross(SUN, _ACROSS), SUN])
+"""The axes of the shadow map: right, up, towards the light."""
+
+AMBIENT, DIRECT, FILL = 0.60, 0.44, 0.16
+
+SHADOW_CELL = 0.05
+"""Metres of a shadow map's cell."""
+
+_BORDER = 4
+
+_EDGE, _HOLLOW = 0.16, 0.13
+"""How much darker a pixel beside an edge gets, and one in the corner below something."""
+
 
 @dataclass(frozen=True, slots=True)
 class Triangles:
@@ -131,22 +151,6 @@ def bounds(corners: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
                 out[0, axis] = min(out[0, axis], corners[k, corner, axis])
                 out[1, axis] = max(out[1, axis], corners[k, corner, axis])
     return out
-
-
-Singles = npt.NDArray[np.float32]
-
-SUN = np.array([-0.45, -0.62, 0.95]) / np.linalg.norm([-0.45, -0.62, 0.95])
-"""Direction towards the light."""
-
-_ACROSS = np.array([-SUN[1], SUN[0], 0.0]) / np.hypot(SUN[0], SUN[1])
-LIGHT = np.stack([_ACROSS, np.cross(SUN, _ACROSS), SUN])
-"""The axes of the shadow map: right, up, towards the light."""
-
-AMBIENT, DIRECT, FILL = 0.60, 0.44, 0.16
-SHADOW_CELL = 0.05
-"""Metres of a shadow map's cell."""
-
-_BORDER = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -304,10 +308,6 @@ def _shadow_map(cast: Floats, opaque: npt.NDArray[np.int64]) -> tuple[Singles, F
     depth = np.full(shape, -np.inf, dtype=np.float32)
     _rasterise(cast, opaque, depth, np.full(shape, -1, dtype=np.int32))
     return depth, low[:2] - 2 * cell, cell
-
-
-_EDGE, _HOLLOW = 0.16, 0.13
-"""How much darker a pixel beside an edge gets, and one in the corner below something."""
 
 
 @kernel

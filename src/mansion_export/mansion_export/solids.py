@@ -13,6 +13,15 @@ from mansion_msgs_py.shapes import Point, Segment
 
 __all__ = ["Box", "box_between", "boxes_surface", "polygon_surface", "segment_box", "triangulate"]
 
+CORNERS = np.array([(x, y, z) for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)], dtype=float)
+
+SIDES = np.array(
+    [
+        (0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
+        (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5),
+    ]
+)  # fmt: skip
+
 
 @dataclass(frozen=True, slots=True)
 class Box:
@@ -37,15 +46,6 @@ def segment_box(segment: Segment, thickness: float, height: float, base: float =
     length = float(np.hypot(bx - ax, by - ay))
     center = ((ax + bx) / 2, (ay + by) / 2, base + height / 2)
     return Box(center, (length, thickness, height), rotation)
-
-
-CORNERS = np.array([(x, y, z) for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)], dtype=float)
-SIDES = np.array(
-    [
-        (0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
-        (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5),
-    ]
-)  # fmt: skip
 
 
 def boxes_surface(boxes: Sequence[Box], material: Material) -> Surface:

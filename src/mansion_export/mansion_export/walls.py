@@ -22,6 +22,11 @@ SEAM = 0.002
 
 NEAR = 0.05
 
+Quad: TypeAlias = tuple[int, int, int, int]
+
+SAME = 1e-6
+"""Cuts of a wall that are nearer than this, metres, are one."""
+
 
 @dataclass(frozen=True, slots=True)
 class Opening:
@@ -164,12 +169,6 @@ class WallBodies:
             return max(float(meets.max()), 0.0)
         corner = meets + self._half[others] / np.abs(cross) - SEAM
         return max(float(corner.max()), 0.0)
-
-
-Quad: TypeAlias = tuple[int, int, int, int]
-
-SAME = 1e-6
-"""Cuts of a wall that are nearer than this, metres, are one."""
 
 
 def wall_surfaces(wall: Wall, bodies: WallBodies) -> list[Surface]:

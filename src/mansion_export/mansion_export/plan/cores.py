@@ -11,6 +11,14 @@ from mansion_msgs_py.shapes import Point
 
 __all__ = ["draw_cores", "stair_shapes"]
 
+LETTER = 0.3
+"""Height of the letters of UP and DN, metres."""
+
+ASIDE = 0.62
+"""From the first step to the middle of its word, metres; the floor landing is 0.9 m deep at least."""
+
+Vector = npt.NDArray[np.float64]
+
 
 def draw_cores(scene: FloorScene) -> list[Canvas]:
     """Draw the cores as they are on this floor: treads and the way up, or the lift's cabin."""
@@ -38,15 +46,6 @@ def _lift(shaft: Shaft) -> list[Shape]:
         Line(frame.place([cabin[1], cabin[3]]), INK["core_line"], 0.015),
         Label((shaft.x, shaft.y), "Lift", size, INK["text"], bold=True),
     ]
-
-
-LETTER = 0.3
-"""Height of the letters of UP and DN, metres."""
-
-ASIDE = 0.62
-"""From the first step to the middle of its word, metres; the floor landing is 0.9 m deep at least."""
-
-Vector = npt.NDArray[np.float64]
 
 
 def stair_shapes(core: SceneCore) -> list[Shape]:

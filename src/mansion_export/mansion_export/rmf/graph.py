@@ -26,6 +26,12 @@ BESIDE = (0.5, 0.4, 0.3, 0.25, 0.2, 0.7, 0.9, 0.15)
 ALONG = 0.2
 """Distance between the places along an opening that are tried, metres."""
 
+SPARE = 0.005
+"""Clearance of lanes beyond the radius, for the rounding of coordinates; metres."""
+
+APART = 0.5
+"""A start pose nearer to its room's waypoint than this has no waypoint of its own; metres."""
+
 
 @dataclass(frozen=True, slots=True)
 class Crossing:
@@ -131,13 +137,6 @@ def _within(shape: Polygon, point: Point) -> bool:
 
 def _rounded(x: float, y: float) -> Point:
     return (round(x, 3) + 0.0, round(y, 3) + 0.0)
-
-
-SPARE = 0.005
-"""Clearance of lanes beyond the radius, for the rounding of coordinates; metres."""
-
-APART = 0.5
-"""A start pose nearer to its room's waypoint than this has no waypoint of its own; metres."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,6 +26,9 @@ COLLINEAR = 0.02
 SLIVER = 0.005
 """Shorter stretches are rounding, not boundary."""
 
+REACH = 0.3
+"""Metres between an opening's wall and the polygon edge that stands for it, at most."""
+
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
@@ -145,10 +148,6 @@ def _fill(
 def _along(start: FloatArray, unit: FloatArray, distance: float) -> Point:
     x, y = start + unit * distance
     return (round(float(x), 6), round(float(y), 6))
-
-
-REACH = 0.3
-"""Metres between an opening's wall and the polygon edge that stands for it, at most."""
 
 
 @dataclass(frozen=True, slots=True)
