@@ -15,7 +15,7 @@ import yaml
 from shapely.geometry import LineString, Point, Polygon, box
 
 from mansion_export.nav2 import OCCUPIED, UNKNOWN, occupancy
-from mansion_export.rmf.lane_paths import FloorPiece
+from mansion_export.rmf.lane_paths import FreeRegion
 from mansion_export.rmf.maps import door_params, rmf_files, yaml_text
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
 
@@ -316,11 +316,11 @@ def test_floors_in_any_order_make_the_same_bytes(floors: list[FloorScene]) -> No
 
 
 def test_a_way_round_a_corner_branches_and_stays_on_the_floor() -> None:
-    piece = FloorPiece(Polygon([(0, 0), (6, 0), (6, 1), (1, 1), (1, 5), (0, 5)]))
+    piece = FreeRegion(Polygon([(0, 0), (6, 0), (6, 1), (1, 1), (1, 5), (0, 5)]))
     goals = [(5.5, 0.5), (0.5, 4.5), (3.0, 0.2)]
-    ways = piece.tree((0.5, 2.0), goals)
+    ways = piece.lane_tree((0.5, 2.0), goals)
     assert {point for way in ways for point in way} >= {(0.5, 2.0), *goals}
-    assert all(piece.clear(a, b) for a, b in ways)
+    assert all(piece.connects(a, b) for a, b in ways)
     assert len(ways) < 15
 
 

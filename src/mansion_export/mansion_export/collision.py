@@ -23,12 +23,29 @@ FLAT = 0.05
 FLOOR_DEPTH = 0.2
 """Thickness of the ground below the finished floor, metres."""
 
+Bounds: TypeAlias = tuple[float, float, float, float, float, float]
+"""Lowest x, y, z and highest x, y, z."""
+
+PLAY = 0.002
+"""Metres between an object and the walls of its cavity."""
+
+DEEP = 0.001
+"""Boxes that share less than this, metres, only touch."""
+
+SHELF = 0.01
+"""Thickness of the board that is put below what an asset's boxes do not carry, metres."""
+
+LEVEL = 0.004
+"""Difference of heights below which an object rests on a face, metres."""
+
 
 def ground_boxes(scene: FloorScene) -> list[tuple[str, Box]]:
-    """The ground of rooms, landings and lift cabins, and the steps of stairs, as upright boxes."""
+    """Return the ground of rooms, landings and lift cabins, and the steps of stairs, as upright boxes by name."""
     boxes = []
     for room in scene.rooms:
-        for i, solid in enumerate(_strips(Polygon(room.polygon, room.holes), room.kind == "stair")):
+        if room.kind == "stair":
+            continue
+        for i, solid in enumerate(_strips(Polygon(room.polygon, room.holes))):
             boxes.append((f"{room.id}/ground/{i}", solid))
     for core in scene.cores:
         details = core.details
@@ -47,10 +64,8 @@ def ground_boxes(scene: FloorScene) -> list[tuple[str, Box]]:
     return boxes
 
 
-def _strips(polygon: Polygon, skip: bool = False) -> list[Box]:
+def _strips(polygon: Polygon) -> list[Box]:
     """Cut a polygon into upright strips at its corners; exact where its sides are upright or level."""
-    if skip:
-        return []
     rings = [polygon.exterior, *polygon.interiors]
     xs = sorted({round(float(x), 6) for ring in rings for x, _ in ring.coords})
     _, low_y, _, high_y = polygon.bounds
@@ -79,28 +94,13 @@ def collision_box(node: Node, mesh: Mesh, item: SceneObject | None) -> Box | Non
     return None
 
 
-Bounds: TypeAlias = tuple[float, float, float, float, float, float]
-"""Lowest x, y, z and highest x, y, z."""
-
-PLAY = 0.002
-"""Metres between an object and the walls of its cavity."""
-
-DEEP = 0.001
-"""Boxes that share less than this, metres, only touch."""
-
-SHELF = 0.01
-"""Thickness of the board that is put below what an asset's boxes do not carry, metres."""
-
-LEVEL = 0.004
-
-
 def is_loose(item: SceneObject) -> bool:
     """Whether an object can be picked up and would stay where it is without being held."""
     return item.pickupable and item.mount in ("floor", "surface", "inside")
 
 
 @dataclass(frozen=True, slots=True)
-class _Guest:
+class _Content:
     """A loose object in the frame of what it lies in."""
 
     bounds: Bounds
@@ -137,17 +137,19 @@ def loose_colliders(scene: FloorScene, catalogue: Catalogue | None = None) -> di
         own = float(np.hypot(item.size[0], item.size[1])) / 2
         away = np.hypot(centers[:, 0] - item.position[0], centers[:, 1] - item.position[1])
         near = np.flatnonzero(away < reach + own)
-        guests = []
+        contents = []
         for other in (loose[i] for i in near.tolist()):
             carried = other.parent == item.id
-            guest = _Guest(_bounds_in(item, other), carried)
-            lies_in = carried or (
-                _volume(other) < _volume(item) and item.parent != other.id and _overlap(guest.bounds, _whole(item))
+            content = _Content(_bounds_in(item, other), carried)
+            inside = carried or (
+                _volume(other) < _volume(item)
+                and item.parent != other.id
+                and _overlap(content.bounds, _own_bounds(item))
             )
-            if other is not item and lies_in:
-                guests.append(guest)
-        if guests:
-            colliders[item.id] = tuple(_carved(item, known, guests))
+            if other is not item and inside:
+                contents.append(content)
+        if contents:
+            colliders[item.id] = tuple(_carved(item, known, contents))
     return colliders
 
 
@@ -155,7 +157,7 @@ def _volume(item: SceneObject) -> float:
     return item.size[0] * item.size[1] * item.size[2]
 
 
-def _whole(item: SceneObject) -> Bounds:
+def _own_bounds(item: SceneObject) -> Bounds:
     w, d, h = (value / 2 for value in item.size)
     return -w, -d, -h, w, d, h
 
@@ -178,14 +180,14 @@ def _overlap(one: Bounds, other: Bounds) -> bool:
     return all(min(one[k + 3], other[k + 3]) - max(one[k], other[k]) > DEEP for k in range(3))
 
 
-def _carved(item: SceneObject, catalogue: Catalogue, guests: Sequence[_Guest]) -> list[Box]:
-    parts = _asset_bounds(item, catalogue)
-    for guest in guests:
-        parts = [rest for part in parts for rest in _without(part, guest.bounds)]
-    for guest in guests:
-        x0, y0, z0, x1, y1, _ = guest.bounds
-        lies = guest.carried and z0 < item.size[2] / 2 + LEVEL
-        if lies and not any(_carries(part, guest.bounds) for part in parts):
+def _carved(item: SceneObject, catalogue: Catalogue, contents: Sequence[_Content]) -> list[Box]:
+    parts = _asset_boxes(item, catalogue)
+    for content in contents:
+        parts = [rest for part in parts for rest in _without(part, content.bounds)]
+    for content in contents:
+        x0, y0, z0, x1, y1, _ = content.bounds
+        rests = content.carried and z0 < item.size[2] / 2 + LEVEL
+        if rests and not any(_carries(part, content.bounds) for part in parts):
             parts.append((x0, y0, z0 - SHELF, x1, y1, z0))
     return [
         Box(
@@ -196,11 +198,11 @@ def _carved(item: SceneObject, catalogue: Catalogue, guests: Sequence[_Guest]) -
     ]
 
 
-def _asset_bounds(item: SceneObject, catalogue: Catalogue) -> list[Bounds]:
+def _asset_boxes(item: SceneObject, catalogue: Catalogue) -> list[Bounds]:
     """Return the boxes of an object's asset at the object's size."""
     asset = catalogue.assets.get(item.asset)
     if asset is None:
-        return [_whole(item)]
+        return [_own_bounds(item)]
     scale = [mine / its for mine, its in zip(item.size, asset.size)]
     found = []
     for box in collision_boxes(asset):
@@ -210,20 +212,20 @@ def _asset_bounds(item: SceneObject, catalogue: Catalogue) -> list[Bounds]:
     return found
 
 
-def _carries(part: Bounds, guest: Bounds) -> bool:
-    across = min(part[3], guest[3]) - max(part[0], guest[0])
-    deep = min(part[4], guest[4]) - max(part[1], guest[1])
-    area = (guest[3] - guest[0]) * (guest[4] - guest[1])
-    return abs(part[5] - guest[2]) < LEVEL and across > 0 and deep > 0 and across * deep > 0.6 * area
+def _carries(part: Bounds, content: Bounds) -> bool:
+    across = min(part[3], content[3]) - max(part[0], content[0])
+    deep = min(part[4], content[4]) - max(part[1], content[1])
+    area = (content[3] - content[0]) * (content[4] - content[1])
+    return abs(part[5] - content[2]) < LEVEL and across > 0 and deep > 0 and across * deep > 0.6 * area
 
 
-def _without(part: Bounds, guest: Bounds) -> list[Bounds]:
-    """Cut the guest's cavity out of a box; at most five boxes are left."""
-    if not _overlap(part, guest):
+def _without(part: Bounds, content: Bounds) -> list[Bounds]:
+    """Cut a content's cavity out of a box; at most five boxes are left."""
+    if not _overlap(part, content):
         return [part]
-    out_above = guest[5] > part[5] - DEEP
-    low = [guest[0] - PLAY, guest[1] - PLAY, guest[2]]
-    high = [guest[3] + PLAY, guest[4] + PLAY if out_above else part[4], part[5] if out_above else guest[5] + PLAY]
+    out_above = content[5] > part[5] - DEEP
+    low = [content[0] - PLAY, content[1] - PLAY, content[2]]
+    high = [content[3] + PLAY, content[4] + PLAY if out_above else part[4], part[5] if out_above else content[5] + PLAY]
     rest: list[Bounds] = []
     core = list(part)
     # Level cuts first: what carries stays one board below the whole cavity.

@@ -16,8 +16,42 @@ from mansion_scene.structure.outer_doors import is_residential
 __all__ = ["core_parts", "core_sign"]
 
 RAIL = 0.05
+"""Breadth of a handrail, metres."""
+
 WALL = 0.05
 """Thickness of a lift cabin's walls, metres."""
+
+_WORDS: Final = {"elevator": "LIFT", "stair": "STAIRS"}
+
+_PLATES: Final = {
+    "elevator": Material("sign_blue", (0.07, 0.22, 0.55), roughness=0.6, emission=0.3),
+    "stair": Material("sign_green", (0.02, 0.42, 0.25), roughness=0.6, emission=0.3),
+}
+
+_LETTERS: Final = Material("sign_white", (1.0, 1.0, 1.0), roughness=0.6, emission=0.9)
+
+_FONT: Final = {
+    "A": "01110 10001 10001 11111 10001 10001 10001",
+    "F": "11111 10000 10000 11110 10000 10000 10000",
+    "I": "111 010 010 010 010 010 111",
+    "L": "10000 10000 10000 10000 10000 10000 11111",
+    "R": "11110 10001 10001 11110 10100 10010 10001",
+    "S": "01111 10000 10000 01110 00001 00001 11110",
+    "T": "11111 00100 00100 00100 00100 00100 00100",
+}
+"""Rows of each letter's points, the uppermost first."""
+
+_DOT: Final = 0.026
+"""Side of a letter's point, metres."""
+
+_MARGIN: Final = 0.06
+
+_THICK: Final = 0.03
+
+_ABOVE: Final = 0.14
+"""From the door's head to the plate, metres."""
+
+_HEIGHT: Final = 7 * _DOT + 2 * _MARGIN
 
 
 def core_parts(scene: FloorScene, cabins: frozenset[str] | None = None) -> Iterator[Part]:
@@ -59,7 +93,7 @@ def _stair(details: StairDetails) -> list[Surface]:
 
 
 def _nosing(tread: Box3) -> Box | None:
-    """A dark strip on a step, so that steps can be told apart."""
+    """Return a dark strip on a step, which tells steps apart."""
     (x0, y0, _), (x1, y1, z1) = tread
     if min(x1 - x0, y1 - y0) < 0.1:
         return None
@@ -71,7 +105,7 @@ def _nosing(tread: Box3) -> Box | None:
 
 
 def _rail(start: Point3, end: Point3) -> list[Surface]:
-    """A handrail as a slanted bar, and balusters down to the steps every metre."""
+    """Return a handrail as a slanted bar, and balusters down to the steps every metre."""
     a, b = np.array(start), np.array(end)
     along = b - a
     flat = float(np.hypot(along[0], along[1]))
@@ -112,7 +146,7 @@ def _cabin(details: LiftDetails) -> list[Surface]:
 
 
 def _call_panel(details: LiftDetails) -> list[Surface]:
-    """A dark plate with a lit button for each way; it stands out on light walls."""
+    """Return a dark plate with a lit button for up and one for down; it stands out on light walls."""
     (x, y, z), turn = details.call_panel, np.radians(details.facing)
     face = (x + 0.012 * float(np.cos(turn)), y + 0.012 * float(np.sin(turn)))
     plate = _plate(details.call_panel, details.facing, 0.14, 0.34, named("painted_steel"))
@@ -152,44 +186,15 @@ def _lamp(details: LiftDetails) -> Box:
 
 
 def _plate(at: Point3, facing: float, width: float, height: float, material: Material) -> list[Surface]:
-    """A thin plate that looks along `facing`, or against it: it is the same on both sides."""
+    """Return a thin plate across `facing`, the same on both sides."""
     box = Box(at, (width, 0.03 if height > 0.06 else 0.05, height), facing - 90.0)
     return [boxes_surface([box], material)]
 
 
-_WORDS: Final = {"elevator": "LIFT", "stair": "STAIRS"}
-_PLATES: Final = {
-    "elevator": Material("sign_blue", (0.07, 0.22, 0.55), roughness=0.6, emission=0.3),
-    "stair": Material("sign_green", (0.02, 0.42, 0.25), roughness=0.6, emission=0.3),
-}
-_LETTERS: Final = Material("sign_white", (1.0, 1.0, 1.0), roughness=0.6, emission=0.9)
-
-_FONT: Final = {
-    "A": "01110 10001 10001 11111 10001 10001 10001",
-    "F": "11111 10000 10000 11110 10000 10000 10000",
-    "I": "111 010 010 010 010 010 111",
-    "L": "10000 10000 10000 10000 10000 10000 11111",
-    "R": "11110 10001 10001 11110 10100 10010 10001",
-    "S": "01111 10000 10000 01110 00001 00001 11110",
-    "T": "11111 00100 00100 00100 00100 00100 00100",
-}
-"""Rows of each letter's points, the uppermost first."""
-
-_DOT: Final = 0.026
-"""Side of a letter's point, metres."""
-
-_MARGIN: Final = 0.06
-_THICK: Final = 0.03
-_ABOVE: Final = 0.14
-"""From the door's head to the plate, metres."""
-
-_HEIGHT: Final = 7 * _DOT + 2 * _MARGIN
-
-
 def core_sign(scene: FloorScene, core: SceneCore) -> list[Surface]:
-    """Return the sign on the wall over a core's door, on the side from which one comes; none without a door.
+    """Return the sign on the wall over a core's door, on the landing side; none without a door.
 
-    Where the wall is too low, the sign hangs before the door's head. Nobody puts a sign over the stairs at home.
+    Where the wall is too low, the sign hangs before the door's head. Stairs of a home have no sign.
     """
     door = next((door for door in scene.doors if door.id == core.door), None)
     if door is None or (core.type == "stair" and is_residential(scene.building_type)):

@@ -1,4 +1,4 @@
-"""The same rooms from several systems side by side, unlabelled, for a study of people's preferences (section H).
+"""The same rooms from several systems side by side, unlabelled, for a study of people's preferences.
 
 Each page shows one room; its panels, ``A``, ``B``, ..., are the systems in an order drawn for that page. The key, kept
 apart from the pages, says which is which, and `tally` counts answers by system.
@@ -172,7 +172,7 @@ def _page(room: PlacementRoom, panels: Sequence[Sequence[PlacementResult]], cata
             picture = room_picture(room, result, PANEL, catalogue=catalogue)
             sheet.paste(picture, (x, y + head))
             if run == 0:
-                pen.text((x + 16, y + 8), _LETTERS[number], font=load_font(26, True), fill="#222222")
+                pen.text((x + 16, y + 8), _LETTERS[number], font=load_font(26, bold=True), fill="#222222")
     buffer = io.BytesIO()
     sheet.save(buffer, format="PNG", compress_level=6)
     return buffer.getvalue()

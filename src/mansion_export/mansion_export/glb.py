@@ -18,6 +18,12 @@ from mansion_msgs_py.scene import FloorScene
 
 __all__ = ["building_files", "building_glb", "floor_files", "floor_glb", "write_glb"]
 
+Json: TypeAlias = dict[str, Any]
+
+FLOAT, USHORT, UINT = 5126, 5123, 5125
+
+ARRAY, ELEMENTS = 34962, 34963
+
 
 def building_glb(
     scenes: Sequence[FloorScene],
@@ -66,12 +72,6 @@ def building_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
 def floor_files(scene: FloorScene) -> dict[str, bytes]:
     """Return ``floor.glb`` of a floor by its path in the building's folder."""
     return {f"{floor_directory(scene.floor)}/floor.glb": floor_glb(scene)}
-
-
-Json: TypeAlias = dict[str, Any]
-
-FLOAT, USHORT, UINT = 5126, 5123, 5125
-ARRAY, ELEMENTS = 34962, 34963
 
 
 def write_glb(models: Sequence[Model], name: str, title: str = "", turns: int = 0) -> bytes:
@@ -178,7 +178,7 @@ class _Writer:
             self._material_index[material] = len(self.materials) - 1
         return self._material_index[material]
 
-    def accessor(self, array: npt.NDArray[Any], kind: str, component: int, target: int, bounds: bool = False) -> int:
+    def accessor(self, array: npt.NDArray[Any], kind: str, component: int, target: int, *, bounds: bool = False) -> int:
         """Append an array to the buffer, on a multiple of four bytes, and describe it."""
         data = array.tobytes()
         self.views.append({"buffer": 0, "byteOffset": len(self.buffer), "byteLength": len(data), "target": target})

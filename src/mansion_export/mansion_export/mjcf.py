@@ -1,4 +1,4 @@
-"""A floor as a MuJoCo model (MJCF): bodies named after our ids, boxes to collide with, meshes to look at."""
+"""A floor as a MuJoCo model (MJCF): bodies named after the scene's ids, collision boxes and visual meshes."""
 
 import math
 from collections.abc import Sequence
@@ -24,11 +24,13 @@ STRUCTURE_GROUP, OBJECT_GROUP, CEILING_GROUP, COLLISION_GROUP = 0, 1, 2, 3
 """Geom groups; MuJoCo draws 0 to 2, so that boxes to collide with stay unseen. Switch 2 off to look from above."""
 
 EYE = 1.3
+"""Height of the spawn camera, metres."""
 
 DENSITY = 300.0
-"""Of things that can be picked up, kilograms a cubic metre: much of each is air."""
+"""Density of objects that can be picked up, kilograms a cubic metre: much of each is air."""
 
 LEAST_MASS = 0.02
+"""Kilograms."""
 
 
 def floor_mjcf(
@@ -226,7 +228,7 @@ def _sky(scene: FloorScene) -> str:
 
 
 def _robot_camera(scene: FloorScene) -> str:
-    """A camera at the spawn pose, at eye height, level."""
+    """Return a level camera at the spawn pose, at eye height."""
     if scene.spawn is None:
         return ""
     yaw = np.radians(scene.spawn.yaw)
@@ -236,12 +238,12 @@ def _robot_camera(scene: FloorScene) -> str:
 
 
 def _memory(bodies: int) -> int:
-    """Megabytes that the engine needs to look for pairs of bodies; its own guess is too small for large floors."""
+    """Return the megabytes that the search for pairs of bodies needs; MuJoCo's default is too small for that."""
     return 16 + math.ceil(8 * bodies * bodies / 2**20)
 
 
 def _inertial(size: tuple[float, float, float]) -> str:
-    """Mass and inertia of an object of a given size: a box of `DENSITY`."""
+    """Return the mass and inertia of an object of a given size: a box of `DENSITY`."""
     w, d, h = size
     mass = max(DENSITY * w * d * h, LEAST_MASS)
     inertia = ((d * d + h * h), (w * w + h * h), (w * w + d * d))

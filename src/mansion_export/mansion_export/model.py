@@ -1,4 +1,4 @@
-"""The building as meshes, materials and nodes: what every 3D format is written from."""
+"""A building as meshes, materials and nodes, from which every 3D format is written."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -51,7 +51,7 @@ class Mesh:
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """A mesh in a place.
+    """A mesh at a pose.
 
     Attributes
     ----------

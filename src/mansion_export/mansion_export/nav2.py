@@ -12,7 +12,18 @@ from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
 from mansion_msgs_py.shapes import Point
 
-__all__ = ["FREE", "OCCUPIED", "OccupancyMap", "UNKNOWN", "map_files", "map_pgm", "map_yaml", "occupancy"]
+__all__ = [
+    "CLEARANCE",
+    "FREE",
+    "OCCUPIED",
+    "UNKNOWN",
+    "OccupancyMap",
+    "blocks_robot",
+    "map_files",
+    "map_pgm",
+    "map_yaml",
+    "occupancy",
+]
 
 FREE, OCCUPIED, UNKNOWN = 0, 100, -1
 """Values of ``nav_msgs/OccupancyGrid``."""
@@ -82,7 +93,7 @@ def occupancy(scene: FloorScene, resolution: float = 0.05) -> OccupancyMap:
             if box.center[2] - box.size[2] / 2 < CLEARANCE:
                 grid.block(box)
     for item in scene.objects:
-        if _blocks(item):
+        if blocks_robot(item):
             grid.block(Box(item.position, item.size, item.rotation))
     thickness = {wall.id: wall.thickness for wall in scene.walls}
     for door in scene.doors:
@@ -131,7 +142,8 @@ def _passable(door: Door) -> bool:
     return door.kind in LEAFLESS or door.is_open
 
 
-def _blocks(item: SceneObject) -> bool:
+def blocks_robot(item: SceneObject) -> bool:
+    """Tell whether an object stands or hangs between `FLAT` and `CLEARANCE`; what furniture carries does not count."""
     bottom, top = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
     carried = item.mount in ("surface", "inside")
     return not carried and bottom < CLEARANCE and top > FLAT

@@ -47,7 +47,7 @@ def _cross(a: Floats, b: Floats) -> Floats:
 
 @kernel
 def _weld(vertices: Floats) -> Ints:
-    """Number the places of vertices in order of first appearance; those within 0.01 mm are one place."""
+    """Number the positions of vertices in order of first appearance; vertices equal to 0.01 mm share a position."""
     count = len(vertices)
     size = 16
     while size < 2 * count:
@@ -59,6 +59,8 @@ def _weld(vertices: Floats) -> Ints:
     for v in range(count):
         for axis in range(3):
             keys[v, axis] = np.int64(np.round(vertices[v, axis] * 1e5))
+        # The multipliers of Teschner et al. (2003), Optimized spatial hashing for collision detection of deformable
+        # objects; a table twice as large as the vertices keeps the probes of open addressing short.
         slot = (keys[v, 0] * 73856093 ^ keys[v, 1] * 19349663 ^ keys[v, 2] * 83492791) & (size - 1)
         while True:
             other = table[slot]
@@ -76,7 +78,7 @@ def _weld(vertices: Floats) -> Ints:
 
 @kernel
 def _corners_by_place(place: Ints, faces: Ints) -> tuple[Ints, Ints]:
-    """Group corners: those of place p are ``members[starts[p] : starts[p + 1]]``; corner k is of face k // 3."""
+    """Group corners: those at position p are ``members[starts[p] : starts[p + 1]]``; corner k is of face k // 3."""
     corners = 3 * len(faces)
     starts = np.zeros(len(place) + 1, dtype=np.int64)
     for k in range(corners):
@@ -95,7 +97,7 @@ def _corners_by_place(place: Ints, faces: Ints) -> tuple[Ints, Ints]:
 def _shared_normal(
     f: int, members: Ints, start: int, end: int, areas: Floats, units: Floats, smooth: float
 ) -> tuple[float, float, float]:
-    """Sum the area normals of those faces of ``members[start:end]`` that look almost the way of face `f`."""
+    """Return the unit sum of the area normals of those faces of ``members[start:end]`` that nearly face as `f` does."""
     x, y, z = 0.0, 0.0, 0.0
     for j in range(start, end):
         g = members[j] // 3
@@ -123,7 +125,7 @@ def _equal_normal(normals: Floats, start: int, end: int, x: float, y: float, z: 
 def _join_corners(
     vertices: Floats, faces: Ints, areas: Floats, units: Floats, smooth: float
 ) -> tuple[Floats, Floats, Ints]:
-    """Give each corner its shared normal; corners of one place with the same normal become one point."""
+    """Give each corner its shared normal; corners at one position with the same normal become one point."""
     corners = 3 * len(faces)
     starts, members = _corners_by_place(_weld(vertices), faces)
     points = np.empty((corners, 3))

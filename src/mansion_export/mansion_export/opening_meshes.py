@@ -27,6 +27,18 @@ SEAM = 0.012
 PROUD = 0.01
 """Metres by which frames stand out from the wall's faces, so that no faces coincide."""
 
+SLAT = 0.44
+"""Height of a slat, metres."""
+
+GROOVE = 0.012
+"""Between two slats, metres."""
+
+THICKNESS = 0.05
+"""Thickness of a slat, metres."""
+
+ROLL = 0.26
+"""Height of the roll of an open door, metres."""
+
 
 def door_parts(scene: FloorScene) -> Iterator[Part]:
     """Yield the frame of each door, then all leaves, open or closed as the scene has them."""
@@ -70,7 +82,7 @@ def _frame(length: float, height: float, deep: float, material: Material) -> lis
 
 
 def _portal(length: float, height: float, deep: float) -> list[Box]:
-    """Broad trims around a lift's opening on both faces of the wall."""
+    """Return broad trims around a lift's opening on both faces of the wall."""
     boxes = []
     for side in (-1, 1):
         y = side * (deep / 2 + PROUD)
@@ -100,7 +112,7 @@ def leaf_parts(scene: FloorScene) -> list[Part]:
 
 
 def _slats(door: Door) -> Part:
-    """A garage door's slats, in the plane of the wall."""
+    """Return a garage door's slats, in the plane of the wall."""
     x, y, rotation, length = _base(door.segment)
     width, height = length - 2 * JAMB, door.height - JAMB - 0.01
     ux, uy = float(np.cos(np.radians(rotation))), float(np.sin(np.radians(rotation)))
@@ -111,7 +123,7 @@ def _slats(door: Door) -> Part:
 
 
 def _panels(door: Door) -> list[Part]:
-    """Two sliding panels; open ones stand before the wall on both sides."""
+    """Return two sliding panels; open ones stand before the wall on both sides."""
     x, y, rotation, length = _base(door.segment)
     width = length / 2 - JAMB
     ux, uy = np.cos(np.radians(rotation)), np.sin(np.radians(rotation))
@@ -127,7 +139,7 @@ def _panels(door: Door) -> list[Part]:
 
 
 def _hung(door: Door, side: int) -> list[Part]:
-    """Leaves that turn on their hinges into the room of the swing."""
+    """Return leaves that turn on their hinges into the room of the swing."""
     x, y, rotation, length = _base(door.segment)
     both = door.hinge == "both" or door.kind == "double"
     width = (length - 2 * JAMB) / (2 if both else 1)
@@ -202,15 +214,6 @@ def _window(window: Window, length: float, deep: float, inward: float) -> list[S
         boxes_surface([board], named("painted_wood")),
         boxes_surface([pane], named("glass")),
     ]
-
-
-SLAT = 0.44
-"""Height of a slat, metres."""
-
-GROOVE = 0.012
-THICKNESS = 0.05
-ROLL = 0.26
-"""Height of the roll of an open door, metres."""
 
 
 def _garage_slats(width: float, height: float, door: Door) -> list[Surface]:

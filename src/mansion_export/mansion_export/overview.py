@@ -3,7 +3,7 @@
 import io
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from mansion_assets.catalogue import Catalogue
@@ -38,6 +38,20 @@ OUTSIDE = 0.36
 MOST_COLUMNS = 6
 FROM_ABOVE = View(azimuth=-72.0, elevation=54.0)
 FROM_STREET = View(azimuth=-58.0, elevation=26.0)
+
+Floats = npt.NDArray[np.float64]
+
+CUT = 1.5
+"""Height at which walls are cut open, metres."""
+
+CAP = np.array([0.23, 0.25, 0.28])
+"""Colour of cut walls."""
+
+DEPTH = np.array([0.36, 0.38, 0.41])
+"""Colour of the ground of shafts, which is seen through the openings of stairs and lifts."""
+
+_SHAFT = 0.35
+"""How far below the floor a shaft's dark ground lies, metres."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,14 +98,14 @@ def overview_png(
     if models is None:
         models = building_models(ordered, catalogue=catalogue)
     turns = quarter_turns(ordered)
-    floors = [cut_open(model, scene, turns) for model, scene in zip(models, ordered)]
+    floors = [_cut_open(model, scene, turns) for model, scene in zip(models, ordered)]
     layout = _layout(floors, width)
     sheet = Image.new("RGB", (width, max(layout.height(len(floors)), layout.head)), _rgb(PAPER))
     pen = ImageDraw.Draw(sheet)
     _title(pen, building_title(ordered), layout.head, width)
     if ordered:
         room = (layout.left, sheet.height - layout.head)
-        picture = _picture(shell(models, ordered, turns), room, FROM_STREET)
+        picture = _picture(_shell(models, ordered, turns), room, FROM_STREET)
         at = (room[0] - picture.width) // 2, layout.head + (room[1] - picture.height) // 2
         sheet.paste(picture, at)
     for k, (scene, triangles) in enumerate(zip(ordered, floors)):
@@ -103,7 +117,7 @@ def overview_png(
         pen.text(
             (x + layout.cell[0] // 2, y + layout.cell[1] + layout.foot // 3),
             _caption(scene),
-            font=load_font(max(8, min(round(0.0095 * width), layout.cell[0] // 24)), False),
+            font=load_font(max(8, min(round(0.0095 * width), layout.cell[0] // 24)), bold=False),
             fill=INK["muted"],
             anchor="mm",
         )
@@ -152,12 +166,12 @@ def _picture(triangles: Triangles, room: tuple[int, int], view: View) -> "Image"
 def _title(pen: "ImageDraw", title: str, head: int, width: int) -> None:
     """Write the title, smaller where it would run out of the picture."""
     size = 0.5 * head
-    length = load_font(round(size), True).getlength(title)
+    length = load_font(round(size), bold=True).getlength(title)
     size *= min(1.0, 0.94 * width / max(length, 1.0))
     pen.text(
         (round(0.02 * width), round(0.55 * head)),
         title,
-        font=load_font(max(8, math.floor(size)), True),
+        font=load_font(max(8, math.floor(size)), bold=True),
         fill=INK["text"],
         anchor="lm",
     )
@@ -174,20 +188,7 @@ def _rgb(color: tuple[float, float, float]) -> tuple[int, int, int]:
     return (round(255 * color[0]), round(255 * color[1]), round(255 * color[2]))
 
 
-Floats = npt.NDArray[np.float64]
-
-CUT = 1.5
-"""Height at which walls are cut open, metres."""
-
-CAP = np.array([0.23, 0.25, 0.28])
-DEPTH = np.array([0.36, 0.38, 0.41])
-"""What is seen below the openings of stairs and lifts."""
-
-_SHAFT = 0.35
-"""How far below the floor a shaft's dark ground lies, metres."""
-
-
-def cut_open(model: Model, scene: FloorScene, turns: int = 0) -> Triangles:
+def _cut_open(model: Model, scene: FloorScene, turns: int = 0) -> Triangles:
     """Return a floor without ceilings, its walls cut at `CUT`."""
     solid = flatten(model, lambda node: node.group not in ("objects", "ceiling"))
     movable = flatten(model, lambda node: node.group == "objects" and _low(node))
@@ -195,7 +196,7 @@ def cut_open(model: Model, scene: FloorScene, turns: int = 0) -> Triangles:
     return _turned(Triangles.join([_cut(solid), movable, *shafts]), turns)
 
 
-def shell(models: Sequence[Model], scenes: Sequence[FloorScene], turns: int = 0) -> Triangles:
+def _shell(models: Sequence[Model], scenes: Sequence[FloorScene], turns: int = 0) -> Triangles:
     """Return what is seen of a building above the ground, and the floors behind its windows."""
     parts = []
     buried = all(scene.floor < 1 for scene in scenes)
@@ -206,8 +207,7 @@ def shell(models: Sequence[Model], scenes: Sequence[FloorScene], turns: int = 0)
         inner = {wall.id for wall in scene.walls} - outer
         inner |= {door.id for door in scene.doors if None not in door.rooms}
         part = flatten(model, lambda node, inner=inner: _outside(node, inner))  # type: ignore[misc]
-        part.corners[..., 2] += model.elevation
-        parts.append(part)
+        parts.append(replace(part, corners=part.corners + np.array([0.0, 0.0, model.elevation])))
     return _turned(Triangles.join(parts), turns)
 
 
@@ -218,11 +218,12 @@ def _outside(node: Node, inner: set[str]) -> bool:
 
 
 def _turned(triangles: Triangles, turns: int) -> Triangles:
-    """Turn by quarters about the vertical, counter-clockwise."""
-    x, y = triangles.corners[..., 0].copy(), triangles.corners[..., 1].copy()
+    """Return triangles turned by quarters about the vertical, counter-clockwise."""
+    corners = np.empty_like(triangles.corners)
+    x, y = triangles.corners[..., 0], triangles.corners[..., 1]
     c, s = ((1, 0), (0, 1), (-1, 0), (0, -1))[turns % 4]
-    triangles.corners[..., 0], triangles.corners[..., 1] = c * x - s * y, s * x + c * y
-    return triangles
+    corners[..., 0], corners[..., 1], corners[..., 2] = c * x - s * y, s * x + c * y, triangles.corners[..., 2]
+    return replace(triangles, corners=corners)
 
 
 def _low(node: Node) -> bool:

@@ -1,6 +1,12 @@
-"""A small software renderer: an orthographic z-buffer with shadows of the sun and contact shading."""
+"""A small software renderer: an orthographic z-buffer with shadows of the sun and contact shading.
 
-from collections.abc import Callable
+Models are flattened to triangles, rasterised to depths and triangle numbers (Catmull, E. 1974, A subdivision algorithm
+for computer display of curved surfaces), and shaded by a shadow map (Williams, L. 1978, Casting curved shadows on
+curved surfaces), whose five samples a pixel soften the edges of shadows (Reeves, W. T., Salesin, D. H., Cook, R. L.
+1987, Rendering antialiased shadows with depth maps).
+"""
+
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,9 +15,29 @@ import numpy.typing as npt
 from mansion_export.model import Mesh, Model, Node
 from mansion_geometry.compiled import kernel
 
-__all__ = ["Triangles", "View", "blend_glass", "bounds", "flatten", "placed", "project", "render", "shade_pixels"]
+__all__ = ["Triangles", "View", "bounds", "flatten", "project", "render"]
 
 Floats = npt.NDArray[np.float64]
+
+Singles = npt.NDArray[np.float32]
+
+SUN = np.array([-0.45, -0.62, 0.95]) / np.linalg.norm([-0.45, -0.62, 0.95])
+"""Direction towards the light."""
+
+_ACROSS = np.array([-SUN[1], SUN[0], 0.0]) / np.hypot(SUN[0], SUN[1])
+
+LIGHT = np.stack([_ACROSS, np.cross(SUN, _ACROSS), SUN])
+"""The axes of the shadow map: right, up, towards the light."""
+
+AMBIENT, DIRECT, FILL = 0.60, 0.44, 0.16
+
+SHADOW_CELL = 0.05
+"""Metres of a shadow map's cell."""
+
+_BORDER = 4
+
+_EDGE, _HOLLOW = 0.16, 0.13
+"""How much darker a pixel beside an edge gets, and one in the corner below something."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,8 +57,8 @@ class Triangles:
     alpha: Floats
 
     @staticmethod
-    def join(parts: "list[Triangles]") -> "Triangles":
-        """Put several lists one after the other."""
+    def join(parts: "Sequence[Triangles]") -> "Triangles":
+        """Return the triangles of several lists, one list after the other."""
         if not parts:
             return Triangles(np.zeros((0, 3, 3)), np.zeros((0, 3)), np.zeros(0))
         return Triangles(
@@ -40,16 +66,6 @@ class Triangles:
             np.concatenate([part.colors for part in parts]),
             np.concatenate([part.alpha for part in parts]),
         )
-
-
-def placed(node: Node, vertices: Floats) -> Floats:
-    """Return a mesh's vertices as the node scales, turns and moves them."""
-    scaled = vertices * np.array(node.scale)
-    angle = np.radians(node.rotation)
-    c, s = np.cos(angle), np.sin(angle)
-    x = scaled[:, 0] * c - scaled[:, 1] * s + node.position[0]
-    y = scaled[:, 0] * s + scaled[:, 1] * c + node.position[1]
-    return np.column_stack([x, y, scaled[:, 2] + node.position[2]])
 
 
 def flatten(model: Model, keep: Callable[[Node], bool] | None = None) -> Triangles:
@@ -137,22 +153,6 @@ def bounds(corners: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     return out
 
 
-Singles = npt.NDArray[np.float32]
-
-SUN = np.array([-0.45, -0.62, 0.95]) / np.linalg.norm([-0.45, -0.62, 0.95])
-"""Direction towards the light."""
-
-_ACROSS = np.array([-SUN[1], SUN[0], 0.0]) / np.hypot(SUN[0], SUN[1])
-LIGHT = np.stack([_ACROSS, np.cross(SUN, _ACROSS), SUN])
-"""The axes of the shadow map: right, up, towards the light."""
-
-AMBIENT, DIRECT, FILL = 0.60, 0.44, 0.16
-SHADOW_CELL = 0.05
-"""Metres of a shadow map's cell."""
-
-_BORDER = 4
-
-
 @dataclass(frozen=True, slots=True)
 class View:
     """An axonometric view.
@@ -178,13 +178,13 @@ class View:
 
 
 @kernel
-def _fill(
+def _rasterise(
     corners: npt.NDArray[np.float64],
     order: npt.NDArray[np.int64],
     depth: npt.NDArray[np.float32],
     index: npt.NDArray[np.int32],
 ) -> None:
-    """Rasterise triangles (x, y in pixels, z towards the eye): nearest depth and its triangle."""
+    """Write the nearest depth and its triangle for each pixel; x and y are in pixels, z towards the eye."""
     height, width = depth.shape
     for k in order:
         ax, ay, az = corners[k, 0, 0], corners[k, 0, 1], corners[k, 0, 2]
@@ -246,14 +246,14 @@ def render(
     opaque = np.flatnonzero(~clear)
     depth = np.full((height, width), -np.inf, dtype=np.float32)
     index = np.full((height, width), -1, dtype=np.int32)
-    _fill(pixels, opaque, depth, index)
+    _rasterise(pixels, opaque, depth, index)
     image = np.empty((height, width, 3), dtype=np.float32)
     image[:] = background
-    # Where pixel (0, 0) lies in the view's plane, and the way from the view's axes to the light's.
+    # Where pixel (0, 0) lies in the view's plane, and the rotation from the view's axes to the light's.
     origin = np.array([low[0] - (_BORDER - 0.5) / view.scale, high[1] + (_BORDER - 0.5) / view.scale])
     turn = axes @ LIGHT.T
     shadow, corner, cell = _shadow_map(project(triangles.corners, LIGHT), opaque)
-    shade_pixels(
+    _shade_pixels(
         depth,
         index,
         _lighting(triangles.corners, axes[2], SUN, LIGHT),
@@ -267,8 +267,8 @@ def render(
     glass = np.flatnonzero(clear)
     if len(glass):
         front = np.full(depth.shape, -1, dtype=np.int32)
-        _fill(pixels, glass, depth, front)
-        blend_glass(front, triangles.colors, triangles.alpha, image)
+        _rasterise(pixels, glass, depth, front)
+        _blend_glass(front, triangles.colors, triangles.alpha, image)
     return np.asarray(np.clip(image, 0.0, 1.0) * 255.0 + 0.5, dtype=np.uint8)
 
 
@@ -292,7 +292,7 @@ def _lighting(
         x, y, z = x / length, y / length, z / length
         out[k, 0] = AMBIENT + 0.5 * FILL * z
         out[k, 1] = DIRECT * max(x * sun[0] + y * sun[1] + z * sun[2], 0.0)
-        # A little way off its face, so that no face shades itself.
+        # Three centimetres off the face, so that no face shades itself.
         for axis in range(3):
             out[k, 2 + axis] = 0.03 * (x * light[axis, 0] + y * light[axis, 1] + z * light[axis, 2])
     return out
@@ -306,16 +306,12 @@ def _shadow_map(cast: Floats, opaque: npt.NDArray[np.int64]) -> tuple[Singles, F
     cast[..., :2] = (cast[..., :2] - low[:2]) / cell + 2
     shape = (int(extent[1] / cell) + 5, int(extent[0] / cell) + 5)
     depth = np.full(shape, -np.inf, dtype=np.float32)
-    _fill(cast, opaque, depth, np.full(shape, -1, dtype=np.int32))
+    _rasterise(cast, opaque, depth, np.full(shape, -1, dtype=np.int32))
     return depth, low[:2] - 2 * cell, cell
 
 
-_EDGE, _HOLLOW = 0.16, 0.13
-"""How much darker a pixel beside an edge gets, and one in the corner below something."""
-
-
 @kernel
-def _nearer(depth: npt.NDArray[np.float32], y: int, x: int, reach: int, most: float) -> float:
+def _occlusion(depth: npt.NDArray[np.float32], y: int, x: int, reach: int, most: float) -> float:
     """Count, to two, the neighbours at `reach` that are nearer to the eye, by at most `most` metres."""
     height, width = depth.shape
     here = depth[y, x]
@@ -331,7 +327,7 @@ def _nearer(depth: npt.NDArray[np.float32], y: int, x: int, reach: int, most: fl
 
 
 @kernel
-def shade_pixels(
+def _shade_pixels(
     depth: npt.NDArray[np.float32],
     index: npt.NDArray[np.int32],
     lighting: npt.NDArray[np.float64],
@@ -382,21 +378,21 @@ def shade_pixels(
                     if c > shadow[j + dj, i + di] - 0.05:
                         lit += 1
                 shade += lighting[k, 1] * lit / 5.0
-            dark = _EDGE * _nearer(depth, y, x, 1, 1e9)
-            dark += _HOLLOW * _nearer(depth, y, x, reach, 4.0)
+            dark = _EDGE * _occlusion(depth, y, x, 1, 1e9)
+            dark += _HOLLOW * _occlusion(depth, y, x, reach, 4.0)
             shade *= 1.0 - 0.5 * dark
             for channel in range(3):
                 image[y, x, channel] = colors[k, channel] * shade
 
 
 @kernel
-def blend_glass(
+def _blend_glass(
     index: npt.NDArray[np.int32],
     colors: npt.NDArray[np.float64],
     alpha: npt.NDArray[np.float64],
     image: npt.NDArray[np.float32],
 ) -> None:
-    """Lay the nearest glass over what is behind it.
+    """Blend the nearest glass with what is behind it.
 
     Parameters
     ----------

@@ -1,6 +1,7 @@
-"""A building as a Gazebo world (SDFormat 1.9): a static model for each floor, links named after our ids."""
+"""A building as a Gazebo world (SDFormat 1.9): a static model for each floor, links named after the scene's ids."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
@@ -36,14 +37,13 @@ def world_sdf(
         Each floor is a static model at its elevation, z up. Every wall, door leaf, window, stair and object is a link
         with its id; walls, floors, steps, leaves and objects have boxes to collide with.
     """
-    files: dict[str, bytes] = {}
+    writer = _Writer(mesh_dir)
     ordered = sorted(scenes, key=lambda scene: scene.floor)
     models = [
-        _model(model, scene, mesh_dir, files)
-        for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered)
+        writer.model(model, scene) for model, scene in zip(building_models(ordered, catalogue=catalogue), ordered)
     ]
     name = ordered[0].building_id if ordered else "building"
-    return SimulatorModel(_world(name, models), dict(sorted(files.items())))
+    return SimulatorModel(_world(name, models), dict(sorted(writer.files.items())))
 
 
 def sdf_files(scenes: Sequence[FloorScene]) -> dict[str, bytes]:
@@ -76,50 +76,57 @@ def _world(name: str, models: Sequence[str]) -> str:
 """
 
 
-def _model(model: Model, scene: FloorScene, mesh_dir: str, files: dict[str, bytes]) -> str:
-    walls = {wall.id: wall for wall in scene.walls}
-    items = {item.id: item for item in scene.objects}
-    bodies = WallBodies(scene)
-    links = []
-    for node in model.nodes:
-        mesh = model.meshes[node.mesh]
-        parts = _visuals(node, mesh, mesh_dir, files)
-        if node.id in walls:
-            parts += [_collision(i, box) for i, box in enumerate(bodies.boxes(walls[node.id]))]
-        else:
-            box = collision_box(node, mesh, items.get(node.id))
-            parts += [_collision(0, box)] if box is not None else []
-        links.append(_link(node.id, node.position, node.rotation, parts))
-    ground = [_collision(i, box) for i, (_, box) in enumerate(ground_boxes(scene))]
-    links.append(_link(f"F{scene.floor}/ground", (0.0, 0.0, 0.0), 0.0, ground))
-    content = "\n".join(links)
-    return f"""    <model name={quoteattr(model.name)}>
+@dataclass(slots=True)
+class _Writer:
+    """Writes floors, and each mesh once."""
+
+    mesh_dir: str
+    files: dict[str, bytes] = field(default_factory=dict)
+
+    def model(self, model: Model, scene: FloorScene) -> str:
+        """Return the model of a floor."""
+        walls = {wall.id: wall for wall in scene.walls}
+        items = {item.id: item for item in scene.objects}
+        bodies = WallBodies(scene)
+        links = []
+        for node in model.nodes:
+            mesh = model.meshes[node.mesh]
+            parts = self._visuals(node, mesh)
+            if node.id in walls:
+                parts += [_collision(i, box) for i, box in enumerate(bodies.boxes(walls[node.id]))]
+            else:
+                box = collision_box(node, mesh, items.get(node.id))
+                parts += [_collision(0, box)] if box is not None else []
+            links.append(_link(node.id, node.position, node.rotation, parts))
+        ground = [_collision(i, box) for i, (_, box) in enumerate(ground_boxes(scene))]
+        links.append(_link(f"F{scene.floor}/ground", (0.0, 0.0, 0.0), 0.0, ground))
+        content = "\n".join(links)
+        return f"""    <model name={quoteattr(model.name)}>
       <static>true</static>
       <pose>0 0 {model.elevation:g} 0 0 0</pose>
 {content}
     </model>"""
 
+    def _visuals(self, node: Node, mesh: Mesh) -> list[str]:
+        scale = ""
+        if node.scale != (1.0, 1.0, 1.0):
+            scale = f"<scale>{number_list(node.scale)}</scale>"
+        visuals = []
+        for i, surface in enumerate(mesh.surfaces):
+            file = mesh_file_name(mesh.name, i)
+            if file not in self.files:
+                self.files[file] = write_stl(surface)
+            uri = f"{self.mesh_dir}/{file}" if self.mesh_dir else file
+            visuals.append(
+                f'<visual name="visual_{i}"><geometry><mesh><uri>{uri}</uri>{scale}</mesh></geometry>'
+                f"{_material(surface.material)}</visual>"
+            )
+        return visuals
+
 
 def _link(name: str, position: tuple[float, float, float], rotation: float, parts: Sequence[str]) -> str:
     pose = _pose(position, rotation)
     return f"      <link name={quoteattr(name)}>{pose}{''.join(parts)}</link>"
-
-
-def _visuals(node: Node, mesh: Mesh, mesh_dir: str, files: dict[str, bytes]) -> list[str]:
-    scale = ""
-    if node.scale != (1.0, 1.0, 1.0):
-        scale = f"<scale>{number_list(node.scale)}</scale>"
-    visuals = []
-    for i, surface in enumerate(mesh.surfaces):
-        file = mesh_file_name(mesh.name, i)
-        if file not in files:
-            files[file] = write_stl(surface)
-        uri = f"{mesh_dir}/{file}" if mesh_dir else file
-        visuals.append(
-            f'<visual name="visual_{i}"><geometry><mesh><uri>{uri}</uri>{scale}</mesh></geometry>'
-            f"{_material(surface.material)}</visual>"
-        )
-    return visuals
 
 
 def _material(material: Material) -> str:

@@ -1,4 +1,4 @@
-"""Boxes and prisms as triangles."""
+"""Boxes and prisms, and their triangles."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,6 +12,15 @@ from mansion_export.model import Material, Surface
 from mansion_msgs_py.shapes import Point, Segment
 
 __all__ = ["Box", "box_between", "boxes_surface", "polygon_surface", "segment_box", "triangulate"]
+
+CORNERS = np.array([(x, y, z) for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)], dtype=float)
+
+SIDES = np.array(
+    [
+        (0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
+        (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5),
+    ]
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,15 +48,6 @@ def segment_box(segment: Segment, thickness: float, height: float, base: float =
     return Box(center, (length, thickness, height), rotation)
 
 
-CORNERS = np.array([(x, y, z) for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)], dtype=float)
-SIDES = np.array(
-    [
-        (0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
-        (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5),
-    ]
-)  # fmt: skip
-
-
 def boxes_surface(boxes: Sequence[Box], material: Material) -> Surface:
     """Return boxes as one surface of outward triangles, 12 a box."""
     if not boxes:
@@ -64,7 +64,7 @@ def boxes_surface(boxes: Sequence[Box], material: Material) -> Surface:
     return Surface(material, vertices.reshape(-1, 3), faces.reshape(-1, 3).astype(np.int64))
 
 
-def polygon_surface(polygon: Polygon, bottom: float, top: float, material: Material, sides: bool = True) -> Surface:
+def polygon_surface(polygon: Polygon, bottom: float, top: float, material: Material, *, sides: bool = True) -> Surface:
     """Return an upright prism over a polygon with holes; without `sides` only its upper face."""
     flat, faces = triangulate(polygon)
     count = len(flat)
@@ -88,12 +88,21 @@ def polygon_surface(polygon: Polygon, bottom: float, top: float, material: Mater
 
 
 def triangulate(polygon: Polygon) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]:
-    """Triangulate a polygon with holes by ear clipping, holes joined to the outer ring first.
+    """Triangulate a polygon with holes by ear clipping [1]_.
 
     Returns
     -------
     (vertices, faces)
         Points (n, 2) and counter-clockwise triangles (m, 3).
+
+    Notes
+    -----
+    Each hole is joined to the outer ring by a doubled edge, the hole that reaches furthest right first, so that later
+    holes may join earlier ones.
+
+    References
+    ----------
+    .. [1] Meisters, G. H. (1975). Polygons have ears. The American Mathematical Monthly, 82(6), 648-651.
     """
     ring = _bridge(orient(polygon))
     points = np.array(ring, dtype=float)

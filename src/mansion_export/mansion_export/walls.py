@@ -22,6 +22,11 @@ SEAM = 0.002
 
 NEAR = 0.05
 
+Quad: TypeAlias = tuple[int, int, int, int]
+
+SAME = 1e-6
+"""Cuts of a wall that are nearer than this, metres, are one."""
+
 
 @dataclass(frozen=True, slots=True)
 class Opening:
@@ -120,7 +125,7 @@ class WallBodies:
         return boxes
 
     def _extensions(self) -> FloatArray:
-        """How far walls go on beyond start and end, (n, 2): to the far face at a corner, to the middle at a T."""
+        """Return how far walls go on beyond their ends, (n, 2): to the far face at a corner, to the middle at a T."""
         count = len(self._half)
         found = np.zeros((count, 2))
         if not count:
@@ -154,7 +159,7 @@ class WallBodies:
         to_end: FloatArray,
         sign: float,
     ) -> float:
-        """How far wall `i` goes on among the walls that its end meets."""
+        """Return how far wall `i` goes on among the walls that its end meets."""
         ahead = sign * self._units[i]
         # Where this wall's line meets the other's, counted from the end.
         meets = (to_start[:, 0] * self._units[others, 1] - to_start[:, 1] * self._units[others, 0]) / cross
@@ -164,12 +169,6 @@ class WallBodies:
             return max(float(meets.max()), 0.0)
         corner = meets + self._half[others] / np.abs(cross) - SEAM
         return max(float(corner.max()), 0.0)
-
-
-Quad: TypeAlias = tuple[int, int, int, int]
-
-SAME = 1e-6
-"""Cuts of a wall that are nearer than this, metres, are one."""
 
 
 def wall_surfaces(wall: Wall, bodies: WallBodies) -> list[Surface]:

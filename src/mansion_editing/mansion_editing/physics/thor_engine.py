@@ -11,12 +11,11 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_editing.physics.engine import SLOW, SLOW_TURN, PosedBox, SettleProblem, SettleResult, mass
-from mansion_export.thor import house
+from mansion_export.thor.runtime_assets import box_asset, box_node, empty_house
 from mansion_geometry.thor.controller import Controller, act, first_line, start_controller
-from mansion_geometry.thor.house_format import floor_point, rotation_matrix, thor_euler, thor_point
+from mansion_geometry.thor.house_format import floor_point, rotation_matrix
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.scene import FloorScene, SceneRoom, SpawnPose, Wall
-from mansion_msgs_py.shapes import Point, Point3
+from mansion_msgs_py.shapes import Point3
 
 __all__ = [
     "BODY",
@@ -27,7 +26,6 @@ __all__ = [
     "depth",
     "house_of",
     "parameters",
-    "runtime_asset",
     "thor_bodies",
     "thor_shift",
     "upright",
@@ -79,23 +77,11 @@ Json: TypeAlias = dict[str, Any]
 BODY: Final = "body"
 """Name of the object that is let go."""
 
-HALF_ROOM: Final = 4.0
-"""Half the side of the room, metres; the agent stands in a corner, the body is over the middle."""
-
 FALL: Final = 1.0
 """What falls off falls this far, metres."""
 
-SENT_DIGITS: Final = 6
 LAPPED: Final = 1e-3
 """Metres by which two boxes may be in each other at the start and still be let go."""
-
-CORNERS: Final = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) / 2.0
-
-TRIANGLES: Final = (
-    *(0, 3, 1, 0, 2, 3, 4, 7, 6, 4, 5, 7, 0, 5, 4, 0, 1, 5),
-    *(2, 7, 3, 2, 6, 7, 0, 6, 2, 0, 4, 6, 1, 7, 5, 1, 3, 7),
-)
-"""Faces over `CORNERS`, clockwise from outside: Unity's front."""
 
 
 @dataclass(frozen=True)
@@ -133,90 +119,15 @@ def thor_bodies(problem: SettleProblem) -> list[Body]:
     return bodies
 
 
-def runtime_asset(body: Body) -> Json:
-    """Return the argument ``asset`` of ``CreateRuntimeAsset``: a box around the origin, its collider the same."""
-    points = CORNERS * np.array(body.box.size)
-    vertices = [thor_point(x, y, z, SENT_DIGITS) for x, y, z in points.tolist()]
-    outward = points / np.linalg.norm(points, axis=1, keepdims=True)
-    triangles = list(TRIANGLES)
-    return {
-        "name": body.name,
-        "vertices": vertices,
-        "normals": [thor_point(x, y, z, SENT_DIGITS) for x, y, z in outward.tolist()],
-        "triangles": triangles,
-        "uvs": [{"x": 0.0, "y": 0.0} for _ in vertices],
-        "colliders": [{"vertices": vertices, "triangles": triangles}],
-        "physicalProperties": {
-            "mass": round(mass(body.box), 5),
-            "drag": 0.0,
-            "angularDrag": 0.05,
-            "useGravity": not body.fixed,
-            "isKinematic": body.fixed,
-        },
-        "annotations": {
-            "objectType": "Undefined",
-            "primaryProperty": "Static" if body.fixed else "CanPickup",
-            "secondaryProperties": [],
-        },
-        "receptacleCandidate": False,
-    }
-
-
 def house_of(bodies: list[Body], shift: Point3) -> Json:
     """Return a house of one room with the bodies in it, each shifted."""
-    made = house(_room())
-    layer = made["rooms"][0]["layer"]
-    made["objects"] = [_node(body, shift, layer) for body in bodies]
-    return made
-
-
-def _node(body: Body, shift: Point3, layer: str) -> Json:
-    x, y, z = (value + way for value, way in zip(body.box.center, shift, strict=True))
-    w, d, h = body.box.size
-    return {
-        "id": body.name,
-        "assetId": body.name,
-        "position": thor_point(x, y, z, SENT_DIGITS),
-        "rotation": thor_euler(body.box.rotation),
-        "size": thor_point(w, d, h, SENT_DIGITS),
-        "kinematic": body.fixed,
-        "roomId": "room",
-        "layer": layer,
-        "children": [],
-    }
-
-
-def _room() -> FloorScene:
-    """Return a floor that is one empty room around the origin."""
-    side = HALF_ROOM
-    ring: list[Point] = [(-side, -side), (side, -side), (side, side), (-side, side)]
-    walls = [
-        Wall(
-            id=f"wall_{number}",
-            segment=(ring[number], ring[(number + 1) % 4]),
-            thickness=0.1,
-            height=3.0,
-            exterior=True,
-            left="room",
-        )
-        for number in range(4)
-    ]
-    room = SceneRoom(
-        id="room", room_type="living_room", kind="main", polygon=ring, net_polygon=ring, area=4 * side * side
-    )
-    return FloorScene(
-        building_id="placement",
-        floor=1,
-        floors=1,
-        label="1",
-        elevation=0.0,
-        height=3.2,
-        outline=ring,
-        rooms=[room],
-        walls=walls,
-        doors=[],
-        spawn=SpawnPose(x=1.0 - side, y=1.0 - side, yaw=90.0, room="room"),
-    )
+    empty = empty_house()
+    nodes = []
+    for body in bodies:
+        x, y, z = (value + offset for value, offset in zip(body.box.center, shift, strict=True))
+        box = body.box
+        nodes.append(box_node(empty["rooms"][0], body.name, (x, y, z), box.size, box.rotation, fixed=body.fixed))
+    return {**empty, "objects": nodes}
 
 
 BUILD: Final = "40679c517859e09c1f2a5e39b65ee7f33fcfdd48"
@@ -287,7 +198,8 @@ def _settle(controller: Controller, problem: SettleProblem) -> SettleResult:
     # An empty scene is at rest, and a scene at rest simulates itself again: hence the second pause.
     _do(controller, "PausePhysicsAutoSim")
     for body in bodies:
-        _do(controller, "CreateRuntimeAsset", asset=runtime_asset(body))
+        asset = box_asset(body.name, body.box.size, mass=mass(body.box), fixed=body.fixed)
+        _do(controller, "CreateRuntimeAsset", asset=asset)
     _do(controller, "CreateHouse", house=house_of(bodies, shift))
     _do(controller, "PausePhysicsAutoSim")
     before = _poses(controller, bodies, shift)

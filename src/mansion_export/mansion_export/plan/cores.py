@@ -11,6 +11,14 @@ from mansion_msgs_py.shapes import Point
 
 __all__ = ["draw_cores", "stair_shapes"]
 
+LETTER = 0.3
+"""Height of the letters of UP and DN, metres."""
+
+ASIDE = 0.62
+"""From the first step to the middle of its word, metres; the floor landing is 0.9 m deep at least."""
+
+Vector = npt.NDArray[np.float64]
+
 
 def draw_cores(scene: FloorScene) -> list[Canvas]:
     """Draw the cores as they are on this floor: treads and the way up, or the lift's cabin."""
@@ -27,7 +35,7 @@ def draw_cores(scene: FloorScene) -> list[Canvas]:
 
 
 def _lift(shaft: Shaft) -> list[Shape]:
-    """The cabin with its cross; the opening towards the landing door."""
+    """Draw the cabin with its cross, its opening towards the landing door."""
     a, b = shaft.width / 2 - 0.16, shaft.depth / 2 - 0.16
     frame = Frame(shaft.x, shaft.y, shaft.rotation)
     cabin = rectangle(-a, -b, a, b)
@@ -38,15 +46,6 @@ def _lift(shaft: Shaft) -> list[Shape]:
         Line(frame.place([cabin[1], cabin[3]]), INK["core_line"], 0.015),
         Label((shaft.x, shaft.y), "Lift", size, INK["text"], bold=True),
     ]
-
-
-LETTER = 0.3
-"""Height of the letters of UP and DN, metres."""
-
-ASIDE = 0.62
-"""From the first step to the middle of its word, metres; the floor landing is 0.9 m deep at least."""
-
-Vector = npt.NDArray[np.float64]
 
 
 def stair_shapes(core: SceneCore) -> list[Shape]:
@@ -63,8 +62,8 @@ def stair_shapes(core: SceneCore) -> list[Shape]:
         shapes += _flights(details)
         path = _corners([_middle(box) for box in details.treads])
         if not details.floor_opening:
-            return shapes + _way(path, "UP")
-        return shapes + _way(path[:2], "UP") + _way(path[:-3:-1], "DN")
+            return shapes + _walking_line(path, "UP")
+        return shapes + _walking_line(path[:2], "UP") + _walking_line(path[:-3:-1], "DN")
     if details.floor_opening:
         shapes += _flights_below(details)
     return shapes
@@ -86,8 +85,8 @@ def _rails(details: StairDetails) -> list[Shape]:
     ]
 
 
-def _way(path: list[Point], word: str) -> list[Shape]:
-    """A line along the middles of the steps in walking order, an arrow at its end, a word before its start."""
+def _walking_line(path: list[Point], word: str) -> list[Shape]:
+    """Draw a line along the middles of the steps in walking order, an arrow at its end, a word before its start."""
     if len(path) < 2:
         return []
     tip, ahead = np.array(path[-1]), _unit(path[-2], path[-1])
@@ -162,4 +161,4 @@ def _flights_below(details: StairDetails) -> list[Shape]:
     shapes += [Line(well, INK["core_line"], 0.04), Line([at(0.0, 0.0), at(0.0, flight)], INK["core_line"], 0.06)]
     lanes = (width - flight / 2, flight / 2)
     path = [at(0.5 * going, lanes[0]), at(turn, lanes[0]), at(turn, lanes[1]), at(0.5 * going, lanes[1])]
-    return shapes + _way(path, "DN")
+    return shapes + _walking_line(path, "DN")

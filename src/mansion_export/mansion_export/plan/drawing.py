@@ -77,7 +77,7 @@ def draw_plan(scene: FloorScene) -> Drawing:
 
 
 def _extent(scene: FloorScene) -> tuple[float, float, float, float]:
-    """Bounds of the outer faces of the walls."""
+    """Return the bounds of the outer faces of the walls."""
     points = [*scene.outline, *(p for room in scene.rooms for p in room.polygon)]
     points += [p for core in scene.cores for p in core.polygon]
     for wall in scene.walls:
@@ -93,7 +93,7 @@ def _corners(half: float) -> tuple[tuple[float, float], tuple[float, float]]:
 
 
 def _unit(width: float, height: float) -> float:
-    """Size of the lettering outside the plan, so that it reads alike on small and large floors."""
+    """Return the size of the lettering outside the plan, which reads alike on small and large floors."""
     return float(np.clip(max(width, height) / 24.0, 0.5, 3.0))
 
 
@@ -112,7 +112,7 @@ def _heading(scene: FloorScene, x0: float, x1: float, y1: float, unit: float) ->
 
 
 def _dimensions(x0: float, y0: float, x1: float, y1: float, unit: float) -> list[Shape]:
-    """Overall dimensions below and to the left of the plan."""
+    """Draw the overall dimensions below and to the left of the plan."""
     gap, tick, ink = 0.75 * unit, 0.16 * unit, INK["muted"]
     width = 0.02 * unit
     y, x = y0 - gap, x0 - gap
@@ -127,7 +127,7 @@ def _dimensions(x0: float, y0: float, x1: float, y1: float, unit: float) -> list
 
 
 def _scale_bar(x: float, y: float, width: float, unit: float) -> list[Shape]:
-    """A bar of four fields in round metres, about a quarter of the plan long."""
+    """Draw a scale bar of four fields in round metres, about a quarter of the plan long."""
     step = next(s for s in (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0) if 4 * s > 0.2 * width)
     thick = 0.16 * unit
     shapes: list[Shape] = []
@@ -143,7 +143,7 @@ def _scale_bar(x: float, y: float, width: float, unit: float) -> list[Shape]:
 
 
 def _north(x: float, y: float, unit: float) -> list[Shape]:
-    """North is the plan's +y, from which the sun's azimuth is counted."""
+    """Draw the north arrow: north is the plan's +y, from which the sun's azimuth is counted."""
     r = 0.62 * unit
     needle = [(x - 0.28 * r, y - 0.72 * r), (x, y + 0.9 * r), (x, y - 0.45 * r)]
     other = [(x + 0.28 * r, y - 0.72 * r), (x, y + 0.9 * r), (x, y - 0.45 * r)]

@@ -27,6 +27,25 @@ _LETTER_SHARE, _LETTERS = 0.014, (0.2, 0.45)
 _SHARES = (1.0, 0.85, 0.7, 0.58, 0.48)
 """Heights of letters that are tried, over the largest."""
 
+Floats = npt.NDArray[np.float64]
+
+Bools = npt.NDArray[np.bool_]
+
+_CELL, _MOST = 0.12, 90
+"""Side of a cell, metres, and most cells along a side of a room."""
+
+_MARGIN = 1.0
+"""Around a room, metres."""
+
+_COVERED, _TURNED, _ASIDE = 4.0, 0.15, 0.12
+"""What it costs to cover furniture (for the whole label), to be turned, and to be off the middle."""
+
+_LEAVING = (0.4, 60.0)
+"""What it costs to touch a wall at all, and for the whole label: any label that fits is better."""
+
+_WALL = 0.08
+"""From a room's outline to where its letters may stand, metres: half a wall and a little paper."""
+
 
 def draw_rooms(scene: FloorScene) -> list[Canvas]:
     """Draw the floor of each room."""
@@ -73,7 +92,7 @@ def _label(scene: FloorScene, room: SceneRoom, tallest: float) -> list[Shape]:
 
 @dataclass(frozen=True)
 class _Option:
-    """A way to write a name: its rows and the height of its letters in metres."""
+    """A name broken into rows, and the height of its letters in metres."""
 
     rows: list[str]
     size: float
@@ -88,7 +107,7 @@ class _Option:
 
 
 def _options(words: Sequence[str], tallest: float) -> list[_Option]:
-    """Return ways to write a name, the largest letters first, each in one to three rows."""
+    """Return the name in one to three rows at each height of letters, the largest first."""
     return [_Option(rows, share * tallest) for share in _SHARES for rows in _wraps(words)]
 
 
@@ -109,25 +128,6 @@ def _wraps(words: Sequence[str]) -> list[list[str]]:
                 row = f"{row} {word}".strip()
         wraps.append([*rows, row])
     return wraps
-
-
-Floats = npt.NDArray[np.float64]
-Bools = npt.NDArray[np.bool_]
-
-_CELL, _MOST = 0.12, 90
-"""Side of a cell, metres, and most cells along a side of a room."""
-
-_MARGIN = 1.0
-"""Around a room, metres."""
-
-_COVERED, _TURNED, _ASIDE = 4.0, 0.15, 0.12
-"""What it costs to cover furniture (for the whole label), to be turned, and to be off the middle."""
-
-_LEAVING = (0.4, 60.0)
-"""What it costs to touch a wall at all, and for the whole label: any label that fits is better."""
-
-_WALL = 0.08
-"""From a room's outline to where its letters may stand, metres: half a wall and a little paper."""
 
 
 @dataclass(frozen=True)
@@ -242,7 +242,7 @@ def _inside(ring: Floats, xs: Floats, ys: Floats) -> Bools:
 
 
 def _sums(cells: Bools) -> Floats:
-    """Return sums over all cells below and left of each corner."""
+    """Return sums over all cells below and left of each corner: a summed-area table (Crow, F. C. 1984)."""
     sums = np.zeros((cells.shape[0] + 1, cells.shape[1] + 1))
     sums[1:, 1:] = cells.cumsum(0).cumsum(1)
     return sums

@@ -35,7 +35,7 @@ def draw_walls(scene: FloorScene) -> list[Canvas]:
 
 
 def segment_frame(segment: Segment) -> Frame:
-    """Local frame of a segment: origin at its start, x along it, y to its left."""
+    """Return the frame of a segment: origin at its start, x along it, y to its left."""
     (ax, ay), (bx, by) = segment
     return Frame(ax, ay, float(np.degrees(np.arctan2(by - ay, bx - ax))))
 
@@ -98,7 +98,7 @@ def _door(door: Door, wall: Wall | None, rooms: Mapping[str, Sequence[Point]]) -
 
 
 def _sliding(frame: Frame, length: float) -> list[Shape]:
-    """Two panels that meet in the middle, one behind the other."""
+    """Draw two panels that meet in the middle, one behind the other."""
     middle = length / 2
     return [
         Area(frame.place(rectangle(0.0, -0.035, middle, -0.005)), INK["furniture_line"], width=0.0),
@@ -107,14 +107,14 @@ def _sliding(frame: Frame, length: float) -> list[Shape]:
 
 
 def _slats(frame: Frame, length: float, half: float) -> list[Shape]:
-    """A garage door's slats in the wall, and the edges of its opening above them."""
+    """Draw a garage door's slats in the wall, and the edges of its opening above them."""
     edges = [Line(frame.place([(0.0, y), (length, y)]), INK["furniture_detail"], 0.015, 0.08) for y in (-half, half)]
     slats = rectangle(0.0, -0.03, length, 0.03)
     return [*edges, Area(frame.place(slats), INK["furniture_line"], width=0.0)]
 
 
 def _leaves(door: Door, frame: Frame, length: float, side: int) -> list[Shape]:
-    """Open leaves and the quarter circles that they sweep, on the given side of the wall."""
+    """Draw open leaves and the quarter circles that they sweep, on the given side of the wall."""
     ink = INK["glass"] if door.kind in ("glazed", "balcony") else INK["door"]
     both = door.hinge == "both" or door.kind == "double"
     radius = length / 2 if both else length

@@ -108,7 +108,7 @@ class _Painter:
     def label(self, label: Label, picture: "Image") -> None:
         from PIL import Image, ImageDraw
 
-        font = load_font(max(6, round(label.size * self.scale)), label.bold)
+        font = load_font(max(6, round(label.size * self.scale)), bold=label.bold)
         halo = round(0.11 * label.size * self.scale) if label.halo else 0
         (x, y) = self.pixels([label.at])[0]
         anchor = {"start": "lm", "middle": "mm", "end": "rm"}[label.anchor]
@@ -143,7 +143,7 @@ def _keyhole(ring: list[tuple[float, float]], holes: list[list[tuple[float, floa
 
 
 @lru_cache(maxsize=64)
-def load_font(size: int, bold: bool) -> Any:
+def load_font(size: int, *, bold: bool) -> Any:
     """Load DejaVu Sans, which matplotlib carries, so that no font of the machine changes a picture."""
     from PIL import ImageFont
 

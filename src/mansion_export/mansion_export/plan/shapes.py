@@ -86,12 +86,12 @@ class Frame:
 
 
 def rectangle(x0: float, y0: float, x1: float, y1: float) -> list[Point]:
-    """Corners of an upright rectangle, counter-clockwise."""
+    """Return the corners of an upright rectangle, counter-clockwise."""
     return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
 
 
 def arc(center: Point, radius: float, start: float, end: float, steps: int = 14) -> list[Point]:
-    """Points of a circular arc from `start` to `end` degrees."""
+    """Return points of a circular arc from `start` to `end` degrees."""
     angles: npt.NDArray[np.float64] = np.radians(np.linspace(start, end, steps + 1))
     xs = center[0] + radius * np.cos(angles)
     ys = center[1] + radius * np.sin(angles)
@@ -99,7 +99,7 @@ def arc(center: Point, radius: float, start: float, end: float, steps: int = 14)
 
 
 def circle(center: Point, radius: float, radius_y: float | None = None, steps: int = 18) -> list[Point]:
-    """Points of a circle or, with `radius_y`, of an ellipse."""
+    """Return points of a circle or, with `radius_y`, of an ellipse."""
     angles: npt.NDArray[np.float64] = np.linspace(0.0, 2.0 * np.pi, steps, endpoint=False)
     xs = center[0] + radius * np.cos(angles)
     ys = center[1] + (radius if radius_y is None else radius_y) * np.sin(angles)

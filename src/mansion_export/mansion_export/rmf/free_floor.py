@@ -8,19 +8,14 @@ from shapely.geometry import LineString, Polygon, box
 from shapely.geometry.base import BaseGeometry
 
 from mansion_export.door_sides import shaft_of
+from mansion_export.nav2 import CLEARANCE, blocks_robot
 from mansion_export.walls import WallBodies
 from mansion_geometry.object_footprints import footprint
 from mansion_geometry.rings import polygon_parts
-from mansion_msgs_py.scene import Door, FloorScene, LiftDetails, SceneCore, SceneObject
+from mansion_msgs_py.scene import Door, FloorScene, LiftDetails, SceneCore
 from mansion_msgs_py.shapes import Point
 
 __all__ = ["CabinFrame", "cabin_frame", "free_floor", "walkable"]
-
-CLEARANCE = 1.5
-"""Height below which something stands in a robot's way, metres."""
-
-FLAT = 0.05
-"""What is lower, a rug say, is driven over; metres."""
 
 CABIN_GAP, CABIN_WALL = 0.08, 0.05
 """Between shaft and cabin, and of the cabin's walls; metres. The gap is for lifts without details."""
@@ -68,7 +63,7 @@ def cabin_frame(core: SceneCore, scene: FloorScene) -> CabinFrame:
 
 
 def free_floor(scene: FloorScene) -> BaseGeometry:
-    """Return the floor that nothing lower than `CLEARANCE` stands or hangs on; metres.
+    """Return the floor that nothing lower than `mansion_export.nav2.CLEARANCE` stands or hangs on; metres.
 
     Doors between rooms count as open, for a fleet asks for them to be opened; outer doors and stairs are no floor.
     """
@@ -82,7 +77,7 @@ def free_floor(scene: FloorScene) -> BaseGeometry:
         if part.center[2] - part.size[2] / 2 < CLEARANCE
     ]
     shafts = [Polygon(core.polygon) for core in scene.cores]
-    solid += [footprint(item) for item in scene.objects if _blocks(item)]
+    solid += [footprint(item) for item in scene.objects if blocks_robot(item)]
     floor = shapely.union_all(rooms).difference(shapely.union_all(shafts))
     floor = shapely.union_all([floor, *inner]).difference(shapely.union_all(solid))
     return shapely.union_all([floor, *_cabins(scene)])
@@ -126,8 +121,3 @@ def _rectangle(x: float, y: float, width: float, depth: float, rotation: float) 
     centred = box(-width / 2, -depth / 2, width / 2, depth / 2)
     turned = shapely.affinity.rotate(centred, rotation, origin=(0.0, 0.0))
     return shapely.affinity.translate(turned, x, y)
-
-
-def _blocks(item: SceneObject) -> bool:
-    bottom, top = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
-    return item.mount not in ("surface", "inside") and bottom < CLEARANCE and top > FLAT

@@ -2,20 +2,20 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import shapely
 from shapely.geometry import Polygon
 
 from mansion_export.rmf.free_floor import cabin_frame, walkable
-from mansion_export.rmf.lane_paths import FloorPiece, central_point
+from mansion_export.rmf.lane_paths import FreeRegion, central_point
 from mansion_geometry.rings import polygon_parts
 from mansion_geometry.robot_body import ROBOT_RADIUS
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.shapes import Point, Segment
 
-__all__ = ["OPERATED", "Crossing", "Lane", "LevelGraph", "Waypoint", "building_graph", "crossings", "level_name"]
+__all__ = ["OPERATED", "Crossing", "Lane", "LevelGraph", "Waypoint", "building_graph", "crossings"]
 
 OPERATED = ("single", "double", "glazed", "entrance", "balcony", "garage")
 """Kinds of doors that have leaves; the landing doors of lifts belong to the lift."""
@@ -26,10 +26,16 @@ BESIDE = (0.5, 0.4, 0.3, 0.25, 0.2, 0.7, 0.9, 0.15)
 ALONG = 0.2
 """Distance between the places along an opening that are tried, metres."""
 
+SPARE = 0.005
+"""Clearance of lanes beyond the radius, for the rounding of coordinates; metres."""
+
+APART = 0.5
+"""A start pose nearer to its room's waypoint than this has no waypoint of its own; metres."""
+
 
 @dataclass(frozen=True, slots=True)
 class Crossing:
-    """A way through a door.
+    """A lane through a door.
 
     Attributes
     ----------
@@ -45,8 +51,8 @@ class Crossing:
     rooms: tuple[str, str]
 
 
-def crossings(scene: FloorScene, pieces: Sequence[FloorPiece]) -> list[Crossing]:
-    """Return a way through every door between rooms, or into a lift, that the robot fits through."""
+def crossings(scene: FloorScene, pieces: Sequence[FreeRegion]) -> list[Crossing]:
+    """Return a lane through every door between rooms, or into a lift, that the robot fits through."""
     shapes = {room.id: Polygon(room.polygon, room.holes) for room in scene.rooms if room.kind != "stair"}
     lifts = {core.door: core for core in scene.cores if core.type == "elevator"}
     found = []
@@ -75,18 +81,18 @@ def _on_axis(segment: Segment, facing: Point, center: Point) -> Point:
 
 
 def _into_lift(
-    door: Door, rooms: tuple[str, str], facing: Point, cabin: Point, pieces: Sequence[FloorPiece]
+    door: Door, rooms: tuple[str, str], facing: Point, cabin: Point, pieces: Sequence[FreeRegion]
 ) -> Crossing | None:
     (ax, ay), (bx, by) = door.segment
     x, y = (ax + bx) / 2, (ay + by) / 2
     for beside in BESIDE:
         front = _rounded(x + facing[0] * beside, y + facing[1] * beside)
-        if any(piece.clear(front, cabin) for piece in pieces):
+        if any(piece.connects(front, cabin) for piece in pieces):
             return Crossing(door, (front, cabin), rooms)
     return None
 
 
-def _between(door: Door, shapes: dict[str, Polygon], pieces: Sequence[FloorPiece]) -> Crossing | None:
+def _between(door: Door, shapes: dict[str, Polygon], pieces: Sequence[FreeRegion]) -> Crossing | None:
     a, b = door.rooms
     if b is None or a not in shapes or b not in shapes:
         return None
@@ -100,7 +106,7 @@ def _between(door: Door, shapes: dict[str, Polygon], pieces: Sequence[FloorPiece
         if ends[0] is None or ends[1] is None:
             continue
         (left, in_left), (right, in_right) = ends[0], ends[1]
-        if {in_left, in_right} == {a, b} and any(piece.clear(left, right) for piece in pieces):
+        if {in_left, in_right} == {a, b} and any(piece.connects(left, right) for piece in pieces):
             return Crossing(door, (left, right), (in_left, in_right))
     return None
 
@@ -113,36 +119,29 @@ def _fractions(length: float) -> list[float]:
 
 
 def _end(
-    x: float, y: float, normal: Point, sign: float, rooms: dict[str, Polygon], pieces: Sequence[FloorPiece]
+    x: float, y: float, normal: Point, sign: float, rooms: dict[str, Polygon], pieces: Sequence[FreeRegion]
 ) -> tuple[Point, str] | None:
     """Return the first good place on one side of a door and the room that it lies in."""
     middle = (x, y)
     for beside in BESIDE:
         point = _rounded(x + normal[0] * sign * beside, y + normal[1] * sign * beside)
         room = next((key for key, shape in rooms.items() if _within(shape, point)), None)
-        if room is not None and any(piece.clear(middle, point) for piece in pieces):
+        if room is not None and any(piece.connects(middle, point) for piece in pieces):
             return point, room
     return None
 
 
 def _within(shape: Polygon, point: Point) -> bool:
-    return FloorPiece(shape).holds(point)
+    return FreeRegion(shape).contains(point)
 
 
 def _rounded(x: float, y: float) -> Point:
     return (round(x, 3) + 0.0, round(y, 3) + 0.0)
 
 
-SPARE = 0.005
-"""What lanes keep off things beyond the radius, for the rounding of coordinates; metres."""
-
-APART = 0.5
-"""A start pose nearer to its room's waypoint than this has no waypoint of its own; metres."""
-
-
 @dataclass(frozen=True, slots=True)
 class Waypoint:
-    """A place where lanes meet.
+    """A place where lanes meet or end.
 
     Attributes
     ----------
@@ -165,46 +164,29 @@ class Waypoint:
 
 @dataclass(frozen=True, slots=True)
 class Lane:
-    """A straight way that can be driven both ways; `door` is the one that it leads through, if any."""
+    """A straight lane that can be driven both ways; `door` is the id of the one that it leads through, if any."""
 
     start: int
     end: int
     door: str = ""
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class LevelGraph:
     """The lanes of one floor; `lanes` count the `waypoints` from 0."""
 
     scene: FloorScene
-    waypoints: list[Waypoint] = field(default_factory=list)
-    lanes: list[Lane] = field(default_factory=list)
+    waypoints: tuple[Waypoint, ...] = ()
+    lanes: tuple[Lane, ...] = ()
 
     @property
     def name(self) -> str:
-        """What Open-RMF calls the floor, and the map that its robots say they are on."""
-        return level_name(self.scene.floor)
-
-    def add(self, place: Point, room: str = "", lift: str = "") -> int:
-        """Return the waypoint at a place, a new one if there is none yet."""
-        for i, known in enumerate(self.waypoints):
-            if known.place == place:
-                return i
-        self.waypoints.append(Waypoint(place, room=room, lift=lift))
-        return len(self.waypoints) - 1
-
-    def mark(self, i: int, **changes: object) -> None:
-        """Change what is said of a waypoint."""
-        self.waypoints[i] = replace(self.waypoints[i], **changes)  # type: ignore[arg-type]
-
-
-def level_name(floor: int) -> str:
-    """Return what a floor is called: the prefix of the ids on it."""
-    return f"F{floor}"
+        """What Open-RMF calls the floor, and the map that its robots say they are on: the prefix of the ids on it."""
+        return f"F{self.scene.floor}"
 
 
 def building_graph(scenes: Sequence[FloorScene], radius: float = ROBOT_RADIUS) -> list[LevelGraph]:
-    """Lay lanes over a building.
+    """Return the lanes of a building.
 
     Parameters
     ----------
@@ -219,63 +201,79 @@ def building_graph(scenes: Sequence[FloorScene], radius: float = ROBOT_RADIUS) -
         Ascending; on each the largest piece that lanes and lifts join. Every such piece of the building has a
         charger.
     """
-    levels = [_level_graph(scene, radius) for scene in sorted(scenes, key=lambda scene: scene.floor)]
+    levels = [_LevelBuilder(scene, radius).graph() for scene in sorted(scenes, key=lambda scene: scene.floor)]
     pieces = _pieces(levels)
     kept = [_largest(level, numbers) for level, numbers in zip(levels, pieces)]
-    _add_chargers(kept, _pieces(kept))
-    return kept
+    return _with_chargers(kept, _pieces(kept))
 
 
-def _level_graph(scene: FloorScene, radius: float) -> LevelGraph:
-    level = LevelGraph(scene)
-    floor = [FloorPiece(part) for part in walkable(scene, radius + SPARE)]
-    ways = crossings(scene, floor)
-    for way in ways:
-        lift = way.rooms[1] if _is_lift(scene, way) else ""
-        start = level.add(way.ends[0], room=way.rooms[0])
-        end = level.add(way.ends[1], room="" if lift else way.rooms[1], lift=lift)
-        if lift:
-            level.mark(end, name=f"{level.name}/{lift}")
-        door = way.door.id if way.door.kind in OPERATED else ""
-        level.lanes.append(Lane(start, end, door))
-    for room in scene.rooms:
-        if room.kind != "stair":
-            shape = Polygon(room.polygon, room.holes)
-            ends = [end for way in ways for end, key in zip(way.ends, way.rooms) if key == room.id]
-            _fill_room(level, room.id, shape, ends, [piece.shape for piece in floor])
-    return level
+class _LevelBuilder:
+    """Lays the lanes of one floor."""
 
+    def __init__(self, scene: FloorScene, radius: float) -> None:
+        self._scene = scene
+        self._name = LevelGraph(scene).name
+        self._floor = [FreeRegion(part) for part in walkable(scene, radius + SPARE)]
+        self._waypoints: list[Waypoint] = []
+        self._lanes: list[Lane] = []
 
-def _is_lift(scene: FloorScene, way: Crossing) -> bool:
-    return any(core.door == way.door.id and core.type == "elevator" for core in scene.cores)
+    def graph(self) -> LevelGraph:
+        """Return the lanes through doors, and those in rooms that join them."""
+        found = crossings(self._scene, self._floor)
+        lifts = {core.door for core in self._scene.cores if core.type == "elevator"}
+        for crossing in found:
+            lift = crossing.rooms[1] if crossing.door.id in lifts else ""
+            start = self._waypoint(crossing.ends[0], room=crossing.rooms[0])
+            end = self._waypoint(crossing.ends[1], room="" if lift else crossing.rooms[1], lift=lift)
+            if lift:
+                self._mark(end, name=f"{self._name}/{lift}")
+            door = crossing.door.id if crossing.door.kind in OPERATED else ""
+            self._lanes.append(Lane(start, end, door))
+        for room in self._scene.rooms:
+            if room.kind != "stair":
+                shape = Polygon(room.polygon, room.holes)
+                ends = [end for each in found for end, key in zip(each.ends, each.rooms) if key == room.id]
+                self._fill_room(room.id, shape, ends)
+        return LevelGraph(self._scene, tuple(self._waypoints), tuple(self._lanes))
 
+    def _waypoint(self, place: Point, room: str = "", lift: str = "") -> int:
+        """Return the number of the waypoint at a place, a new one if there is none yet."""
+        for i, known in enumerate(self._waypoints):
+            if known.place == place:
+                return i
+        self._waypoints.append(Waypoint(place, room=room, lift=lift))
+        return len(self._waypoints) - 1
 
-def _fill_room(level: LevelGraph, room: str, shape: Polygon, ends: list[Point], floor: Iterable[Polygon]) -> None:
-    """Join the places beside a room's doors; the part of the room with most of them has the room's waypoint."""
-    parts = [part for piece in floor for part in polygon_parts(piece.intersection(shape))]
-    pieces = [FloorPiece(part) for part in parts]
-    spawn = level.scene.spawn
-    held = [[end for end in dict.fromkeys(ends) if piece.holds(end)] for piece in pieces]
-    order = sorted(range(len(pieces)), key=lambda i: (-len(held[i]), -round(parts[i].area, 6), i))
-    for rank, i in enumerate(order):
-        goals = held[i]
-        if rank and not goals:
-            break
-        root = central_point(parts[i])
-        if not pieces[i].holds(root):
-            continue
-        start = level.add(root, room=room)
-        if not rank:
-            level.mark(start, name=room)
-        if spawn is not None and spawn.room == room:
-            place = (round(spawn.x, 3), round(spawn.y, 3))
-            if shapely.distance(shapely.Point(place), shapely.Point(root)) < APART:
-                level.mark(start, parking=True)
-            elif pieces[i].holds(place):
-                goals = [*goals, place]
-                level.mark(level.add(place, room=room), name=f"{room}/start", parking=True)
-        for a, b in pieces[i].tree(root, [goal for goal in goals if goal != root]):
-            level.lanes.append(Lane(level.add(a, room=room), level.add(b, room=room)))
+    def _mark(self, i: int, *, name: str | None = None, parking: bool = False) -> None:
+        known = self._waypoints[i]
+        self._waypoints[i] = replace(known, name=known.name if name is None else name, parking=known.parking or parking)
+
+    def _fill_room(self, room: str, shape: Polygon, ends: list[Point]) -> None:
+        """Join the waypoints beside a room's doors; the region with most of them has the room's waypoint."""
+        parts = [part for region in self._floor for part in polygon_parts(region.shape.intersection(shape))]
+        regions = [FreeRegion(part) for part in parts]
+        spawn = self._scene.spawn
+        held = [[end for end in dict.fromkeys(ends) if region.contains(end)] for region in regions]
+        order = sorted(range(len(regions)), key=lambda i: (-len(held[i]), -round(parts[i].area, 6), i))
+        for rank, i in enumerate(order):
+            goals = held[i]
+            if rank and not goals:
+                break
+            root = central_point(parts[i])
+            if not regions[i].contains(root):
+                continue
+            start = self._waypoint(root, room=room)
+            if not rank:
+                self._mark(start, name=room)
+            if spawn is not None and spawn.room == room:
+                place = (round(spawn.x, 3), round(spawn.y, 3))
+                if shapely.distance(shapely.Point(place), shapely.Point(root)) < APART:
+                    self._mark(start, parking=True)
+                elif regions[i].contains(place):
+                    goals = [*goals, place]
+                    self._mark(self._waypoint(place, room=room), name=f"{room}/start", parking=True)
+            for a, b in regions[i].lane_tree(root, [goal for goal in goals if goal != root]):
+                self._lanes.append(Lane(self._waypoint(a, room=room), self._waypoint(b, room=room)))
 
 
 def _pieces(levels: Sequence[LevelGraph]) -> list[list[int]]:
@@ -312,17 +310,25 @@ def _largest(level: LevelGraph, pieces: Sequence[int]) -> LevelGraph:
     main = min(size, key=lambda piece: (-size[piece], piece))
     kept = [i for i, piece in enumerate(pieces) if piece == main]
     number = {old: new for new, old in enumerate(kept)}
-    lanes = [Lane(number[lane.start], number[lane.end], lane.door) for lane in level.lanes if lane.start in number]
-    return LevelGraph(level.scene, [level.waypoints[i] for i in kept], lanes)
+    lanes = (Lane(number[lane.start], number[lane.end], lane.door) for lane in level.lanes if lane.start in number)
+    return LevelGraph(level.scene, tuple(level.waypoints[i] for i in kept), tuple(lanes))
 
 
-def _add_chargers(levels: Sequence[LevelGraph], pieces: Sequence[Sequence[int]]) -> None:
+def _with_chargers(levels: Sequence[LevelGraph], pieces: Sequence[Sequence[int]]) -> list[LevelGraph]:
     """Make the lowest parking spot of each piece its charger; its first room where it has none."""
     places: dict[int, list[tuple[bool, int, int]]] = {}
     for k, (level, numbers) in enumerate(zip(levels, pieces)):
         for i, (point, piece) in enumerate(zip(level.waypoints, numbers)):
             if point.name and not point.lift:
                 places.setdefault(piece, []).append((not point.parking, k, i))
-    for candidates in places.values():
-        _, k, i = min(candidates)
-        levels[k].mark(i, parking=True, charger=True)
+    chosen = {min(candidates)[1:] for candidates in places.values()}
+    return [
+        replace(
+            level,
+            waypoints=tuple(
+                replace(point, parking=True, charger=True) if (k, i) in chosen else point
+                for i, point in enumerate(level.waypoints)
+            ),
+        )
+        for k, level in enumerate(levels)
+    ]

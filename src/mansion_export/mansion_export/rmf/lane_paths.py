@@ -1,4 +1,8 @@
-"""Straight lanes through a piece of free floor: shortest paths that keep clear of its edge, pulled straight."""
+"""Straight lanes through a region of free floor: shortest paths that keep clear of its edge, with few corners.
+
+Paths are Dijkstra's on a grid (Dijkstra, E. W. 1959, A note on two problems in connexion with graphs), where a step
+near the edge costs more; then each run between forks is replaced by the fewest segments that are about as clear.
+"""
 
 import heapq
 import math
@@ -10,26 +14,23 @@ import numpy as np
 import shapely
 from shapely.geometry import LineString, Polygon
 
-from mansion_msgs_py.shapes import Point
+from mansion_msgs_py.shapes import Point, Segment
 
-__all__ = ["FloorPiece", "Way", "central_point"]
+__all__ = ["FreeRegion", "central_point"]
 
 STEPS = (0.1, 0.05, 0.025)
 """Grids that are tried, metres: a finer one where the coarser misses a passage."""
 
-ROOMY = 0.4
-"""Distance from what a robot must not touch, beyond which more is no better; metres."""
+AMPLE = 0.4
+"""Clearance beyond which more is no better, metres."""
 
 PENALTY = 3.0
-"""How many times longer a way along an obstacle counts."""
-
-Way = tuple[Point, Point]
-"""A straight piece of a way."""
+"""How many times its length a segment at the edge costs more."""
 
 
 @dataclass(frozen=True, slots=True)
-class FloorPiece:
-    """A connected piece of the floor that a robot's centre may be on.
+class FreeRegion:
+    """A connected region of the floor where a robot's centre may be.
 
     Attributes
     ----------
@@ -44,33 +45,33 @@ class FloorPiece:
         shapely.prepare(self.shape)
         shapely.prepare(self._boundary)
 
-    def holds(self, point: Point) -> bool:
-        """Tell whether a point is on the piece."""
+    def contains(self, point: Point) -> bool:
+        """Tell whether a point is in the region."""
         return bool(shapely.covers(self.shape, shapely.Point(point)))
 
-    def clear(self, a: Point, b: Point) -> bool:
-        """Tell whether a straight way stays on the piece."""
+    def connects(self, a: Point, b: Point) -> bool:
+        """Tell whether the segment between two points stays in the region."""
         return bool(shapely.covers(self.shape, LineString([a, b])))
 
-    def room_beside(self, a: Point, b: Point) -> float:
-        """Return how near a straight way comes to the piece's edge, metres."""
+    def clearance(self, a: Point, b: Point) -> float:
+        """Return how near the segment between two points comes to the region's edge, metres."""
         return float(shapely.distance(LineString([a, b]), self._boundary))
 
-    def tree(self, root: Point, goals: Sequence[Point]) -> list[Way]:
-        """Join points by straight ways that branch from one of them.
+    def lane_tree(self, root: Point, goals: Sequence[Point]) -> list[Segment]:
+        """Join points by segments that branch from one of them.
 
         Parameters
         ----------
         root : Point
         goals : sequence of Point
-            All on the piece.
+            All in the region.
 
         Returns
         -------
-        list of Way
+        list of Segment
             A goal that not even the finest of `STEPS` reaches is left out.
         """
-        if len(goals) <= 2 and all(self._easy(root, goal) for goal in goals):
+        if len(goals) <= 2 and all(self._unobstructed(root, goal) for goal in goals):
             return [(root, goal) for goal in goals]
         best: dict[int, list[int]] = {}
         grid = _Grid(self, STEPS[0], [root, *goals])
@@ -81,11 +82,11 @@ class FloorPiece:
                 break
         return self._straightened(grid.points, best)
 
-    def _easy(self, a: Point, b: Point) -> bool:
-        return self.clear(a, b) and self.room_beside(a, b) > 0.0
+    def _unobstructed(self, a: Point, b: Point) -> bool:
+        return self.connects(a, b) and self.clearance(a, b) > 0.0
 
-    def _straightened(self, points: list[Point], chains: dict[int, list[int]]) -> list[Way]:
-        """Keep ends and forks of the chains, and between them only what straight ways need."""
+    def _straightened(self, points: list[Point], chains: dict[int, list[int]]) -> list[Segment]:
+        """Keep ends and forks of the chains, and between them only what straight segments need."""
         after: dict[int, int] = {}
         for chain in chains.values():
             after.update(pairwise(chain))
@@ -93,33 +94,33 @@ class FloorPiece:
         for node in after.values():
             forks[node] = forks.get(node, 0) + 1
         keep = {node for node, count in forks.items() if count > 1} | set(chains) | {0}
-        ways = []
+        segments = []
         for start in sorted(keep - {0}):
             chain = [start]
             while chain[-1] not in keep or len(chain) == 1:
                 chain.append(after[chain[-1]])
-            pulled = self._pulled([points[node] for node in chain])
-            ways += list(pairwise(pulled))
-        return ways
+            shortened = self._shortened([points[node] for node in chain])
+            segments += list(pairwise(shortened))
+        return segments
 
-    def _pulled(self, chain: list[Point]) -> list[Point]:
-        """Leave out points as long as the way stays about as far from the edge as it was."""
+    def _shortened(self, chain: list[Point]) -> list[Point]:
+        """Leave out points as long as the path stays about as far from the edge as it was."""
         kept, i = [chain[0]], 0
-        beside = [self.room_beside(a, b) for a, b in pairwise(chain)]
+        beside = [self.clearance(a, b) for a, b in pairwise(chain)]
         while i < len(chain) - 1:
             j = len(chain) - 1
-            while j > i + 1 and not self._as_roomy(chain[i], chain[j], min(beside[i:j])):
+            while j > i + 1 and not self._as_clear(chain[i], chain[j], min(beside[i:j])):
                 j -= 1
             kept.append(chain[j])
             i = j
         return kept
 
-    def _as_roomy(self, a: Point, b: Point, least: float) -> bool:
-        return self.clear(a, b) and self.room_beside(a, b) >= 0.7 * min(least, ROOMY)
+    def _as_clear(self, a: Point, b: Point, least: float) -> bool:
+        return self.connects(a, b) and self.clearance(a, b) >= 0.7 * min(least, AMPLE)
 
 
 def central_point(shape: Polygon, step: float = 0.1) -> Point:
-    """Return a point with plenty of room around it, near the middle; metres, in millimetres."""
+    """Return a point with ample clearance, near the centroid; metres, rounded to millimetres."""
     points = _lattice(shape, step)
     if not len(points):
         point = shape.representative_point()
@@ -144,22 +145,22 @@ def _lattice(shape: Polygon, step: float) -> np.ndarray[tuple[int, ...], np.dtyp
 
 
 class _Grid:
-    """A graph over a piece: given points first, the root foremost, then the grid's."""
+    """A graph over a region: given points first, the root foremost, then the grid's."""
 
-    def __init__(self, piece: FloorPiece, step: float, given: Sequence[Point]) -> None:
-        lattice = _lattice(piece.shape, step)
+    def __init__(self, region: FreeRegion, step: float, given: Sequence[Point]) -> None:
+        lattice = _lattice(region.shape, step)
         self.points: list[Point] = [*given, *((x, y) for x, y in lattice.tolist())]
         self._given = len(given)
         places = np.array(self.points)
-        room = shapely.distance(shapely.points(places), piece._boundary)
+        room = shapely.distance(shapely.points(places), region._boundary)
         pairs = self._pairs(lattice, np.array(given), step)
-        ways = shapely.linestrings(np.stack([places[pairs[:, 0]], places[pairs[:, 1]]], axis=1))
+        segments = shapely.linestrings(np.stack([places[pairs[:, 0]], places[pairs[:, 1]]], axis=1))
         near = np.minimum(room[pairs[:, 0]], room[pairs[:, 1]])
-        open_way = near > 2 * step
-        open_way[~open_way] = shapely.covers(piece.shape, ways[~open_way])
-        pairs, near = pairs[open_way], near[open_way]
+        is_open = near > 2 * step
+        is_open[~is_open] = shapely.covers(region.shape, segments[~is_open])
+        pairs, near = pairs[is_open], near[is_open]
         length = np.hypot(*(places[pairs[:, 0]] - places[pairs[:, 1]]).T)
-        tight = np.clip(1.0 - near / ROOMY, 0.0, 1.0)
+        tight = np.clip(1.0 - near / AMPLE, 0.0, 1.0)
         cost = length * (1.0 + PENALTY * tight**2)
         self._next: list[list[tuple[int, float]]] = [[] for _ in self.points]
         for (a, b), value in zip(pairs.tolist(), cost.tolist()):

@@ -17,6 +17,11 @@ __all__ = ["HouseFault", "validate_house"]
 
 Json: TypeAlias = dict[str, Any]
 
+SLACK = 2e-3
+"""Metres of rounding."""
+
+TOP_LEVEL = ("rooms", "walls", "doors", "windows", "objects", "proceduralParameters", "metadata")
+
 
 class HouseFault(NamedTuple):
     """A fault: its kind, the JSON path or id where it is, and what was found against what is asked."""
@@ -49,10 +54,6 @@ def numbers(value: object, path: str = "$") -> Iterable[tuple[str, float]]:
             yield from numbers(part, f"{path}[{i}]")
     elif isinstance(value, float):
         yield path, value
-
-
-SLACK = 2e-3
-"""Metres of rounding."""
 
 
 def check_rooms(house: Json) -> list[HouseFault]:
@@ -301,9 +302,6 @@ def check_parameters(house: Json) -> list[HouseFault]:
         if light.get("type") == "point" and light.get("layer") in light.get("cullingMaskOff", []):
             faults.append(HouseFault("light", name, "it does not shine on its own layer"))
     return faults
-
-
-TOP_LEVEL = ("rooms", "walls", "doors", "windows", "objects", "proceduralParameters", "metadata")
 
 
 def validate_house(house: Json, known_assets: Container[str] | None = None) -> list[HouseFault]:

@@ -26,6 +26,9 @@ COLLINEAR = 0.02
 SLIVER = 0.005
 """Shorter stretches are rounding, not boundary."""
 
+REACH = 0.3
+"""Metres between an opening's wall and the polygon edge that stands for it, at most."""
+
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
@@ -53,7 +56,7 @@ class Stretch:
 
 
 def stretches(polygons: Mapping[str, Sequence[Ring]]) -> list[Stretch]:
-    """Split the boundaries of polygons that tile a floor into stretches of one neighbour each.
+    """Split the boundaries of polygons that tile a floor into stretches with one neighbour each.
 
     Parameters
     ----------
@@ -111,7 +114,7 @@ def _edges(polygons: Mapping[str, Sequence[Ring]]) -> tuple[list[str], FloatArra
 def _opposites(
     i: int, owners: list[str], starts: FloatArray, ends: FloatArray, units: FloatArray, lengths: FloatArray
 ) -> list[tuple[int, float, float]]:
-    """Later edges that run against edge `i` on its line, with the interval of `i` that they cover."""
+    """Return later edges that run against edge `i` on its line, with the interval of `i` that they cover."""
     later = slice(i + 1, len(owners))
     ux, uy = units[i]
     against = units[later] @ units[i] < -0.999
@@ -129,7 +132,7 @@ def _opposites(
 def _fill(
     owner: str, start: FloatArray, unit: FloatArray, length: float, shared: list[tuple[float, float, Stretch]]
 ) -> list[Stretch]:
-    """Shared stretches of one edge in order, and outer ones between them."""
+    """Return the shared stretches of one edge in order, and outer ones between them."""
     found: list[Stretch] = []
     reached = 0.0
     for low, high, stretch in sorted(shared, key=lambda item: item[0]):
@@ -147,17 +150,22 @@ def _along(start: FloatArray, unit: FloatArray, distance: float) -> Point:
     return (round(float(x), 6), round(float(y), 6))
 
 
-REACH = 0.3
-"""Metres between an opening's wall and the polygon edge that stands for it, at most."""
+@dataclass(frozen=True, slots=True)
+class _Hole:
+    """An opening's interval along a stretch of boundary, metres."""
+
+    low: float
+    high: float
+    opening: Door | Window
 
 
 @dataclass(slots=True)
 class Structure:
-    """What `build_structure` makes.
+    """Walls, doors and windows of a house, and what its rooms share.
 
     Attributes
     ----------
-    neighbours : set of (str, str)
+    neighbours : list of (str, str)
         Rooms that share a wall, ids in order.
     merged : list of (str, str)
         Rooms between which a wall is missing; they share light.
@@ -175,12 +183,46 @@ class Structure:
     merged: list[tuple[str, str]] = field(default_factory=list)
     misplaced: list[str] = field(default_factory=list)
 
-
-@dataclass(frozen=True, slots=True)
-class _Hole:
-    low: float
-    high: float
-    opening: Door | Window
+    def add_piece(
+        self, stretch: Stretch, low: float, high: float, hole: _Hole | None, rooms: dict[str, SceneRoom], height: float
+    ) -> None:
+        """Add both faces of a piece of wall, and what is in its hole."""
+        a, b = _point(stretch, low), _point(stretch, high)
+        number = len(self.walls) // 2
+        owner, other = rooms[stretch.owner], rooms.get(stretch.neighbour or "")
+        near, far = f"wall|{owner.id}|{number}", f"wall|{other.id if other else 'exterior'}|{number}"
+        gone = hole is not None and isinstance(hole.opening, Door) and hole.opening.kind == "open"
+        # The owner's interior lies to the left of start -> end; AI2-THOR shows the right side of p0 -> p1.
+        faces = [
+            _face(near, owner.id, b, a, height, owner.wall_material, empty=gone),
+            _face(
+                far,
+                other.id if other else owner.id,
+                a,
+                b,
+                height,
+                other.wall_material if other else self.facade,
+                empty=gone,
+            ),
+        ]
+        self.walls += faces
+        if hole is None:
+            return
+        if gone:
+            if other is not None:
+                self.merged.append((owner.id, other.id))
+            return
+        forward = (hole.low - low, hole.high - low)
+        backward = (high - hole.high, high - hole.low)
+        if isinstance(hole.opening, Window):
+            self.windows.append(_window(hole.opening, near, far, owner.id, backward))
+            return
+        door = hole.opening
+        if other is not None and door.swing == owner.id:
+            self.doors.append(_door(door, (far, near), (other.id, owner.id), forward, inside=True))
+        else:
+            names = (owner.id, other.id if other else owner.id)
+            self.doors.append(_door(door, (near, far), names, backward, inside=other is not None))
 
 
 def build_structure(scene: FloorScene, height: float) -> Structure:
@@ -204,7 +246,7 @@ def build_structure(scene: FloorScene, height: float) -> Structure:
         for hole in holes:
             waiting.remove(hole.opening)
         for low, high, inside in _pieces(stretch, holes):
-            _add_piece(made, stretch, low, high, inside, rooms, height)
+            made.add_piece(stretch, low, high, inside, rooms, height)
     made.misplaced = [item.id for item in waiting if _concerns(item, rooms)]
     return made
 
@@ -216,7 +258,7 @@ def _concerns(opening: Door | Window, rooms: dict[str, SceneRoom]) -> bool:
 
 
 def _holes_on(stretch: Stretch, waiting: Sequence[Door | Window], rooms: dict[str, SceneRoom]) -> list[_Hole]:
-    """Openings that lie on a stretch and join what it divides, along its direction."""
+    """Return the openings that lie on a stretch and join what it divides, along its direction."""
     holes = []
     for opening in waiting:
         if not _joins(opening, stretch, rooms):
@@ -235,7 +277,7 @@ def _joins(opening: Door | Window, stretch: Stretch, rooms: dict[str, SceneRoom]
 
 
 def _interval(stretch: Stretch, segment: Segment) -> tuple[float, float] | None:
-    """Where a segment lies along a stretch, if it lies on it."""
+    """Return where a segment lies along a stretch, if it lies on it."""
     a = np.array(stretch.start)
     unit = (np.array(stretch.end) - a) / stretch.length
     rel = np.array(segment) - a
@@ -271,53 +313,13 @@ def _pieces(stretch: Stretch, holes: list[_Hole]) -> list[tuple[float, float, _H
     return pieces
 
 
-def _add_piece(
-    made: Structure,
-    stretch: Stretch,
-    low: float,
-    high: float,
-    hole: _Hole | None,
-    rooms: dict[str, SceneRoom],
-    height: float,
-) -> None:
-    """Write both faces of a piece of wall, and what is in its hole."""
-    a, b = _point(stretch, low), _point(stretch, high)
-    number = len(made.walls) // 2
-    owner, other = rooms[stretch.owner], rooms.get(stretch.neighbour or "")
-    near, far = f"wall|{owner.id}|{number}", f"wall|{other.id if other else 'exterior'}|{number}"
-    gone = hole is not None and isinstance(hole.opening, Door) and hole.opening.kind == "open"
-    # The owner's interior lies to the left of start -> end; AI2-THOR shows the right side of p0 -> p1.
-    faces = [
-        _face(near, owner.id, b, a, height, owner.wall_material, gone),
-        _face(far, other.id if other else owner.id, a, b, height, other.wall_material if other else made.facade, gone),
-    ]
-    made.walls += faces
-    if hole is None:
-        return
-    if gone:
-        if other is not None:
-            made.merged.append((owner.id, other.id))
-        return
-    forward = (hole.low - low, hole.high - low)
-    backward = (high - hole.high, high - hole.low)
-    if isinstance(hole.opening, Window):
-        made.windows.append(_window(hole.opening, near, far, owner.id, backward))
-        return
-    door = hole.opening
-    if other is not None and door.swing == owner.id:
-        made.doors.append(_door(door, (far, near), (other.id, owner.id), forward, True))
-    else:
-        names = (owner.id, other.id if other else owner.id)
-        made.doors.append(_door(door, (near, far), names, backward, other is not None))
-
-
 def _point(stretch: Stretch, along: float) -> Point:
     (ax, ay), (bx, by) = stretch.start, stretch.end
     t = along / stretch.length
     return (round(ax + (bx - ax) * t, 4), round(ay + (by - ay) * t, 4))
 
 
-def _face(name: str, room: str, p0: Point, p1: Point, height: float, material: str, empty: bool) -> Json:
+def _face(name: str, room: str, p0: Point, p1: Point, height: float, material: str, *, empty: bool) -> Json:
     wall: Json = {
         "id": name,
         "roomId": room,
@@ -330,7 +332,7 @@ def _face(name: str, room: str, p0: Point, p1: Point, height: float, material: s
 
 
 def _rectangle(interval: tuple[float, float], bottom: float, top: float) -> Json:
-    """``holePolygon`` (lowest and highest corner along `wall0`) and the centre of what fills it."""
+    """Return ``holePolygon`` (lowest and highest corner along `wall0`) and the centre of what fills it."""
     low, high = interval
     return {
         "holePolygon": [
@@ -342,9 +344,9 @@ def _rectangle(interval: tuple[float, float], bottom: float, top: float) -> Json
 
 
 def _door(
-    door: Door, walls: tuple[str, str], rooms: tuple[str, str], interval: tuple[float, float], inside: bool
+    door: Door, walls: tuple[str, str], rooms: tuple[str, str], interval: tuple[float, float], *, inside: bool
 ) -> Json:
-    """A door opens away from `room0`. Those to cores and the outside stay closed: AI2-THOR has no ground there."""
+    """Return a door, which opens away from `room0`; without ground beyond it, at cores and outside, it stays closed."""
     frame = door.kind in ("doorway", "frame") and inside
     width = interval[1] - interval[0]
     asset, wide, tall = best_fitting(DOORFRAMES if frame else DOORWAYS, width, door.height)
