@@ -215,7 +215,7 @@ class SceneEditor:
             self._redo.append((self._what.pop(), taken))
             self.state.roll_back(start)
             ids = list(dict.fromkeys(change.id for change in taken))
-            return EditResult(message=f"took back {', '.join(ids)}", object_ids=ids)
+            return EditResult(message=f"undid {', '.join(ids)}", object_ids=ids)
         done = self.store.undo(self.who)
         self.reload()
         return _landed(done.what, done)
@@ -229,7 +229,7 @@ class SceneEditor:
             for change in changes:
                 self.state.apply(change)
             ids = list(dict.fromkeys(change.id for change in changes))
-            return EditResult(message=f"did again {', '.join(ids)}", object_ids=ids)
+            return EditResult(message=f"redid {', '.join(ids)}", object_ids=ids)
         done = self.store.redo(self.who)
         self.reload()
         return _landed(done.what, done)

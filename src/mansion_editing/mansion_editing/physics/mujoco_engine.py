@@ -43,7 +43,7 @@ class MujocoEngine:
             if step >= FEWEST_STEPS and quiet >= QUIET_STEPS:
                 break
         mujoco.mj_forward(model, data)
-        return _result(problem, mujoco, model, data, quiet >= QUIET_STEPS)
+        return _result(problem, mujoco, model, data, at_rest=quiet >= QUIET_STEPS)
 
 
 def _mujoco() -> Any:
@@ -103,7 +103,7 @@ def _numbers(values: Any) -> str:
     return " ".join(f"{float(value):.7g}" for value in values)
 
 
-def _result(problem: SettleProblem, mujoco: Any, model: Any, data: Any, at_rest: bool) -> SettleResult:
+def _result(problem: SettleProblem, mujoco: Any, model: Any, data: Any, *, at_rest: bool) -> SettleResult:
     body = model.body("body").id
     matrix = np.array(data.xmat[body]).reshape(3, 3)
     own = model.body_geomadr[body]

@@ -79,7 +79,7 @@ def check_path(state: SceneState, args: CheckPathArgs) -> PathReport:
 def _cuts(state: SceneState) -> dict[str, str]:
     """Say for each room that furniture cuts, or shuts a door of, which objects leave no way."""
     return {
-        room: f"in {room} no way of {ROBOT_WIDTH:g} m is left by {', '.join(names[:6]) or 'furniture'}"
+        room: f"in {room}, {', '.join(names[:6]) or 'furniture'} leaves no gap of {ROBOT_WIDTH:g} m"
         for floor in state.floors
         for room, names in state.index(floor).passages.cuts.items()
     }
