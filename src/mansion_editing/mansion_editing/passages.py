@@ -14,7 +14,7 @@ from mansion_scene.spawn import free_region
 __all__ = ["LOW", "OVERHEAD", "Passages", "passages_of"]
 
 LOW, OVERHEAD = 0.03, 1.5
-"""A thing lower than the one is walked over, one that starts above the other is walked under, metres."""
+"""Heights, metres: a robot drives over objects lower than the first and under those that begin above the second."""
 
 _DOORWAY = 0.40
 """How far before a door's middle line the robot's centre must have come, metres."""
@@ -101,7 +101,7 @@ def _parts_at_door(door: Door, found: Sequence[Polygon], empty: Sequence[Polygon
 
 
 def _objects_at_doors(shut: Sequence[Door], things: Sequence[SceneObject]) -> list[str]:
-    """Return what stands before doors."""
+    """Return the objects in front of doors."""
     lines = [LineString(door.segment) for door in shut]
     return sorted(
         item.id for item in things if (shapely.distance(lines, footprint(item)) <= _DOORWAY + BODY_RADIUS).any()
@@ -111,7 +111,7 @@ def _objects_at_doors(shut: Sequence[Door], things: Sequence[SceneObject]) -> li
 def _objects_between_parts(
     found: Sequence[Polygon], entered: set[int], things: Sequence[SceneObject]
 ) -> list[str] | None:
-    """Return what stands between the parts of a room that matter, None where only one does."""
+    """Return the objects between the parts of a room that matter, None where only one part matters."""
     whole = sum(part.area for part in found)
     large = {n for n, part in enumerate(found) if part.area >= max(_LARGE_AREA, _LARGE_SHARE * whole)}
     matter = sorted(entered | large)

@@ -234,7 +234,7 @@ WALL = 0.01
 def support_boxes(
     item: SceneObject, asset: Asset, ledge: Ledge, spot: tuple[float, float], reach: float
 ) -> list[PosedBox]:
-    """Return what carries things on a ledge: a slab below it, and on soft tops the cushion below the object.
+    """Return the support below a ledge: a slab, and on soft tops the cushion below the object.
 
     Parameters
     ----------

@@ -211,7 +211,7 @@ class BuildingStore:
         files_of: Callable[[FloorScene], Mapping[str, bytes]],
         whole: Callable[[Sequence[FloorScene]], Mapping[str, bytes]],
     ) -> list[int]:
-        """Write anew what is made from scenes, for floors whose revision is not the one it was made from.
+        """Regenerate the derived files of floors whose revision changed since they were written.
 
         Parameters
         ----------

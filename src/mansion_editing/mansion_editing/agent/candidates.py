@@ -39,11 +39,11 @@ __all__ = [
 ]
 
 ObjectSearch = Generator[Action, Outcome, list[ObjectInfo] | str]
-"""Ends with what was found, or why nothing can be."""
+"""Returns the objects found, or the reason why the search failed."""
 
 
 def matches(thing: ObjectDescription, item: ObjectInfo, state: SceneState) -> bool:
-    """Whether an object is such a thing."""
+    """Whether an object fits a description."""
     if thing.noun and thing.noun != item.id:
         scene_object = state.find(item.id)
         ends = "_" in thing.noun and item.id.endswith(f"/{thing.noun}")
@@ -84,7 +84,7 @@ def receptacles(where: Scope, state: SceneState) -> ObjectSearch:
 
 
 def exactly_named(noun: str, items: list[ObjectInfo]) -> list[ObjectInfo]:
-    """Return what is called by a noun itself: of a fridge and a display fridge, the fridge."""
+    """Return the objects whose whole name is the noun: of a fridge and a display fridge, the fridge."""
     words = stems(noun)
     return [i for i in items if stems(i.category.replace("_", " ")) == words]
 
@@ -95,7 +95,7 @@ def _is_on(item: ObjectInfo, base: str, state: SceneState) -> bool:
 
 
 def list_contents(receptacle: ObjectInfo, relation: str) -> ObjectSearch:
-    """List what is on or in a receptacle."""
+    """List the objects on or in a receptacle."""
     tool = "SearchContents" if relation == "in" else "CheckSurface"
     answer = yield Action(f"What is {relation} {receptacle.id}?", tool, {"id": receptacle.id})
     if answer.error is not None:
@@ -105,7 +105,7 @@ def list_contents(receptacle: ObjectInfo, relation: str) -> ObjectSearch:
 
 
 def find_objects(thing: ObjectDescription, where: Scope, state: SceneState) -> ObjectSearch:
-    """Find the things of a kind in a scope."""
+    """Find the objects in a scope that fit a description."""
     found: list[ObjectInfo] = []
     if where.receptacle:
         carriers = yield from receptacles(where, state)
@@ -132,7 +132,7 @@ def find_objects(thing: ObjectDescription, where: Scope, state: SceneState) -> O
 
 
 NEXT_TO: Final = 0.6
-"""Greatest free distance between things that are next to each other, metres."""
+"""Greatest distance between objects that are next to each other, metres."""
 
 
 def find_landmarks(where: Scope, state: SceneState) -> ObjectSearch:
@@ -152,7 +152,7 @@ def is_next_to(item: ObjectInfo, anchor: ObjectInfo, state: SceneState) -> bool:
 
 ENOUGH: Final = 6
 _EASY: Final = ("desk", "table", "counter", "shelf", "shelving_unit", "sideboard", "dresser", "nightstand", "bench")
-"""Ends of categories on which things are put when an instruction names only a room."""
+"""Endings of categories that receive objects when an instruction names only a room."""
 
 
 def relation_of(relation: str, carrier: ObjectInfo, state: SceneState) -> str:
@@ -172,16 +172,14 @@ def rooms_of(where: Scope, state: SceneState) -> list[str]:
     """Return the rooms of a scope, the large ones first."""
     rooms = [
         (-room.area, room.id)
-        for floor in state.floors
-        if where.floor in (None, floor)
-        for room in state.scenes[floor].rooms
-        if room.kind not in ("stair", "elevator") and (not where.rooms or room.id in where.rooms)
+        for floor, room in state.rooms()
+        if where.floor in (None, floor) and (not where.rooms or room.id in where.rooms)
     ]
     return [name for _, name in sorted(rooms)]
 
 
 def find_surfaces(where: Scope, state: SceneState, noun: str = "") -> Generator[Action, Outcome, list[str] | str]:
-    """Return receptacles of a scope with a surface: what usually carries a thing first, then tables and the like."""
+    """Return receptacles of a scope with a surface: the usual ones of a noun first, then tables and the like."""
     found: list[tuple[int, str]] = []
     kinds = tuple(vocabulary_of(state.catalogue).nouns(noun)[:1]) if noun else ()
     usual = usual_receptacles(state.catalogue, kinds)
@@ -207,7 +205,7 @@ CROWDED: Final = 0.1
 
 @lru_cache(maxsize=512)
 def _furniture(catalogue: Catalogue, room_type: str) -> frozenset[str]:
-    """Return the categories that stand in rooms of a type."""
+    """Return the categories of furniture in the program of a room type."""
     out: set[str] = set()
     for item in catalogue.room_program(room_type).floor:
         out.update([item.category] if isinstance(item.category, str) else item.category)
@@ -221,7 +219,7 @@ def in_room_program(state: SceneState, room: SceneRoom, categories: Sequence[str
 
 @lru_cache(maxsize=512)
 def usual_receptacles(catalogue: Catalogue, categories: tuple[str, ...]) -> frozenset[str]:
-    """Return the categories of furniture on or in which the catalogue arranges small things of some categories."""
+    """Return the categories of furniture on which the catalogue arranges small objects of some categories."""
     out: set[str] = set()
     for arrangement in catalogue.arrangements.values():
         said = [entry.category for entry in (*arrangement.slots, *arrangement.seats)]
@@ -235,27 +233,24 @@ def usual_receptacles(catalogue: Catalogue, categories: tuple[str, ...]) -> froz
 def rooms_for(where: Scope, state: SceneState, category: str, size: tuple[float, float, float]) -> list[str]:
     """Return the rooms of a scope that may take a piece of furniture, the best first.
 
-    Those where it belongs go before others, those that are not full yet before full ones, and those with much free
-    floor before narrow ones. Where rooms are named they are all there are; else passages are left out.
+    Rooms whose program has it come first, then rooms that are not crowded, then those with the most free floor.
+    Corridors and the like are left out unless the scope names rooms.
     """
     ranked: list[tuple[bool, bool, float, str]] = []
-    for floor in state.floors:
-        if where.floor not in (None, floor):
+    for floor, room in state.rooms():
+        if where.floor not in (None, floor) or (where.rooms and room.id not in where.rooms):
             continue
         index = state.index(floor)
-        for room in state.scenes[floor].rooms:
-            if room.kind in ("stair", "elevator") or (where.rooms and room.id not in where.rooms):
-                continue
-            belongs = in_room_program(state, room, [category])
-            card = state.catalogue.room_program(room.room_type)
-            if not (belongs or where.rooms) and card.room_type in words_by("uses")["passing"]:
-                continue
-            covered = sum(
-                item.size[0] * item.size[1] for item in index.objects if item.room == room.id and item.mount == "floor"
-            )
-            share = (covered + size[0] * size[1]) / max(room.area, 0.1)
-            free = max((part.area for part in index.passages.parts.get(room.id, ())), default=0.0)
-            ranked.append((not belongs, share > card.cover + CROWDED, -round(free, 3), room.id))
+        belongs = in_room_program(state, room, [category])
+        card = state.catalogue.room_program(room.room_type)
+        if not (belongs or where.rooms) and card.room_type in words_by("uses")["passing"]:
+            continue
+        covered = sum(
+            item.size[0] * item.size[1] for item in index.objects if item.room == room.id and item.mount == "floor"
+        )
+        share = (covered + size[0] * size[1]) / max(room.area, 0.1)
+        free = max((part.area for part in index.passages.parts.get(room.id, ())), default=0.0)
+        ranked.append((not belongs, share > card.cover + CROWDED, -round(free, 3), room.id))
     return [name for *_, name in sorted(ranked)]
 
 
@@ -269,7 +264,7 @@ MOST_ASSETS: Final = 4
 
 
 def find_assets(thing: ObjectDescription, state: SceneState) -> AssetSearch:
-    """Return assets of a thing: the best first, then the small ones; those of its colour before others."""
+    """Return the assets that fit a description: the best first, then small ones; only those of its colour if any."""
     words = " ".join(word for word in (thing.colour, thing.noun) if word)
     answer = yield Action(f"Which asset is {with_article(words)}?", "SearchAssets", {"query": words, "top_k": 50})
     if answer.error is not None:

@@ -82,7 +82,7 @@ def parse_instruction(state: SceneState, instruction: str) -> list[Fact]:
 
 
 def _asks_nothing(state: SceneState, clauses: list[Clause]) -> bool:
-    """Whether a sentence asks for nothing: it has no clause, and names no room and nothing of the catalogue."""
+    """Whether a sentence has no clause and names no room and no object of the catalogue."""
     pieces = [clause.words.get("x", "") for clause in clauses if not clause.kind]
     if len(pieces) != len(clauses):
         return False
@@ -131,7 +131,7 @@ class _Discourse:
         self._flush()
 
     def _read_ellipsis(self, clause: Clause) -> None:
-        """Read a piece without a verb of its own: more things, or the same at another place."""
+        """Read a clause whose verb is elided: more objects, or the same at another place."""
         before = self._clause
         words = clause.words.get("loc") or clause.words["x"]
         if before is None:
@@ -165,7 +165,7 @@ class _Discourse:
         self._read(replace(before, words={**before.words, "x": words, "loc": ""}))
 
     def _names_furniture(self, words: str) -> bool:
-        """Whether words name furniture while the last thing stands on some: another place for it."""
+        """Whether words name furniture, and so another receptacle for the last object."""
         last = self.facts[-1] if self.facts else None
         if self._pending or not isinstance(last, ObjectFact) or not last.where.receptacle:
             return False
@@ -174,7 +174,7 @@ class _Discourse:
         return asset is not None and bool(asset.surfaces) and not asset.pickupable
 
     def _repeat_elsewhere(self, words: str) -> None:
-        """The things of the last clause at another place too, or at the place more closely."""
+        """Repeat the last fact at another place, or narrow its place."""
         self._flush()
         place = read_place(self.state, words).where
         last = self.facts[-1] if self.facts else None
@@ -225,7 +225,7 @@ class _Discourse:
             self._read_sentence_pattern(kind, words)
 
     def _read_sentence_pattern(self, kind: str, words: dict[str, str]) -> None:
-        """Read a sentence that is one wish as a whole."""
+        """Read a sentence that matched a pattern as a whole."""
         self._flush()
         if kind == "only":
             facts, self._last = _only_facts(self.state, words["x"], words["y"])
@@ -244,7 +244,7 @@ class _Discourse:
             self._colour_some(words["n"], words["v"].lower())
 
     def _colour_some(self, number: str, word: str) -> None:
-        """Read ``one of them should be green``: a part of the things that were asked for last."""
+        """Read ``one of them should be green``: a colour for some of the objects of the last fact."""
         last = self.facts[-1] if self.facts else None
         if not isinstance(last, ObjectFact) or word not in COLOUR_WORDS:
             raise not_understood(f"{number} of them {word}")
@@ -303,7 +303,7 @@ class _Discourse:
         self._last = NounPhrase(carrier, Scope("room", "", where.rooms, where.floor), placed=True)
 
     def _qualify(self, word: str) -> None:
-        """Take what was said of the last things: they must be red, it should be cold, it is open."""
+        """Add a quality to the last fact: they must be red, it should be cold, it is open."""
         self._flush()
         last = self.facts[-1] if self.facts else None
         if word in STATES and self._last is not None:
@@ -345,7 +345,7 @@ class _Discourse:
         self._last = replace(come, where=where)
 
     def _resolve_pronoun(self, phrase: NounPhrase) -> NounPhrase:
-        """Return the thing that a pronoun stands for, in the place that is given with it."""
+        """Return the antecedent of a pronoun, at the place given with the pronoun."""
         before = self._pending[-1][1] if self._pending else self._last
         if before is None or not before.object.noun:
             raise not_understood("it")
@@ -373,7 +373,7 @@ class _Discourse:
             self._flush()
 
     def _stateful_referent(self, word: str, before: NounPhrase) -> NounPhrase:
-        """Return what of the last thing and its receptacle can be open, or on."""
+        """Return the last object, or its receptacle where only that can be open, or on."""
         where = before.where
         if _has_state(self.state, before.object.noun, word) or not where.receptacle:
             return before
@@ -383,7 +383,7 @@ class _Discourse:
         return NounPhrase(ObjectDescription(where.receptacle, 1, where.colour), place, placed=True)
 
     def _flush(self) -> None:
-        """Turn what waits into facts; things without a place stand where the next, or the last, one does."""
+        """Turn deferred phrases into facts; one without a place takes that of the next, or of the last."""
         if not self._pending:
             return
         final = self._pending[-1][1]
@@ -432,7 +432,7 @@ class _Discourse:
         return _merged(where, self._frame) if self._frame is not None else where
 
     def _place_on_or_in(self, carrier: NounPhrase, relation: str) -> Scope:
-        """Return the place on or in a thing that was spoken of; its own place when it carries nothing."""
+        """Return the place on or in an object mentioned before; its own place when it carries nothing."""
         noun = carrier.object.noun
         asset = _typical(self.state, noun)
         carries = asset is not None and bool(asset.surfaces or asset.volumes)
@@ -470,7 +470,7 @@ def _only_facts(state: SceneState, words: str, place: str) -> tuple[list[Fact], 
 
 
 def _exchange_facts(state: SceneState, one: str, other: str) -> list[Fact] | None:
-    """Return two things that change places as two moves; None where one of them is nowhere in particular."""
+    """Return an exchange of two objects as two moves; None where one of them has no receptacle."""
     first, second = read_noun_phrase(state, one), read_noun_phrase(state, other)
     if not (first.where.receptacle and second.where.receptacle):
         return None
@@ -481,7 +481,7 @@ def _exchange_facts(state: SceneState, one: str, other: str) -> list[Fact] | Non
 
 
 def _move_splits(text: str) -> Iterator[re.Match[str]]:
-    """Yield the ways to divide words into a thing, its source and its target, the plain ones first."""
+    """Yield divisions of words into an object, its source and its target, the plain ones first."""
     plain = re.match(_TO[0], text, re.IGNORECASE)
     if plain:
         yield plain
@@ -519,7 +519,7 @@ def _split_move(state: SceneState, text: str) -> tuple[NounPhrase, NounPhrase] |
 
 
 def _quantity_to_move(thing: ObjectDescription) -> ObjectDescription:
-    """Return a thing to move: all of them where all are meant, else one."""
+    """Return the description with the number to move: all where all are meant, else at least one."""
     return replace(thing, count=0 if thing.every and not thing.count else max(1, thing.count))
 
 
@@ -529,7 +529,7 @@ def _on_receptacle_of(own: Scope, other: Scope) -> Scope:
 
 
 def _merged(own: Scope, other: Scope | None) -> Scope:
-    """Return a place with what it leaves open taken from another."""
+    """Return a place whose open parts are filled from another."""
     if other is None:
         return own
     placed = own if own.receptacle else _on_receptacle_of(own, other)
@@ -542,12 +542,12 @@ def _merged(own: Scope, other: Scope | None) -> Scope:
 
 
 def _expand_quantifier(state: SceneState, where: Scope, each: str) -> list[Scope]:
-    """Return the places that a scope stands for.
+    """Return a scope for each place that a quantified scope covers.
 
     Parameters
     ----------
     each : {"", "receptacle", "room", "floor"}
-        What of it is meant each for itself.
+        Part of the scope that is quantified.
 
     Raises
     ------

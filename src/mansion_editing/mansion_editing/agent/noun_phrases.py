@@ -38,7 +38,7 @@ __all__ = [
 ]
 
 MOST_COPIES: Final = 20
-"""Most copies of one thing that an instruction may ask for."""
+"""Greatest number of one object that an instruction may ask for."""
 
 _COUNTING: Final = [
     "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen",
@@ -71,7 +71,7 @@ _OF_ROOMS: Final = frozenset(["room", "floor", "building", "house", "system"])
 MOST_MODIFIERS: Final = 2
 LEAST_SIMILARITY: Final = 0.8
 _OPENING: Final = frozenset(["door", "doors", "lid"])
-"""What of a thing opens: the microwave door is the microwave."""
+"""Parts that open: the microwave door means the microwave."""
 
 _ANYTHING: Final = frozenset([
     "thing", "object", "stuff", "item", "content", "everything", "anything",
@@ -99,7 +99,7 @@ class QuantifiedNoun:
 
 
 def unknown_words(what: str) -> MansionError:
-    """Return the error for words that name nothing here."""
+    """Return the error for words that name no room and no object."""
     return MansionError(
         ErrorCode.NOT_FOUND,
         f"not understood: {what[:80]!r} names neither a room of this building nor an object of the catalogue; "
@@ -109,7 +109,7 @@ def unknown_words(what: str) -> MansionError:
 
 
 def unknown_adjectives(state: SceneState, words: str, noun: str) -> MansionError | None:
-    """Return the error for adjectives that nothing tells; None where every such thing of the catalogue is so.
+    """Return the error for adjectives that do not describe a noun; None where they describe all its assets.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def _described(asset: Asset, words: list[str]) -> bool:
 
 
 def is_known(state: SceneState, noun: str) -> bool:
-    """Whether a noun names things, rather than a room."""
+    """Whether a noun names objects rather than a room."""
     words = vocabulary_of(state.catalogue)
     snake = noun.lower().replace(" ", "_")
     if snake in state.catalogue.room_types and snake not in words.categories:
@@ -187,7 +187,7 @@ def known_noun(state: SceneState, words: list[str]) -> tuple[list[str], str]:
 
 
 def _opens(state: SceneState, noun: str) -> bool:
-    """Whether a noun names things that can be open."""
+    """Whether a noun names objects that can be open."""
     kinds = vocabulary_of(state.catalogue).exact(stems(noun))
     return any(state.catalogue.by_category(kind)[0].openable for kind in kinds)
 
@@ -350,7 +350,7 @@ def read_noun_phrase(state: SceneState, text: str) -> NounPhrase:
     floor, rest = find_floor(state, text)
     rest = re.sub(r"^((?:(?:things|on|in|at|the)\s+)*)'s ", r"\1", rest)
     pieces = re.split(_PREPOSITIONS, rest, flags=re.IGNORECASE)
-    said = read_noun(state, _room_first(state, pieces[0]))
+    said = read_noun(state, re.sub(r" 's\b", "", pieces[0]))
     reader = _PlaceReader(state, floor, text)
     for preposition, words in zip(pieces[1::2], pieces[2::2], strict=False):
         if words.strip(" ,.").lower() in COLOUR_WORDS:
@@ -359,11 +359,6 @@ def read_noun_phrase(state: SceneState, text: str) -> NounPhrase:
             continue
         reader.take(preposition.lower(), words)
     return reader.phrase(said, each)
-
-
-def _room_first(state: SceneState, text: str) -> str:
-    """Say ``the kitchen 's mug`` as ``the kitchen mug``."""
-    return re.sub(r" 's\b", "", text)
 
 
 class _PlaceReader:
@@ -442,7 +437,7 @@ class _PlaceReader:
         return colour, noun
 
     def _narrow(self, words: str, noun: str) -> None:
-        """Take words before a noun: a room's name, else what all such things are."""
+        """Take the modifiers of a noun: the name of a room, or adjectives that describe all such objects."""
         if not words:
             return
         found = rooms_named(self.state, words, self.floor)
@@ -453,7 +448,7 @@ class _PlaceReader:
             raise fault
 
     def phrase(self, said: QuantifiedNoun, each: str) -> NounPhrase:
-        """Return the thing in the place that was read."""
+        """Return the object at the place that was read."""
         self._narrow(said.before, said.object.noun)
         relation = self.relation if self.receptacle or self.anaphoric else "room"
         where = Scope(
@@ -490,7 +485,7 @@ def _bare(words: str) -> str:
 
 
 def rooms_named(state: SceneState, name: str, floor: int | None, *, every: bool = False) -> tuple[str, ...] | None:
-    """Return the rooms that a name means, None for none; a thing of that name goes before a part of a room's.
+    """Return the rooms that a name means, None for none; an object of that name has precedence over part of a room's.
 
     Parameters
     ----------
@@ -569,8 +564,7 @@ def _ends(state: SceneState, words: str) -> list[str]:
     if _ANYWHERE.match(without.strip()) and floor is None:
         return [""]
     if _ANYWHERE.match(without.strip()) and floor is not None:
-        kinds = ("stair", "elevator")
-        return [room.id for room in state.scenes[floor].rooms if room.kind not in kinds]
+        return [room.id for number, room in state.rooms() if number == floor]
     rooms = rooms_named(state, without.strip(), floor)
     return list(rooms) if rooms else [_place(state, rest)]
 

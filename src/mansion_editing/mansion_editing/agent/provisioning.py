@@ -283,7 +283,7 @@ def _is_furniture(assets: list[AssetInfo], state: SceneState) -> bool:
 
 
 def _provide_next_to(fact: ObjectFact, state: SceneState) -> Provisioning:
-    """Provide things next to something; they go on what carries it, furniture on the floor."""
+    """Provide objects next to a landmark: on its receptacle, or furniture on the floor beside it."""
     anchors = yield from find_landmarks(fact.where, state)
     if isinstance(anchors, str):
         return anchors
@@ -319,7 +319,7 @@ def _provide_next_to(fact: ObjectFact, state: SceneState) -> Provisioning:
 
 
 def remove_objects(fact: AbsentFact, state: SceneState) -> Provisioning:
-    """Remove what is to be gone; what is fixed to a building (ceilings, walls) stays."""
+    """Remove objects; those fixed to walls or ceilings stay."""
     if not fact.object.noun:
         return (yield from _clear(fact, state))
     found = yield from find_objects(fact.object, fact.where, state)
@@ -367,7 +367,7 @@ def _clear(fact: AbsentFact, state: SceneState) -> Provisioning:
 
 
 def move_objects(fact: MoveFact, state: SceneState) -> Provisioning:
-    """Move things from one scope to another; those that are there already count."""
+    """Move objects from one scope to another; those already there count."""
     found = yield from find_objects(fact.object, fact.source, state)
     if isinstance(found, str):
         return found
@@ -406,7 +406,7 @@ def move_objects(fact: MoveFact, state: SceneState) -> Provisioning:
 
 
 def _move_after_clearing(item: ObjectInfo, target: str, reason: str, state: SceneState) -> Provisioning:
-    """Move a thing to a full surface, from which another goes first."""
+    """Move an object to a full surface after clearing a place on it."""
     carriers = yield from _carrier(target)
     found = state.find(item.id)
     if not carriers or found is None:
@@ -449,7 +449,7 @@ MOST_TARGETS: Final = 6
 def make_room(
     thing: ObjectDescription, assets: list[AssetInfo], carrier: ObjectInfo, state: SceneState
 ) -> Generator[Action, Outcome, str]:
-    """Move one thing away and place the new one; return its id, empty when that cannot be."""
+    """Clear a place on a full surface for a new object and return its id, empty when that fails."""
     serving = yield from free_up(thing.noun, [asset.size for asset in assets], carrier, state)
     if serving is None:
         return ""
@@ -462,7 +462,7 @@ def make_room(
 def free_up(
     noun: str, sizes: list[Point3], carrier: ObjectInfo, state: SceneState
 ) -> Generator[Action, Outcome, Point3 | None]:
-    """Move the one thing whose place is enough to another surface of the room; return the size that fits then.
+    """Move one object to another surface of the room, and return the size that fits in its place.
 
     What this instruction has touched stays, and only one thing makes room for an instruction.
     """

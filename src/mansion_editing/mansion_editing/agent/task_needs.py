@@ -25,7 +25,7 @@ __all__ = ["facts_of_needs", "task_policy"]
 
 
 def task_policy(editor: SceneEditor, task: Task) -> Policy:
-    """Check each need of a task and provide what is missing; then check the ways from the robot's start.
+    """Check each need of a task and provide what is missing; then check the paths from the robot's start.
 
     Raises
     ------
@@ -43,16 +43,16 @@ def task_policy(editor: SceneEditor, task: Task) -> Policy:
     if not task.needs:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, f"task {task.id} lists no needs", path="$.needs")
     facts = facts_of_needs(state, task.needs)
-    things = yield from satisfy(facts, state)
-    if things.failed:
-        return things
+    provided = yield from satisfy(facts, state)
+    if provided.failed:
+        return provided
     ends = yield from _ends(facts, state)
     start = _start(state, task.start)
-    ways: list[Fact] = [PathFact(start, end) for end in ends]
-    paths = yield from satisfy(ways, state)
+    routes: list[Fact] = [PathFact(start, end) for end in ends]
+    paths = yield from satisfy(routes, state)
     return Verdict(
-        f"{len(facts)} needs and {len(ways)} paths hold" if not paths.failed else paths.summary,
-        [*things.facts, *paths.facts],
+        f"{len(facts)} needs and {len(routes)} paths hold" if not paths.failed else paths.summary,
+        [*provided.facts, *paths.facts],
         paths.failed,
     )
 
@@ -96,7 +96,7 @@ def _add_facts(state: SceneState, need: Need, path: str) -> Fact:
 
 
 def _is_thing(state: SceneState, noun: str) -> bool:
-    """Whether a noun names things: exactly, or in part where no room is called so."""
+    """Whether a noun names objects: exactly, or in part where no room has that name."""
     words = vocabulary_of(state.catalogue)
     if words.exact(stems(noun)):
         return True

@@ -19,7 +19,8 @@ QUIET_STEPS = 40
 FEWEST_STEPS = 120
 
 BODY, NEIGHBOUR, SUPPORT, SHELL = 1, 2, 4, 8
-"""Collision classes: the shell stops the new object alone, because neighbours stand by what the scene says of them."""
+"""Collision classes, one bit each for MuJoCo's contype and conaffinity: the shell collides with the new object alone,
+because neighbours may already stand within boxes that fill hollow parts of the receptacle."""
 
 _OPTIONS = f"""<compiler angle="degree"/>
 <option timestep="{TIMESTEP}" integrator="implicitfast" cone="elliptic" impratio="5"/>

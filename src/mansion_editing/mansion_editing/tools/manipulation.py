@@ -53,7 +53,7 @@ def remove_object(state: SceneState, args: RemoveObjectArgs) -> list[str]:
 
 
 def _carried(state: SceneState, floor: int, receptacle: SceneObject) -> list[SceneObject]:
-    """What is on and in a receptacle, by the scene's hierarchy and by geometry."""
+    """Return the objects on and in a receptacle, by the scene's hierarchy and by geometry."""
     index = state.index(floor)
     asset = state.asset(receptacle)
     found = list(index.children.get(receptacle.id, []))

@@ -43,12 +43,7 @@ def check_path(state: SceneState, args: CheckPathArgs) -> PathReport:
     start = sources[0][1]
     came = _search(graph, sources)
     reached = {node[:2]: node for node in reversed(came)}
-    rooms = [
-        (floor, room.id)
-        for floor in state.floors
-        for room in state.scenes[floor].rooms
-        if room.kind not in ("stair", "elevator")
-    ]
+    rooms = [(floor, room.id) for floor, room in state.rooms()]
     lost = [place[1] for place in rooms if place not in reached]
     cuts = _cuts(state)
     route: list[PathStep] = []

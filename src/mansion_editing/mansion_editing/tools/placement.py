@@ -209,7 +209,7 @@ def _poses(room: SceneRoom, area: Polygon, w: float, d: float) -> Iterator[tuple
 
 MOST_PENETRATION = 0.002
 MOST_TILT = 3.0
-"""Degrees; a scene object stands upright, so that one that leans is refused."""
+"""Degrees; scene objects are upright, so one that tilts more is refused."""
 
 MOST_PUSH = 0.005
 """Metres that a neighbour may move."""
@@ -301,7 +301,7 @@ def settle_on(
     skip: Iterable[str] = (),
     near: SceneObject | None = None,
 ) -> SceneObject:
-    """Return `thing` where it came to rest on or in a receptacle; the state is left as it is.
+    """Return an object at rest on or in a receptacle; the state is not changed.
 
     Parameters
     ----------
