@@ -1,4 +1,4 @@
-"""What must be true after an instruction of `researchers.toml`: read from words, judged from the scenes alone."""
+"""What must be true after an instruction of a training list: read from words, judged from the scenes alone."""
 
 import math
 import re

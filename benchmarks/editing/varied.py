@@ -2,8 +2,8 @@
 
     python benchmarks/editing/varied.py BUILDINGS [--each 12] [--seed 0] [--physics mujoco]
 
-As `instructions.py`, with the phrasings of `phrasings.py`: things that ought to be somewhere, nothing left, swapped,
-beside something, exactly so many, furniture that is not there yet, several wishes in one sentence.
+As `instructions.py`, with the training list `training_phrasings.py`: things that ought to be somewhere, nothing left,
+swapped, beside something, exactly so many, furniture that is not there yet, several wishes in one sentence.
 """
 
 import math
@@ -12,7 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-import phrasings
+import training_phrasings
 from cases import COLD, SMALL, Case, Scenes, article, count, objects, options, plural, read, room_words, run
 from instructions import Maker
 
@@ -33,7 +33,7 @@ class Varied(Maker):
 
     def say(self, kind: str, **words: str) -> str:
         """Fill the next phrasing of a kind."""
-        forms = getattr(phrasings, kind)
+        forms = getattr(training_phrasings, kind)
         form = forms[self.turns[kind] % len(forms)]
         self.turns[kind] += 1
         big = {k[0].upper() + k[1:]: v[:1].upper() + v[1:] for k, v in words.items()}
@@ -257,7 +257,7 @@ def main() -> None:
         return Varied(read(folder), rng, turns).make(number * args.each + turn)
 
     run(args, make).show()
-    forms = sum(min(turns[kind], len(getattr(phrasings, kind))) for kind in turns)
+    forms = sum(min(turns[kind], len(getattr(training_phrasings, kind))) for kind in turns)
     print(f"{forms} phrasings")
 
 

@@ -10,8 +10,10 @@ from mansion_editing.editor import SceneEditor
 from mansion_editing.physics.engine import StaticEngine
 from mansion_editing.state import SceneState
 from mansion_editing.storage import BuildingStore, Validator
-from mansion_msgs_py.building import FloorEntry
+from mansion_msgs_py.building import Building, FloorEntry
 from mansion_msgs_py.codec import decode, encode_bytes
+from mansion_msgs_py.program import AreaSummary, BuildingProgram, FloorProgram, VerticalConnectivity
+from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import Door, FloorScene, SceneCore, SceneObject, SceneRoom, SpawnPose
 from mansion_scene.decor.frames import scene_object
 
@@ -147,8 +149,18 @@ def folder(scenes: list[FloorScene], tmp_path: Path) -> Path:
                 files={"scene": name},
             )
         )
-    index = {"building_id": "house", "floors": entries}
-    (tmp_path / "building.json").write_bytes(encode_bytes(index))
+    area = AreaSummary(sum_rooms=108.0, reserve_ratio=0.25, fits_within_gfa=True)
+    program = BuildingProgram(
+        building_id="house",
+        reasoning="made by hand",
+        vertical_connectivity=VerticalConnectivity(method="stair"),
+        floors=[
+            FloorProgram(index=n, requirement="", gross_floor_area=144.0, rooms=[], area_summary=area) for n in (1, 2)
+        ],
+    )
+    request = BuildRequest(description="a house of two floors")
+    building = Building(building_id="house", request=request, program=program, floors=entries, cores=[], seed=0)
+    (tmp_path / "building.json").write_bytes(encode_bytes(building))
     return tmp_path
 
 

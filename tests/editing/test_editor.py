@@ -92,7 +92,7 @@ def test_moving_takes_along_what_is_carried(open_editor: EditorFactory) -> None:
 
 def test_moving_into_something_is_refused(open_editor: EditorFactory) -> None:
     editor = open_editor()
-    with pytest.raises(MansionError, match="would stand in F1/kitchen/fridge_1"):
+    with pytest.raises(MansionError, match="would overlap F1/kitchen/fridge_1"):
         editor.call("MoveObject", {"object_id": TABLE, "x": 10.8, "y": 0.9})
     assert editor.state.pending == []
 

@@ -29,7 +29,7 @@ def changed(scene: FloorScene, change: ObjectChange) -> FloorScene:
     if before is not None:
         at = next((i for i, item in enumerate(objects) if item.id == before.id), None)
         if at is None or objects[at] != before:
-            state = "is gone" if at is None else "was changed"
+            state = "was removed" if at is None else "was changed"
             raise MansionError(
                 ErrorCode.CONFLICT,
                 f"{before.id} {state} since this edit began; look again and repeat the edit",
@@ -41,7 +41,9 @@ def changed(scene: FloorScene, change: ObjectChange) -> FloorScene:
     elif after is not None:
         if any(item.id == after.id for item in objects):
             raise MansionError(
-                ErrorCode.CONFLICT, f"the id {after.id} is taken by now; repeat the edit", details={"object": after.id}
+                ErrorCode.CONFLICT,
+                f"the id {after.id} was taken meanwhile; repeat the edit",
+                details={"object": after.id},
             )
         objects.insert(min(change.index, len(objects)), after)
     return msgspec.structs.replace(scene, objects=objects)
@@ -88,7 +90,7 @@ def rebase(changes: Sequence[ObjectChange], scenes: Mapping[int, FloorScene]) ->
         if parent is not None and parent not in taken[change.floor]:
             raise MansionError(
                 ErrorCode.CONFLICT,
-                f"{parent}, which was to carry {change.id}, is gone since; look again and repeat the edit",
+                f"{parent}, which should carry {change.id}, was removed meanwhile; look again and repeat the edit",
                 details={"object": parent},
             )
     return out

@@ -104,7 +104,7 @@ class SceneEditor:
         self._what, self._marks, self._redo = [], [], []
 
     def refreshed(self) -> SceneState:
-        """Return the state, read anew when nothing waits and another editor has landed something."""
+        """Return the state, reloaded when nothing is pending and another editor has landed a transaction."""
         if not self.state.pending:
             scenes = self.store.scenes()
             if any(self.state.scenes[f].revision != s.revision for f, s in scenes.items()):
@@ -174,7 +174,7 @@ class SceneEditor:
         return f"{item.id}: {encode(item.states)}"
 
     def _acceptable(self, floor: int, item: SceneObject) -> bool:
-        """Whether an object may stand there: no new fault of the check, and no room cut for a robot."""
+        """Whether an object causes no new fault of the check and cuts no room for a robot."""
         before = dict(self.state.scenes)
         objects = [*before[floor].objects, item]
         after = {**before, floor: msgspec.structs.replace(before[floor], objects=objects)}
@@ -215,7 +215,7 @@ class SceneEditor:
             self._redo.append((self._what.pop(), taken))
             self.state.roll_back(start)
             ids = list(dict.fromkeys(change.id for change in taken))
-            return EditResult(message=f"took back {', '.join(ids)}", object_ids=ids)
+            return EditResult(message=f"undid {', '.join(ids)}", object_ids=ids)
         done = self.store.undo(self.who)
         self.reload()
         return _landed(done.what, done)
@@ -229,7 +229,7 @@ class SceneEditor:
             for change in changes:
                 self.state.apply(change)
             ids = list(dict.fromkeys(change.id for change in changes))
-            return EditResult(message=f"did again {', '.join(ids)}", object_ids=ids)
+            return EditResult(message=f"redid {', '.join(ids)}", object_ids=ids)
         done = self.store.redo(self.who)
         self.reload()
         return _landed(done.what, done)

@@ -14,7 +14,7 @@ from mansion_scene.spawn import free_region
 __all__ = ["LOW", "OVERHEAD", "Passages", "passages_of"]
 
 LOW, OVERHEAD = 0.03, 1.5
-"""A thing lower than the one is walked over, one that starts above the other is walked under, metres."""
+"""Heights, metres: a robot drives over objects lower than the first and under those that begin above the second."""
 
 _DOORWAY = 0.40
 """How far before a door's middle line the robot's centre must have come, metres."""
@@ -22,7 +22,7 @@ _DOORWAY = 0.40
 _THIN = 0.02
 """What hangs closer to its wall stops nobody, metres."""
 
-_WORTH, _SHARE = 1.0, 0.2
+_LARGE_AREA, _LARGE_SHARE = 1.0, 0.2
 """Area for the robot's centre, square metres and share of the room's, from which a part is more than a nook."""
 
 
@@ -61,7 +61,7 @@ def passages_of(scene: FloorScene) -> Passages:
     """Return the passages of a floor as it is furnished."""
     standing: dict[str, list[SceneObject]] = {}
     for item in scene.objects:
-        if _stops(item):
+        if _is_obstacle(item):
             standing.setdefault(item.room, []).append(item)
     parts: dict[str, list[Polygon]] = {}
     doors: dict[tuple[str, str], list[int]] = {}
@@ -75,24 +75,24 @@ def passages_of(scene: FloorScene) -> Passages:
         parts[room.id] = found
         own = [door for door in scene.doors if room.id in door.rooms]
         for door in own:
-            doors[room.id, door.id] = _led_to(door, found, empty)
+            doors[room.id, door.id] = _parts_at_door(door, found, empty)
         shut = [door for door in own if not doors[room.id, door.id]]
         if shut:
-            cuts[room.id] = _before(shut, things)
+            cuts[room.id] = _objects_at_doors(shut, things)
             continue
-        between = _between(found, {n for d in own for n in doors[room.id, d.id]}, things)
+        between = _objects_between_parts(found, {n for d in own for n in doors[room.id, d.id]}, things)
         if between is not None:
             cuts[room.id] = between
     return Passages(parts, doors, cuts)
 
 
-def _stops(item: SceneObject) -> bool:
+def _is_obstacle(item: SceneObject) -> bool:
     low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
     thin = item.mount == "wall" and item.size[1] <= _THIN
     return item.mount in ("floor", "wall") and low < OVERHEAD and high > LOW and not thin
 
 
-def _led_to(door: Door, found: Sequence[Polygon], empty: Sequence[Polygon]) -> list[int]:
+def _parts_at_door(door: Door, found: Sequence[Polygon], empty: Sequence[Polygon]) -> list[int]:
     """Return the parts before a door; all of them where even the empty room has none there (a door in a deep wall)."""
     line = LineString(door.segment)
     if not (shapely.distance(list(empty), line) <= _DOORWAY).any():
@@ -100,18 +100,20 @@ def _led_to(door: Door, found: Sequence[Polygon], empty: Sequence[Polygon]) -> l
     return [n for n, part in enumerate(found) if part.distance(line) <= _DOORWAY]
 
 
-def _before(shut: Sequence[Door], things: Sequence[SceneObject]) -> list[str]:
-    """Return what stands before doors."""
+def _objects_at_doors(shut: Sequence[Door], things: Sequence[SceneObject]) -> list[str]:
+    """Return the objects in front of doors."""
     lines = [LineString(door.segment) for door in shut]
     return sorted(
         item.id for item in things if (shapely.distance(lines, footprint(item)) <= _DOORWAY + BODY_RADIUS).any()
     )
 
 
-def _between(found: Sequence[Polygon], entered: set[int], things: Sequence[SceneObject]) -> list[str] | None:
-    """Return what stands between the parts of a room that matter, None where only one does."""
+def _objects_between_parts(
+    found: Sequence[Polygon], entered: set[int], things: Sequence[SceneObject]
+) -> list[str] | None:
+    """Return the objects between the parts of a room that matter, None where only one part matters."""
     whole = sum(part.area for part in found)
-    large = {n for n, part in enumerate(found) if part.area >= max(_WORTH, _SHARE * whole)}
+    large = {n for n, part in enumerate(found) if part.area >= max(_LARGE_AREA, _LARGE_SHARE * whole)}
     matter = sorted(entered | large)
     if len(matter) < 2:
         return None

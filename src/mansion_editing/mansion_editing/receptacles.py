@@ -113,7 +113,7 @@ def free_places(
     near : (x, y), optional
         Point of the floor that the object shall lie close to.
     """
-    beside = None if near is None else to_local(receptacle, near)
+    landmark = None if near is None else to_local(receptacle, near)
     boxes = _obstacles(index, receptacle, {receptacle.id, *skip})
     found: list[Place] = []
     for order, ledge in enumerate(_by_height(ledges, receptacle)):
@@ -122,7 +122,7 @@ def free_places(
         places = [
             place
             for turn in (0.0, 90.0)
-            for place in _on_ledge(ledge, boxes, size, turn, 0.4 * order + turn / 450.0, beside)
+            for place in _on_ledge(ledge, boxes, size, turn, 0.4 * order + turn / 450.0, landmark)
         ]
         places.sort(key=lambda p: p.cost)
         found += _apart(places, 3)
@@ -173,7 +173,7 @@ def _on_ledge(
     size: Point3,
     turn: float,
     handicap: float,
-    beside: Point | None = None,
+    landmark: Point | None = None,
 ) -> list[Place]:
     hw, hd = (size[0] / 2, size[1] / 2) if turn == 0.0 else (size[1] / 2, size[0] / 2)
     rx, ry = ledge.w / 2 - hw - 0.002, ledge.d / 2 - hd - 0.002
@@ -198,8 +198,8 @@ def _on_ledge(
         + np.abs(front - min(0.08, ry)) * 1.5
         + 0.3 * np.abs(gx - ledge.x)
     )
-    if beside is not None:
-        cost += BESIDE * np.hypot(gx - beside[0], gy - beside[1])
+    if landmark is not None:
+        cost += BESIDE * np.hypot(gx - landmark[0], gy - landmark[1])
     free = np.flatnonzero(gap >= GAP)
     order = free[np.argsort(cost[free], kind="stable")]
     return [Place(ledge, float(gx[k]), float(gy[k]), turn, round(float(cost[k]), 6)) for k in order[:40]]
@@ -234,7 +234,7 @@ WALL = 0.01
 def support_boxes(
     item: SceneObject, asset: Asset, ledge: Ledge, spot: tuple[float, float], reach: float
 ) -> list[PosedBox]:
-    """Return what carries things on a ledge: a slab below it, and on soft tops the cushion below the object.
+    """Return the support below a ledge: a slab, and on soft tops the cushion below the object.
 
     Parameters
     ----------

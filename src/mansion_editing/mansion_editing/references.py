@@ -292,13 +292,7 @@ def find_rooms(
         return [whole]
     floor, rest = find_floor(state, text)
     floor = on_floor if floor is None else floor
-    rooms = [
-        (number, room)
-        for number in state.floors
-        if floor in (None, number)
-        for room in state.scenes[number].rooms
-        if room.kind not in ("stair", "elevator")
-    ]
+    rooms = [(number, room) for number, room in state.rooms() if floor in (None, number)]
     ends = [pair for pair in rooms if pair[1].id.split("/", 1)[-1] == rest.strip().lower()]
     if ends and not every:
         return ends

@@ -19,7 +19,7 @@ __all__ = ["FloorIndex", "SceneState"]
 
 
 class FloorIndex:
-    """What is asked often about the objects of one floor, from one revision of it.
+    """Index of the objects of one revision of a floor.
 
     Attributes
     ----------
@@ -92,6 +92,13 @@ class SceneState:
         if floor not in self._indexes:
             self._indexes[floor] = FloorIndex(self.scenes[floor])
         return self._indexes[floor]
+
+    def rooms(self) -> Iterator[tuple[int, SceneRoom]]:
+        """Yield each room with its floor, from below; stairs and lifts are left out."""
+        for floor in self.floors:
+            for room in self.scenes[floor].rooms:
+                if room.kind not in ("stair", "elevator"):
+                    yield floor, room
 
     def objects(self) -> Iterator[tuple[int, SceneObject]]:
         """Yield each object with its floor, from below."""

@@ -15,27 +15,20 @@ from pathlib import Path
 import msgspec
 
 from mansion_editing.changes import changed, inverse, rebase
-from mansion_msgs_py.building import FloorEntry
+from mansion_msgs_py.building import Building
+from mansion_msgs_py.building_folder import BuildingFolder, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.editing import ObjectChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
-from mansion_msgs_py.reading import decode_from
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.world import ObjectState, WorldState
 
-__all__ = ["BuildingStore", "Validator", "append_line", "locked", "refuse_touched"]
+__all__ = ["BuildingStore", "Validator", "append_line", "locked", "refuse_in_session"]
 
 Scenes = Mapping[int, FloorScene]
 Validator = Callable[[Scenes, Scenes], Sequence[str]]
 """Gets the floors before and after, and returns the faults that are new."""
-
-
-class BuildingIndex(msgspec.Struct, frozen=True, kw_only=True):
-    """What of ``building.json`` an editor needs."""
-
-    building_id: str
-    floors: list[FloorEntry]
 
 
 class BuildingStore:
@@ -61,35 +54,21 @@ class BuildingStore:
         self.folder = folder
         self._validator = validator
         self._clock = clock
-        self.index = decode_from(BuildingIndex, self._read(folder / "building.json"), folder / "building.json")
+        self._reader = BuildingFolder(folder)
         self._edits = folder / "edits"
         self.lock_file = self._edits / "lock"
         if (self._edits / "pending.json").exists():
             with locked(self.lock_file):
                 self._recover()
 
-    @staticmethod
-    def _read(file: Path) -> bytes:
-        try:
-            return file.read_bytes()
-        except OSError as error:
-            raise MansionError(
-                ErrorCode.NOT_FOUND,
-                f"{file}: {error.strerror}; name a folder that `mansion build` wrote",
-                path="$.path",
-            ) from None
-
-    def scene(self, floor: int) -> FloorScene:
-        """Return a floor as it is on disk."""
-        return decode_from(FloorScene, self._read(self._file(floor)), self._file(floor))
+    @property
+    def building(self) -> Building:
+        """The content of ``building.json`` when the store was opened."""
+        return self._reader.building
 
     def scenes(self) -> dict[int, FloorScene]:
         """Return all floors as they are on disk."""
-        return {entry.floor: self.scene(entry.floor) for entry in self.index.floors}
-
-    def _file(self, floor: int) -> Path:
-        entry = next(entry for entry in self.index.floors if entry.floor == floor)
-        return self.folder / entry.files["scene"]
+        return {floor: self._reader.scene(floor) for floor in self._reader.floors}
 
     def log(self) -> list[Transaction]:
         """Return all transactions, oldest first."""
@@ -127,7 +106,7 @@ class BuildingStore:
             carried = rebase(changes, before)
             if not carried:
                 raise MansionError(ErrorCode.CONFLICT, "nothing to save")
-            refuse_touched(self.folder, carried, before)
+            refuse_in_session(self.folder, carried, before)
             after = dict(before)
             for change in carried:
                 after[change.floor] = changed(after[change.floor], change)
@@ -179,17 +158,19 @@ class BuildingStore:
                 if change.floor == floor:
                     scene = changed(scene, change)
             scene = msgspec.structs.replace(scene, revision=revision)
-            write_atomic(self._file(floor), encode_bytes(scene, indent=1), durable=True)
+            write_atomic(
+                self.folder / floor_directory(floor) / "scene.json", encode_bytes(scene, indent=1), durable=True
+            )
         self._recount(int(name) for name in transaction.revisions)
         if len(self.log()) < transaction.number:
             append_line(self._edits / "log.jsonl", encode_bytes(transaction))
         (self._edits / "pending.json").unlink()
 
     def _recount(self, floors: Iterable[int]) -> None:
-        """Let ``building.json`` say how many objects the floors have."""
+        """Write the numbers of objects of some floors into ``building.json``."""
         file = self.folder / "building.json"
-        building = msgspec.json.decode(self._read(file))
-        counts = {floor: len(self.scene(floor).objects) for floor in floors}
+        building = msgspec.json.decode(file.read_bytes())
+        counts = {floor: len(self._reader.scene(floor).objects) for floor in floors}
         stale = [e for e in building["floors"] if e["objects"] != counts.get(e["floor"], e["objects"])]
         for entry in stale:
             entry["objects"] = counts[entry["floor"]]
@@ -230,7 +211,7 @@ class BuildingStore:
         files_of: Callable[[FloorScene], Mapping[str, bytes]],
         whole: Callable[[Sequence[FloorScene]], Mapping[str, bytes]],
     ) -> list[int]:
-        """Write anew what is made from scenes, for floors whose revision is not the one it was made from.
+        """Regenerate the derived files of floors whose revision changed since they were written.
 
         Parameters
         ----------
@@ -328,7 +309,7 @@ def locked(path: Path, patience: float = PATIENCE) -> Iterator[None]:
             fcntl.flock(stream, fcntl.LOCK_UN)
 
 
-def refuse_touched(folder: Path, changes: Iterable[ObjectChange], scenes: Mapping[int, FloorScene]) -> None:
+def refuse_in_session(folder: Path, changes: Iterable[ObjectChange], scenes: Mapping[int, FloorScene]) -> None:
     """Refuse changes of what a session has in its overlay.
 
     Parameters
@@ -391,7 +372,7 @@ def _moved(state: ObjectState, there: tuple[int, SceneObject] | None) -> bool:
 def _conflict(object_id: str, session: str) -> MansionError:
     return MansionError(
         ErrorCode.CONFLICT,
-        f"{object_id} is in the hands of the running session {session!r}; load the building anew in that session "
-        "(reset) or remove its folder below `state` first",
+        f"{object_id} is in use by the running session {session!r}; reset the building in that session, "
+        "or remove its folder below `state`, first",
         details={"object": object_id, "session": session},
     )

@@ -24,8 +24,8 @@ def test_an_instruction_becomes_facts(state: SceneState) -> None:
     kinds = [type(fact) for fact in facts]
     assert kinds == [ObjectFact, ObjectFact, StateFact, AbsentFact, PathFact]
     cola, mugs = facts[0], facts[1]
-    assert isinstance(cola, ObjectFact) and cola.thing.cold and cola.where.floor == 1
-    assert isinstance(mugs, ObjectFact) and (mugs.thing.count, mugs.thing.colour) == (2, "red")
+    assert isinstance(cola, ObjectFact) and cola.object.cold and cola.where.floor == 1
+    assert isinstance(mugs, ObjectFact) and (mugs.object.count, mugs.object.colour) == (2, "red")
     assert facts[4] == PathFact("", "F2/private_office_1")
 
 

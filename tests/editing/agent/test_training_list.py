@@ -36,8 +36,8 @@ def _facts(state: SceneState, text: str) -> list[str]:
 )
 def test_one_wish_in_many_words(state: SceneState, text: str) -> None:
     (fact,) = parse_instruction(state, text)
-    assert isinstance(fact, ObjectFact) and vocabulary_of(state.catalogue).nouns(fact.thing.noun) == ["laptop"]
-    assert (fact.thing.count, fact.where.receptacle) == (1, "dining table")
+    assert isinstance(fact, ObjectFact) and vocabulary_of(state.catalogue).nouns(fact.object.noun) == ["laptop"]
+    assert (fact.object.count, fact.where.receptacle) == (1, "dining table")
     assert fact.where.rooms == ("F1/kitchen",)
 
 
@@ -97,13 +97,13 @@ def test_what_is_to_be_gone(state: SceneState, text: str) -> None:
         ("turn off all lamps", ["every lamps in the building off"]),
         (
             "the kitchen must be reachable from the private office",
-            ["a way from F2/private_office_1 to F1/kitchen"],
+            ["a path from F2/private_office_1 to F1/kitchen"],
         ),
         (
             "keep the path between the hall and the kitchen clear",
-            ["a way from F1/hall to F1/kitchen"],
+            ["a path from F1/hall to F1/kitchen"],
         ),
-        ("one can walk to the fridge from here", ["a way from the entrance to F1/kitchen"]),
+        ("one can walk to the fridge from here", ["a path from the entrance to F1/kitchen"]),
         (
             "bring the mug on the dining table over to the office",
             ["1 mug on the dining table moved to in F2/private_office_1"],
@@ -219,7 +219,7 @@ def test_everything_but_a_thing_goes(state: SceneState, text: str) -> None:
          ["the fridge in the building closed", "2 yogurts in the fridge"]),
         ("Open the fridge door.", ["the fridge in the building open"]),
         ("Is the kitchen accessible from the main entrance? Make sure it is.",
-         ["a way from the entrance to F1/kitchen"]),
+         ["a path from the entrance to F1/kitchen"]),
         (f"{TABLE} is too messy, tidy it up by removing everything but the mug.".replace("the", "The", 1),
          ["gone: everything but mug on the dining table in F1/kitchen",
           "1 mug on the dining table in F1/kitchen"]),

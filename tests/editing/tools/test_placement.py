@@ -49,9 +49,9 @@ def test_a_wall_in_the_way_is_noticed(engine: PhysicsEngine) -> None:
 
 def test_mujoco_sees_that_a_neighbour_is_pushed() -> None:
     pytest.importorskip("mujoco")
-    beside = {"cup": PosedBox((0.09, 0.0, 0.05), (0.1, 0.1, 0.1))}
+    is_next_to = {"cup": PosedBox((0.09, 0.0, 0.05), (0.1, 0.1, 0.1))}
     body = PosedBox((0.0, 0.0, 0.06), (0.1, 0.1, 0.1))
-    result = engine_named("mujoco").settle(SettleProblem(body, [FLOOR], [], beside))
+    result = engine_named("mujoco").settle(SettleProblem(body, [FLOOR], [], is_next_to))
     assert result.pushed["cup"] > 0.001
 
 

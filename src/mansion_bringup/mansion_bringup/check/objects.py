@@ -44,7 +44,7 @@ def _in_room(thing: SceneObject, rooms: dict[str, SceneRoom]) -> Iterator[Fault]
         return
     beyond = footprint(thing).difference(net_area(room).buffer(2e-3)).area
     if beyond > AREA_SLACK:
-        yield Fault("OBJECT_OUTSIDE", thing.id, f"{beyond:.3f} m2 stand out of {room.id}")
+        yield Fault("OBJECT_OUTSIDE", thing.id, f"{beyond:.3f} m2 extend beyond {room.id}")
     low, high = vertical(thing)
     if low < -HEIGHT_SLACK or high > room.ceiling_height + HEIGHT_SLACK:
         yield Fault("OBJECT_OUTSIDE", thing.id, f"reaches from {low:.2f} m to {high:.2f} m")
@@ -81,7 +81,7 @@ def _overlaps(scene: FloorScene) -> Iterator[Fault]:
             continue
         if other > index and _collide(things[index], things[other], shapes[index], shapes[other]):
             where = f"{things[index].id} and {things[other].id}"
-            yield Fault("OBJECT_OVERLAP", where, "stand in each other")
+            yield Fault("OBJECT_OVERLAP", where, "overlap")
 
 
 def _carriers(thing: SceneObject, things: dict[str, SceneObject]) -> set[str]:

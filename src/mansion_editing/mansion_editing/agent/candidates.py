@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import Final
 
 from mansion_assets.catalogue import Catalogue
-from mansion_editing.agent.protocol import Action, Outcome, Scope, Thing
+from mansion_editing.agent.protocol import Action, ObjectDescription, Outcome, Scope
 from mansion_editing.references import colour_of, stems, vocabulary_of
 from mansion_editing.state import SceneState
 from mansion_editing.tools.placement import COOLING
@@ -17,33 +17,33 @@ from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.wording import with_article
 
 __all__ = [
-    "Assets",
-    "Look",
+    "AssetSearch",
+    "ObjectSearch",
     "NEXT_TO",
-    "Placed",
-    "assets_of",
-    "at_home",
-    "beside",
-    "find_things",
-    "fits",
-    "furnishable",
-    "look_at",
-    "named_so",
+    "Placement",
+    "find_assets",
+    "in_room_program",
+    "is_next_to",
+    "find_objects",
+    "matches",
+    "rooms_of",
+    "list_contents",
+    "exactly_named",
     "place_any",
     "receptacles",
-    "references",
+    "find_landmarks",
     "relation_of",
     "rooms_for",
-    "surfaces_of",
-    "usual_carriers",
+    "find_surfaces",
+    "usual_receptacles",
 ]
 
-Look = Generator[Action, Outcome, list[ObjectInfo] | str]
-"""Ends with what was found, or why nothing can be."""
+ObjectSearch = Generator[Action, Outcome, list[ObjectInfo] | str]
+"""Returns the objects found, or the reason why the search failed."""
 
 
-def fits(thing: Thing, item: ObjectInfo, state: SceneState) -> bool:
-    """Whether an object is such a thing."""
+def matches(thing: ObjectDescription, item: ObjectInfo, state: SceneState) -> bool:
+    """Whether an object fits a description."""
     if thing.noun and thing.noun != item.id:
         scene_object = state.find(item.id)
         ends = "_" in thing.noun and item.id.endswith(f"/{thing.noun}")
@@ -53,15 +53,15 @@ def fits(thing: Thing, item: ObjectInfo, state: SceneState) -> bool:
         material = state.find(item.id)
         if material is None or colour_of(material[1].material) != thing.colour:
             return False
-    return not thing.cold or item.states.get("temperature") == "cold" or _in_the_cold(item, state)
+    return not thing.cold or item.states.get("temperature") == "cold" or _is_cooled(item, state)
 
 
-def _in_the_cold(item: ObjectInfo, state: SceneState) -> bool:
+def _is_cooled(item: ObjectInfo, state: SceneState) -> bool:
     parent = state.find(item.parent or "")
     return parent is not None and item.mount == "inside" and parent[1].category in COOLING
 
 
-def receptacles(where: Scope, state: SceneState) -> Look:
+def receptacles(where: Scope, state: SceneState) -> ObjectSearch:
     """Find the receptacles of a scope."""
     if not where.receptacle:
         return []
@@ -77,25 +77,25 @@ def receptacles(where: Scope, state: SceneState) -> Look:
         listed: ObjectList = answer.value
         found += listed.objects
     mine = [i for i in found if where.floor in (None, i.floor)]
-    mine = [i for i in mine if fits(Thing(where.receptacle, 0, where.colour), i, state)]
+    mine = [i for i in mine if matches(ObjectDescription(where.receptacle, 0, where.colour), i, state)]
     if stems(where.receptacle)[-1:] == (where.receptacle.lower().rpartition(" ")[2],):
-        mine = named_so(where.receptacle, mine) or mine
-    return [i for i in mine if not where.base or _stands_on(i, where.base, state)]
+        mine = exactly_named(where.receptacle, mine) or mine
+    return [i for i in mine if not where.base or _is_on(i, where.base, state)]
 
 
-def named_so(noun: str, items: list[ObjectInfo]) -> list[ObjectInfo]:
-    """Return what is called by a noun itself: of a fridge and a display fridge, the fridge."""
+def exactly_named(noun: str, items: list[ObjectInfo]) -> list[ObjectInfo]:
+    """Return the objects whose whole name is the noun: of a fridge and a display fridge, the fridge."""
     words = stems(noun)
     return [i for i in items if stems(i.category.replace("_", " ")) == words]
 
 
-def _stands_on(item: ObjectInfo, base: str, state: SceneState) -> bool:
+def _is_on(item: ObjectInfo, base: str, state: SceneState) -> bool:
     found = state.find(item.parent or "")
     return found is not None and (found[1].id == base or vocabulary_of(state.catalogue).rank(found[1], base) >= 2)
 
 
-def look_at(receptacle: ObjectInfo, relation: str) -> Look:
-    """List what is on or in a receptacle."""
+def list_contents(receptacle: ObjectInfo, relation: str) -> ObjectSearch:
+    """List the objects on or in a receptacle."""
     tool = "SearchContents" if relation == "in" else "CheckSurface"
     answer = yield Action(f"What is {relation} {receptacle.id}?", tool, {"id": receptacle.id})
     if answer.error is not None:
@@ -104,8 +104,8 @@ def look_at(receptacle: ObjectInfo, relation: str) -> Look:
     return report.receptacles[0].objects
 
 
-def find_things(thing: Thing, where: Scope, state: SceneState) -> Look:
-    """Find the things of a kind in a scope."""
+def find_objects(thing: ObjectDescription, where: Scope, state: SceneState) -> ObjectSearch:
+    """Find the objects in a scope that fit a description."""
     found: list[ObjectInfo] = []
     if where.receptacle:
         carriers = yield from receptacles(where, state)
@@ -113,7 +113,7 @@ def find_things(thing: Thing, where: Scope, state: SceneState) -> Look:
             return carriers
         for carrier in carriers[:40]:
             for relation in ("in", "on"):
-                there = yield from look_at(carrier, relation)
+                there = yield from list_contents(carrier, relation)
                 if isinstance(there, str):
                     return there
                 found += [i for i in there if i not in found]
@@ -128,20 +128,20 @@ def find_things(thing: Thing, where: Scope, state: SceneState) -> Look:
                 return str(answer.error)
             listed: ObjectList = answer.value
             found += listed.objects
-    return [i for i in found if where.floor in (None, i.floor) and fits(thing, i, state)]
+    return [i for i in found if where.floor in (None, i.floor) and matches(thing, i, state)]
 
 
 NEXT_TO: Final = 0.6
-"""Greatest free distance between things that are next to each other, metres."""
+"""Greatest distance between objects that are next to each other, metres."""
 
 
-def references(where: Scope, state: SceneState) -> Look:
+def find_landmarks(where: Scope, state: SceneState) -> ObjectSearch:
     """Find what a scope names as ``near``, within the rest of the scope."""
     around = Scope(where.relation, where.receptacle, where.rooms, where.floor, where.colour)
-    return (yield from find_things(Thing(where.near, 0), around, state))
+    return (yield from find_objects(ObjectDescription(where.near, 0), around, state))
 
 
-def beside(item: ObjectInfo, anchor: ObjectInfo, state: SceneState) -> bool:
+def is_next_to(item: ObjectInfo, anchor: ObjectInfo, state: SceneState) -> bool:
     """Whether two objects of one room have at most `NEXT_TO` between them."""
     one, other = state.find(item.id), state.find(anchor.id)
     if one is None or other is None or item.room != anchor.room or item.floor != anchor.floor:
@@ -152,7 +152,7 @@ def beside(item: ObjectInfo, anchor: ObjectInfo, state: SceneState) -> bool:
 
 ENOUGH: Final = 6
 _EASY: Final = ("desk", "table", "counter", "shelf", "shelving_unit", "sideboard", "dresser", "nightstand", "bench")
-"""Ends of categories on which things are put when an instruction names only a room."""
+"""Endings of categories that receive objects when an instruction names only a room."""
 
 
 def relation_of(relation: str, carrier: ObjectInfo, state: SceneState) -> str:
@@ -168,25 +168,23 @@ def relation_of(relation: str, carrier: ObjectInfo, state: SceneState) -> str:
     return relation
 
 
-def furnishable(where: Scope, state: SceneState) -> list[str]:
+def rooms_of(where: Scope, state: SceneState) -> list[str]:
     """Return the rooms of a scope, the large ones first."""
     rooms = [
         (-room.area, room.id)
-        for floor in state.floors
-        if where.floor in (None, floor)
-        for room in state.scenes[floor].rooms
-        if room.kind not in ("stair", "elevator") and (not where.rooms or room.id in where.rooms)
+        for floor, room in state.rooms()
+        if where.floor in (None, floor) and (not where.rooms or room.id in where.rooms)
     ]
     return [name for _, name in sorted(rooms)]
 
 
-def surfaces_of(where: Scope, state: SceneState, noun: str = "") -> Generator[Action, Outcome, list[str] | str]:
-    """Return receptacles of a scope with a surface: what usually carries a thing first, then tables and the like."""
+def find_surfaces(where: Scope, state: SceneState, noun: str = "") -> Generator[Action, Outcome, list[str] | str]:
+    """Return receptacles of a scope with a surface: the usual ones of a noun first, then tables and the like."""
     found: list[tuple[int, str]] = []
     kinds = tuple(vocabulary_of(state.catalogue).nouns(noun)[:1]) if noun else ()
-    usual = usual_carriers(state.catalogue, kinds)
+    usual = usual_receptacles(state.catalogue, kinds)
     having = {item.room for _, item in state.objects() if item.category in usual}
-    rooms = sorted(furnishable(where, state), key=lambda name: name not in having)
+    rooms = sorted(rooms_of(where, state), key=lambda name: name not in having)
     for room in rooms[:40]:
         answer = yield Action(f"What stands in {room}?", "ListObjects", {"room": room, "limit": 500})
         if answer.error is not None:
@@ -207,21 +205,21 @@ CROWDED: Final = 0.1
 
 @lru_cache(maxsize=512)
 def _furniture(catalogue: Catalogue, room_type: str) -> frozenset[str]:
-    """Return the categories that stand in rooms of a type."""
+    """Return the categories of furniture in the program of a room type."""
     out: set[str] = set()
     for item in catalogue.room_program(room_type).floor:
         out.update([item.category] if isinstance(item.category, str) else item.category)
     return frozenset(out)
 
 
-def at_home(state: SceneState, room: SceneRoom, categories: Sequence[str]) -> bool:
+def in_room_program(state: SceneState, room: SceneRoom, categories: Sequence[str]) -> bool:
     """Whether the program of a room's type has furniture of one of the categories."""
     return not _furniture(state.catalogue, room.room_type).isdisjoint(categories)
 
 
 @lru_cache(maxsize=512)
-def usual_carriers(catalogue: Catalogue, categories: tuple[str, ...]) -> frozenset[str]:
-    """Return the categories of furniture on or in which the catalogue arranges small things of some categories."""
+def usual_receptacles(catalogue: Catalogue, categories: tuple[str, ...]) -> frozenset[str]:
+    """Return the categories of furniture on which the catalogue arranges small objects of some categories."""
     out: set[str] = set()
     for arrangement in catalogue.arrangements.values():
         said = [entry.category for entry in (*arrangement.slots, *arrangement.seats)]
@@ -235,41 +233,38 @@ def usual_carriers(catalogue: Catalogue, categories: tuple[str, ...]) -> frozens
 def rooms_for(where: Scope, state: SceneState, category: str, size: tuple[float, float, float]) -> list[str]:
     """Return the rooms of a scope that may take a piece of furniture, the best first.
 
-    Those where it belongs go before others, those that are not full yet before full ones, and those with much free
-    floor before narrow ones. Where rooms are named they are all there are; else passages are left out.
+    Rooms whose program has it come first, then rooms that are not crowded, then those with the most free floor.
+    Corridors and the like are left out unless the scope names rooms.
     """
     ranked: list[tuple[bool, bool, float, str]] = []
-    for floor in state.floors:
-        if where.floor not in (None, floor):
+    for floor, room in state.rooms():
+        if where.floor not in (None, floor) or (where.rooms and room.id not in where.rooms):
             continue
         index = state.index(floor)
-        for room in state.scenes[floor].rooms:
-            if room.kind in ("stair", "elevator") or (where.rooms and room.id not in where.rooms):
-                continue
-            belongs = at_home(state, room, [category])
-            card = state.catalogue.room_program(room.room_type)
-            if not (belongs or where.rooms) and card.room_type in words_by("uses")["passing"]:
-                continue
-            covered = sum(
-                item.size[0] * item.size[1] for item in index.objects if item.room == room.id and item.mount == "floor"
-            )
-            share = (covered + size[0] * size[1]) / max(room.area, 0.1)
-            free = max((part.area for part in index.passages.parts.get(room.id, ())), default=0.0)
-            ranked.append((not belongs, share > card.cover + CROWDED, -round(free, 3), room.id))
+        belongs = in_room_program(state, room, [category])
+        card = state.catalogue.room_program(room.room_type)
+        if not (belongs or where.rooms) and card.room_type in words_by("uses")["passing"]:
+            continue
+        covered = sum(
+            item.size[0] * item.size[1] for item in index.objects if item.room == room.id and item.mount == "floor"
+        )
+        share = (covered + size[0] * size[1]) / max(room.area, 0.1)
+        free = max((part.area for part in index.passages.parts.get(room.id, ())), default=0.0)
+        ranked.append((not belongs, share > card.cover + CROWDED, -round(free, 3), room.id))
     return [name for *_, name in sorted(ranked)]
 
 
-Assets = Generator[Action, Outcome, list[AssetInfo] | str]
+AssetSearch = Generator[Action, Outcome, list[AssetInfo] | str]
 """Ends with assets, the best first, or why there is none."""
 
-Placed = Generator[Action, Outcome, tuple[str, str]]
+Placement = Generator[Action, Outcome, tuple[str, str]]
 """Ends with the new object's id, or with an empty id and the reason."""
 
 MOST_ASSETS: Final = 4
 
 
-def assets_of(thing: Thing, state: SceneState) -> Assets:
-    """Return assets of a thing: the best first, then the small ones; those of its colour before others."""
+def find_assets(thing: ObjectDescription, state: SceneState) -> AssetSearch:
+    """Return the assets that fit a description: the best first, then small ones; only those of its colour if any."""
     words = " ".join(word for word in (thing.colour, thing.noun) if word)
     answer = yield Action(f"Which asset is {with_article(words)}?", "SearchAssets", {"query": words, "top_k": 50})
     if answer.error is not None:
@@ -303,7 +298,7 @@ def assets_of(thing: Thing, state: SceneState) -> Assets:
 
 def place_any(
     assets: list[AssetInfo], carrier: str, relation: str, *, colour: str = "", near: str = "", most: int = MOST_ASSETS
-) -> Placed:
+) -> Placement:
     """Try variants of an asset on one receptacle.
 
     Parameters

@@ -8,20 +8,20 @@ from typing import Final
 from mansion_assets.catalogue import Asset
 from mansion_editing.agent.noun_phrases import (
     NUMBERS,
-    Phrase,
+    NounPhrase,
     is_known,
     path_facts,
-    read_phrase,
+    read_noun_phrase,
     read_place,
     rooms_named,
 )
-from mansion_editing.agent.protocol import AbsentFact, Fact, MoveFact, ObjectFact, Scope, StateFact, Thing
+from mansion_editing.agent.protocol import AbsentFact, Fact, MoveFact, ObjectDescription, ObjectFact, Scope, StateFact
 from mansion_editing.agent.sentences import Clause, clauses_of, not_understood, plain_sentences, refuse_unsupported
 from mansion_editing.references import COLOUR_WORDS, colour_of, matching_objects, vocabulary_of
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["MOST_CLAUSES", "MOST_FACTS", "distributed", "parse_instruction"]
+__all__ = ["MOST_CLAUSES", "MOST_FACTS", "parse_instruction"]
 
 MOST_CLAUSES: Final = 24
 MOST_FACTS: Final = 60
@@ -34,12 +34,12 @@ STATES: Final = {
 }  # fmt: skip
 OPPOSITES: Final = {("open", True): "closed", ("open", False): "open", ("on", True): "off", ("on", False): "on"}
 
-_WITH: Final = re.compile(
+_CARRIER_WITH: Final = re.compile(
     r"^(?P<a>.+?) with (?P<b>(?:a|an|one|two|three|four|five|six|some|another|no|cold|\d+)\b.+?)"
     r"(?: (?P<rel>on|in|inside|within)(?: (?:it|them|top))?)?(?P<loc> (?:in|on|at) (?!it\b|them\b|top\b).+)?$",
     re.IGNORECASE,
 )
-_NEW: Final = re.compile(r"^(?:an?|one|two|three|four|five|six|some|another|\d+) ", re.IGNORECASE)
+_INDEFINITE: Final = re.compile(r"^(?:an?|one|two|three|four|five|six|some|another|\d+) ", re.IGNORECASE)
 _PRONOUN: Final = re.compile(r"^(?:it|them|that|this|these|those|both)\b", re.IGNORECASE)
 
 _TO: Final = (
@@ -69,9 +69,9 @@ def parse_instruction(state: SceneState, instruction: str) -> list[Fact]:
             ErrorCode.INFEASIBLE, f"the instruction asks for {number} things; at most {MOST_CLAUSES} in one go"
         )
     reader = _Discourse(state)
-    asked = [clauses for clauses in said if not _is_talk(state, clauses)] or said
+    asked = [clauses for clauses in said if not _asks_nothing(state, clauses)] or said
     for clauses in asked:
-        reader.sentence(clauses)
+        reader.read_sentence(clauses)
     if not reader.facts:
         raise not_understood(instruction)
     if len(reader.facts) > MOST_FACTS:
@@ -81,8 +81,8 @@ def parse_instruction(state: SceneState, instruction: str) -> list[Fact]:
     return list(dict.fromkeys(reader.facts))
 
 
-def _is_talk(state: SceneState, clauses: list[Clause]) -> bool:
-    """Whether a sentence asks for nothing: it has no clause, and names no room and nothing of the catalogue."""
+def _asks_nothing(state: SceneState, clauses: list[Clause]) -> bool:
+    """Whether a sentence has no clause and names no room and no object of the catalogue."""
     pieces = [clause.words.get("x", "") for clause in clauses if not clause.kind]
     if len(pieces) != len(clauses):
         return False
@@ -102,22 +102,22 @@ class _Discourse:
     def __init__(self, state: SceneState) -> None:
         self.state = state
         self.facts: list[Fact] = []
-        self._pending: list[tuple[str, Phrase]] = []
-        self._last: Phrase | None = None
+        self._pending: list[tuple[str, NounPhrase]] = []
+        self._last: NounPhrase | None = None
         self._frame: Scope | None = None
         self._clause: Clause | None = None
 
-    def sentence(self, clauses: Iterable[Clause]) -> None:
+    def read_sentence(self, clauses: Iterable[Clause]) -> None:
         """Read one sentence."""
         early: list[str] = []
         self._frame, self._clause = None, None
         for clause in clauses:
             if clause.kind == "place" and self._clause is None:
-                self._frame = merged(read_place(self.state, clause.words["loc"]).where, self._frame)
+                self._frame = _merged(read_place(self.state, clause.words["loc"]).where, self._frame)
             elif not clause.kind and self._clause is None:
                 early.append(clause.words["x"])
             elif not clause.kind or clause.kind == "place":
-                self._continue(clause)
+                self._read_ellipsis(clause)
             else:
                 for words in early:
                     self._read(Clause(clause.kind, {**clause.words, "x": words, "loc": ""}))
@@ -125,18 +125,18 @@ class _Discourse:
                 self._read(clause)
                 self._clause = clause
         for words in early:
-            self._wait("have", read_phrase(self.state, words))
+            self._defer("have", read_noun_phrase(self.state, words))
         if early and self._pending and self._frame is None:
             raise not_understood(", ".join(early))
         self._flush()
 
-    def _continue(self, clause: Clause) -> None:
-        """Read a piece without a verb of its own: more things, or the same at another place."""
+    def _read_ellipsis(self, clause: Clause) -> None:
+        """Read a clause whose verb is elided: more objects, or the same at another place."""
         before = self._clause
         words = clause.words.get("loc") or clause.words["x"]
         if before is None:
             raise not_understood(words)
-        things = _NEW.match(words) and not rooms_named(self.state, _NEW.sub("", words), None)
+        things = _INDEFINITE.match(words) and not rooms_named(self.state, _INDEFINITE.sub("", words), None)
         if before.kind in ("path", "reach") and things:
             self._have(words)
             return
@@ -152,29 +152,29 @@ class _Discourse:
             self._switch(replace(self._last, placed=True), state[1])
             return
         bare = re.sub(r"^(?:the|in|on)\s+", "", words)
-        if before.kind == "have" and words.lower().startswith("the ") and self._is_carrier(words):
-            self._again(f"on {words}")
+        if before.kind == "have" and words.lower().startswith("the ") and self._names_furniture(words):
+            self._repeat_elsewhere(f"on {words}")
             return
         if clause.kind == "place" or rooms_named(self.state, bare, None):
-            self._again(words if clause.kind == "place" else f"in {words}")
+            self._repeat_elsewhere(words if clause.kind == "place" else f"in {words}")
             return
-        if before.kind in ("state", "unstate") and _NEW.match(words):
+        if before.kind in ("state", "unstate") and _INDEFINITE.match(words):
             self._flush()
             self._have(words)
             return
         self._read(replace(before, words={**before.words, "x": words, "loc": ""}))
 
-    def _is_carrier(self, words: str) -> bool:
-        """Whether words name furniture while the last thing stands on some: another place for it."""
+    def _names_furniture(self, words: str) -> bool:
+        """Whether words name furniture, and so another receptacle for the last object."""
         last = self.facts[-1] if self.facts else None
         if self._pending or not isinstance(last, ObjectFact) or not last.where.receptacle:
             return False
-        noun = read_phrase(self.state, words).thing.noun
+        noun = read_noun_phrase(self.state, words).object.noun
         asset = _typical(self.state, noun)
         return asset is not None and bool(asset.surfaces) and not asset.pickupable
 
-    def _again(self, words: str) -> None:
-        """The things of the last clause at another place too, or at the place more closely."""
+    def _repeat_elsewhere(self, words: str) -> None:
+        """Repeat the last fact at another place, or narrow its place."""
         self._flush()
         place = read_place(self.state, words).where
         last = self.facts[-1] if self.facts else None
@@ -182,9 +182,9 @@ class _Discourse:
             raise not_understood(words)
         closer = not place.receptacle and not last.where.rooms and last.where.floor is None
         if closer:
-            self.facts[-1] = replace(last, where=merged(last.where, place))
+            self.facts[-1] = replace(last, where=_merged(last.where, place))
             return
-        same = place if place.receptacle else on_that_of(place, last.where)
+        same = place if place.receptacle else _on_receptacle_of(place, last.where)
         self.facts.append(replace(last, where=same))
 
     def _read(self, clause: Clause) -> None:
@@ -196,25 +196,25 @@ class _Discourse:
             self.facts += ways
             ends = tuple(way.end for way in ways if self.state.room(way.end))
             if ends:
-                self._last = Phrase(Thing(""), Scope("room", "", ends), True)
+                self._last = NounPhrase(ObjectDescription(""), Scope("room", "", ends), placed=True)
         elif kind == "have":
             self._have(f"{words['x']} {words.get('loc', '')}".strip())
         elif kind == "hold":
             self._hold(words)
         elif kind in ("absent", "no"):
-            phrase = read_phrase(self.state, f"{words['x']} {words.get('loc', '')}")
-            if _PRONOUN.match(words["x"]) and not phrase.thing.noun:
-                phrase = self._meant(phrase)
-            self._wait(kind, phrase)
+            phrase = read_noun_phrase(self.state, f"{words['x']} {words.get('loc', '')}")
+            if _PRONOUN.match(words["x"]) and not phrase.object.noun:
+                phrase = self._resolve_pronoun(phrase)
+            self._defer(kind, phrase)
         elif kind == "absent_on":
-            thing = read_phrase(self.state, words["x"])
+            thing = read_noun_phrase(self.state, words["x"])
             where = read_place(self.state, f"on {words['y']}")
-            self._wait("absent", replace(where, thing=thing.thing))
+            self._defer("absent", replace(where, object=thing.object))
         elif kind == "clear":
             self._clear(words["y"])
         elif kind in ("state", "unstate"):
             word = words["v"].lower() if kind == "state" else OPPOSITES[STATES[words["v"].lower()]]
-            self._wait(f"state {word}", read_phrase(self.state, words["x"]))
+            self._defer(f"state {word}", read_noun_phrase(self.state, words["x"]))
         elif kind == "quality":
             self._qualify(words["v"].lower())
         elif kind == "move":
@@ -222,16 +222,16 @@ class _Discourse:
         elif kind == "swap":
             self._swap(words["x"], words["z"])
         else:
-            self._whole(kind, words)
+            self._read_sentence_pattern(kind, words)
 
-    def _whole(self, kind: str, words: dict[str, str]) -> None:
-        """Read a sentence that is one wish as a whole."""
+    def _read_sentence_pattern(self, kind: str, words: dict[str, str]) -> None:
+        """Read a sentence that matched a pattern as a whole."""
         self._flush()
         if kind == "only":
-            facts, self._last = only_things(self.state, words["x"], words["y"])
+            facts, self._last = _only_facts(self.state, words["x"], words["y"])
             self.facts += facts
         elif kind == "exchange":
-            moves = exchanged(self.state, words["x"], words["z"])
+            moves = _exchange_facts(self.state, words["x"], words["z"])
             if moves is None:
                 self._swap(words["x"], words["z"])
             else:
@@ -241,35 +241,35 @@ class _Discourse:
             at = "in" if rooms_named(self.state, re.sub(r"^the ", "", bare), None) else "on"
             self._last = read_place(self.state, f"{at} {bare}")
         else:
-            self._some(words["n"], words["v"].lower())
+            self._colour_some(words["n"], words["v"].lower())
 
-    def _some(self, number: str, word: str) -> None:
-        """Read ``one of them should be green``: a part of the things that were asked for last."""
+    def _colour_some(self, number: str, word: str) -> None:
+        """Read ``one of them should be green``: a colour for some of the objects of the last fact."""
         last = self.facts[-1] if self.facts else None
         if not isinstance(last, ObjectFact) or word not in COLOUR_WORDS:
             raise not_understood(f"{number} of them {word}")
-        part = replace(last.thing, count=NUMBERS[number.lower()], colour=COLOUR_WORDS[word])
-        self.facts.insert(-1, replace(last, thing=part, exact=False))
+        part = replace(last.object, count=NUMBERS[number.lower()], colour=COLOUR_WORDS[word])
+        self.facts.insert(-1, replace(last, object=part, exact=False))
 
     def _have(self, text: str) -> None:
         if re.match(r"^(?:no|not any|none of)\b", text, re.IGNORECASE):
             bare = re.sub(r"^(?:no|not any|none of)\s+", "", text, flags=re.IGNORECASE)
-            self._wait("absent", read_phrase(self.state, bare))
+            self._defer("absent", read_noun_phrase(self.state, bare))
             return
-        match = _WITH.match(text)
+        match = _CARRIER_WITH.match(text)
         if match is None:
-            self._wait("have", read_phrase(self.state, text))
+            self._defer("have", read_noun_phrase(self.state, text))
             return
-        self._with(match, read_phrase(self.state, f"{match['a']}{match['loc'] or ''}"))
+        self._with(match, read_noun_phrase(self.state, f"{match['a']}{match['loc'] or ''}"))
 
-    def _with(self, match: re.Match[str], carrier: Phrase) -> None:
+    def _with(self, match: re.Match[str], carrier: NounPhrase) -> None:
         """Read ``a table with two mugs on it``."""
-        self._wait("have", carrier)
+        self._defer("have", carrier)
         self._flush()
         inward = (match["rel"] or "on") != "on"
-        where = self._within(carrier, "in" if inward else "on")
+        where = self._place_on_or_in(carrier, "in" if inward else "on")
         for words in re.split(r" and ", match["b"]):
-            self._wait("have", replace(read_phrase(self.state, words), where=where, placed=True))
+            self._defer("have", replace(read_noun_phrase(self.state, words), where=where, placed=True))
 
     def _hold(self, words: dict[str, str]) -> None:
         holder = words.get("y") or "it"
@@ -283,107 +283,107 @@ class _Discourse:
         text = words["x"]
         if re.match(r"^(?:no|not any)\b", text, re.IGNORECASE):
             kind, text = "absent", re.sub(r"^(?:no|not any)\s+", "", text, flags=re.IGNORECASE)
-        match = _WITH.match(text)
+        match = _CARRIER_WITH.match(text)
         if match is not None and kind == "have":
-            carrier = read_phrase(self.state, f"{match['a']}{match['loc'] or ''}")
+            carrier = read_noun_phrase(self.state, f"{match['a']}{match['loc'] or ''}")
             self._with(match, replace(carrier, where=place.where, placed=True))
             return
-        thing = read_phrase(self.state, text)
-        where = merged(thing.where, place.where) if thing.placed else place.where
-        self._wait(kind, replace(thing, where=where, placed=True, each=place.each, back=place.back))
+        thing = read_noun_phrase(self.state, text)
+        where = _merged(thing.where, place.where) if thing.placed else place.where
+        self._defer(kind, replace(thing, where=where, placed=True, each=place.each, anaphoric=place.anaphoric))
 
     def _clear(self, text: str) -> None:
         self._flush()
         phrase = read_place(self.state, f"on {text}")
-        where = self._resolved(phrase)
+        where = self._resolve_place(phrase)
         if not where.receptacle:
             raise not_understood(f"clear {text}")
-        self.facts.append(AbsentFact(Thing("", 0), replace(where, relation="on")))
-        carrier = Thing(where.receptacle, 1, where.colour)
-        self._last = Phrase(carrier, Scope("room", "", where.rooms, where.floor), True)
+        self.facts.append(AbsentFact(ObjectDescription("", 0), replace(where, relation="on")))
+        carrier = ObjectDescription(where.receptacle, 1, where.colour)
+        self._last = NounPhrase(carrier, Scope("room", "", where.rooms, where.floor), placed=True)
 
     def _qualify(self, word: str) -> None:
-        """Take what was said of the last things: they must be red, it should be cold, it is open."""
+        """Add a quality to the last fact: they must be red, it should be cold, it is open."""
         self._flush()
         last = self.facts[-1] if self.facts else None
         if word in STATES and self._last is not None:
-            self._switch(replace(self._able(word, self._last), placed=True), word)
+            self._switch(replace(self._stateful_referent(word, self._last), placed=True), word)
         elif isinstance(last, ObjectFact) and word in COLOUR_WORDS:
-            thing = replace(last.thing, colour=COLOUR_WORDS[word])
-            self.facts[-1] = replace(last, thing=thing)
+            thing = replace(last.object, colour=COLOUR_WORDS[word])
+            self.facts[-1] = replace(last, object=thing)
         elif isinstance(last, ObjectFact) and word in ("cold", "chilled", "cool"):
-            self.facts[-1] = replace(last, thing=replace(last.thing, cold=True))
+            self.facts[-1] = replace(last, object=replace(last.object, cold=True))
         else:
             raise not_understood(word)
 
     def _move(self, text: str) -> None:
-        parts = parted(self.state, text)
+        parts = _split_move(self.state, text)
         if parts is None:
-            self._wait("move", read_phrase(self.state, text))
+            self._defer("move", read_noun_phrase(self.state, text))
             return
         phrase, goal = parts
-        if not phrase.thing.noun and not phrase.placed and self._last is not None:
+        if not phrase.object.noun and not phrase.placed and self._last is not None:
             phrase = self._last
         if not goal.placed:
             raise not_understood(f"move {text}")
-        target = self._resolved(goal)
+        target = self._resolve_place(goal)
         for kind, waiting in self._pending:
             if kind == "move":
                 where = waiting.where if waiting.placed else phrase.where
-                self.facts.append(MoveFact(moved(waiting.thing), where, target))
+                self.facts.append(MoveFact(_quantity_to_move(waiting.object), where, target))
         self._pending = [entry for entry in self._pending if entry[0] != "move"]
         self._flush()
-        self.facts.append(MoveFact(moved(phrase.thing), self._resolved(phrase), target))
+        self.facts.append(MoveFact(_quantity_to_move(phrase.object), self._resolve_place(phrase), target))
         self._last = replace(phrase, where=target)
 
     def _swap(self, old: str, new: str) -> None:
         self._flush()
-        gone, come = read_phrase(self.state, old), read_phrase(self.state, new)
-        where = self._resolved(gone if gone.placed else come)
-        self.facts.append(AbsentFact(gone.thing, where))
-        self.facts.append(ObjectFact(replace(come.thing, count=max(1, come.thing.count)), where))
+        gone, come = read_noun_phrase(self.state, old), read_noun_phrase(self.state, new)
+        where = self._resolve_place(gone if gone.placed else come)
+        self.facts.append(AbsentFact(gone.object, where))
+        self.facts.append(ObjectFact(replace(come.object, count=max(1, come.object.count)), where))
         self._last = replace(come, where=where)
 
-    def _meant(self, phrase: Phrase) -> Phrase:
-        """Return the thing that a pronoun stands for, in the place that is given with it."""
+    def _resolve_pronoun(self, phrase: NounPhrase) -> NounPhrase:
+        """Return the antecedent of a pronoun, at the place given with the pronoun."""
         before = self._pending[-1][1] if self._pending else self._last
-        if before is None or not before.thing.noun:
+        if before is None or not before.object.noun:
             raise not_understood("it")
         self._pending = self._pending[:-1]
-        thing = replace(before.thing, count=0)
-        return replace(phrase if phrase.placed else before, thing=thing)
+        thing = replace(before.object, count=0)
+        return replace(phrase if phrase.placed else before, object=thing)
 
-    def _wait(self, kind: str, phrase: Phrase) -> None:
-        whole = phrase.where.receptacle if kind in ("absent", "no") else phrase.thing.every
-        if not phrase.thing.noun and not (whole and kind != "have"):
+    def _defer(self, kind: str, phrase: NounPhrase) -> None:
+        whole = phrase.where.receptacle if kind in ("absent", "no") else phrase.object.every
+        if not phrase.object.noun and not (whole and kind != "have"):
             before = self._pending[-1][1] if self._pending else self._last
-            if before is None or not before.thing.noun:
+            if before is None or not before.object.noun:
                 raise not_understood(kind)
-            thing, last = phrase.thing, before.thing
+            thing, last = phrase.object, before.object
             if kind.startswith("state ") and not phrase.placed:
-                before = self._able(kind[6:], before)
-                last = before.thing
+                before = self._stateful_referent(kind[6:], before)
+                last = before.object
             if not phrase.placed and kind.startswith(("state", "absent")):
                 phrase = replace(phrase, where=before.where, placed=before.placed)
             colour, cold = thing.colour or last.colour, thing.cold or last.cold
             thing = replace(last, count=thing.count or last.count, colour=colour, cold=cold)
-            phrase = replace(phrase, thing=thing)
+            phrase = replace(phrase, object=thing)
         self._pending.append((kind, phrase))
         if phrase.placed:
             self._flush()
 
-    def _able(self, word: str, before: Phrase) -> Phrase:
-        """Return what of the last thing and its receptacle can be open, or on."""
+    def _stateful_referent(self, word: str, before: NounPhrase) -> NounPhrase:
+        """Return the last object, or its receptacle where only that can be open, or on."""
         where = before.where
-        if _has_state(self.state, before.thing.noun, word) or not where.receptacle:
+        if _has_state(self.state, before.object.noun, word) or not where.receptacle:
             return before
         if not _has_state(self.state, where.receptacle, word):
             return before
         place = replace(where, relation="room", receptacle="", colour="", base="")
-        return Phrase(Thing(where.receptacle, 1, where.colour), place, True)
+        return NounPhrase(ObjectDescription(where.receptacle, 1, where.colour), place, placed=True)
 
     def _flush(self) -> None:
-        """Turn what waits into facts; things without a place stand where the next, or the last, one does."""
+        """Turn deferred phrases into facts; one without a place takes that of the next, or of the last."""
         if not self._pending:
             return
         final = self._pending[-1][1]
@@ -392,24 +392,24 @@ class _Discourse:
         if not final.placed and takes_up and self._last is not None:
             place = replace(self._last, each="")
         for kind, phrase in self._pending:
-            own = phrase if phrase.placed else replace(place, thing=phrase.thing)
-            self._fact(kind, replace(own, exact=phrase.exact, more=phrase.more, most=phrase.most))
+            own = phrase if phrase.placed else replace(place, object=phrase.object)
+            self._add_facts(kind, replace(own, exact=phrase.exact, more=phrase.more, most=phrase.most))
         self._pending = []
 
-    def _fact(self, kind: str, phrase: Phrase) -> None:
-        where = self._resolved(phrase)
+    def _add_facts(self, kind: str, phrase: NounPhrase) -> None:
+        where = self._resolve_place(phrase)
         if kind == "have":
-            least = 2 if phrase.thing.every else 1
-            thing = replace(phrase.thing, count=phrase.thing.count or least, every=False)
+            least = 2 if phrase.object.every else 1
+            thing = replace(phrase.object, count=phrase.object.count or least, every=False)
             if thing.cold and not where.receptacle:
                 where = replace(where, relation="in", receptacle="fridge")
             if where.base:
                 outer = replace(where, relation="on", receptacle=where.base, base="", colour="")
-                self.facts.append(ObjectFact(Thing(where.receptacle, 1, where.colour), outer))
-            for scope in distributed(self.state, where, phrase.each):
-                self.facts.append(ObjectFact(thing, scope, phrase.exact, phrase.more, phrase.most))
+                self.facts.append(ObjectFact(ObjectDescription(where.receptacle, 1, where.colour), outer))
+            for scope in _expand_quantifier(self.state, where, phrase.each):
+                self.facts.append(ObjectFact(thing, scope, exact=phrase.exact, more=phrase.more, most=phrase.most))
         elif kind in ("absent", "no"):
-            self.facts.append(AbsentFact(phrase.thing, where))
+            self.facts.append(AbsentFact(phrase.object, where))
         elif kind.startswith("state "):
             self._switch(replace(phrase, where=where), kind[6:])
             return
@@ -417,29 +417,29 @@ class _Discourse:
             raise not_understood(kind)
         self._last = replace(phrase, where=where)
 
-    def _switch(self, phrase: Phrase, word: str) -> None:
+    def _switch(self, phrase: NounPhrase, word: str) -> None:
         name, value = STATES[word.lower()]
-        where = self._resolved(phrase)
+        where = self._resolve_place(phrase)
         state = "open" if name == "open" else "on"
-        self.facts.append(StateFact(phrase.thing, where, state, value))  # type: ignore[arg-type]
+        self.facts.append(StateFact(phrase.object, where, state, value=value))  # type: ignore[arg-type]
         self._last = replace(phrase, where=where)
 
-    def _resolved(self, phrase: Phrase) -> Scope:
+    def _resolve_place(self, phrase: NounPhrase) -> Scope:
         """Return a phrase's place with its pronouns and the sentence's leading place filled in."""
         where = phrase.where
-        if phrase.back and self._last is not None:
-            where = self._within(self._last, where.relation)
-        return merged(where, self._frame) if self._frame is not None else where
+        if phrase.anaphoric and self._last is not None:
+            where = self._place_on_or_in(self._last, where.relation)
+        return _merged(where, self._frame) if self._frame is not None else where
 
-    def _within(self, carrier: Phrase, relation: str) -> Scope:
-        """Return the place on or in a thing that was spoken of; its own place when it carries nothing."""
-        noun = carrier.thing.noun
+    def _place_on_or_in(self, carrier: NounPhrase, relation: str) -> Scope:
+        """Return the place on or in an object mentioned before; its own place when it carries nothing."""
+        noun = carrier.object.noun
         asset = _typical(self.state, noun)
         carries = asset is not None and bool(asset.surfaces or asset.volumes)
         if not carries or (carrier.where.receptacle and noun in ("", carrier.where.receptacle)):
             return carrier.where
         own = carrier.where
-        return Scope("in" if relation == "in" else "on", noun, own.rooms, own.floor, carrier.thing.colour)
+        return Scope("in" if relation == "in" else "on", noun, own.rooms, own.floor, carrier.object.colour)
 
 
 def _typical(state: SceneState, noun: str) -> Asset | None:
@@ -454,32 +454,34 @@ def _has_state(state: SceneState, noun: str, word: str) -> bool:
     return asset is not None and (asset.openable if STATES[word][0] == "open" else asset.toggleable)
 
 
-def only_things(state: SceneState, words: str, place: str) -> tuple[list[Fact], Phrase]:
+def _only_facts(state: SceneState, words: str, place: str) -> tuple[list[Fact], NounPhrase]:
     """Return the facts of ``a mug and two books`` being all that is on a receptacle, and what `it` is then."""
     where = read_place(state, f"on {place}").where
-    things = [read_phrase(state, part).thing for part in re.split(r",? and |, ", re.sub(r"^(?:only|just) ", "", words))]
-    facts: list[Fact] = [AbsentFact(Thing("", 0), where, tuple(replace(t, count=0) for t in things))]
+    things = [
+        read_noun_phrase(state, part).object for part in re.split(r",? and |, ", re.sub(r"^(?:only|just) ", "", words))
+    ]
+    facts: list[Fact] = [AbsentFact(ObjectDescription("", 0), where, tuple(replace(t, count=0) for t in things))]
     for thing in things:
         exact = thing.count > 0
         one = replace(thing, count=max(1, thing.count), every=False)
-        facts.append(ObjectFact(one, where, exact))
-    carrier = Thing(where.receptacle, 1, where.colour)
-    return facts, Phrase(carrier, Scope("room", "", where.rooms, where.floor), True)
+        facts.append(ObjectFact(one, where, exact=exact))
+    carrier = ObjectDescription(where.receptacle, 1, where.colour)
+    return facts, NounPhrase(carrier, Scope("room", "", where.rooms, where.floor), placed=True)
 
 
-def exchanged(state: SceneState, one: str, other: str) -> list[Fact] | None:
-    """Return two things that change places as two moves; None where one of them is nowhere in particular."""
-    first, second = read_phrase(state, one), read_phrase(state, other)
+def _exchange_facts(state: SceneState, one: str, other: str) -> list[Fact] | None:
+    """Return an exchange of two objects as two moves; None where one of them has no receptacle."""
+    first, second = read_noun_phrase(state, one), read_noun_phrase(state, other)
     if not (first.where.receptacle and second.where.receptacle):
         return None
     return [
-        MoveFact(moved(first.thing), first.where, second.where),
-        MoveFact(moved(second.thing), second.where, first.where),
+        MoveFact(_quantity_to_move(first.object), first.where, second.where),
+        MoveFact(_quantity_to_move(second.object), second.where, first.where),
     ]
 
 
-def _divisions(text: str) -> Iterator[re.Match[str]]:
-    """Yield the ways to divide words into a thing, its source and its target, the plain ones first."""
+def _move_splits(text: str) -> Iterator[re.Match[str]]:
+    """Yield divisions of words into an object, its source and its target, the plain ones first."""
     plain = re.match(_TO[0], text, re.IGNORECASE)
     if plain:
         yield plain
@@ -491,7 +493,7 @@ def _divisions(text: str) -> Iterator[re.Match[str]]:
                 yield match
 
 
-def parted(state: SceneState, text: str) -> tuple[Phrase, Phrase] | None:
+def _split_move(state: SceneState, text: str) -> tuple[NounPhrase, NounPhrase] | None:
     """Return what moves from where, and where to; the first division of the words that can be read, None without any.
 
     Raises
@@ -500,37 +502,37 @@ def parted(state: SceneState, text: str) -> tuple[Phrase, Phrase] | None:
         ``NOT_FOUND`` when a division names something unknown and no other can be read.
     """
     fault: MansionError | None = None
-    for match in _divisions(text):
+    for match in _move_splits(text):
         source = f" on {match['source']}" if match["source"] else ""
         inward = match["to"].lower() in ("into", "in", "inside")
         try:
-            what = read_phrase(state, match["what"] + source)
+            what = read_noun_phrase(state, match["what"] + source)
             goal = read_place(state, f"{'in' if inward else 'on'} {match['target']}")
         except MansionError as error:
             fault = fault or error
             continue
-        if goal.where.receptacle or goal.where.rooms or goal.back:
+        if goal.where.receptacle or goal.where.rooms or goal.anaphoric:
             return what, goal
     if fault is not None:
         raise fault
     return None
 
 
-def moved(thing: Thing) -> Thing:
-    """Return a thing to move: all of them where all are meant, else one."""
+def _quantity_to_move(thing: ObjectDescription) -> ObjectDescription:
+    """Return the description with the number to move: all where all are meant, else at least one."""
     return replace(thing, count=0 if thing.every and not thing.count else max(1, thing.count))
 
 
-def on_that_of(own: Scope, other: Scope) -> Scope:
+def _on_receptacle_of(own: Scope, other: Scope) -> Scope:
     """Return a place with the receptacle of another."""
     return replace(own, relation=other.relation, receptacle=other.receptacle, colour=other.colour, base=other.base)
 
 
-def merged(own: Scope, other: Scope | None) -> Scope:
-    """Return a place with what it leaves open taken from another."""
+def _merged(own: Scope, other: Scope | None) -> Scope:
+    """Return a place whose open parts are filled from another."""
     if other is None:
         return own
-    placed = own if own.receptacle else on_that_of(own, other)
+    placed = own if own.receptacle else _on_receptacle_of(own, other)
     return replace(
         placed,
         rooms=own.rooms or other.rooms,
@@ -539,13 +541,13 @@ def merged(own: Scope, other: Scope | None) -> Scope:
     )
 
 
-def distributed(state: SceneState, where: Scope, each: str) -> list[Scope]:
-    """Return the places that a scope stands for.
+def _expand_quantifier(state: SceneState, where: Scope, each: str) -> list[Scope]:
+    """Return a scope for each place that a quantified scope covers.
 
     Parameters
     ----------
     each : {"", "receptacle", "room", "floor"}
-        What of it is meant each for itself.
+        Part of the scope that is quantified.
 
     Raises
     ------
@@ -561,7 +563,7 @@ def distributed(state: SceneState, where: Scope, each: str) -> list[Scope]:
     elif each == "room":
         found = [replace(where, rooms=(room,)) for room in where.rooms]
     elif each == "floor":
-        found = [replace(where, floor=floor, rooms=_on(where.rooms, floor)) for floor in state.floors]
+        found = [replace(where, floor=floor, rooms=_on_floor(where.rooms, floor)) for floor in state.floors]
         found = [scope for scope in found if scope.rooms or not where.rooms]
     else:
         return [where]
@@ -571,5 +573,5 @@ def distributed(state: SceneState, where: Scope, each: str) -> list[Scope]:
     return found
 
 
-def _on(rooms: tuple[str, ...], floor: int) -> tuple[str, ...]:
+def _on_floor(rooms: tuple[str, ...], floor: int) -> tuple[str, ...]:
     return tuple(room for room in rooms if room.startswith(f"F{floor}/"))

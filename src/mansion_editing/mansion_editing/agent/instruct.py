@@ -17,7 +17,16 @@ from mansion_msgs_py.editing import AgentReport, AgentStep, EditResult
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import Task
 
-__all__ = ["AGENT_TOOLS", "MOST_EDITS", "MOST_STEPS", "instruct", "provision", "run_agent", "take_back", "tool_asked"]
+__all__ = [
+    "AGENT_TOOLS",
+    "MOST_EDITS",
+    "MOST_STEPS",
+    "instruct",
+    "provision",
+    "run_agent",
+    "undo_or_redo",
+    "history_tool",
+]
 
 _LAST: Final = (
     r"(?:that|it|this|what you (?:just |have just )?(?:did|done)|"
@@ -33,14 +42,14 @@ _ASKED: Final = re.compile(
 )
 
 
-def tool_asked(instruction: str) -> str:
+def history_tool(instruction: str) -> str:
     """Return the tool, Undo or Redo, that an instruction as a whole asks for; empty for others.
 
     Examples
     --------
-    >>> tool_asked("Please undo that.")
+    >>> history_tool("Please undo that.")
     'Undo'
-    >>> tool_asked("undo all edits of other people")
+    >>> history_tool("undo all edits of other people")
     ''
     """
     match = _ASKED.fullmatch(" ".join(instruction.split()).strip(" .,!?"))
@@ -49,9 +58,9 @@ def tool_asked(instruction: str) -> str:
     return "Undo" if match["undo"] else "Redo"
 
 
-def take_back(editor: SceneEditor, tool: str) -> AgentReport:
+def undo_or_redo(editor: SceneEditor, tool: str) -> AgentReport:
     """Undo or redo this user's last edit, an instruction as a whole."""
-    thought = f"The last edit is to be {'taken back' if tool == 'Undo' else 'done again'}."
+    thought = f"{tool} the last edit."
     try:
         done: EditResult = editor.call(tool)
     except MansionError as error:
@@ -61,7 +70,7 @@ def take_back(editor: SceneEditor, tool: str) -> AgentReport:
         message=done.message,
         done=True,
         steps=[AgentStep(thought=thought, tool=tool, observation=to_builtins(done))],
-        facts=[f"the last edit {'taken back' if tool == 'Undo' else 'done again'}"],
+        facts=[f"the last edit {'undone' if tool == 'Undo' else 'redone'}"],
         edits=1,
         saved=done.saved,
         transaction=done.transaction,
@@ -128,7 +137,7 @@ class _Run:
                 if len(self.steps) >= MOST_STEPS or self.edits >= MOST_EDITS:
                     return _stopped(f"stopped after {len(self.steps)} steps, {self.edits} edits")
                 if self.refused >= MOST_REFUSED:
-                    return _stopped(f"stopped: {self.refused} actions outside the tools")
+                    return _stopped(f"stopped: {self.refused} invalid actions")
                 action = policy.send(self.act(action))
         except StopIteration as end:
             verdict: Verdict = end.value
@@ -154,7 +163,7 @@ class _Run:
         self._note(action, value)
         return Outcome(value)
 
-    def _note(self, action: Action, observation: Any, refused: bool = False) -> None:
+    def _note(self, action: Action, observation: Any, *, refused: bool = False) -> None:
         self.steps.append(
             AgentStep(
                 thought=action.thought,
@@ -202,7 +211,7 @@ def _checked(action: Action) -> Any:
             path="$.tool",
         )
     if "editor" in action.arguments:
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, "an agent works in its own building alone", path="$.editor")
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "an agent edits only its own building", path="$.editor")
     return decode(kind, encode(action.arguments))
 
 
@@ -219,9 +228,9 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> A
         ``INVALID_PAYLOAD`` for another planner, ``UNAVAILABLE`` for a model that is not configured, ``CONFLICT`` when
         edits wait to be saved.
     """
-    tool = tool_asked(instruction) if planner == "rules" else ""
+    tool = history_tool(instruction) if planner == "rules" else ""
     if tool:
-        return take_back(editor, tool)
+        return undo_or_redo(editor, tool)
     return run_agent(editor, _policy(editor, instruction, planner), instruction)
 
 

@@ -1,13 +1,13 @@
 """Noun phrases: objects with number and colour, their places, and the ends of paths."""
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import KW_ONLY, dataclass, replace
 from difflib import SequenceMatcher
 from typing import Final
 
 from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.search import search_assets
-from mansion_editing.agent.protocol import PathFact, Scope, Thing
+from mansion_editing.agent.protocol import ObjectDescription, PathFact, Scope
 from mansion_editing.agent.sentence_patterns import EXAMPLES
 from mansion_editing.references import (
     COLOUR_WORDS,
@@ -22,23 +22,23 @@ from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = [
-    "MOST_THINGS",
+    "MOST_COPIES",
     "NUMBERS",
-    "Phrase",
-    "ThingWords",
+    "NounPhrase",
+    "QuantifiedNoun",
     "is_known",
     "known_noun",
-    "read_phrase",
+    "read_noun_phrase",
     "read_place",
-    "read_thing",
+    "read_noun",
     "path_facts",
     "rooms_named",
-    "unknown",
-    "untold",
+    "unknown_words",
+    "unknown_adjectives",
 ]
 
-MOST_THINGS: Final = 20
-"""Most copies of one thing that an instruction may ask for."""
+MOST_COPIES: Final = 20
+"""Greatest number of one object that an instruction may ask for."""
 
 _COUNTING: Final = [
     "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen",
@@ -68,10 +68,10 @@ _BOUND: Final = frozenset([
 _OF_ROOMS: Final = frozenset(["room", "floor", "building", "house", "system"])
 """Those of them that a room's name may hold."""
 
-MOST_BEFORE: Final = 2
-LIKE: Final = 0.8
+MOST_MODIFIERS: Final = 2
+LEAST_SIMILARITY: Final = 0.8
 _OPENING: Final = frozenset(["door", "doors", "lid"])
-"""What of a thing opens: the microwave door is the microwave."""
+"""Parts that open: the microwave door means the microwave."""
 
 _ANYTHING: Final = frozenset([
     "thing", "object", "stuff", "item", "content", "everything", "anything",
@@ -79,36 +79,37 @@ _ANYTHING: Final = frozenset([
 
 
 @dataclass(frozen=True)
-class ThingWords:
-    """A thing as it is said.
+class QuantifiedNoun:
+    """A noun with its quantifier.
 
     Attributes
     ----------
     before : str
-        Words before the noun that are not its own; a room's, perhaps.
+        Modifiers before the noun that do not belong to its name, perhaps the name of a room.
     exact, more, most : bool
-        Neither more nor less than the number; so many besides those that are there; no more than the number.
+        Exactly the number; the number besides those that are there; at most the number.
     """
 
-    thing: Thing
+    object: ObjectDescription
     before: str = ""
+    _: KW_ONLY
     exact: bool = False
     more: bool = False
     most: bool = False
 
 
-def unknown(what: str) -> MansionError:
-    """Return the error for words that name nothing here."""
+def unknown_words(what: str) -> MansionError:
+    """Return the error for words that name no room and no object."""
     return MansionError(
         ErrorCode.NOT_FOUND,
-        f"not understood: {what[:80]!r} names no room of this building and nothing that the catalogue knows; "
+        f"not understood: {what[:80]!r} names neither a room of this building nor an object of the catalogue; "
         f"{EXAMPLES}",
         details={"words": what[:200]},
     )
 
 
-def untold(state: SceneState, words: str, noun: str) -> MansionError | None:
-    """Return the error for adjectives that nothing tells; None where every such thing of the catalogue is so.
+def unknown_adjectives(state: SceneState, words: str, noun: str) -> MansionError | None:
+    """Return the error for adjectives that do not describe a noun; None where they describe all its assets.
 
     Parameters
     ----------
@@ -123,8 +124,8 @@ def untold(state: SceneState, words: str, noun: str) -> MansionError | None:
             name = re.sub(r"^(?:the|an?) ", "", noun)[:60]
             return MansionError(
                 ErrorCode.NOT_FOUND,
-                f"not understood: {words[:60]!r}: no {name} is known to be so; say the {name} alone, or with a "
-                f"colour; {EXAMPLES}",
+                f"not understood: {words[:60]!r}: no {name} of the catalogue is described so; name the {name} "
+                f"alone, or with a colour; {EXAMPLES}",
                 details={"words": words[:200]},
             )
     return None
@@ -138,7 +139,7 @@ def _described(asset: Asset, words: list[str]) -> bool:
 
 
 def is_known(state: SceneState, noun: str) -> bool:
-    """Whether a noun names things, rather than a room."""
+    """Whether a noun names objects rather than a room."""
     words = vocabulary_of(state.catalogue)
     snake = noun.lower().replace(" ", "_")
     if snake in state.catalogue.room_types and snake not in words.categories:
@@ -169,29 +170,29 @@ def known_noun(state: SceneState, words: list[str]) -> tuple[list[str], str]:
                 return [], " ".join(order)
     for start in range(len(words)):
         noun = " ".join(words[start:])
-        bound = set(words[:start]) & _BOUND or start > MOST_BEFORE
+        bound = set(words[:start]) & _BOUND or start > MOST_MODIFIERS
         named = not set(words[:start]) & (_BOUND - _OF_ROOMS)
         if bound and not (named and find_rooms(state, " ".join(words[:start]))):
             break
         if is_known(state, noun):
             return words[:start], noun
-    alike = _alike(state, words)
+    alike = _misspelt(state, words)
     if alike:
         return [], alike
-    if 1 < len(words) <= MOST_BEFORE + 1 and not set(words) & _BOUND:
-        alike = _alike(state, words[-1:])
+    if 1 < len(words) <= MOST_MODIFIERS + 1 and not set(words) & _BOUND:
+        alike = _misspelt(state, words[-1:])
         if alike:
             return words[:-1], alike
-    raise unknown(" ".join(words))
+    raise unknown_words(" ".join(words))
 
 
 def _opens(state: SceneState, noun: str) -> bool:
-    """Whether a noun names things that can be open."""
+    """Whether a noun names objects that can be open."""
     kinds = vocabulary_of(state.catalogue).exact(stems(noun))
     return any(state.catalogue.by_category(kind)[0].openable for kind in kinds)
 
 
-def _alike(state: SceneState, words: list[str]) -> str:
+def _misspelt(state: SceneState, words: list[str]) -> str:
     """Return the name of the category that search finds for words, when each of them is like a word of it."""
     hits = search_assets(state.catalogue, " ".join(words), 1)
     if not hits:
@@ -208,10 +209,10 @@ def _in(word: str, name: tuple[str, ...]) -> bool:
 
 
 def _like(one: str, other: str) -> bool:
-    return SequenceMatcher(None, one, other).ratio() >= LIKE
+    return SequenceMatcher(None, one, other).ratio() >= LEAST_SIMILARITY
 
 
-def read_thing(state: SceneState, text: str) -> ThingWords:
+def read_noun(state: SceneState, text: str) -> QuantifiedNoun:
     """Read a noun with number, colour and coldness.
 
     Raises
@@ -222,7 +223,7 @@ def read_thing(state: SceneState, text: str) -> ThingWords:
     bare = text.strip(" ,.;!?\"'")
     if "/" in bare:
         name = bare.split()[-1]
-        return ThingWords(Thing(_object_id(state, name[0].upper() + name[1:]), 0))
+        return QuantifiedNoun(ObjectDescription(_object_id(state, name[0].upper() + name[1:]), 0))
     words = re.findall(r"[a-z0-9_'\-]+", bare.lower())
     exact = bool({"exactly", "only", "just", "precisely"} & set(words))
     more = bool({"more", "another", "additional", "extra", "further"} & set(words))
@@ -242,21 +243,21 @@ def read_thing(state: SceneState, text: str) -> ThingWords:
             continue
         elif word not in _IDLE or (word == "of" and kept):
             kept.append(word)
-    if count > MOST_THINGS:
+    if count > MOST_COPIES:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"the instruction asks for {count} of one thing; at most {MOST_THINGS} can be provided",
+            f"the instruction asks for {count} of one thing; at most {MOST_COPIES} can be provided",
         )
     while kept and kept[-1] == "of":
         kept.pop()
     if not kept or (len(kept) == 1 and (stems(kept[0]) or ("",))[0] in _ANYTHING):
-        return ThingWords(Thing("", count, colour, cold, every))
+        return QuantifiedNoun(ObjectDescription("", count, colour, cold=cold, every=every))
     if len(kept) == 1 and kept[0] in COLOUR_WORDS and not is_known(state, kept[0]):
-        return ThingWords(Thing("", count, COLOUR_WORDS[kept[0]], cold, every))
+        return QuantifiedNoun(ObjectDescription("", count, COLOUR_WORDS[kept[0]], cold=cold, every=every))
     before, noun = known_noun(state, kept)
     plural = _is_plural(kept[-1])
-    thing = Thing(noun, count, colour, cold, every or plural)
-    return ThingWords(thing, " ".join(before), exact, more, "atmost" in words)
+    thing = ObjectDescription(noun, count, colour, cold=cold, every=every or plural)
+    return QuantifiedNoun(thing, " ".join(before), exact=exact, more=more, most="atmost" in words)
 
 
 def _is_plural(word: str) -> bool:
@@ -273,10 +274,10 @@ def _object_id(state: SceneState, name: str) -> str:
         for part in (*fixed, *(core.id for core in scene.cores)):
             if part == name:
                 raise MansionError(
-                    ErrorCode.INFEASIBLE, f"{name} is part of the building itself; the editor changes objects alone"
+                    ErrorCode.INFEASIBLE, f"{name} is part of the building; the editor changes only objects"
                 )
     if state.room(name.rsplit("/", 1)[0]) is None:
-        raise unknown(name)
+        raise unknown_words(name)
     return name
 
 
@@ -299,32 +300,33 @@ _PARTS: Final = frozenset(["floor", "ground", "building", "door", "top", "surfac
 
 
 @dataclass(frozen=True)
-class Phrase:
-    """A thing and where it is said to be.
+class NounPhrase:
+    """An object and its place.
 
     Attributes
     ----------
     placed : bool
-        The words name a place at all.
+        The words name a place.
     each : {"", "receptacle", "room", "floor"}
-        What of the place is meant each for itself.
-    back : bool
-        The place is what was spoken of before (on it, there).
+        Part of the place that is quantified distributively (on each desk, in every office).
+    anaphoric : bool
+        The place refers to one mentioned before (on it, there).
     exact, more, most
-        See `ThingWords`.
+        See `QuantifiedNoun`.
     """
 
-    thing: Thing
+    object: ObjectDescription
     where: Scope
+    _: KW_ONLY
     placed: bool
     each: str = ""
-    back: bool = False
+    anaphoric: bool = False
     exact: bool = False
     more: bool = False
     most: bool = False
 
 
-def read_place(state: SceneState, text: str) -> Phrase:
+def read_place(state: SceneState, text: str) -> NounPhrase:
     """Read ``on the desk in the meeting room on the third floor``.
 
     Raises
@@ -332,10 +334,10 @@ def read_place(state: SceneState, text: str) -> Phrase:
     MansionError
         ``NOT_FOUND`` for words that name nothing.
     """
-    return read_phrase(state, f"things {text}")
+    return read_noun_phrase(state, f"things {text}")
 
 
-def read_phrase(state: SceneState, text: str) -> Phrase:
+def read_noun_phrase(state: SceneState, text: str) -> NounPhrase:
     """Read ``two red mugs on the desk in the meeting room on the third floor``.
 
     Raises
@@ -348,20 +350,15 @@ def read_phrase(state: SceneState, text: str) -> Phrase:
     floor, rest = find_floor(state, text)
     rest = re.sub(r"^((?:(?:things|on|in|at|the)\s+)*)'s ", r"\1", rest)
     pieces = re.split(_PREPOSITIONS, rest, flags=re.IGNORECASE)
-    said = read_thing(state, _room_first(state, pieces[0]))
+    said = read_noun(state, re.sub(r" 's\b", "", pieces[0]))
     reader = _PlaceReader(state, floor, text)
     for preposition, words in zip(pieces[1::2], pieces[2::2], strict=False):
         if words.strip(" ,.").lower() in COLOUR_WORDS:
             colour = COLOUR_WORDS[words.strip(" ,.").lower()]
-            said = replace(said, thing=replace(said.thing, colour=colour))
+            said = replace(said, object=replace(said.object, colour=colour))
             continue
         reader.take(preposition.lower(), words)
     return reader.phrase(said, each)
-
-
-def _room_first(state: SceneState, text: str) -> str:
-    """Say ``the kitchen 's mug`` as ``the kitchen mug``."""
-    return re.sub(r" 's\b", "", text)
 
 
 class _PlaceReader:
@@ -374,31 +371,31 @@ class _PlaceReader:
         self.base = ""
         self.rooms: tuple[str, ...] | None = None
         self.each = ""
-        self.back = False
+        self.anaphoric = False
 
     def take(self, preposition: str, words: str) -> None:
         """Take ``in the meeting room`` or ``on the desk``."""
         quantified = _EACH.match(words.strip())
         name = _bare(_EACH.sub("", words.strip()) if quantified else words)
         if not name:
-            self.back = self.back or bool(quantified)
+            self.anaphoric = self.anaphoric or bool(quantified)
             return
         if name.lower() in _PRONOUNS:
-            self.back = True
+            self.anaphoric = True
             self.relation = "in" if preposition.startswith(("in", "with")) else "on"
             return
         name = self._owner(name)
         if name.lower() in _PARTS:
             return
         each = bool(quantified)
-        found = None if self.rooms is not None else rooms_named(self.state, name, self.floor, each)
+        found = None if self.rooms is not None else rooms_named(self.state, name, self.floor, every=each)
         if found and preposition not in ("next to", "under", "underneath", "below", "by"):
             self.rooms = found
             self.each = "room" if quantified else self.each
             return
         exact = vocabulary_of(self.state.catalogue).exact(stems(name))
         if self.rooms is not None and not exact and find_rooms(self.state, name, self.floor):
-            raise unknown(name)
+            raise unknown_words(name)
         if preposition in ("next to", "under", "underneath", "below", "by"):
             self.near = self._thing(name)[1]
         elif not self.receptacle:
@@ -409,7 +406,7 @@ class _PlaceReader:
         elif not self.base:
             self.base = self._thing(name)[1]
         else:
-            raise unknown(name)
+            raise unknown_words(name)
 
     def _owner(self, name: str) -> str:
         """Split ``table of the break room`` and ``break room 's table`` where one part is a room."""
@@ -440,20 +437,20 @@ class _PlaceReader:
         return colour, noun
 
     def _narrow(self, words: str, noun: str) -> None:
-        """Take words before a noun: a room's name, else what all such things are."""
+        """Take the modifiers of a noun: the name of a room, or adjectives that describe all such objects."""
         if not words:
             return
         found = rooms_named(self.state, words, self.floor)
         if found and self.rooms is None:
             self.rooms = found
-        fault = None if found else untold(self.state, words, noun)
+        fault = None if found else unknown_adjectives(self.state, words, noun)
         if fault is not None:
             raise fault
 
-    def phrase(self, said: ThingWords, each: str) -> Phrase:
-        """Return the thing in the place that was read."""
-        self._narrow(said.before, said.thing.noun)
-        relation = self.relation if self.receptacle or self.back else "room"
+    def phrase(self, said: QuantifiedNoun, each: str) -> NounPhrase:
+        """Return the object at the place that was read."""
+        self._narrow(said.before, said.object.noun)
+        relation = self.relation if self.receptacle or self.anaphoric else "room"
         where = Scope(
             relation,  # type: ignore[arg-type]
             self.receptacle,
@@ -464,15 +461,15 @@ class _PlaceReader:
             self.base,
         )
         placed = bool(where.receptacle or where.rooms or where.near or self.floor is not None)
-        return Phrase(
-            said.thing,
+        return NounPhrase(
+            said.object,
             where,
-            placed or self.back or bool(each),
-            each or self.each,
-            self.back,
-            said.exact,
-            said.more,
-            said.most,
+            placed=placed or self.anaphoric or bool(each),
+            each=each or self.each,
+            anaphoric=self.anaphoric,
+            exact=said.exact,
+            more=said.more,
+            most=said.most,
         )
 
 
@@ -487,8 +484,8 @@ def _bare(words: str) -> str:
     return out.strip(" ,.;!?\"'")
 
 
-def rooms_named(state: SceneState, name: str, floor: int | None, every: bool = False) -> tuple[str, ...] | None:
-    """Return the rooms that a name means, None for none; a thing of that name goes before a part of a room's.
+def rooms_named(state: SceneState, name: str, floor: int | None, *, every: bool = False) -> tuple[str, ...] | None:
+    """Return the rooms that a name means, None for none; an object of that name has precedence over part of a room's.
 
     Parameters
     ----------
@@ -567,8 +564,7 @@ def _ends(state: SceneState, words: str) -> list[str]:
     if _ANYWHERE.match(without.strip()) and floor is None:
         return [""]
     if _ANYWHERE.match(without.strip()) and floor is not None:
-        kinds = ("stair", "elevator")
-        return [room.id for room in state.scenes[floor].rooms if room.kind not in kinds]
+        return [room.id for number, room in state.rooms() if number == floor]
     rooms = rooms_named(state, without.strip(), floor)
     return list(rooms) if rooms else [_place(state, rest)]
 
@@ -591,10 +587,10 @@ def _place(state: SceneState, words: str) -> str:
 
 def _object_place(state: SceneState, words: str) -> str:
     """Return the object that ``fridge in the kitchen on the second floor`` names, or the room of its place."""
-    phrase = read_phrase(state, words)
+    phrase = read_noun_phrase(state, words)
     where = phrase.where
     rooms = list(where.rooms) or None
-    for noun in (phrase.thing.noun, where.receptacle):
+    for noun in (phrase.object.noun, where.receptacle):
         found = matching_objects(state, noun, rooms, where.floor) if noun else []
         if found:
             return found[0][1].id

@@ -1,7 +1,7 @@
 """What the parts of the agent exchange: facts of an instruction, actions, outcomes and verdicts."""
 
 from collections.abc import Generator
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from typing import Any, Literal, TypeAlias
 
 from mansion_msgs_py.errors import MansionError
@@ -17,7 +17,7 @@ __all__ = [
     "Policy",
     "Scope",
     "StateFact",
-    "Thing",
+    "ObjectDescription",
     "Verdict",
 ]
 
@@ -26,20 +26,20 @@ Relation: TypeAlias = Literal["on", "in", "room"]
 
 @dataclass(frozen=True)
 class Scope:
-    """Where: on or in a receptacle, in a room, on a floor; each part may be left open.
+    """A place: on or in a receptacle, in a room, on a floor; each part may be left open.
 
     Attributes
     ----------
     receptacle : str
         A noun or an id; empty when only the room or the floor is given.
     rooms : tuple of str
-        Ids of the rooms that the words may mean; empty for any.
+        Ids of the rooms that the words may refer to; empty for any.
     colour : str
-        Of the receptacle.
+        Colour of the receptacle.
     near : str
-        A noun or an id of what lies or stands beside it.
+        Noun or id of a landmark next to which the place is.
     base : str
-        What the receptacle itself stands on (a tray on a table).
+        What the receptacle stands on (a tray on a table).
     """
 
     relation: Relation = "room"
@@ -63,18 +63,19 @@ class Scope:
 
 
 @dataclass(frozen=True)
-class Thing:
-    """A noun with its attributes and how many; `count` 0 is as many as there are.
+class ObjectDescription:
+    """A noun with its attributes and a number; `count` 0 means as many as there are.
 
     Attributes
     ----------
     every : bool
-        Said of all of them (every lamp, the lamps), not of one.
+        The words mean all of them (every lamp, the lamps), not one.
     """
 
     noun: str
     count: int = 1
     colour: str = ""
+    _: KW_ONLY
     cold: bool = False
     every: bool = False
 
@@ -90,37 +91,38 @@ class Thing:
 
 @dataclass(frozen=True)
 class ObjectFact:
-    """So many things are there.
+    """A number of objects is there.
 
     Attributes
     ----------
     exact, more, most : bool
-        Neither more nor less; so many besides those that are there; no more, and fewer will do.
+        Exactly the number; the number besides those that are there; at most the number.
     """
 
-    thing: Thing
+    object: ObjectDescription
     where: Scope = field(default_factory=Scope)
+    _: KW_ONLY
     exact: bool = False
     more: bool = False
     most: bool = False
 
     def __str__(self) -> str:
         if self.most:
-            return f"at most {self.thing} {self.where}"
+            return f"at most {self.object} {self.where}"
         manner = "exactly " if self.exact else "another " if self.more else ""
-        return f"{manner}{self.thing} {self.where}"
+        return f"{manner}{self.object} {self.where}"
 
 
 @dataclass(frozen=True)
 class AbsentFact:
-    """Things are gone from there; an empty noun means everything, but for what is spared."""
+    """No such object is there; an empty noun means everything except what is spared."""
 
-    thing: Thing
+    object: ObjectDescription
     where: Scope = field(default_factory=Scope)
-    spare: tuple[Thing, ...] = ()
+    spare: tuple[ObjectDescription, ...] = ()
 
     def __str__(self) -> str:
-        what = str(self.thing) if self.thing.noun else "everything"
+        what = str(self.object) if self.object.noun else "everything"
         if self.spare:
             what += f" but {' and '.join(thing.noun for thing in self.spare)}"
         return f"gone: {what} {self.where}"
@@ -128,39 +130,40 @@ class AbsentFact:
 
 @dataclass(frozen=True)
 class MoveFact:
-    """A thing that is there now stands elsewhere."""
+    """An object moves from one place to another."""
 
-    thing: Thing
+    object: ObjectDescription
     source: Scope
     target: Scope
 
     def __str__(self) -> str:
-        return f"{self.thing} {self.source} moved to {self.target}"
+        return f"{self.object} {self.source} moved to {self.target}"
 
 
 @dataclass(frozen=True)
 class StateFact:
-    """A thing is open or closed, on or off."""
+    """An object is open or closed, on or off."""
 
-    thing: Thing
+    object: ObjectDescription
     where: Scope
     state: Literal["open", "on"]
+    _: KW_ONLY
     value: bool
 
     def __str__(self) -> str:
         word = {("open", True): "open", ("open", False): "closed", ("on", True): "on"}
-        return f"{self.thing} {self.where} {word.get((self.state, self.value), 'off')}"
+        return f"{self.object} {self.where} {word.get((self.state, self.value), 'off')}"
 
 
 @dataclass(frozen=True)
 class PathFact:
-    """A way leads from one place to another; from the entrance, and to every room, where left out."""
+    """A path leads from one place to another; the default is from the entrance to every room."""
 
     start: str = ""
     end: str = ""
 
     def __str__(self) -> str:
-        return f"a way from {self.start or 'the entrance'} to {self.end or 'every room'}"
+        return f"a path from {self.start or 'the entrance'} to {self.end or 'every room'}"
 
 
 Fact: TypeAlias = ObjectFact | AbsentFact | MoveFact | StateFact | PathFact

@@ -6,33 +6,33 @@ from dataclasses import replace
 from typing import Final
 
 from mansion_editing.agent.candidates import (
-    assets_of,
-    at_home,
-    beside,
-    find_things,
-    fits,
-    furnishable,
-    look_at,
-    named_so,
+    exactly_named,
+    find_assets,
+    find_landmarks,
+    find_objects,
+    find_surfaces,
+    in_room_program,
+    is_next_to,
+    list_contents,
+    matches,
     place_any,
     receptacles,
-    references,
     relation_of,
     rooms_for,
-    surfaces_of,
+    rooms_of,
 )
 from mansion_editing.agent.protocol import (
     AbsentFact,
     Action,
     Fact,
     MoveFact,
+    ObjectDescription,
     ObjectFact,
     Outcome,
     PathFact,
     Policy,
     Scope,
     StateFact,
-    Thing,
     Verdict,
 )
 from mansion_editing.receptacles import free_places, ledges_of
@@ -42,9 +42,9 @@ from mansion_msgs_py.editing import AssetInfo, ObjectInfo, PathReport
 from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.shapes import Point3
 
-__all__ = ["free_up", "make_room", "provide", "satisfy", "take_away", "transfer"]
+__all__ = ["free_up", "make_room", "provide_objects", "satisfy", "remove_objects", "move_objects"]
 
-Work = Generator[Action, Outcome, str]
+Provisioning = Generator[Action, Outcome, str]
 """Ends with the reason why a fact does not hold, empty when it does."""
 
 
@@ -60,19 +60,19 @@ def satisfy(facts: list[Fact], state: SceneState) -> Policy:
     return Verdict(summary, words, failed)
 
 
-def _satisfy(fact: Fact, state: SceneState) -> Work:
+def _satisfy(fact: Fact, state: SceneState) -> Provisioning:
     if isinstance(fact, ObjectFact):
-        return (yield from provide(fact, state))
+        return (yield from provide_objects(fact, state))
     if isinstance(fact, PathFact):
         return (yield from _path(fact))
     if isinstance(fact, AbsentFact):
-        return (yield from take_away(fact, state))
+        return (yield from remove_objects(fact, state))
     if isinstance(fact, MoveFact):
-        return (yield from transfer(fact, state))
+        return (yield from move_objects(fact, state))
     return (yield from _switch(fact, state))
 
 
-def _path(fact: PathFact) -> Work:
+def _path(fact: PathFact) -> Provisioning:
     answer = yield Action(f"Is there {fact}?", "CheckPath", {"start": fact.start, "end": fact.end})
     if answer.error is not None:
         return str(answer.error)
@@ -80,30 +80,32 @@ def _path(fact: PathFact) -> Work:
     return "" if report.reachable else report.message
 
 
-def _switch(fact: StateFact, state: SceneState) -> Work:
-    found = yield from find_things(fact.thing, fact.where, state)
+def _switch(fact: StateFact, state: SceneState) -> Provisioning:
+    found = yield from find_objects(fact.object, fact.where, state)
     if isinstance(found, str):
         return found
-    if not fact.thing.noun and not (fact.where.rooms or fact.where.floor is not None):
+    if not fact.object.noun and not (fact.where.rooms or fact.where.floor is not None):
         return "say in which room, or on which floor"
     if not found:
-        return f"there is no {fact.thing.noun} {fact.where}"
+        return f"there is no {fact.object.noun} {fact.where}"
     able = [i for i in found if ("openable" if fact.state == "open" else "toggleable") in i.properties]
     if not able:
         what = "opens" if fact.state == "open" else "switches"
-        return f"no {fact.thing.noun} {fact.where} {what}"
-    several = fact.thing.count == 0 and fact.thing.every
-    own = set(stems(fact.thing.noun))
+        return f"no {fact.object.noun} {fact.where} {what}"
+    several = fact.object.count == 0 and fact.object.every
+    own = set(stems(fact.object.noun))
     named = [i for i in able if own <= set(stems(i.category.replace("_", " ")))]
-    able = ([] if several else named_so(fact.thing.noun, able)) or named or able
-    wanted = able if several else able[: max(1, fact.thing.count)]
+    able = ([] if several else exactly_named(fact.object.noun, able)) or named or able
+    wanted = able if several else able[: max(1, fact.object.count)]
     as_wished = [i for i in able if bool(i.states.get(fact.state, False)) == fact.value]
-    if not several and len(as_wished) >= max(1, fact.thing.count):
+    if not several and len(as_wished) >= max(1, fact.object.count):
         return ""
     for item in wanted:
         if bool(item.states.get(fact.state, False)) == fact.value:
             continue
-        answer = yield Action(f"{item.id} is not as asked.", "SetState", {"object_id": item.id, fact.state: fact.value})
+        answer = yield Action(
+            f"{item.id} is not in the requested state.", "SetState", {"object_id": item.id, fact.state: fact.value}
+        )
         if answer.error is not None:
             return str(answer.error)
     return ""
@@ -113,10 +115,10 @@ MOST_CARRIERS: Final = 6
 MOST_ROOMS: Final = 12
 
 
-def provide(fact: ObjectFact, state: SceneState) -> Work:
+def provide_objects(fact: ObjectFact, state: SceneState) -> Provisioning:
     """Make an object fact hold; return why it cannot."""
     if fact.where.near:
-        return (yield from _provide_beside(fact, state))
+        return (yield from _provide_next_to(fact, state))
     if not fact.where.receptacle:
         return (yield from _provide_in_room(fact, state))
     carriers = yield from receptacles(fact.where, state)
@@ -133,48 +135,48 @@ def provide(fact: ObjectFact, state: SceneState) -> Work:
     surplus: list[ObjectInfo] = []
     for order, carrier in enumerate(carriers[:40]):
         relation = relation_of(fact.where.relation, carrier, state)
-        there = yield from look_at(carrier, relation)
+        there = yield from list_contents(carrier, relation)
         if isinstance(there, str):
             return there
-        mine = [item for item in there if fits(fact.thing, item, state)]
+        mine = [item for item in there if matches(fact.object, item, state)]
         if fact.most:
-            surplus += mine[fact.thing.count :]
+            surplus += mine[fact.object.count :]
             continue
         if fact.more:
             mine = []
-        if len(mine) >= fact.thing.count:
-            surplus = surplus or mine[fact.thing.count :]
-            return (yield from _reduce(surplus)) if fact.exact else ""
+        if len(mine) >= fact.object.count:
+            surplus = surplus or mine[fact.object.count :]
+            return (yield from _remove_surplus(surplus)) if fact.exact else ""
         counted.append((-len(mine), order, carrier))
     if fact.most:
-        return (yield from _reduce(surplus))
+        return (yield from _remove_surplus(surplus))
     counted.sort(key=lambda entry: entry[:2])
-    return (yield from _fill(fact, [(-n, c) for n, _, c in counted[:MOST_CARRIERS]], state))
+    return (yield from _place_missing(fact, [(-n, c) for n, _, c in counted[:MOST_CARRIERS]], state))
 
 
-def _reduce(surplus: list[ObjectInfo]) -> Work:
+def _remove_surplus(surplus: list[ObjectInfo]) -> Provisioning:
     for item in surplus:
-        answer = yield Action(f"{item.id} is one too many.", "RemoveObject", {"object_id": item.id})
+        answer = yield Action(f"{item.id} is surplus.", "RemoveObject", {"object_id": item.id})
         if answer.error is not None:
             return str(answer.error)
     return ""
 
 
-def _fill(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], state: SceneState) -> Work:
+def _place_missing(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], state: SceneState) -> Provisioning:
     """Place what is missing on the first receptacle that takes it all."""
-    assets = yield from assets_of(fact.thing, state)
+    assets = yield from find_assets(fact.object, state)
     if isinstance(assets, str):
         return assets
     reasons: list[str] = []
     for number, carrier in carriers:
         relation = relation_of(fact.where.relation, carrier, state)
-        missing = fact.thing.count - number
+        missing = fact.object.count - number
         added: list[str] = []
         for _ in range(missing):
-            placed = yield from place_any(assets, carrier.id, relation, colour=fact.thing.colour)
+            placed = yield from place_any(assets, carrier.id, relation, colour=fact.object.colour)
             made = placed[0]
             if not made and len(carriers) == 1:
-                made = yield from make_room(fact.thing, assets, carrier, state)
+                made = yield from make_room(fact.object, assets, carrier, state)
             if not made:
                 reasons.append(placed[1])
                 break
@@ -183,9 +185,9 @@ def _fill(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], state: Scene
             return ""
         for object_id in reversed(added):
             yield Action("They do not all fit there.", "RemoveObject", {"object_id": object_id})
-    if fact.thing.count == 1 and len(carriers) > 1:
+    if fact.object.count == 1 and len(carriers) > 1:
         for _, carrier in carriers:
-            if (yield from make_room(fact.thing, assets, carrier, state)):
+            if (yield from make_room(fact.object, assets, carrier, state)):
                 return ""
     return "; ".join(dict.fromkeys(reasons)) or "no receptacle takes it"
 
@@ -195,7 +197,7 @@ def _provide_carrier(fact: ObjectFact, state: SceneState) -> Generator[Action, O
     where = fact.where
     if "/" in where.receptacle or "_" in where.receptacle:
         return f"there is no {where.receptacle}"
-    placed = yield from _furnish(Thing(where.receptacle, 1, where.colour), where, state)
+    placed = yield from _furnish(ObjectDescription(where.receptacle, 1, where.colour), where, state)
     if not placed[0]:
         return placed[1]
     listed = yield Action("It is there now.", "ListObjects", {"id": placed[0]})
@@ -204,13 +206,13 @@ def _provide_carrier(fact: ObjectFact, state: SceneState) -> Generator[Action, O
 
 
 def _furnish(
-    thing: Thing, where: Scope, state: SceneState, near: str = ""
+    thing: ObjectDescription, where: Scope, state: SceneState, near: str = ""
 ) -> Generator[Action, Outcome, tuple[str, str]]:
     """Put furniture into the room of a scope that suits it best.
 
     A kind of it that belongs into a room of the scope (an office desk) goes before one that belongs into none.
     """
-    assets = yield from assets_of(thing, state)
+    assets = yield from find_assets(thing, state)
     if isinstance(assets, str):
         return "", assets
     standing = [a for a in assets if state.catalogue.asset(a.asset_id).mount == "floor"]
@@ -222,10 +224,10 @@ def _furnish(
     kinds = sorted(vocabulary_of(state.catalogue).nouns(thing.noun), key=lambda name: -common[name])
     for category in dict.fromkeys([first.category, *kinds]):
         own = [a for a in state.catalogue.by_category(category) if a.mount == "floor"]
-        if not own or not any(at_home(state, room, [category]) for room in _rooms(where, state)):
+        if not own or not any(in_room_program(state, room, [category]) for room in _rooms(where, state)):
             continue
         if category != first.category:
-            other = yield from assets_of(replace(thing, noun=category.replace("_", " ")), state)
+            other = yield from find_assets(replace(thing, noun=category.replace("_", " ")), state)
             standing = standing if isinstance(other, str) else other
         break
     first = standing[0]
@@ -238,34 +240,34 @@ def _furnish(
 
 
 def _rooms(where: Scope, state: SceneState) -> list[SceneRoom]:
-    named = set(furnishable(where, state))
+    named = set(rooms_of(where, state))
     return [room for f in state.floors for room in state.scenes[f].rooms if room.id in named]
 
 
-def _provide_in_room(fact: ObjectFact, state: SceneState) -> Work:
-    found = yield from find_things(fact.thing, fact.where, state)
+def _provide_in_room(fact: ObjectFact, state: SceneState) -> Provisioning:
+    found = yield from find_objects(fact.object, fact.where, state)
     if isinstance(found, str):
         return found
-    missing = fact.thing.count - (0 if fact.more else len(found))
+    missing = fact.object.count - (0 if fact.more else len(found))
     if missing <= 0 or fact.most:
-        surplus = found[fact.thing.count :] if fact.exact or fact.most else []
-        return (yield from _reduce(surplus))
-    assets = yield from assets_of(fact.thing, state)
+        surplus = found[fact.object.count :] if fact.exact or fact.most else []
+        return (yield from _remove_surplus(surplus))
+    assets = yield from find_assets(fact.object, state)
     if isinstance(assets, str):
         return assets
-    if _stands(assets, state):
+    if _is_furniture(assets, state):
         for _ in range(missing):
-            placed = yield from _furnish(fact.thing, fact.where, state)
+            placed = yield from _furnish(fact.object, fact.where, state)
             if not placed[0]:
                 return placed[1]
         return ""
-    targets = yield from surfaces_of(fact.where, state, fact.thing.noun)
+    targets = yield from find_surfaces(fact.where, state, fact.object.noun)
     if isinstance(targets, str):
         return targets
-    reason = f"nothing {fact.where} carries it"
+    reason = f"no surface {fact.where} can carry it"
     for target in targets[: 2 * MOST_CARRIERS]:
         while missing:
-            placed = yield from place_any(assets, target, "on", colour=fact.thing.colour)
+            placed = yield from place_any(assets, target, "on", colour=fact.object.colour)
             if not placed[0]:
                 reason = placed[1]
                 break
@@ -275,38 +277,38 @@ def _provide_in_room(fact: ObjectFact, state: SceneState) -> Work:
     return reason
 
 
-def _stands(assets: list[AssetInfo], state: SceneState) -> bool:
+def _is_furniture(assets: list[AssetInfo], state: SceneState) -> bool:
     first = state.catalogue.asset(assets[0].asset_id)
     return first.mount == "floor" and not (first.pickupable and max(first.size) < 0.6)
 
 
-def _provide_beside(fact: ObjectFact, state: SceneState) -> Work:
-    """Provide things next to something; they go on what carries it, furniture on the floor."""
-    anchors = yield from references(fact.where, state)
+def _provide_next_to(fact: ObjectFact, state: SceneState) -> Provisioning:
+    """Provide objects next to a landmark: on its receptacle, or furniture on the floor beside it."""
+    anchors = yield from find_landmarks(fact.where, state)
     if isinstance(anchors, str):
         return anchors
-    found = yield from find_things(fact.thing, Scope("room", "", (), fact.where.floor), state)
+    found = yield from find_objects(fact.object, Scope("room", "", (), fact.where.floor), state)
     if isinstance(found, str):
         return found
     counts = [
-        (sum(item.id != anchor.id and beside(item, anchor, state) for item in found), anchor) for anchor in anchors
+        (sum(item.id != anchor.id and is_next_to(item, anchor, state) for item in found), anchor) for anchor in anchors
     ]
-    if any(count >= fact.thing.count for count, _ in counts):
+    if any(count >= fact.object.count for count, _ in counts):
         return ""
-    assets = yield from assets_of(fact.thing, state)
+    assets = yield from find_assets(fact.object, state)
     if isinstance(assets, str):
         return assets
     reason = f"there is no {fact.where.near} to put it next to"
     for count, anchor in sorted(counts, key=lambda pair: -pair[0])[:MOST_CARRIERS]:
         added: list[str] = []
-        for _ in range(fact.thing.count - count):
-            target = anchor.room if _stands(assets, state) else anchor.parent or anchor.id
-            placed = yield from place_any(assets, target, "on", colour=fact.thing.colour, near=anchor.id)
+        for _ in range(fact.object.count - count):
+            target = anchor.room if _is_furniture(assets, state) else anchor.parent or anchor.id
+            placed = yield from place_any(assets, target, "on", colour=fact.object.colour, near=anchor.id)
             if placed[0]:
                 added.append(placed[0])
             listed = yield Action("Is it near?", "ListObjects", {"id": placed[0] or anchor.id})
             item = listed.value.objects[0]
-            if not placed[0] or not beside(item, anchor, state):
+            if not placed[0] or not is_next_to(item, anchor, state):
                 reason = placed[1] or f"no free place next to {anchor.id}"
                 break
         else:
@@ -316,29 +318,29 @@ def _provide_beside(fact: ObjectFact, state: SceneState) -> Work:
     return reason
 
 
-def take_away(fact: AbsentFact, state: SceneState) -> Work:
-    """Remove what is to be gone; what is fixed to a building (ceilings, walls) stays."""
-    if not fact.thing.noun:
+def remove_objects(fact: AbsentFact, state: SceneState) -> Provisioning:
+    """Remove objects; those fixed to walls or ceilings stay."""
+    if not fact.object.noun:
         return (yield from _clear(fact, state))
-    found = yield from find_things(fact.thing, fact.where, state)
+    found = yield from find_objects(fact.object, fact.where, state)
     if isinstance(found, str):
         return found
     loose = [i for i in found if i.mount not in ("ceiling", "wall")]
     if found and not loose:
         return f"{found[0].id} is fixed to the building"
-    if fact.thing.count and len(loose) < fact.thing.count:
-        return f"there are only {len(loose)} {fact.thing.noun} {fact.where}"
-    chosen = loose[: fact.thing.count] if fact.thing.count else loose
+    if fact.object.count and len(loose) < fact.object.count:
+        return f"there are only {len(loose)} {fact.object.noun} {fact.where}"
+    chosen = loose[: fact.object.count] if fact.object.count else loose
     for item in chosen:
         if state.find(item.id) is None:
             continue
-        answer = yield Action(f"{item.id} is to be gone.", "RemoveObject", {"object_id": item.id})
+        answer = yield Action(f"{item.id} should be removed.", "RemoveObject", {"object_id": item.id})
         if answer.error is not None:
             return str(answer.error)
     return ""
 
 
-def _clear(fact: AbsentFact, state: SceneState) -> Work:
+def _clear(fact: AbsentFact, state: SceneState) -> Provisioning:
     carriers = yield from receptacles(fact.where, state)
     if isinstance(carriers, str):
         return carriers
@@ -347,26 +349,26 @@ def _clear(fact: AbsentFact, state: SceneState) -> Work:
     for carrier in carriers:
         there: list[ObjectInfo] = []
         for relation in ("on", "in"):
-            seen = yield from look_at(carrier, relation)
+            seen = yield from list_contents(carrier, relation)
             if isinstance(seen, str):
                 return seen
             there += seen
-        spared = [i for i in there if any(fits(thing, i, state) for thing in fact.spare)]
+        spared = [i for i in there if any(matches(thing, i, state) for thing in fact.spare)]
         if spared:
             gone = [i.id for i in there if i not in spared]
             requests = [{"object_id": name} for name in dict.fromkeys(gone)]
         else:
             requests = [{"receptacle_id": carrier.id}] if there else []
         for request in requests:
-            answer = yield Action(f"{carrier.id} is to be empty.", "RemoveObject", request)
+            answer = yield Action(f"{carrier.id} should be empty.", "RemoveObject", request)
             if answer.error is not None:
                 return str(answer.error)
     return ""
 
 
-def transfer(fact: MoveFact, state: SceneState) -> Work:
-    """Move things from one scope to another; those that are there already count."""
-    found = yield from find_things(fact.thing, fact.source, state)
+def move_objects(fact: MoveFact, state: SceneState) -> Provisioning:
+    """Move objects from one scope to another; those already there count."""
+    found = yield from find_objects(fact.object, fact.source, state)
     if isinstance(found, str):
         return found
     loose = [i for i in found if i.mount not in ("ceiling", "wall")]
@@ -379,32 +381,32 @@ def transfer(fact: MoveFact, state: SceneState) -> Work:
             carrier = next(iter((yield from _carrier(target))), None)
             if carrier is not None:
                 relation = relation_of("in", carrier, state)
-                seen = yield from look_at(carrier, relation)
-                there += [] if isinstance(seen, str) else [i.id for i in seen if fits(fact.thing, i, state)]
-    if len(there) >= fact.thing.count and not fact.source.receptacle and not fact.source.rooms:
+                seen = yield from list_contents(carrier, relation)
+                there += [] if isinstance(seen, str) else [i.id for i in seen if matches(fact.object, i, state)]
+    if len(there) >= fact.object.count and not fact.source.receptacle and not fact.source.rooms:
         return ""
     movable = [i for i in loose if i.id not in there]
-    if len(movable) < fact.thing.count:
-        return f"there are only {len(movable)} {fact.thing.noun} {fact.source} to move"
-    for item in movable[: fact.thing.count or len(movable)]:
+    if len(movable) < fact.object.count:
+        return f"there are only {len(movable)} {fact.object.noun} {fact.source} to move"
+    for item in movable[: fact.object.count or len(movable)]:
         reason = "no place for it"
         for target in targets[:6]:
             answer = yield Action(
-                f"{item.id} belongs to {target}.", "MoveObject", {"object_id": item.id, "receptacle_id": target}
+                f"{item.id} should be on {target}.", "MoveObject", {"object_id": item.id, "receptacle_id": target}
             )
             if answer.error is None:
                 reason = ""
                 break
             reason = answer.error.info.message
         if reason and len(targets) == 1:
-            reason = yield from _squeeze(item, targets[0], reason, state)
+            reason = yield from _move_after_clearing(item, targets[0], reason, state)
         if reason:
             return reason
     return ""
 
 
-def _squeeze(item: ObjectInfo, target: str, reason: str, state: SceneState) -> Work:
-    """Move a thing to a full surface, from which another goes first."""
+def _move_after_clearing(item: ObjectInfo, target: str, reason: str, state: SceneState) -> Provisioning:
+    """Move an object to a full surface after clearing a place on it."""
     carriers = yield from _carrier(target)
     found = state.find(item.id)
     if not carriers or found is None:
@@ -432,11 +434,11 @@ def _targets(fact: MoveFact, state: SceneState) -> Generator[Action, Outcome, li
             return f"there is no {fact.target.receptacle} {fact.target}"
         return [carrier.id for carrier in carriers]
     if not fact.target.rooms:
-        return "say where to, not only on which floor"
-    surfaces = yield from surfaces_of(fact.target, state)
+        return "say where to move it, not only to which floor"
+    surfaces = yield from find_surfaces(fact.target, state)
     if isinstance(surfaces, str):
         return surfaces
-    categories = vocabulary_of(state.catalogue).nouns(fact.thing.noun)
+    categories = vocabulary_of(state.catalogue).nouns(fact.object.noun)
     stands = any(asset.mount == "floor" for name in categories for asset in state.catalogue.by_category(name))
     return [*fact.target.rooms] if stands else surfaces
 
@@ -445,9 +447,9 @@ MOST_TARGETS: Final = 6
 
 
 def make_room(
-    thing: Thing, assets: list[AssetInfo], carrier: ObjectInfo, state: SceneState
+    thing: ObjectDescription, assets: list[AssetInfo], carrier: ObjectInfo, state: SceneState
 ) -> Generator[Action, Outcome, str]:
-    """Move one thing away and place the new one; return its id, empty when that cannot be."""
+    """Clear a place on a full surface for a new object and return its id, empty when that fails."""
     serving = yield from free_up(thing.noun, [asset.size for asset in assets], carrier, state)
     if serving is None:
         return ""
@@ -460,14 +462,14 @@ def make_room(
 def free_up(
     noun: str, sizes: list[Point3], carrier: ObjectInfo, state: SceneState
 ) -> Generator[Action, Outcome, Point3 | None]:
-    """Move the one thing whose place is enough to another surface of the room; return the size that fits then.
+    """Move one object to another surface of the room, and return the size that fits in its place.
 
     What this instruction has touched stays, and only one thing makes room for an instruction.
     """
     touched = {change.id for change in state.pending}
     if any(change.before is not None and change.after is not None for change in state.pending):
         return None
-    there = yield from look_at(carrier, relation_of("on", carrier, state))
+    there = yield from list_contents(carrier, relation_of("on", carrier, state))
     for item in [] if isinstance(there, str) else there:
         found = state.find(item.id)
         if found is None or item.id in touched or not found[1].pickupable:
@@ -477,14 +479,12 @@ def free_up(
         size = next((size for size in sizes if _fits_without(size, carrier, item, state)), None)
         if size is None:
             continue
-        targets = yield from surfaces_of(Scope("room", "", (item.room,)), state)
+        targets = yield from find_surfaces(Scope("room", "", (item.room,)), state)
         for target in [] if isinstance(targets, str) else targets[:MOST_TARGETS]:
             if target == carrier.id:
                 continue
             answer = yield Action(
-                f"{item.id} stands where the {noun} shall be.",
-                "MoveObject",
-                {"object_id": item.id, "receptacle_id": target},
+                f"{item.id} makes room for the {noun}.", "MoveObject", {"object_id": item.id, "receptacle_id": target}
             )
             if answer.error is None:
                 return size

@@ -45,10 +45,10 @@ UNSUPPORTED: Final = tuple(
     for pattern, reason in (
         (r"\b(?:to|on|at) (?:the|its) (?:left|right)(?: hand)?(?: side)? of\b|\b(?:left|right) of\b|\bbehind\b|"
          r"\bopposite\b",
-         "directions are not known; a thing can be placed next to another"),
+         "directions are not supported; an object can be placed next to another"),
         (r"\b(?:clos|near|farth|furth|larg|small|bigg|tall|low|high|long|short|wid|old|new)est\b|\b(?:left|"
          r"right)most\b",
-         "places are told by their names, not by comparing them"),
+         "places are identified by name, not by comparison"),
         (r"\b(?:larg|small|bigg|tall|low|high|long|short|wid|narrow|warm|bright|dark|nic|clos)er\b(?= by|[.!]|$|"
          r" than)|\b(?:more|less) \w+(?:ing|ive|ant|able|ful)\b",
          "only objects, their places and their states can be changed"),
@@ -56,23 +56,23 @@ UNSUPPORTED: Final = tuple(
          r"\bpercent\b",
          "say how many, or all"),
         (r"\bin (?:a|one|two|three) (?:circles?|rows?|lines?|grids?|piles?|stacks?|patterns?|heaps?|triangles?)\b",
-         "things are placed where there is room, in no pattern"),
+         "objects are placed where there is room, in no pattern"),
         (rf"{_VERB}(?P<word>stack|pile|line|align|sort|scatter|throw|rotate|spin|tilt|break|smash|burn|paint|knock|"
          r"demolish|wash|wipe|cook|fold|cut(?! the (?:number|count))|repair|build|widen|enlarge|resize|rename|undo|"
          r"redo)\b(?! away| out)",
-         "no tool does it; objects can be placed, moved, removed, opened and switched"),
+         "no tool does this; objects can be placed, moved, removed, opened and switched"),
         (r"\bmake (?:a |\w+ )?(?P<word>copy|copies|duplicates?|clones?)\b",
-         "nothing is copied; say what is to be there"),
+         "copying is not supported; say what should be there"),
         (r"\b(?:clean|tidy|wipe)\b[^,;]* with\b",
-         "no tool does it; objects can be placed, moved, removed, opened and switched"),
+         "no tool does this; objects can be placed, moved, removed, opened and switched"),
         (r"\bby [\w.]+ (?:degrees?|cm|m|mm|centimet\w+|met(?:er|re)s?)\b|\bweigh\w*|\b\d+ ?(?:kg|cm|mm|kilograms?|"
          r"degrees?)\b",
-         "sizes, weights and angles come with the asset"),
+         "sizes, weights and angles are set by the asset"),
         (r"\beither\b[^.;]*\bor\b|\bor (?:an?|the|one|two|three)\b", "say which of them"),
         (r"\b(?:if|unless|otherwise|provided that|depending)\b(?! (?:there|not|possible|necessary|missing|need|"
          r"needed|none|so|one is|any|you (?:can|could|would)|(?:it|they|that)(?: is|'s| are|'re)?(?: not|n't)? "
          r"(?:there|missing|already|yet|possible|necessary|present)|it isn't|it's not|they aren't)\b)",
-         "conditions are not judged; say what is to be"),
+         "conditions are not supported; say what should be there"),
     )
 )  # fmt: skip
 

@@ -2,8 +2,18 @@
 
 from collections.abc import Generator, Iterable
 
-from mansion_editing.agent.candidates import find_things, furnishable
-from mansion_editing.agent.protocol import Action, Fact, ObjectFact, Outcome, PathFact, Policy, Scope, Thing, Verdict
+from mansion_editing.agent.candidates import find_objects, rooms_of
+from mansion_editing.agent.protocol import (
+    Action,
+    Fact,
+    ObjectDescription,
+    ObjectFact,
+    Outcome,
+    PathFact,
+    Policy,
+    Scope,
+    Verdict,
+)
 from mansion_editing.agent.provisioning import satisfy
 from mansion_editing.editor import SceneEditor
 from mansion_editing.references import COLOUR_WORDS, find_rooms, stems, vocabulary_of
@@ -15,7 +25,7 @@ __all__ = ["facts_of_needs", "task_policy"]
 
 
 def task_policy(editor: SceneEditor, task: Task) -> Policy:
-    """Check each need of a task and provide what is missing; then check the ways from the robot's start.
+    """Check each need of a task and provide what is missing; then check the paths from the robot's start.
 
     Raises
     ------
@@ -23,7 +33,7 @@ def task_policy(editor: SceneEditor, task: Task) -> Policy:
         ``INVALID_PAYLOAD`` for a task of another building or without needs; see `facts_of_needs`.
     """
     state = editor.state
-    own = editor.store.index.building_id
+    own = editor.store.building.building_id
     if task.building_id and task.building_id != own:
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD,
@@ -31,18 +41,18 @@ def task_policy(editor: SceneEditor, task: Task) -> Policy:
             path="$.building_id",
         )
     if not task.needs:
-        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"task {task.id} says nothing of what it needs", path="$.needs")
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"task {task.id} lists no needs", path="$.needs")
     facts = facts_of_needs(state, task.needs)
-    things = yield from satisfy(facts, state)
-    if things.failed:
-        return things
+    provided = yield from satisfy(facts, state)
+    if provided.failed:
+        return provided
     ends = yield from _ends(facts, state)
     start = _start(state, task.start)
-    ways: list[Fact] = [PathFact(start, end) for end in ends]
-    paths = yield from satisfy(ways, state)
+    routes: list[Fact] = [PathFact(start, end) for end in ends]
+    paths = yield from satisfy(routes, state)
     return Verdict(
-        f"{len(facts)} needs and {len(ways)} ways hold" if not paths.failed else paths.summary,
-        [*things.facts, *paths.facts],
+        f"{len(facts)} needs and {len(routes)} paths hold" if not paths.failed else paths.summary,
+        [*provided.facts, *paths.facts],
         paths.failed,
     )
 
@@ -55,10 +65,10 @@ def facts_of_needs(state: SceneState, needs: Iterable[Need]) -> list[Fact]:
     MansionError
         ``NOT_FOUND`` for a room, a floor or a noun that is unknown here.
     """
-    return [_fact(state, need, f"$.needs[{number}]") for number, need in enumerate(needs)]
+    return [_add_facts(state, need, f"$.needs[{number}]") for number, need in enumerate(needs)]
 
 
-def _fact(state: SceneState, need: Need, path: str) -> Fact:
+def _add_facts(state: SceneState, need: Need, path: str) -> Fact:
     floor = need.floor
     if floor is not None and floor not in state.scenes:
         known = ", ".join(map(str, state.floors))
@@ -69,7 +79,7 @@ def _fact(state: SceneState, need: Need, path: str) -> Fact:
     if not need.noun:
         if not rooms and floor is None:
             raise _unknown(need.noun, f"{path}.noun")
-        return PathFact("", (rooms or furnishable(Scope(floor=floor), state))[0])
+        return PathFact("", (rooms or rooms_of(Scope(floor=floor), state))[0])
     if state.find(need.noun) is None and not _is_thing(state, need.noun):
         return PathFact("", _rooms(state, need.noun, floor, f"{path}.noun")[0])
     receptacle = need.receptacle
@@ -82,11 +92,11 @@ def _fact(state: SceneState, need: Need, path: str) -> Fact:
         floor=floor,
         colour=_colour(need.receptacle_color, f"{path}.receptacle_color"),
     )
-    return ObjectFact(Thing(need.noun, 1, _colour(need.color, f"{path}.color")), scope)
+    return ObjectFact(ObjectDescription(need.noun, 1, _colour(need.color, f"{path}.color")), scope)
 
 
 def _is_thing(state: SceneState, noun: str) -> bool:
-    """Whether a noun names things: exactly, or in part where no room is called so."""
+    """Whether a noun names objects: exactly, or in part where no room has that name."""
     words = vocabulary_of(state.catalogue)
     if words.exact(stems(noun)):
         return True
@@ -103,7 +113,7 @@ def _rooms(state: SceneState, words: str, floor: int | None, path: str) -> tuple
 def _unknown(words: str, path: str) -> MansionError:
     return MansionError(
         ErrorCode.NOT_FOUND,
-        f"{words[:80]!r} is no room of this building and nothing that the catalogue knows",
+        f"{words[:80]!r} is neither a room of this building nor an object of the catalogue",
         path=path,
     )
 
@@ -122,7 +132,7 @@ def _ends(facts: Iterable[Fact], state: SceneState) -> Generator[Action, Outcome
         if isinstance(fact, PathFact):
             out[fact.end] = None
         elif isinstance(fact, ObjectFact):
-            found = yield from find_things(fact.thing, fact.where, state)
+            found = yield from find_objects(fact.object, fact.where, state)
             if not isinstance(found, str) and found:
                 out[found[0].room] = None
     return list(out)

@@ -76,9 +76,9 @@ class SceneEditorNode(MansionNode):
         )
         self._editors[args.editor] = editor
         self._finish(store)
-        entries = store.index.floors
+        entries = store.building.floors
         return EditorInfo(
-            building_id=store.index.building_id,
+            building_id=store.building.building_id,
             floors=[entry.floor for entry in entries],
             labels=[entry.label for entry in entries],
             revisions={str(f): scene.revision for f, scene in editor.state.scenes.items()},

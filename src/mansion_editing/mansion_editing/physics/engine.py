@@ -41,7 +41,7 @@ class PosedBox(NamedTuple):
 
 
 def mass(box: PosedBox) -> float:
-    """Return what a box weighs that stands for a thing, kilograms."""
+    """Return the mass of an object's box, kilograms."""
     return max(LEAST_MASS, DENSITY * prod(box.size))
 
 

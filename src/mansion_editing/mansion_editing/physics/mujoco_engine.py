@@ -19,7 +19,8 @@ QUIET_STEPS = 40
 FEWEST_STEPS = 120
 
 BODY, NEIGHBOUR, SUPPORT, SHELL = 1, 2, 4, 8
-"""Collision classes: the shell stops the new object alone, because neighbours stand by what the scene says of them."""
+"""Collision classes, one bit each for MuJoCo's contype and conaffinity: the shell collides with the new object alone,
+because neighbours may already stand within boxes that fill hollow parts of the receptacle."""
 
 _OPTIONS = f"""<compiler angle="degree"/>
 <option timestep="{TIMESTEP}" integrator="implicitfast" cone="elliptic" impratio="5"/>
@@ -43,7 +44,7 @@ class MujocoEngine:
             if step >= FEWEST_STEPS and quiet >= QUIET_STEPS:
                 break
         mujoco.mj_forward(model, data)
-        return _result(problem, mujoco, model, data, quiet >= QUIET_STEPS)
+        return _result(problem, mujoco, model, data, at_rest=quiet >= QUIET_STEPS)
 
 
 def _mujoco() -> Any:
@@ -103,7 +104,7 @@ def _numbers(values: Any) -> str:
     return " ".join(f"{float(value):.7g}" for value in values)
 
 
-def _result(problem: SettleProblem, mujoco: Any, model: Any, data: Any, at_rest: bool) -> SettleResult:
+def _result(problem: SettleProblem, mujoco: Any, model: Any, data: Any, *, at_rest: bool) -> SettleResult:
     body = model.body("body").id
     matrix = np.array(data.xmat[body]).reshape(3, 3)
     own = model.body_geomadr[body]

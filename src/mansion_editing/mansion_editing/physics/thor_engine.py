@@ -3,7 +3,7 @@
 import math
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from pathlib import Path
 from typing import Any, Final, NamedTuple, TypeAlias
 
@@ -90,6 +90,7 @@ class Body:
 
     name: str
     box: PosedBox
+    _: KW_ONLY
     fixed: bool
 
 
@@ -110,12 +111,12 @@ def thor_bodies(problem: SettleProblem) -> list[Body]:
     classes that would let it; such a neighbour is fixed.
     """
     fixed = [upright(*box) for box in problem.shell]
-    bodies = [Body(BODY, problem.body, False)]
+    bodies = [Body(BODY, problem.body, fixed=False)]
     for kind, boxes in (("support", problem.support), ("shell", problem.shell)):
-        bodies += [Body(f"{kind}_{number}", box, True) for number, box in enumerate(boxes)]
+        bodies += [Body(f"{kind}_{number}", box, fixed=True) for number, box in enumerate(boxes)]
     for number, box in enumerate(problem.neighbours.values()):
         lapped = any(depth(upright(*box), other) > LAPPED for other in fixed)
-        bodies.append(Body(f"neighbour_{number}", box, lapped))
+        bodies.append(Body(f"neighbour_{number}", box, fixed=lapped))
     return bodies
 
 
@@ -213,7 +214,7 @@ def _settle(controller: Controller, problem: SettleProblem) -> SettleResult:
         before = now
         if count >= FEWEST_ADVANCES and quiet >= QUIET_ADVANCES:
             break
-    return _result(problem, before, quiet >= QUIET_ADVANCES)
+    return _result(problem, before, at_rest=quiet >= QUIET_ADVANCES)
 
 
 def _do(controller: Controller, action: str, **arguments: Any) -> None:
@@ -262,7 +263,7 @@ def _is_slow(before: OrientedBox, now: OrientedBox) -> bool:
     return speed < SLOW and math.acos(min(1.0, max(-1.0, cosine))) / ADVANCE < SLOW_TURN
 
 
-def _result(problem: SettleProblem, poses: Poses, at_rest: bool) -> SettleResult:
+def _result(problem: SettleProblem, poses: Poses, *, at_rest: bool) -> SettleResult:
     body = poses[BODY]
     axes = body.axes
     pushed = {

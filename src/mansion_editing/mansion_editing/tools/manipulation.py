@@ -9,7 +9,7 @@ from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.references import object_named
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
-from mansion_editing.tools.placement import free_floor_places, rest_on
+from mansion_editing.tools.placement import free_floor_places, settle_on
 from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.editing import MoveObjectArgs, RemoveObjectArgs, SetStateArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -53,7 +53,7 @@ def remove_object(state: SceneState, args: RemoveObjectArgs) -> list[str]:
 
 
 def _carried(state: SceneState, floor: int, receptacle: SceneObject) -> list[SceneObject]:
-    """What is on and in a receptacle, by the scene's hierarchy and by geometry."""
+    """Return the objects on and in a receptacle, by the scene's hierarchy and by geometry."""
     index = state.index(floor)
     asset = state.asset(receptacle)
     found = list(index.children.get(receptacle.id, []))
@@ -139,17 +139,17 @@ def _target(
     target, receptacle = object_named(state, args.receptacle_id, "$.receptacle_id")
     own = [member.id for member in state.subtree(floor, item)]
     if receptacle.id in own:
-        raise MansionError(ErrorCode.INFEASIBLE, f"{receptacle.id} stands on {item.id} itself", path="$.receptacle_id")
+        raise MansionError(ErrorCode.INFEASIBLE, f"{receptacle.id} is carried by {item.id}", path="$.receptacle_id")
     if item.mount in ("wall", "ceiling"):
         raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} hangs on {with_article(item.mount)}")
     asset = state.asset(receptacle)
     inside = asset is not None and bool(asset.volumes) and not asset.surfaces
     try:
-        return target, rest_on(state, item, target, receptacle, inside, engine, own)
+        return target, settle_on(state, item, target, receptacle, engine, inside=inside, skip=own)
     except MansionError as error:
         if inside or asset is None or not asset.volumes or error.code != ErrorCode.INFEASIBLE:
             raise
-        return target, rest_on(state, item, target, receptacle, True, engine, own)
+        return target, settle_on(state, item, target, receptacle, engine, inside=True, skip=own)
 
 
 def _at_point(
@@ -162,7 +162,7 @@ def _at_point(
     shape = footprint_at((x, y), item.size, turn)
     area = room_polygon(room.net_polygon, room.net_holes)
     if shape.difference(area.buffer(2e-3)).area > OVERLAP:
-        raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} would stand out of {room.id} at ({x:g}, {y:g})")
+        raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} would extend beyond {room.id} at ({x:g}, {y:g})")
     own = {member.id for member in state.subtree(floor, item)}
     parent, mount = item.parent, item.mount
     if parent is not None:
@@ -171,7 +171,7 @@ def _at_point(
         if abs(u) > carrier.size[0] / 2 or abs(v) > carrier.size[1] / 2:
             raise MansionError(
                 ErrorCode.INFEASIBLE,
-                f"({x:g}, {y:g}) is not over {carrier.id}, which carries {item.id}; give a receptacle_id",
+                f"({x:g}, {y:g}) is outside {carrier.id}, which carries {item.id}; give a receptacle_id",
             )
     low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
     others = [
@@ -186,7 +186,7 @@ def _at_point(
     shapes = [footprint(other) for other in others]
     for number in sorted(STRtree(shapes).query(shape).tolist()):
         if shapes[number].intersection(shape).area > OVERLAP and item.size[2] > LOW:
-            raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} would stand in {others[number].id} at ({x:g}, {y:g})")
+            raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} would overlap {others[number].id} at ({x:g}, {y:g})")
     position = (round(x, 4), round(y, 4), item.position[2])
     return msgspec.structs.replace(
         item, room=room.id, position=position, rotation=round(turn, 4), parent=parent, mount=mount

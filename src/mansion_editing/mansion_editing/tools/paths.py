@@ -43,12 +43,7 @@ def check_path(state: SceneState, args: CheckPathArgs) -> PathReport:
     start = sources[0][1]
     came = _search(graph, sources)
     reached = {node[:2]: node for node in reversed(came)}
-    rooms = [
-        (floor, room.id)
-        for floor in state.floors
-        for room in state.scenes[floor].rooms
-        if room.kind not in ("stair", "elevator")
-    ]
+    rooms = [(floor, room.id) for floor, room in state.rooms()]
     lost = [place[1] for place in rooms if place not in reached]
     cuts = _cuts(state)
     route: list[PathStep] = []
@@ -79,7 +74,7 @@ def check_path(state: SceneState, args: CheckPathArgs) -> PathReport:
 def _cuts(state: SceneState) -> dict[str, str]:
     """Say for each room that furniture cuts, or shuts a door of, which objects leave no way."""
     return {
-        room: f"in {room} no way of {ROBOT_WIDTH:g} m is left by {', '.join(names[:6]) or 'furniture'}"
+        room: f"in {room}, {', '.join(names[:6]) or 'furniture'} leaves no gap of {ROBOT_WIDTH:g} m"
         for floor in state.floors
         for room, names in state.index(floor).passages.cuts.items()
     }

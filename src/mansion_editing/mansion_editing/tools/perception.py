@@ -108,7 +108,7 @@ def contents(index: FloorIndex, receptacle: SceneObject, asset: Asset | None) ->
     return found
 
 
-def _rests(item: SceneObject, receptacle: SceneObject, asset: Asset | None, shelves: bool = True) -> bool:
+def _rests(item: SceneObject, receptacle: SceneObject, asset: Asset | None, *, shelves: bool = True) -> bool:
     foot = item.position[2] - item.size[2] / 2
     top = receptacle.position[2] + receptacle.size[2] / 2
     if item.position[2] > top and abs(foot - top) <= REST:

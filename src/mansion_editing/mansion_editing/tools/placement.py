@@ -37,7 +37,7 @@ __all__ = [
     "place_on_floor",
     "place_on_surface",
     "recoloured",
-    "rest_on",
+    "settle_on",
 ]
 
 
@@ -134,7 +134,7 @@ def place_on_floor(
         if len(refused) == MOST_REFUSED:
             break
     w, d, _ = asset.size
-    why = "would leave all rooms and things within a robot's reach" if refused else "is free"
+    why = "keeps all rooms and objects within a robot's reach" if refused else "is free"
     raise MansionError(
         ErrorCode.INFEASIBLE,
         f"no place for {with_article(asset.name)} of {w:.2f} x {d:.2f} m in {room.id} {why}; remove something first",
@@ -209,7 +209,7 @@ def _poses(room: SceneRoom, area: Polygon, w: float, d: float) -> Iterator[tuple
 
 MOST_PENETRATION = 0.002
 MOST_TILT = 3.0
-"""Degrees; a scene object stands upright, so that one that leans is refused."""
+"""Degrees; scene objects are upright, so one that tilts more is refused."""
 
 MOST_PUSH = 0.005
 """Metres that a neighbour may move."""
@@ -240,13 +240,13 @@ def place_on_surface(
     """
     asset = state.catalogue.asset(args.asset_id)
     room = state.room(args.receptacle_id)
-    beside = object_named(state, args.near, "$.near")[1] if args.near else None
+    landmark = object_named(state, args.near, "$.near")[1] if args.near else None
     if room is not None:
-        placed = place_on_floor(state, asset, *room, color=args.color, near=beside, accept=accept)
+        placed = place_on_floor(state, asset, *room, color=args.color, near=landmark, accept=accept)
         state.add(room[0], placed)
         return placed
     floor, receptacle = object_named(state, args.receptacle_id, "$.receptacle_id")
-    return _place(state, asset, floor, receptacle, False, engine, args.color, beside)
+    return _place(state, asset, floor, receptacle, engine, inside=False, color=args.color, near=landmark)
 
 
 def place_in_container(state: SceneState, args: PlaceInContainerArgs, engine: PhysicsEngine) -> SceneObject:
@@ -259,7 +259,7 @@ def place_in_container(state: SceneState, args: PlaceInContainerArgs, engine: Ph
     """
     asset = state.catalogue.asset(args.asset_id)
     floor, container = object_named(state, args.container_id, "$.container_id")
-    return _place(state, asset, floor, container, True, engine, args.color)
+    return _place(state, asset, floor, container, engine, inside=True, color=args.color)
 
 
 def _place(
@@ -267,8 +267,9 @@ def _place(
     asset: Asset,
     floor: int,
     receptacle: SceneObject,
-    inside: bool,
     engine: PhysicsEngine,
+    *,
+    inside: bool,
     color: str = "",
     near: SceneObject | None = None,
 ) -> SceneObject:
@@ -284,22 +285,23 @@ def _place(
         receptacle.rotation,
     )
     new = recoloured(new, color)
-    placed = rest_on(state, new, floor, receptacle, inside, engine, near=near)
+    placed = settle_on(state, new, floor, receptacle, engine, inside=inside, near=near)
     state.add(floor, placed)
     return placed
 
 
-def rest_on(
+def settle_on(
     state: SceneState,
     thing: SceneObject,
     floor: int,
     receptacle: SceneObject,
-    inside: bool,
     engine: PhysicsEngine,
+    *,
+    inside: bool,
     skip: Iterable[str] = (),
     near: SceneObject | None = None,
 ) -> SceneObject:
-    """Return `thing` where it came to rest on or in a receptacle; the state is left as it is.
+    """Return an object at rest on or in a receptacle; the state is not changed.
 
     Parameters
     ----------
@@ -323,7 +325,7 @@ def rest_on(
         state.index(floor), receptacle, ledges, thing.size, moving, near=None if near is None else near.position[:2]
     )
     if not places:
-        raise _refusal(_no_room(thing, receptacle, ledges, inside))
+        raise _refusal(_no_room(thing, receptacle, ledges, inside=inside))
     reasons: list[str] = []
     for place in places:
         problem = _problem(state, floor, thing, receptacle, asset, place, moving)
@@ -342,7 +344,7 @@ def _refusal(message: str) -> MansionError:
     return MansionError(ErrorCode.INFEASIBLE, message)
 
 
-def _no_room(thing: SceneObject, receptacle: SceneObject, ledges: list[Ledge], inside: bool) -> str:
+def _no_room(thing: SceneObject, receptacle: SceneObject, ledges: list[Ledge], *, inside: bool) -> str:
     w, d, h = thing.size
     fitting = [
         ledge
@@ -395,9 +397,9 @@ def _fault(result: SettleResult, problem: SettleProblem, receptacle: SceneObject
     if not result.at_rest:
         return "it does not come to rest"
     if result.tilt > MOST_TILT:
-        return f"it leans by {result.tilt:.0f} degrees"
+        return f"it tilts by {result.tilt:.0f} degrees"
     if result.penetration > MOST_PENETRATION:
-        return f"it sinks {1000 * result.penetration:.1f} mm into something"
+        return f"it penetrates something by {1000 * result.penetration:.1f} mm"
     pushed = {name: way for name, way in result.pushed.items() if way > MOST_PUSH}
     if pushed:
         return f"it pushes {', '.join(pushed)}"

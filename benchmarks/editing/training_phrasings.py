@@ -1,6 +1,6 @@
-"""Ways in which people ask for the same thing; ``{a}`` is a thing with its number, ``{on}`` a place with preposition.
+"""Training list of phrasings: ``{a}`` is an object with its number, ``{on}`` a place with its preposition.
 
-Each list is for one kind of case of `benchmarks.editing.varied`: its words are filled from a building.
+The parser was mended on them. Each list is for one kind of case of `varied.py`, which fills its words from a building.
 """
 
 PLACE = [

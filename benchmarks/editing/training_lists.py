@@ -1,10 +1,11 @@
-"""The editing agent on instructions as researchers write them, and on some that must be refused.
+"""The editing agent on its three training lists: instructions as researchers write them, some to be refused.
 
-    python benchmarks/editing/researchers.py BUILDINGS [--set 1] [--each 15] [--seed 0] [--physics mujoco]
+    python benchmarks/editing/training_lists.py BUILDINGS [--list 1] [--each 15] [--seed 0] [--physics mujoco]
 
-The instructions stand in `researchers.toml` with what must be true afterwards; names of tables, rooms and things come
-from a building. Each is given to several buildings; `cases.py` says how it is judged. Things that an instruction does
-not speak of may not be taken away.
+The parser was mended on each list after its first run, so that only the first run of a list forecasts other words; a
+run today guards what was learnt. `training_list_N.toml` holds the instructions and what must be true afterwards; names
+of tables, rooms and objects come from a building. Each is given to several buildings; `cases.py` says how it is
+judged. Objects that an instruction does not mention may not be removed.
 """
 
 import tomllib
@@ -178,9 +179,9 @@ def prepare(editor: SceneEditor, request: dict[str, Any], names: Names) -> None:
 def main() -> None:
     """Run the cases and print the score."""
     parser = options(__doc__, 15)
-    parser.add_argument("--set", type=int, choices=[1, 2, 3], default=1, help="which list")
+    parser.add_argument("--list", type=int, choices=[1, 2, 3], default=1, help="which list")
     args = parser.parse_args()
-    name = f"researchers{args.set if args.set > 1 else ''}.toml"
+    name = f"training_list_{args.list}.toml"
     data = tomllib.loads(Path(__file__).with_name(name).read_text())
     requests = [*data["request"], *data["refused"]]
     asked: Counter[int] = Counter()
