@@ -13,10 +13,10 @@ from mansion_bringup.cli.console import progress_bar
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.task import TaskSet
-from mansion_tasks.episodes.benching import Bench, local_port, run_bench
+from mansion_tasks.episodes.bench import Bench, local_port, run_bench
 from mansion_tasks.episodes.log import read_log
 from mansion_tasks.episodes.replaying import replay
-from mansion_tasks.episodes.table import BenchResult, render
+from mansion_tasks.episodes.results import BenchResult, render
 from mansion_tasks.tasks.generate import generate
 from mansion_tasks.tasks.sandbox import Sandbox
 

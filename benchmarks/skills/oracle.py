@@ -20,7 +20,7 @@ from mansion_tasks.tasks.generate import generate
 from mansion_tasks.tasks.oracle import Oracle
 from mansion_tasks.tasks.progress import ProgressTracker
 from mansion_tasks.tasks.sandbox import SESSION, Sandbox
-from mansion_tasks.tasks.solving import PATIENCE, replay
+from mansion_tasks.tasks.solving import MAX_SKILLS, replay
 
 
 def random_call(sandbox: Sandbox, rng: np.random.Generator) -> SkillCall:
@@ -57,7 +57,7 @@ def recovers(task: Task, sandbox: Sandbox, mess: int, rng: np.random.Generator) 
             sandbox.run(SkillCall(skill="PickUp", arguments=call.arguments))
             tracker.observe()
     oracle = Oracle(task, sandbox.world, SESSION)
-    for _ in range(PATIENCE):
+    for _ in range(MAX_SKILLS):
         if tracker.observe().success:
             return True
         step = oracle.next_call(tracker.seen)

@@ -9,7 +9,7 @@ import pytest
 
 from episode_tasks import mug_task, search_task, write_tasks
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_tasks.episodes.benching import Bench, run_bench
+from mansion_tasks.episodes.bench import Bench, run_bench
 from mansion_tasks.episodes.log import read_log
 from talk import question, says
 

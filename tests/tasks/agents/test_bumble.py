@@ -15,7 +15,7 @@ from mansion_msgs_py.world import SkillStatus
 from mansion_skills import Robot
 from mansion_tasks.agents.bumble import Bumble
 from mansion_tasks.agents.skill_cards import CARDS
-from mansion_tasks.episodes.observing import Moment
+from mansion_tasks.episodes.observations import Snapshot
 from mansion_tasks.episodes.port import LocalPort
 from mansion_tasks.episodes.running import EpisodeOptions, run_episode
 from talk import pictures, question, says, text
@@ -34,7 +34,7 @@ PLAN: list[dict[str, Any]] = [
 ]
 
 
-class FakeEyes:
+class FakePictures:
     """Pictures that tell what they are."""
 
     def view(self) -> bytes:
@@ -50,8 +50,8 @@ class FakeEyes:
         return b""
 
 
-def fake_eyes(moment: Moment) -> FakeEyes:
-    return FakeEyes()
+def fake_pictures(snapshot: Snapshot) -> FakePictures:
+    return FakePictures()
 
 
 def marks_of_the_mug(building: Path) -> list[str]:
@@ -118,7 +118,7 @@ def test_the_text_variant_tells_kinds_only_while_the_skill_is_chosen(
 def test_each_question_comes_with_the_picture_that_shows_its_choices(
     building: Path, chat: ModuleType, client_of: Client
 ) -> None:
-    options = EpisodeOptions(eyes=fake_eyes)
+    options = EpisodeOptions(pictures=fake_pictures)
     with chat.ChatServer(scripted(chat, building)) as server:
         run_episode(mug_task(), building, Bumble(client_of(server)), LocalPort(), options)
     shown = [(question(request), pictures(request)) for request in server.requests]

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mansion_skills.skills.registry import skill_named
-from mansion_tasks.agents.plan_code import MOST_CALLS, PlanError, read_plan
+from mansion_tasks.agents.plan_code import MAX_CALLS, PlanError, read_plan
 from mansion_tasks.agents.skill_cards import CARDS
 
 
@@ -49,7 +49,7 @@ def test_a_plan_is_a_list_of_calls_under_either_name() -> None:
         'MoveAhead(-"a")',
         'PickUp("")',
         'PickUp("' + "a" * 300 + '")',
-        "CallElevator()\n" * (MOST_CALLS + 1),
+        "CallElevator()\n" * (MAX_CALLS + 1),
         "(" * 5000,
         "-" * 5900 + "1",
         "PickUp('a'",

@@ -16,7 +16,7 @@ from mansion_msgs_py.world import Pose2D, SkillResult, SkillStatus
 from mansion_tasks.agents.bumble import Bumble
 from mansion_tasks.agents.explorer import Explorer
 from mansion_tasks.agents.interface import Observation
-from mansion_tasks.agents.recovery import BlockedWay, escape
+from mansion_tasks.agents.recovery import CornerRecovery, escape_moves
 from mansion_tasks.episodes.port import LocalPort
 from mansion_tasks.episodes.running import run_episode
 
@@ -37,18 +37,18 @@ def blocked(**free: float) -> SkillResult:
     [({"back": 3.0}, 180.0, 1.5), ({"left": 0.8}, 90.0, 0.75), ({"right": 2.0, "left": 1.0}, -90.0, 1.5)],
 )
 def test_the_way_out_leads_where_most_is_free(free: dict[str, float], turn: float, distance: float) -> None:
-    way = escape(blocked(**free))
+    way = escape_moves(blocked(**free))
     assert way is not None
     assert [call.arguments for call in way] == [{"degrees": turn}, {"distance": distance}]
 
 
 def test_without_free_space_there_is_no_way_out_to_name() -> None:
-    assert escape(blocked()) is None
-    assert escape(None) is None
+    assert escape_moves(blocked()) is None
+    assert escape_moves(None) is None
 
 
 def test_one_blocked_move_is_the_agents_own_affair() -> None:
-    watch = BlockedWay()
+    watch = CornerRecovery()
     move = SkillCall(skill="MoveAhead", arguments={"distance": 1.0})
     seen = Observation("", 1, 9, 1, (1,), Pose2D(x=0, y=0), last_call=move, last=blocked(back=2.0))
     assert watch.step(seen) is None

@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 
 from mansion_msgs_py.world import SkillStatus
 from mansion_skills.skills.queries import VisibleArgs, list_visible
-from mansion_tasks.env.array_sight import ArraySight
 from mansion_tasks.env.low_level import MOVE, TILT, TURN, act, low_level_actions
+from mansion_tasks.env.visibility import VisibilityIndex
 from mansion_tasks.tasks.sandbox import Sandbox
 from sample_building import write_building
 
@@ -35,7 +35,7 @@ def test_motions_end_where_the_skills_end(pair: tuple[Sandbox, Sandbox], names: 
     fast.reset()
     slow.reset()
     for name in names:
-        outcome = act(fast, name, ArraySight(fast.world).look(fast.robot))
+        outcome = act(fast, name, VisibilityIndex(fast.world).look(fast.robot))
         result = slow.skill(MOTIONS[name][0], **MOTIONS[name][1])
         assert outcome.status == result.status
         ours, theirs = fast.robot.pose, slow.robot.pose
@@ -71,7 +71,7 @@ def test_the_eyes_see_what_list_visible_lists(
 
     sandbox, _ = pair
     sandbox.reset()
-    sight = ArraySight(sandbox.world)
+    sight = VisibilityIndex(sandbox.world)
     for skill, arguments in [("Rotate", {"degrees": 0.0}), *deeds]:
         if sandbox.skill(skill, **arguments).status is SkillStatus.SUCCESS:
             sight.world_changed()
@@ -89,7 +89,7 @@ def test_only_the_nearest_are_looked_for_and_what_is_always_wanted(pair: tuple[S
     sandbox, _ = pair
     sandbox.reset()
     sandbox.skill("GoToLandmark", landmark="office")
-    sight = ArraySight(sandbox.world)
+    sight = VisibilityIndex(sandbox.world)
     for _ in range(8):
         whole = sight.look(sandbox.robot).ids
         if len(whole) > 2:
@@ -103,7 +103,7 @@ def test_hands_take_what_is_in_the_middle_of_the_picture(pair: tuple[Sandbox, Sa
     sandbox, _ = pair
     sandbox.reset()
     sandbox.skill("GoNearObject", object="F1/office/mug_1")
-    sight = ArraySight(sandbox.world)
+    sight = VisibilityIndex(sandbox.world)
     taken = act(sandbox, "pick_up", sight.look(sandbox.robot))
     assert taken.changed and sandbox.world.objects.held_by("episode") == "F1/office/mug_1"
     sight.world_changed()

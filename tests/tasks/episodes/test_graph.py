@@ -15,10 +15,9 @@ from mansion_bringup.graph.skill_port import SERVER, GraphPort
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import Task
 from mansion_msgs_py.world import SkillStatus
+from mansion_tasks.agents.baselines import OracleAgent, RandomAgent
 from mansion_tasks.agents.explorer import Explorer
 from mansion_tasks.agents.interface import Agent
-from mansion_tasks.agents.oracle_agent import OracleAgent
-from mansion_tasks.agents.random_agent import RandomAgent
 from mansion_tasks.episodes.port import LocalPort
 from mansion_tasks.episodes.replaying import replay
 from mansion_tasks.episodes.running import run_episode

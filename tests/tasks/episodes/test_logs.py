@@ -11,14 +11,14 @@ from hypothesis import strategies as st
 from episode_tasks import call, mug_task, search_task
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.world import Pose2D, SkillStatus
+from mansion_tasks.agents.baselines import RandomAgent
 from mansion_tasks.agents.explorer import Explorer
 from mansion_tasks.agents.interface import Agent
-from mansion_tasks.agents.random_agent import RandomAgent
+from mansion_tasks.episodes.contact_sheet import chosen_steps, episode_frames, write_contact_sheet, write_gif
 from mansion_tasks.episodes.log import EpisodeLog, EpisodeStep, read_log, write_log
 from mansion_tasks.episodes.port import LocalPort
 from mansion_tasks.episodes.replaying import replay
 from mansion_tasks.episodes.running import run_episode
-from mansion_tasks.episodes.sheet import chosen_steps, episode_frames, write_gif, write_sheet
 
 
 @pytest.mark.parametrize("agent", [RandomAgent(), Explorer()], ids=lambda agent: agent.name)
@@ -105,7 +105,7 @@ def test_pictures_of_an_episode_are_made_without_a_renderer(building: Path, tmp_
     log = run_episode(search_task(), building, Explorer(), LocalPort())
     frames = episode_frames(log, building, LocalPort())
     assert len(frames) == min(12, len(log.steps) + 1)
-    write_sheet(tmp_path / "sheet.png", log, frames)
+    write_contact_sheet(tmp_path / "sheet.png", log, frames)
     write_gif(tmp_path / "sheet.gif", frames)
     with Image.open(tmp_path / "sheet.png") as sheet:
         assert sheet.width > 900 and len(sheet.convert("RGB").getcolors(1 << 20)) > 10

@@ -11,10 +11,9 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import SkillCall, TaskStart
 from mansion_msgs_py.world import Pose2D, SkillStatus
 from mansion_skills import Robot
+from mansion_tasks.agents.baselines import OracleAgent, RandomAgent
 from mansion_tasks.agents.explorer import Explorer
 from mansion_tasks.agents.interface import Access, Observation, Stop
-from mansion_tasks.agents.oracle_agent import OracleAgent
-from mansion_tasks.agents.random_agent import RandomAgent
 from mansion_tasks.episodes.port import LocalPort
 from mansion_tasks.episodes.running import EpisodeOptions, run_episode
 

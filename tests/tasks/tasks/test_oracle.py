@@ -11,9 +11,9 @@ from mansion_tasks.tasks.sandbox import SESSION, Sandbox
 from mansion_tasks.tasks.solving import replay, solve
 from sample_building import scene
 
-THINGS = [entry for floor in (1, 2, 3) for entry in scene(floor, [1, 2, 3]).objects]
-CARRIED = [thing.id for thing in THINGS if thing.pickupable]
-TABLES = [thing.id for thing in THINGS if thing.category in ("desk", "table")]
+OBJECTS = [entry for floor in (1, 2, 3) for entry in scene(floor, [1, 2, 3]).objects]
+CARRIED = [thing.id for thing in OBJECTS if thing.pickupable]
+TABLES = [thing.id for thing in OBJECTS if thing.category in ("desk", "table")]
 ROOMS = [room.id for floor in (1, 2, 3) for room in scene(floor, [1, 2, 3]).rooms]
 
 goals = st.one_of(
@@ -155,4 +155,4 @@ def test_it_turns_away_from_a_doorway_through_which_it_put_something(shared: San
     assert shared.world.objects.state(mug).room == "F1/office"
     shared.skill("PickUp", object=mug)
     shared.skill("MoveTo", x=6.15, y=4.45, yaw=180.0)
-    assert oracle._put_away() == SkillCall(skill="Rotate", arguments={"degrees": 90.0})
+    assert oracle._put_on_floor() == SkillCall(skill="Rotate", arguments={"degrees": 90.0})

@@ -14,8 +14,8 @@ from mansion_msgs_py.wording import counted
 from mansion_msgs_py.world import Progress
 
 if TYPE_CHECKING:
-    from mansion_tasks.episodes.benching import Bench, Ports
-    from mansion_tasks.episodes.table import BenchResult
+    from mansion_tasks.episodes.bench import Bench, Ports
+    from mansion_tasks.episodes.results import BenchResult
 
 __all__ = ["agents"]
 
@@ -59,8 +59,8 @@ def agents(
 def _run(tasks: list[Path], names: str, output: Path, *, seed: int, jobs: int, graph: bool, sheets: int) -> None:
     """Run the bench, print its table, and draw what was asked for."""
     from mansion_tasks.agents.registry import AGENTS
-    from mansion_tasks.episodes.benching import Bench, local_port
-    from mansion_tasks.episodes.table import render
+    from mansion_tasks.episodes.bench import Bench, local_port
+    from mansion_tasks.episodes.results import render
 
     chosen = tuple(name.strip() for name in names.split(",") if name.strip())
     if not chosen:
@@ -108,7 +108,7 @@ def _provide(names: tuple[str, ...], sheets: int) -> None:
 
 def _followed(bench: "Bench", jobs: int) -> tuple["BenchResult", int]:
     """Run the bench and show its progress; return its result and how many episodes an earlier run had done."""
-    from mansion_tasks.episodes.benching import TAKEN_OVER, run_bench
+    from mansion_tasks.episodes.bench import TAKEN_OVER, run_bench
 
     taken_over, last = 0, Progress(stage="bench", message="", done=0, total=0)
     try:
@@ -149,7 +149,7 @@ def _task_files(given: list[Path]) -> list[Path]:
 
 def _repeat(log_file: Path, building: Path | None, graph: bool, output: Path | None) -> None:
     """Run a log's skills again; exit status 1 when something else comes of them."""
-    from mansion_tasks.episodes.benching import local_port
+    from mansion_tasks.episodes.bench import local_port
     from mansion_tasks.episodes.log import read_log
     from mansion_tasks.episodes.replaying import replay
 
@@ -171,13 +171,13 @@ def _repeat(log_file: Path, building: Path | None, graph: bool, output: Path | N
 
 def _picture(log_file: Path, output: Path, building: Path | None = None) -> None:
     """Write the contact sheet and the animation of an episode beside each other."""
+    from mansion_tasks.episodes.contact_sheet import episode_frames, write_contact_sheet, write_gif
     from mansion_tasks.episodes.log import read_log
     from mansion_tasks.episodes.port import LocalPort
-    from mansion_tasks.episodes.sheet import episode_frames, write_gif, write_sheet
 
     log = read_log(log_file)
     frames = episode_frames(log, building or Path(log.start.building), LocalPort())
     stem = f"{log.start.agent}_{log.start.building_id}_{log.start.task.id}"
-    write_sheet(output / "sheets" / f"{stem}.png", log, frames)
+    write_contact_sheet(output / "sheets" / f"{stem}.png", log, frames)
     write_gif(output / "sheets" / f"{stem}.gif", frames)
     err.print(f"{output / 'sheets' / stem}.png", highlight=False)

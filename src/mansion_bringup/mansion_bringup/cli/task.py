@@ -33,7 +33,7 @@ def register(app: typer.Typer) -> None:
 
 
 def _task_set(file: Path) -> TaskSet:
-    from mansion_tasks.tasks.files import read_task_set
+    from mansion_tasks.tasks.task_files import read_task_set
 
     return read_task_set(file)
 

@@ -21,9 +21,8 @@ from mansion_skills.skills.declaration import Skill
 from mansion_skills.skills.queries import VisibleArgs
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
-from mansion_tasks.episodes.mirror import Mirror
+from mansion_tasks.episodes.episode_folder import SESSION, WORLD, WorldReplica
 from mansion_tasks.episodes.port import SkillPort, as_result, called_skill, invalid_call
-from mansion_tasks.episodes.stand_in import SESSION, WORLD
 
 __all__ = ["GraphPort", "graph_port"]
 
@@ -42,12 +41,12 @@ class GraphPort(SkillPort):
 
     def __init__(self, client: MansionClient) -> None:
         self._client = client
-        self._mirror: Mirror | None = None
+        self._replica: WorldReplica | None = None
 
     def load(self, folder: Path) -> None:
         """See `SkillPort.load`."""
         self._client.call("load_building", LoadBuilding(path=str(folder), session=SESSION, world=WORLD))
-        self._mirror = Mirror(folder)
+        self._replica = WorldReplica(folder)
 
     def call(self, call: SkillCall) -> SkillResult:
         """See `SkillPort.call`.
@@ -91,10 +90,10 @@ class GraphPort(SkillPort):
 
     def world(self) -> tuple[World, RobotBody]:
         """See `SkillPort.world`."""
-        if self._mirror is None:
+        if self._replica is None:
             raise MansionError(ErrorCode.NOT_LOADED, "the port has no building; load one first")
-        self._mirror.follow()
-        return self._mirror.world, self._mirror.robot
+        self._replica.follow()
+        return self._replica.world, self._replica.robot
 
 
 def _reply(skill: Skill) -> Any:

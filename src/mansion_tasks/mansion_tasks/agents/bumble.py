@@ -6,10 +6,8 @@ import msgspec
 
 from mansion_llm import Answer, Fault, LlmClient, Prompt, quoted_data
 from mansion_msgs_py.task import SkillCall
-from mansion_tasks.agents.interface import Access, Agent, Briefing, Observation, Stop
-from mansion_tasks.agents.memory import Memory
-from mansion_tasks.agents.patience import Patience
-from mansion_tasks.agents.recovery import BlockedWay
+from mansion_tasks.agents.interface import Access, Observation, Stop
+from mansion_tasks.agents.model_agent import ModelAgent
 from mansion_tasks.agents.skill_cards import CARDS, card_lines, faulty_arguments
 
 __all__ = ["Arguments", "Bumble", "SkillChoice"]
@@ -51,7 +49,7 @@ class Arguments(msgspec.Struct, frozen=True, kw_only=True):
     target_floor: int = 0
 
 
-class Bumble(Agent):
+class Bumble(ModelAgent):
     """Two questions a step: which skill, with the camera's picture; then its parameters, with the picture for them.
 
     Parameters
@@ -63,12 +61,9 @@ class Bumble(Agent):
     """
 
     def __init__(self, client: LlmClient, *, types: bool = False) -> None:
-        self._client, self._types = client, types
-        self._memory = Memory()
-        self._blocked = BlockedWay()
-        self._patience = Patience()
+        super().__init__(client)
+        self._types = types
         self._answer: Answer[Any] | None = None
-        self._notes: dict[str, Any] = {}
 
     @property
     def name(self) -> str:
@@ -80,28 +75,15 @@ class Bumble(Agent):
         """See `Agent.access`."""
         return Access(names=False, categories=self._types, pictures=True)
 
-    def reset(self, briefing: Briefing) -> None:
-        """See `Agent.reset`."""
-        self._memory = Memory(briefing.lessons)
-        self._blocked = BlockedWay()
-        self._patience = Patience()
-
-    def act(self, observation: Observation) -> SkillCall | Stop:
-        """See `Agent.act`."""
-        self._memory.note(observation)
-        self._notes = {}
-        way_out = self._blocked.step(observation)
-        if way_out is not None:
-            self._notes["recovery"] = "led out of a corner"
-            return way_out
+    def _choose_skill(self, observation: Observation) -> SkillCall | Stop:
         choice = self._choose(observation)
         if choice is not None and choice.skill == STOP:
             return Stop(choice.thought or "the model says that the task is done", done=True)
         call = self._fill(observation, choice) if choice is not None else None
         if call is not None:
-            self._patience.reward()
+            self._unusable = 0
             return call
-        end = self._patience.strain(self._answer)
+        end = self._count_unusable(self._answer)
         if end is not None:
             return end
         self._memory.remark("no usable answer; the robot looked around")
@@ -110,9 +92,9 @@ class Bumble(Agent):
     def _choose(self, observation: Observation) -> SkillChoice | None:
         types = ""
         if self._types:
-            kinds = dict.fromkeys(thing.category for thing in observation.visible)
+            kinds = dict.fromkeys(item.category for item in observation.visible)
             types = quoted_data("kinds in view", ", ".join(kinds) or "none") + "\n"
-        view = observation.eyes.view() if observation.eyes is not None else b""
+        view = observation.pictures.view() if observation.pictures is not None else b""
         prompt = Prompt(
             "bumble_skill",
             _ROLE + _CHOOSE + card_lines(),
@@ -153,8 +135,8 @@ class Bumble(Agent):
 
     def _situation(self, observation: Observation) -> str:
         marks = [
-            f"{thing.ref} {thing.distance:.1f} m{', within reach' if thing.within_reach else ''}"
-            for thing in observation.visible
+            f"{item.ref} {item.distance:.1f} m{', within reach' if item.within_reach else ''}"
+            for item in observation.visible
         ]
         places = [
             entry.name if entry.kind == "room" else f"{entry.name} ({entry.kind})" for entry in observation.landmarks
@@ -174,14 +156,6 @@ class Bumble(Agent):
         ]
         return "\n".join(lines) + "\n"
 
-    def lessons(self) -> list[str]:
-        """See `Agent.lessons`: what failed."""
-        return self._memory.lessons()
-
-    def notes(self) -> dict[str, Any]:
-        """See `Agent.notes`."""
-        return dict(self._notes)
-
 
 def _faulty_choice(choice: SkillChoice) -> list[Fault]:
     if choice.skill in CARDS or choice.skill == STOP:
@@ -200,7 +174,7 @@ def _faulty_call(call: SkillCall, observation: Observation) -> str:
     fault = faulty_arguments(call.skill, call.arguments)
     if fault:
         return fault
-    marks = [thing.ref for thing in observation.visible]
+    marks = [item.ref for item in observation.visible]
     places = [entry.name for entry in observation.landmarks]
     offers: dict[str, list[Any]] = {
         "landmark": [*places, "elevator", "stairs"],
@@ -219,15 +193,15 @@ def _faulty_call(call: SkillCall, observation: Observation) -> str:
 
 def _pictures_for(skill: str, observation: Observation) -> tuple[bytes, ...]:
     """Return the pictures that show a skill's choices (section F.4)."""
-    eyes = observation.eyes
-    if eyes is None:
+    source = observation.pictures
+    if source is None:
         return ()
     if skill == "GoToLandmark":
-        pictures = eyes.landmarks()
+        pictures = source.landmarks()
     elif skill == "UseElevator":
-        pictures = [eyes.lift_panel()]
+        pictures = [source.lift_panel()]
     elif skill == "TakeStairs":
-        pictures = [eyes.stairs()]
+        pictures = [source.stairs()]
     else:
-        pictures = [eyes.view()]
+        pictures = [source.view()]
     return tuple(picture for picture in pictures if picture)

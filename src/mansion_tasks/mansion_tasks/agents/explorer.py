@@ -6,25 +6,24 @@ from typing import Any, Final
 
 from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import Pose2D
+from mansion_tasks.agents.instructions import NounPhrase, ParsedInstruction, read_instruction
 from mansion_tasks.agents.interface import Access, Agent, Briefing, Observation, SeenObject, Stop
-from mansion_tasks.agents.priors import shut_away_in
-from mansion_tasks.agents.reading import Errand, Phrase, read_instruction
-from mansion_tasks.agents.recovery import escape
-from mansion_tasks.agents.surroundings import Sighting, Surroundings, room_words
-from mansion_tasks.agents.words import match_score
+from mansion_tasks.agents.recovery import escape_moves
+from mansion_tasks.agents.search_memory import SearchMemory, Sighting, plain_name, usual_container
+from mansion_tasks.language.matching import match_score
 
 __all__ = ["Explorer"]
 
-Course = Generator[SkillCall, None, bool]
+SkillSequence = Generator[SkillCall, None, bool]
 """Skills that lead to something; returns whether they did."""
 
-DELIVERY: Final = 12
-"""Steps kept for carrying: an incompletely confirmed thing is taken when no more than these are left."""
+DELIVERY_STEPS: Final = 12
+"""Steps kept for carrying: an incompletely confirmed object is taken when no more than these are left."""
 
-LEVEL: Final = 20.0
+LEVEL_TILT: Final = 20.0
 """Degrees of tilt at which the camera still sees a room."""
 
-LOOKS: Final = 5
+MAX_CLOSE_LOOKS: Final = 5
 """Pieces of furniture of one room that are looked at from near."""
 
 _DOOR = re.compile(r"OpenDoor (\S+)")
@@ -33,7 +32,7 @@ _DOOR = re.compile(r"OpenDoor (\S+)")
 class Explorer(Agent):
     """Knows what any client of the services does: landmarks, and the names of objects in view. No map, no goals.
 
-    It goes to each room of a floor, turns round, and remembers what it sees. A thing is taken at once when all that
+    It goes to each room of a floor, turns round, and remembers what it sees. An object is taken at once when all that
     the instruction says of it is confirmed, else when everything was searched or the steps run short.
     """
 
@@ -42,31 +41,31 @@ class Explorer(Agent):
 
     def __init__(self) -> None:
         self._now = Observation("", 0, 1, 1, (1,), Pose2D(x=0.0, y=0.0))
-        self._memory = Surroundings()
+        self._memory = SearchMemory()
         self._failed: dict[str, None] = {}
-        self._course: Generator[SkillCall, None, Stop] | None = None
+        self._plan: Generator[SkillCall, None, Stop] | None = None
         self._end = Stop("nothing to do")
-        self._home = 1
+        self._first_floor = 1
 
     def reset(self, briefing: Briefing) -> None:
         """See `Agent.reset`."""
         errand = read_instruction(briefing.instruction, briefing.floors, briefing.labels)
-        self._memory, self._failed = Surroundings(), {}
+        self._memory, self._failed = SearchMemory(), {}
         self._errand = errand
-        self._course = self._work(errand)
+        self._plan = self._work(errand)
 
     def act(self, observation: Observation) -> SkillCall | Stop:
         """See `Agent.act`."""
         if observation.step == 0:
-            self._home = observation.floor
+            self._first_floor = observation.floor
         self._now = observation
         self._memory.note(observation)
-        if self._course is None:
+        if self._plan is None:
             return self._end
         try:
-            return next(self._course)
+            return next(self._plan)
         except StopIteration as end:
-            self._course, self._end = None, end.value
+            self._plan, self._end = None, end.value
             return self._end
 
     def lessons(self) -> list[str]:
@@ -77,23 +76,25 @@ class Explorer(Agent):
         """See `Agent.notes`."""
         return {}
 
-    def _work(self, errand: Errand) -> Generator[SkillCall, None, Stop]:
+    def _work(self, errand: ParsedInstruction) -> Generator[SkillCall, None, Stop]:
         carried = errand.destination is not None
         while True:
-            found = yield from self._search(errand.target, pickupable=carried, rest=DELIVERY if carried else 2)
+            found = yield from self._search(errand.target, pickupable=carried, rest=DELIVERY_STEPS if carried else 2)
             if found is None:
                 return Stop(f"found no {errand.target.noun}")
             if (yield from self._fetch(found, carried)):
                 break
-            self._failed[found.thing.ref] = None
+            self._failed[found.item.ref] = None
         if errand.destination is None:
-            return Stop(f"found {found.thing.ref}", done=True)
+            return Stop(f"found {found.item.ref}", done=True)
         if (yield from self._deliver(errand)):
-            return Stop(f"delivered {found.thing.ref}", done=True)
-        return Stop(f"found no place for {found.thing.ref}")
+            return Stop(f"delivered {found.item.ref}", done=True)
+        return Stop(f"found no place for {found.item.ref}")
 
-    def _search(self, phrase: Phrase, *, pickupable: bool, rest: int) -> Generator[SkillCall, None, Sighting | None]:
-        """Look for a thing until one is certain, everything is searched, or `rest` steps are left."""
+    def _search(
+        self, phrase: NounPhrase, *, pickupable: bool, rest: int
+    ) -> Generator[SkillCall, None, Sighting | None]:
+        """Look for an object until one is certain, everything is searched, or `rest` steps are left."""
         for floor in self._floor_order(phrase):
             while True:
                 best = self._best(phrase, pickupable, certain=True)
@@ -109,23 +110,23 @@ class Explorer(Agent):
                 yield from self._look_around(rooms[0], phrase, pickupable)
         return self._best(phrase, pickupable, certain=False)
 
-    def _best(self, phrase: Phrase, pickupable: bool, *, certain: bool) -> Sighting | None:
+    def _best(self, phrase: NounPhrase, pickupable: bool, *, certain: bool) -> Sighting | None:
         for score, sighting in self._memory.candidates(phrase, pickupable=pickupable):
-            if sighting.thing.ref not in self._failed and sighting.thing.ref != self._now.held:
+            if sighting.item.ref not in self._failed and sighting.item.ref != self._now.held:
                 sure = self._memory.is_certain(phrase, score)
                 return sighting if sure or not certain else None
         return None
 
-    def _floor_order(self, phrase: Phrase) -> list[int]:
+    def _floor_order(self, phrase: NounPhrase) -> list[int]:
         if phrase.floor in self._now.floors:
             return [phrase.floor]
         here = self._now.floor
-        return sorted(self._now.floors, key=lambda floor: (floor != self._home, abs(floor - here)))
+        return sorted(self._now.floors, key=lambda floor: (floor != self._first_floor, abs(floor - here)))
 
-    def _look_around(self, room: str, phrase: Phrase, pickupable: bool) -> Course:
+    def _look_around(self, room: str, phrase: NounPhrase, pickupable: bool) -> SkillSequence:
         """Go to a room and turn round in it, unless what is sought comes into view before."""
         if not (yield from self._go_to(room)):
-            self._memory.shut[room] = None
+            self._memory.unreachable[room] = None
             return False
         yield from self._look_level()
         for turn in range(4):
@@ -138,39 +139,39 @@ class Explorer(Agent):
         yield from self._look_closer(phrase, pickupable)
         return True
 
-    def _look_level(self) -> Course:
+    def _look_level(self) -> SkillSequence:
         """Lift the camera again after something was handled: what is far away lies near the horizon."""
         pitch = self._now.pitch
-        if abs(pitch) <= LEVEL:
+        if abs(pitch) <= LEVEL_TILT:
             return True
         return (yield from self._do("LookUp" if pitch < 0 else "LookDown", degrees=abs(pitch)))
 
-    def _look_closer(self, phrase: Phrase, pickupable: bool) -> Course:
+    def _look_closer(self, phrase: NounPhrase, pickupable: bool) -> SkillSequence:
         """In a room that the phrase names, go to the furniture that it names: one place does not show it all."""
         room = self._now.room
-        if not any(match_score(word, room_words(room)) for word in phrase.places):
+        if not any(match_score(word, plain_name(room)) for word in phrase.places):
             return False
-        for name in self._memory.furniture(phrase, self._now.floor, room)[:LOOKS]:
+        for name in self._memory.furniture(phrase, self._now.floor, room)[:MAX_CLOSE_LOOKS]:
             if self._best(phrase, pickupable, certain=True) is not None or self._hurried():
                 return True
             yield from self._do("GoNearObject", object=name)
         return True
 
-    def _open_what_is_named(self, phrase: Phrase) -> Course:
-        """Open furniture of this room that the phrase names, or that such things are kept in."""
-        places = (*phrase.places, shut_away_in(phrase.noun))
-        for thing in self._memory.closed(self._now.floor, self._now.room):
-            named = any(match_score(word, thing.category) for word in places)
-            if named and thing.ref not in self._failed and not self._hurried():
-                self._failed[thing.ref] = None
-                if (yield from self._do("GoNearObject", object=thing.ref)):
-                    yield from self._do("OpenObject", object=thing.ref)
+    def _open_what_is_named(self, phrase: NounPhrase) -> SkillSequence:
+        """Open furniture of this room that the phrase names, or that such objects are kept in."""
+        places = (*phrase.places, usual_container(phrase.noun))
+        for item in self._memory.closed_objects(self._now.floor, self._now.room):
+            named = any(match_score(word, item.category) for word in places)
+            if named and item.ref not in self._failed and not self._hurried():
+                self._failed[item.ref] = None
+                if (yield from self._do("GoNearObject", object=item.ref)):
+                    yield from self._do("OpenObject", object=item.ref)
         return True
 
     def _hurried(self) -> bool:
-        return self._now.max_steps - self._now.step <= DELIVERY
+        return self._now.max_steps - self._now.step <= DELIVERY_STEPS
 
-    def _go_to_floor(self, floor: int) -> Course:
+    def _go_to_floor(self, floor: int) -> SkillSequence:
         """Ride, or walk one floor after the other; where one way fails, try the other."""
         while self._now.floor != floor:
             here = self._now.floor
@@ -185,7 +186,7 @@ class Explorer(Agent):
                 return False
         return True
 
-    def _ride(self, floor: int) -> Course:
+    def _ride(self, floor: int) -> SkillSequence:
         return (
             bool(self._memory.cores(self._now.floor, "elevator"))
             and (yield from self._go_to("elevator"))
@@ -193,26 +194,26 @@ class Explorer(Agent):
             and (yield from self._do("UseElevator", target_floor=floor))
         )
 
-    def _climb(self, step: int) -> Course:
+    def _climb(self, step: int) -> SkillSequence:
         direction = "Up" if step > 0 else "Down"
         for core in self._memory.cores(self._now.floor, "stair"):
             if (yield from self._go_to(core.name)) and (yield from self._do("TakeStairs", direction=direction)):
                 return True
         return False
 
-    def _fetch(self, sighting: Sighting, carried: bool) -> Course:
-        thing = sighting.thing
+    def _fetch(self, sighting: Sighting, carried: bool) -> SkillSequence:
+        item = sighting.item
         if not (yield from self._go_near(sighting)):
             return False
-        return not carried or (yield from self._do("PickUp", object=thing.ref))
+        return not carried or (yield from self._do("PickUp", object=item.ref))
 
-    def _go_near(self, sighting: Sighting) -> Course:
+    def _go_near(self, sighting: Sighting) -> SkillSequence:
         if self._now.floor != sighting.floor and not (yield from self._go_to_floor(sighting.floor)):
             return False
-        return (yield from self._go("GoNearObject", "object", sighting.thing.ref))
+        return (yield from self._go("GoNearObject", "object", sighting.item.ref))
 
-    def _deliver(self, errand: Errand) -> Course:
-        """Put what is held where the errand says: in a room of that name, or with a thing of that name."""
+    def _deliver(self, errand: ParsedInstruction) -> SkillSequence:
+        """Put what is held where the errand says: in a room of that name, or with an object of that name."""
         place = errand.destination
         assert place is not None
         floors = [place.floor] if place.floor is not None else self._floor_order(place)
@@ -229,33 +230,33 @@ class Explorer(Agent):
             found = yield from self._search(place, pickupable=False, rest=3)
             if found is None:
                 return False
-            if (yield from self._go_near(found)) and (yield from self._put(found.thing, errand.relation)):
+            if (yield from self._go_near(found)) and (yield from self._put(found.item, errand.relation)):
                 if errand.close:
-                    yield from self._do("CloseObject", object=found.thing.ref)
+                    yield from self._do("CloseObject", object=found.item.ref)
                 return True
-            self._failed[found.thing.ref] = None
+            self._failed[found.item.ref] = None
             tried += 1
         return False
 
     def _rooms_named(self, noun: str) -> list[str]:
         scored = [
-            (-match_score(noun, room_words(entry.name)), entry.name)
+            (-match_score(noun, plain_name(entry.name)), entry.name)
             for entry in self._now.landmarks
-            if entry.kind == "room" and match_score(noun, room_words(entry.name))
+            if entry.kind == "room" and match_score(noun, plain_name(entry.name))
         ]
         return [name for _, name in sorted(scored)]
 
-    def _put(self, thing: SeenObject, relation: str) -> Course:
+    def _put(self, item: SeenObject, relation: str) -> SkillSequence:
         if relation == "near":
             return (yield from self._put_down())
-        if relation == "in" or not thing.receptacle:
-            yield from self._do("OpenObject", object=thing.ref)
-            return (yield from self._do("Place", target=thing.ref, relation="in"))
-        return (yield from self._do("Place", target=thing.ref, relation="on")) or (
-            yield from self._do("Place", target=thing.ref, relation="in")
+        if relation == "in" or not item.receptacle:
+            yield from self._do("OpenObject", object=item.ref)
+            return (yield from self._do("Place", target=item.ref, relation="in"))
+        return (yield from self._do("Place", target=item.ref, relation="on")) or (
+            yield from self._do("Place", target=item.ref, relation="in")
         )
 
-    def _put_down(self) -> Course:
+    def _put_down(self) -> SkillSequence:
         """Put what is held on the floor before the robot, wherever there is room for it."""
         for _ in range(4):
             if (yield from self._do("Place", target="floor", relation="on")):
@@ -263,11 +264,11 @@ class Explorer(Agent):
             yield SkillCall(skill="Rotate", arguments={"degrees": 90.0})
         return False
 
-    def _go_to(self, landmark: str) -> Course:
+    def _go_to(self, landmark: str) -> SkillSequence:
         return (yield from self._go("GoToLandmark", "landmark", landmark))
 
-    def _go(self, skill: str, argument: str, name: str) -> Course:
-        """Go somewhere; open a closed door that is in the way, and get out of a corner."""
+    def _go(self, skill: str, argument: str, name: str) -> SkillSequence:
+        """Go somewhere; open a closed_objects door that is in the way, and get out of a corner."""
         for _ in range(3):
             if (yield from self._do(skill, **{argument: name})):
                 return True
@@ -278,12 +279,12 @@ class Explorer(Agent):
                 if not (yield from self._do("OpenDoor", door=door.group(1))):
                     return False
                 continue
-            way_out = escape(self._now.last)
+            way_out = escape_moves(self._now.last)
             if way_out is None:
                 return False
             yield from way_out
         return False
 
-    def _do(self, skill: str, **arguments: Any) -> Course:
+    def _do(self, skill: str, **arguments: Any) -> SkillSequence:
         yield SkillCall(skill=skill, arguments=arguments)
         return self._now.succeeded

@@ -8,7 +8,7 @@ from mansion_msgs_py.skills import LandmarkInfo
 from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import Pose2D, SkillResult, SkillStatus
 
-__all__ = ["Access", "Agent", "Briefing", "Eyes", "MapEntry", "Observation", "SeenObject", "Stop"]
+__all__ = ["Access", "Agent", "Briefing", "Pictures", "MapEntry", "Observation", "SeenObject", "Stop"]
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ class MapEntry:
     parent: str
 
 
-class Eyes(Protocol):
+class Pictures(Protocol):
     """Pictures of the moment, PNG, made when they are asked for; empty where nothing can draw them."""
 
     def view(self) -> bytes:
@@ -149,7 +149,7 @@ class Observation:
     visible: tuple[SeenObject, ...] = ()
     last_call: SkillCall | None = None
     last: SkillResult | None = None
-    eyes: Eyes | None = None
+    pictures: Pictures | None = None
     object_map: Callable[[], list[MapEntry]] = field(default=list)
 
     @property

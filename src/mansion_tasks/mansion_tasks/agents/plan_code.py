@@ -7,10 +7,10 @@ from mansion_msgs_py.task import SkillCall
 from mansion_skills.skills.declaration import snake_case
 from mansion_tasks.agents.skill_cards import CARDS, faulty_arguments
 
-__all__ = ["MOST_CALLS", "PlanError", "read_plan"]
+__all__ = ["MAX_CALLS", "PlanError", "read_plan"]
 
-MOST_CALLS: Final = 40
-LONGEST: Final = 6000
+MAX_CALLS: Final = 40
+MAX_LENGTH: Final = 6000
 _SNAKE: Final = {snake_case(name): name for name in CARDS}
 
 
@@ -38,15 +38,15 @@ def read_plan(code: str) -> list[SkillCall]:
         ...
     mansion_tasks.agents.plan_code.PlanError: line 1: a statement must be one call of a skill
     """
-    if len(code) > LONGEST:
-        raise PlanError(f"the plan has {len(code)} characters; {LONGEST} may be")
+    if len(code) > MAX_LENGTH:
+        raise PlanError(f"the plan has {len(code)} characters; {MAX_LENGTH} may be")
     try:
         tree = ast.parse(code)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         line = getattr(error, "lineno", None) or 1
         raise PlanError(f"line {line}: {str(error)[:100]}; write calls of skills") from None
-    if len(tree.body) > MOST_CALLS:
-        raise PlanError(f"the plan has {len(tree.body)} calls; {MOST_CALLS} may be")
+    if len(tree.body) > MAX_CALLS:
+        raise PlanError(f"the plan has {len(tree.body)} calls; {MAX_CALLS} may be")
     return [_call(statement) for statement in tree.body]
 
 

@@ -7,16 +7,16 @@ from mansion_msgs_py.task import SkillCall
 from mansion_msgs_py.world import SkillResult, SkillStatus
 from mansion_tasks.agents.interface import Observation
 
-__all__ = ["BlockedWay", "escape"]
+__all__ = ["CornerRecovery", "escape_moves"]
 
 TURNS: Final[Mapping[str, float]] = {"ahead": 0.0, "left": 90.0, "back": 180.0, "right": -90.0}
 MARGIN: Final = 0.05
-LONGEST: Final = 1.5
-PATIENCE: Final = 2
+MAX_ESCAPE: Final = 1.5
+MAX_BLOCKED: Final = 2
 """Blocked moves in a row after which an agent is led out."""
 
 
-def escape(result: SkillResult | None) -> list[SkillCall] | None:
+def escape_moves(result: SkillResult | None) -> list[SkillCall] | None:
     """Return the skills that lead away from an obstacle, towards where most space is free.
 
     Parameters
@@ -33,7 +33,7 @@ def escape(result: SkillResult | None) -> list[SkillCall] | None:
     --------
     >>> free = {"ahead": 0.0, "left": 0.1, "back": 2.4, "right": 0.0}
     >>> stuck = SkillResult(skill="MoveAhead", status=SkillStatus.EXECUTION_FAILURE, message="", data={"free": free})
-    >>> [(call.skill, *call.arguments.values()) for call in escape(stuck)]
+    >>> [(call.skill, *call.arguments.values()) for call in escape_moves(stuck)]
     [('Rotate', 180.0), ('MoveAhead', 1.5)]
     """
     if result is None or result.status is SkillStatus.SUCCESS:
@@ -42,14 +42,14 @@ def escape(result: SkillResult | None) -> list[SkillCall] | None:
     if not isinstance(free, Mapping):
         return None
     best = max(TURNS, key=lambda way: float(free.get(way, 0.0)))
-    distance = min(float(free.get(best, 0.0)) - MARGIN, LONGEST)
+    distance = min(float(free.get(best, 0.0)) - MARGIN, MAX_ESCAPE)
     if distance <= 0.0:
         return None
     turn = [SkillCall(skill="Rotate", arguments={"degrees": TURNS[best]})] if TURNS[best] else []
     return [*turn, SkillCall(skill="MoveAhead", arguments={"distance": round(distance, 2)})]
 
 
-class BlockedWay:
+class CornerRecovery:
     """Watches an agent's moves, and takes over when it runs against the same corner again and again."""
 
     def __init__(self) -> None:
@@ -59,8 +59,8 @@ class BlockedWay:
     def step(self, observation: Observation) -> SkillCall | None:
         """Return a skill that leads out of a corner, ``None`` while the agent is free to choose.
 
-        After `PATIENCE` blocked moves, turns between them or not, the robot turns to the freest direction, goes there,
-        and then to the nearest landmark, from where every room can be reached again.
+        After `MAX_BLOCKED` blocked moves, with or without turns between them, the robot turns to the freest direction,
+        goes there, and then to the nearest landmark, from which every room can be reached again.
         """
         if self._way_out:
             return self._way_out.pop(0)
@@ -72,10 +72,10 @@ class BlockedWay:
             self._blocked = 0
             return None
         self._blocked += 1
-        if self._blocked < PATIENCE:
+        if self._blocked < MAX_BLOCKED:
             return None
         self._blocked = 0
-        self._way_out = [*(escape(last) or []), *_to_nearest(observation)]
+        self._way_out = [*(escape_moves(last) or []), *_to_nearest(observation)]
         return self._way_out.pop(0) if self._way_out else None
 
 

@@ -5,12 +5,11 @@ from collections.abc import Callable
 from mansion_llm import LlmClient
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wording import choices
+from mansion_tasks.agents.baselines import OracleAgent, RandomAgent
 from mansion_tasks.agents.bumble import Bumble
-from mansion_tasks.agents.come import Come
+from mansion_tasks.agents.come_robot import ComeRobot
 from mansion_tasks.agents.explorer import Explorer
 from mansion_tasks.agents.interface import Agent
-from mansion_tasks.agents.oracle_agent import OracleAgent
-from mansion_tasks.agents.random_agent import RandomAgent
 
 __all__ = ["AGENTS", "ASKING", "LEARNING", "check_agents", "make_agent"]
 
@@ -18,7 +17,7 @@ _SCRIPTED: dict[str, Callable[[], Agent]] = {"random": RandomAgent, "oracle": Or
 _MODELLED: dict[str, Callable[[LlmClient], Agent]] = {
     "bumble": Bumble,
     "bumble_text": lambda client: Bumble(client, types=True),
-    "come": Come,
+    "come": ComeRobot,
 }
 
 AGENTS = (*_SCRIPTED, *_MODELLED)

@@ -12,10 +12,10 @@ from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import ProgressScore, Task, TaskSet
 from mansion_msgs_py.world import SkillStatus
-from mansion_tasks.env.array_sight import ArraySight
 from mansion_tasks.env.low_level import Outcome, act, low_level_actions
-from mansion_tasks.env.observing import SLOTS, Describer, Values, Vocabulary, state_space
+from mansion_tasks.env.observations import SLOTS, ObservationEncoder, Values, Vocabulary, state_space
 from mansion_tasks.env.skill_level import SKILL_ACTIONS, skill_call
+from mansion_tasks.env.visibility import VisibilityIndex
 from mansion_tasks.tasks.generate import generate
 from mansion_tasks.tasks.progress import ProgressTracker
 from mansion_tasks.tasks.sandbox import SESSION, Sandbox
@@ -91,8 +91,8 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         self._sandbox = Sandbox(building)
         self.tasks = _tasks(tasks, self._sandbox, task_seed)
         self.vocabulary = Vocabulary.of(self._sandbox)
-        self._describer = Describer(self._sandbox, self.vocabulary)
-        self._sight = ArraySight(self._sandbox.world)
+        self._describer = ObservationEncoder(self._sandbox, self.vocabulary)
+        self._visibility = VisibilityIndex(self._sandbox.world)
         self._low = actions == "low"
         self._pictures = observation
         self._size = image_size
@@ -137,7 +137,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         super().reset(seed=seed)
         self._task = self._chosen((options or {}).get("task"))
         self._sandbox.reset(self._task.start)
-        self._sight.world_changed()
+        self._visibility.world_changed()
         self._tracker = ProgressTracker(self._task, self._sandbox.world, SESSION)
         self._goal = self._describer.goal(self._task)
         scale = MOVES_PER_SKILL if self._low else 1
@@ -158,17 +158,17 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
 
     def step(self, action: Any) -> tuple[Values, float, bool, bool, dict[str, Any]]:
         """Do an action; one that cannot be done changes nothing, and ``info["status"]`` says so."""
-        before = self._tracker_of_episode().score
+        before = self._running_tracker().score
         outcome = self._act(action)
         self._steps += 1
         if outcome.changed:
-            self._sight.world_changed()
+            self._visibility.world_changed()
         score = self._observe()
         truncated = self._steps >= self._limit and not score.success
-        reward = _worth(score) - _worth(before)
+        reward = _potential(score) - _potential(before)
         return self._values(), reward, score.success, truncated, self._info(outcome)
 
-    def _tracker_of_episode(self) -> ProgressTracker:
+    def _running_tracker(self) -> ProgressTracker:
         if self._task is None:
             raise MansionError(ErrorCode.NOT_LOADED, "no episode has begun; call reset first")
         return self._tracker
@@ -191,7 +191,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
         return Outcome(result.status, result.message, result.status is SkillStatus.SUCCESS)
 
     def _observe(self) -> ProgressScore:
-        view = self._view = self._sight.look(self._sandbox.robot, SLOTS, self._tracker.targets)
+        view = self._view = self._visibility.look(self._sandbox.robot, SLOTS, self._tracker.targets)
         return self._tracker.observe(dict(zip(view.ids, view.distances.tolist())))
 
     def _values(self) -> Values:
@@ -235,7 +235,7 @@ class BuildingEnv(gymnasium.Env[Values, Any]):  # type: ignore[misc]
             self._camera = None
 
 
-def _worth(score: ProgressScore) -> float:
+def _potential(score: ProgressScore) -> float:
     return 0.25 * score.retrieval + 0.25 * score.navigation + 0.5 * score.success
 
 

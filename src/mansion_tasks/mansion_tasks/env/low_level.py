@@ -12,7 +12,7 @@ from mansion_skills.navigation.paths import free_run
 from mansion_skills.skills.driving import SPEED, TURN_SPEED
 from mansion_skills.skills.motion_primitives import PITCHES
 from mansion_skills.skills.visibility import REACH
-from mansion_tasks.env.array_sight import View
+from mansion_tasks.env.visibility import View
 from mansion_tasks.tasks.sandbox import Sandbox
 
 __all__ = ["MOVE", "TILT", "TURN", "Outcome", "act", "low_level_actions"]

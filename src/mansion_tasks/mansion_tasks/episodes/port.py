@@ -14,7 +14,7 @@ from mansion_skills.skills.declaration import Skill
 from mansion_skills.skills.registry import SKILLS, skill_named
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
-from mansion_tasks.episodes.stand_in import SESSION, WORLD
+from mansion_tasks.episodes.episode_folder import SESSION, WORLD
 
 __all__ = ["LocalPort", "SkillPort", "as_result", "called_skill", "invalid_call"]
 
@@ -26,7 +26,7 @@ class SkillPort(Protocol):
     """The robot of one episode at a time."""
 
     def load(self, folder: Path) -> None:
-        """Put the robot into a stand-in folder."""
+        """Load an episode folder and put the robot into it."""
 
     def call(self, call: SkillCall) -> SkillResult:
         """Run a skill; whatever is called, the answer is a result."""

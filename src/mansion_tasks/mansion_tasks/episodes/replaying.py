@@ -5,26 +5,28 @@ from pathlib import Path
 
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
+from mansion_tasks.episodes.episode_folder import episode_folder
 from mansion_tasks.episodes.log import EpisodeLog
 from mansion_tasks.episodes.port import SkillPort
 from mansion_tasks.episodes.running import world_digest
-from mansion_tasks.episodes.stand_in import stand_in
 from mansion_tasks.tasks.progress import ProgressTracker
 
 __all__ = ["replay"]
 
-Look = Callable[[int, World, RobotBody], None]
+OnStep = Callable[[int, World, RobotBody], None]
 
 
-def replay(log: EpisodeLog, building: Path, port: SkillPort, look: Look = lambda step, world, robot: None) -> list[str]:
-    """Call a log's skills in a fresh stand-in of the building.
+def replay(
+    log: EpisodeLog, building: Path, port: SkillPort, on_step: OnStep = lambda step, world, robot: None
+) -> list[str]:
+    """Call a log's skills in a fresh episode folder of the building.
 
     Parameters
     ----------
     log : EpisodeLog
     building : Path
     port : SkillPort
-    look : callable
+    on_step : callable
         Called before the first skill (step 0) and after each, while the world is there.
 
     Returns
@@ -33,12 +35,12 @@ def replay(log: EpisodeLog, building: Path, port: SkillPort, look: Look = lambda
         Where the repetition differs from the log; empty when it is the same.
     """
     differences: list[str] = []
-    with stand_in(building, log.start.task.start) as folder:
+    with episode_folder(building, log.start.task.start) as folder:
         port.load(folder)
         world, robot = port.world()
         tracker = ProgressTracker(log.start.task, world, robot.session)
         score = tracker.observe()
-        look(0, world, robot)
+        on_step(0, world, robot)
         for step in log.steps:
             status = step.status if step.refused else port.call(step.call).status
             world, robot = port.world()
@@ -49,7 +51,7 @@ def replay(log: EpisodeLog, building: Path, port: SkillPort, look: Look = lambda
                     f"step {step.step}, {step.call.skill}: {again[0]} on floor {again[1]} at {again[2]}, "
                     f"logged {step.status} on floor {step.floor} at {step.pose}"
                 )
-            look(step.step, world, robot)
+            on_step(step.step, world, robot)
         if score.success != log.end.success:
             differences.append(f"success is {score.success}, logged {log.end.success}")
         progress = (round(score.retrieval, 6), round(score.navigation, 6))

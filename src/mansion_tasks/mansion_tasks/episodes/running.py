@@ -15,11 +15,11 @@ from mansion_msgs_py.task import SkillCall, Task
 from mansion_msgs_py.world import SkillResult
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
-from mansion_tasks.agents.interface import Agent, Briefing, Eyes, Stop
+from mansion_tasks.agents.interface import Agent, Briefing, Pictures, Stop
+from mansion_tasks.episodes.episode_folder import episode_folder
 from mansion_tasks.episodes.log import EpisodeEnd, EpisodeLog, EpisodeStart, EpisodeStep, StopReason
-from mansion_tasks.episodes.observing import Moment, Watcher
+from mansion_tasks.episodes.observations import Observer, Snapshot
 from mansion_tasks.episodes.port import SkillPort, invalid_call
-from mansion_tasks.episodes.stand_in import stand_in
 from mansion_tasks.tasks.progress import ProgressTracker
 
 __all__ = ["EpisodeOptions", "agent_seed", "run_episode", "world_digest"]
@@ -35,8 +35,8 @@ class EpisodeOptions:
         Of the whole bench; each episode's own comes from it, the task and the agent.
     lessons : tuple of str
         What the agent learned before.
-    eyes : callable, optional
-        Makes the agent's eyes for a moment.
+    pictures : callable, optional
+        Makes the agent's pictures for a snapshot.
     building : str
         The building as the log names it.
     clock : callable
@@ -45,14 +45,14 @@ class EpisodeOptions:
 
     seed: int = 0
     lessons: tuple[str, ...] = ()
-    eyes: Callable[[Moment], Eyes] | None = None
+    pictures: Callable[[Snapshot], Pictures] | None = None
     building: str = ""
     clock: Callable[[], float] = time.perf_counter
 
 
 @dataclass
-class _Course:
-    """An episode on its way."""
+class _EpisodeState:
+    """The state of a running episode."""
 
     steps: list[EpisodeStep] = field(default_factory=list)
     last_call: SkillCall | None = None
@@ -63,7 +63,7 @@ class _Course:
 def run_episode(
     task: Task, building: Path, agent: Agent, port: SkillPort, options: EpisodeOptions | None = None
 ) -> EpisodeLog:
-    """Let an agent do a task in a stand-in of a building and return the log; the building stays as it is.
+    """Let an agent do a task in a temporary copy of a building, and return the log; the building stays as it is.
 
     The episode ends as soon as the goals hold, at the agent's `Stop`, or after ``task.max_steps`` skills. Success is
     what the goals say, never what the agent says.
@@ -76,22 +76,22 @@ def run_episode(
     """
     options = options or EpisodeOptions()
     started = options.clock()
-    with stand_in(building, task.start) as folder:
+    with episode_folder(building, task.start) as folder:
         port.load(folder)
         world, robot = port.world()
         _check_building(task, world)
         tracker = ProgressTracker(task, world, robot.session)
-        course = _Course()
-        stop, reason, claimed = _steps(task, agent, port, options, tracker, course)
+        state = _EpisodeState()
+        stop, reason, claimed = _steps(task, agent, port, options, tracker, state)
         score = tracker.score
         end = EpisodeEnd(
             success=score.success,
             retrieval=round(score.retrieval, 6),
             navigation=round(score.navigation, 6),
-            steps=len(course.steps),
+            steps=len(state.steps),
             stop=stop,
             reason=reason[:500],
-            time=course.time,
+            time=state.time,
             digest=world_digest(world, robot),
             claimed=claimed,
             lessons=agent.lessons(),
@@ -105,24 +105,24 @@ def run_episode(
         seed=options.seed,
         lessons=list(options.lessons),
     )
-    return EpisodeLog(start=start, steps=course.steps, end=end)
+    return EpisodeLog(start=start, steps=state.steps, end=end)
 
 
 def _steps(
-    task: Task, agent: Agent, port: SkillPort, options: EpisodeOptions, tracker: ProgressTracker, course: _Course
+    task: Task, agent: Agent, port: SkillPort, options: EpisodeOptions, tracker: ProgressTracker, state: _EpisodeState
 ) -> tuple[StopReason, str, bool]:
-    watcher = Watcher(port, task, agent.access)
+    observer = Observer(port, task, agent.access)
     world, _ = port.world()
-    course.time = world.time
+    state.time = world.time
     agent.reset(_briefing(task, world, agent, options))
     while True:
         if tracker.observe().success:
             return "success", "the goals hold", True
-        if len(course.steps) >= task.max_steps:
+        if len(state.steps) >= task.max_steps:
             return "step_limit", f"{task.max_steps} skills were called", False
-        moment = watcher.moment()
-        eyes = options.eyes(moment) if options.eyes is not None else None
-        seen = watcher.observation(moment, len(course.steps), course.last_call, course.last, eyes)
+        snapshot = observer.snapshot()
+        pictures = options.pictures(snapshot) if options.pictures is not None else None
+        seen = observer.observation(snapshot, len(state.steps), state.last_call, state.last, pictures)
         try:
             choice = agent.act(seen)
         except MansionError as error:
@@ -136,14 +136,14 @@ def _steps(
             return "agent_stopped", choice.reason, choice.done
         if fault := _wrong_type(choice):
             return "agent_failed", fault, False
-        call = watcher.call(moment, choice)
+        call = observer.call(snapshot, choice)
         refusal = call if isinstance(call, str) else ""
         call = choice if isinstance(call, str) else call
         wish = "a number of the picture"
         result = invalid_call(call.skill, refusal, wish) if refusal else port.call(call)
-        course.last_call, course.last = choice, result
-        step = _step(port, tracker, course, call, result)
-        course.steps.append(msgspec.structs.replace(step, refused=bool(refusal), notes=agent.notes()))
+        state.last_call, state.last = choice, result
+        step = _step(port, tracker, state, call, result)
+        state.steps.append(msgspec.structs.replace(step, refused=bool(refusal), notes=agent.notes()))
 
 
 def _place_of(error: Exception) -> str:
@@ -160,23 +160,23 @@ def _wrong_type(choice: object) -> str:
 
 
 def _step(
-    port: SkillPort, tracker: ProgressTracker, course: _Course, call: SkillCall, result: SkillResult
+    port: SkillPort, tracker: ProgressTracker, state: _EpisodeState, call: SkillCall, result: SkillResult
 ) -> EpisodeStep:
     """Judge the world after a skill; only what changed it makes the clock count."""
     world, robot = port.world()
-    state, score = world.robot_state(robot), tracker.observe()
+    here, score = world.robot_state(robot), tracker.observe()
     if result.changed:
-        course.time = round(world.time, 6)
+        state.time = round(world.time, 6)
     return EpisodeStep(
-        step=len(course.steps) + 1,
+        step=len(state.steps) + 1,
         call=call,
         status=result.status,
         message=result.message,
-        floor=state.floor,
-        pose=state.pose,
-        room=state.room,
-        held=state.held,
-        time=course.time,
+        floor=here.floor,
+        pose=here.pose,
+        room=here.room,
+        held=here.held,
+        time=state.time,
         retrieval=round(score.retrieval, 6),
         navigation=round(score.navigation, 6),
     )

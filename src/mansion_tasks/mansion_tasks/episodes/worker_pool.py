@@ -13,13 +13,13 @@ __all__ = ["in_processes"]
 U = TypeVar("U")
 R = TypeVar("R")
 
-PATIENCE: Final = 0.2
+POLL_INTERVAL: Final = 0.2
 """Seconds between looks at whether a process has failed."""
 
 _reports: Any = None
 """In a worker: where its episodes go."""
 
-_told_to_end = False
+_terminating = False
 
 
 def in_processes(work: Callable[[U], Iterator[R]], units: Sequence[U], jobs: int) -> Generator[tuple[int, R]]:
@@ -39,11 +39,11 @@ def in_processes(work: Callable[[U], Iterator[R]], units: Sequence[U], jobs: int
     """
     context = get_context("spawn")
     reports: Any = context.Queue()
-    pool = ProcessPoolExecutor(jobs, mp_context=context, initializer=_begin, initargs=(reports,))
+    pool = ProcessPoolExecutor(jobs, mp_context=context, initializer=_initialise_worker, initargs=(reports,))
     finished = False
     try:
         futures = [pool.submit(_run, work, number, unit) for number, unit in enumerate(units)]
-        yield from _heard(reports, futures)
+        yield from _collect(reports, futures)
         finished = True
     finally:
         if not finished:
@@ -53,12 +53,12 @@ def in_processes(work: Callable[[U], Iterator[R]], units: Sequence[U], jobs: int
         reports.close()
 
 
-def _heard(reports: Any, futures: Sequence["Future[None]"]) -> Iterator[tuple[int, Any]]:
+def _collect(reports: Any, futures: Sequence["Future[None]"]) -> Iterator[tuple[int, Any]]:
     """Yield what workers report until every unit said that it is done."""
     left = len(futures)
     while left:
         try:
-            number, row = reports.get(timeout=PATIENCE)
+            number, row = reports.get(timeout=POLL_INTERVAL)
         except queue.Empty:
             for future in futures:
                 if future.done():
@@ -70,24 +70,24 @@ def _heard(reports: Any, futures: Sequence["Future[None]"]) -> Iterator[tuple[in
             yield number, row
 
 
-def _begin(reports: Any) -> None:
+def _initialise_worker(reports: Any) -> None:
     """Make a worker of this process: Ctrl-C is its parent's to answer, which ends it by SIGTERM."""
     global _reports
     _reports = reports
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, _end)
+    signal.signal(signal.SIGTERM, _terminate)
 
 
-def _end(number: int, frame: object) -> None:
-    global _told_to_end
-    if _told_to_end:
+def _terminate(number: int, frame: object) -> None:
+    global _terminating
+    if _terminating:
         os._exit(128 + number)
-    _told_to_end = True
+    _terminating = True
     raise SystemExit(128 + number)
 
 
 def _run(work: Callable[[U], Iterator[R]], number: int, unit: U) -> None:
-    if _told_to_end:
+    if _terminating:
         return
     for row in work(unit):
         _reports.put((number, row))

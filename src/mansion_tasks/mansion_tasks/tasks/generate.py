@@ -1,24 +1,160 @@
-"""Tasks made from a building: drawn with a seed, kept only when the oracle does them."""
+"""Tasks made from a building: sampled with a seed, put into words, kept only when the oracle does them."""
 
 import hashlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, TypeVar
 
 import msgspec
 import numpy as np
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.task import Goal, GoalKind, Need, Task, TaskKind, TaskStart
+from mansion_msgs_py.world import Pose2D
 from mansion_skills.skills.receptacles import can_contain
-from mansion_tasks.tasks import wording
+from mansion_skills.world.building import LoadedBuilding
+from mansion_skills.world.world import World
+from mansion_tasks.language.matching import object_colour
+from mansion_tasks.language.vocabulary import is_plural, plain
 from mansion_tasks.tasks.goals import done
 from mansion_tasks.tasks.grounding import missing_needs, proven, with_ids
-from mansion_tasks.tasks.sampling import SURFACES, call_place, call_room, call_thing, draw, draw_start, things
+from mansion_tasks.tasks.needs import describe
+from mansion_tasks.tasks.plausibility import is_requested, suits_container, suits_room, suits_surface
 from mansion_tasks.tasks.sandbox import SESSION, Sandbox
-from mansion_tasks.tasks.sense import goes_into, goes_on, goes_to, is_brought
 
-__all__ = ["Recipe", "generate", "recipes_for"]
+__all__ = [
+    "BRING",
+    "FIND",
+    "OPEN_AND_PUT",
+    "PUT_ON",
+    "SURFACES",
+    "THEN_CLOSE",
+    "Recipe",
+    "destination_need",
+    "name_of_room",
+    "target_need",
+    "pick",
+    "pick_start",
+    "generate",
+    "instruction",
+    "recipes_for",
+    "portable_objects",
+]
+
+BRING: Final = (
+    "Find {item} and bring {it} to {place}.",
+    "Go to where {item} is, take {it} to {place} and put {it} down there.",
+    "Go and get {item}, then leave {it} in {place}.",
+    "Fetch {item}. Please deliver {it} to {place}.",
+    "Somebody needs {item}. Bring {it} to {place}.",
+)
+PUT_ON: Final = (
+    "Find {item} and put {it} on {place}.",
+    "Get {item}, then place {it} on {place}.",
+    "Please fetch {item} and leave {it} on {place}.",
+    "Take {item}. Carry {it} away and set {it} down on {place}.",
+)
+FIND: Final = (
+    "Find {item} and go up to {it}.",
+    "Look for {item} and stop beside {it}.",
+    "Search for {item} and stop in front of {it}.",
+    "Locate {item}; you are done when you see {it} and stand next to {it}.",
+)
+OPEN_AND_PUT: Final = (
+    "Find {item}, open {place} and put {it} inside.",
+    "Get {item}; open {place}, then put {it} in there.",
+    "Take {item} and put {it} into {place}, which you have to open first.",
+)
+THEN_CLOSE: Final = (
+    "Find {item}, open {place}, put {it} inside and close it again.",
+    "Take {item} and put {it} into {place}; make sure that it is closed afterwards.",
+    "Get {item}, put {it} inside {place}, then close that.",
+)
+
+
+def instruction(
+    forms: tuple[str, ...], item: Need, place: Need | None, building: LoadedBuilding, rng: np.random.Generator
+) -> str:
+    """Return a random template of `forms` filled in with descriptions of the object and its destination."""
+    form = forms[int(rng.integers(len(forms)))]
+    there = "" if place is None else describe(place, building)
+    pronoun = "them" if is_plural(plain(item.noun)) else "it"
+    text = form.format(item=describe(item, building), place=there, it=pronoun)
+    return text[:1].upper() + text[1:]
+
+
+T = TypeVar("T")
+
+SURFACES: Final = ("table", "desk", "bed", "sofa", "counter", "bench", "dresser", "sideboard", "nightstand", "island")
+"""Furniture that people put objects on: endings of categories."""
+
+_NEVER_ASKED_FOR: Final = ("book_upright", "toilet_brush", "toilet_paper", "fire_extinguisher", "plunger")
+"""Categories that no instruction names."""
+
+
+def pick(options: Sequence[T], rng: np.random.Generator) -> T | None:
+    """Return one of `options`, each equally likely; ``None`` when there are none."""
+    return options[int(rng.integers(len(options)))] if options else None
+
+
+def portable_objects(scene: FloorScene) -> list[SceneObject]:
+    """Return the objects of a floor that a robot can carry and an instruction can name."""
+    portable = [item for item in scene.objects if item.pickupable and not item.openable]
+    return [item for item in portable if item.category not in _NEVER_ASKED_FOR]
+
+
+def _room_of(item: SceneObject, scene: FloorScene) -> SceneRoom:
+    return next(room for room in scene.rooms if room.id == item.room)
+
+
+def name_of_room(room: SceneRoom, rng: np.random.Generator) -> str:
+    """Return a room's type, or with equal odds its own name where it has one."""
+    named = room.name and plain(room.name) != plain(room.room_type)
+    return plain(room.name if named and rng.random() < 0.5 else room.room_type)
+
+
+def target_need(item: SceneObject, scene: FloorScene, building: LoadedBuilding, rng: np.random.Generator) -> Need:
+    """Describe an object to fetch: by its floor and, at random, its colour, its room and what it is on."""
+    parent = next((entry for entry in scene.objects if entry.id == item.parent), None)
+    with_parent = parent is not None and rng.random() < 0.5
+    with_room = rng.random() < 0.7
+    relation = "room"
+    if with_parent and item.mount in ("surface", "inside"):
+        relation = "on" if item.mount == "surface" else "in"
+    carrier = parent if relation != "room" else None
+    return Need(
+        noun=plain(item.category),
+        color=object_colour(item) if rng.random() < 0.4 else "",
+        relation="on" if relation == "on" else "in" if relation == "in" else "room",
+        receptacle=plain(carrier.category) if carrier is not None else "",
+        receptacle_color=object_colour(carrier) if carrier and rng.random() < 0.3 else "",
+        room=name_of_room(_room_of(item, scene), rng) if with_room else "",
+        floor=scene.floor if len(building.floors) > 1 else None,
+        role="target",
+    )
+
+
+def destination_need(item: SceneObject, scene: FloorScene, building: LoadedBuilding, rng: np.random.Generator) -> Need:
+    """Describe the furniture where an object is to go."""
+    return Need(
+        noun=plain(item.category),
+        color=object_colour(item) if rng.random() < 0.3 else "",
+        room=name_of_room(_room_of(item, scene), rng),
+        floor=scene.floor if len(building.floors) > 1 else None,
+        role="destination",
+    )
+
+
+def pick_start(world: World, floor: int, rng: np.random.Generator) -> TaskStart | None:
+    """Return the landmark of a random room of a floor as a start, the robot facing one of four directions."""
+    rooms = [mark for mark in world.view(floor).landmarks if mark.kind == "room"]
+    mark = pick(rooms, rng)
+    if mark is None:
+        return None
+    yaw = 90.0 * int(rng.integers(4))
+    return TaskStart(floor=floor, pose=Pose2D(x=mark.pose.x, y=mark.pose.y, yaw=yaw))
+
 
 ATTEMPTS: Final = 60
 """Draws for one task before its recipe counts as not possible in the building."""
@@ -80,15 +216,15 @@ def generate(
     """
     recipes = recipes_for(len(sandbox.building.floors), kind)
     made: list[Task] = []
-    said: set[str] = set()
+    instructions: set[str] = set()
     index = 0
     while len(made) < count and recipes:
         recipe = recipes[index % len(recipes)]
-        task = _make(sandbox, recipe, seed, index, said, unsolved or _forget)
+        task = _make(sandbox, recipe, seed, index, instructions, unsolved or _forget)
         if task is None:
             recipes.remove(recipe)
             continue
-        said.add(task.instruction)
+        instructions.add(task.instruction)
         made.append(task)
         index += 1
     if not made and count:
@@ -100,20 +236,20 @@ def generate(
 
 
 def _forget(task: Task) -> None:
-    """Nobody asks for the drafts that failed."""
+    """Ignore a draft that failed."""
 
 
 def _make(
-    sandbox: Sandbox, recipe: Recipe, seed: int, index: int, said: set[str], unsolved: Callable[[Task], None]
+    sandbox: Sandbox, recipe: Recipe, seed: int, index: int, instructions: set[str], unsolved: Callable[[Task], None]
 ) -> Task | None:
     text = f"{sandbox.building.building_id} {recipe.name} {seed} {index}"
     digest = hashlib.sha256(text.encode()).digest()
     rng = np.random.default_rng(int.from_bytes(digest[:8], "little"))
     for _ in range(ATTEMPTS):
-        drawn = _DRAW[recipe.kind](sandbox, recipe, rng)
-        if drawn is None or drawn.instruction in said:
+        draft = _DRAFTS[recipe.kind](sandbox, recipe, rng)
+        if draft is None or draft.instruction in instructions:
             continue
-        named = msgspec.structs.replace(drawn, id=f"{recipe.name}_s{seed}_{index}", seed=seed)
+        named = msgspec.structs.replace(draft, id=f"{recipe.name}_s{seed}_{index}", seed=seed)
         task = _checked(named, sandbox, recipe, unsolved)
         if task is not None:
             return task
@@ -144,12 +280,12 @@ def _holds_already(goal: Goal, task: Task, sandbox: Sandbox) -> bool:
     return done(alone, sandbox.world, SESSION)
 
 
-def _spread(sandbox: Sandbox, span: int | None, rng: np.random.Generator) -> tuple[int, int, int] | None:
-    """Return floors for start, thing and destination that lie `span` floors apart."""
+def _pick_floors(sandbox: Sandbox, span: int | None, rng: np.random.Generator) -> tuple[int, int, int] | None:
+    """Return floors for start, object and destination that lie `span` floors apart."""
     floors = sandbox.building.floors
     size = span or int(rng.integers(1, len(floors) + 1))
     lows = [floor for floor in floors if floor + size - 1 in floors]
-    low = draw(lows, rng)
+    low = pick(lows, rng)
     if low is None:
         return None
     high = low + size - 1
@@ -159,7 +295,7 @@ def _spread(sandbox: Sandbox, span: int | None, rng: np.random.Generator) -> tup
     return ((*ends, other), (ends[0], other, ends[1]), (other, *ends))[int(rng.integers(3))]
 
 
-def _drawn(
+def _draft(
     sandbox: Sandbox,
     floor: int,
     kind: TaskKind,
@@ -168,14 +304,14 @@ def _drawn(
     goals: tuple[GoalKind, ...],
     rng: np.random.Generator,
 ) -> Task | None:
-    start: TaskStart | None = draw_start(sandbox.world, floor, rng)
+    start: TaskStart | None = pick_start(sandbox.world, floor, rng)
     if start is None:
         return None
     target, place = needs
     return Task(
         id="draft",
         kind=kind,
-        instruction=wording.instruction(forms, target, place, sandbox.building, rng),
+        instruction=instruction(forms, target, place, sandbox.building, rng),
         start=start,
         needs=[need for need in needs if need is not None],
         goals=[Goal(kind=goal) for goal in goals],
@@ -183,68 +319,70 @@ def _drawn(
 
 
 def _deliver(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) -> Task | None:
-    spread = _spread(sandbox, recipe.span, rng)
-    if spread is None:
+    floors_of_task = _pick_floors(sandbox, recipe.span, rng)
+    if floors_of_task is None:
         return None
-    start, source, goal = spread
+    start, source, goal = floors_of_task
     building = sandbox.building
-    thing = draw([entry for entry in things(building.scene(source)) if is_brought(entry)], rng)
+    item = pick([entry for entry in portable_objects(building.scene(source)) if is_requested(entry)], rng)
     scene = building.scene(goal)
-    if thing is None:
+    if item is None:
         return None
-    target = call_thing(thing, building.scene(source), building, rng)
-    wanted = {room.id: room for room in scene.rooms if room.kind not in ("stair", "elevator") and goes_to(thing, room)}
+    target = target_need(item, building.scene(source), building, rng)
+    wanted = {
+        room.id: room for room in scene.rooms if room.kind not in ("stair", "elevator") and suits_room(item, room)
+    }
     if rng.random() < 0.5:
-        room = draw([room for room in wanted.values() if room.id != thing.room], rng)
+        room = pick([room for room in wanted.values() if room.id != item.room], rng)
         if room is None:
             return None
         floor = goal if len(building.floors) > 1 else None
-        place = Need(room=call_room(room, rng), floor=floor, role="destination")
+        place = Need(room=name_of_room(room, rng), floor=floor, role="destination")
         goal_kind = GoalKind.OBJECT_IN_ROOM
     else:
-        surface = draw(
+        surface = pick(
             [
                 entry
                 for entry in scene.objects
                 if entry.receptacle
                 and entry.mount == "floor"
                 and entry.category.endswith(SURFACES)
-                and goes_on(thing, entry)
-                and (entry.room == thing.room or entry.room in wanted)
+                and suits_surface(item, entry)
+                and (entry.room == item.room or entry.room in wanted)
             ],
             rng,
         )
         if surface is None:
             return None
-        place = call_place(surface, scene, building, rng)
+        place = destination_need(surface, scene, building, rng)
         goal_kind = GoalKind.OBJECT_ON
-    forms = wording.BRING if goal_kind is GoalKind.OBJECT_IN_ROOM else wording.PUT_ON
-    return _drawn(sandbox, start, recipe.kind, forms, (target, place), (goal_kind,), rng)
+    forms = BRING if goal_kind is GoalKind.OBJECT_IN_ROOM else PUT_ON
+    return _draft(sandbox, start, recipe.kind, forms, (target, place), (goal_kind,), rng)
 
 
 def _search(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) -> Task | None:
-    spread = _spread(sandbox, recipe.span, rng)
-    if spread is None:
+    floors_of_task = _pick_floors(sandbox, recipe.span, rng)
+    if floors_of_task is None:
         return None
-    start, source, _ = spread
+    start, source, _ = floors_of_task
     scene = sandbox.building.scene(source)
-    thing = draw(things(scene), rng)
-    if thing is None:
+    item = pick(portable_objects(scene), rng)
+    if item is None:
         return None
-    target = call_thing(thing, scene, sandbox.building, rng)
+    target = target_need(item, scene, sandbox.building, rng)
     goals = (GoalKind.SEEN, GoalKind.ROBOT_NEAR)
-    return _drawn(sandbox, start, recipe.kind, wording.FIND, (target, None), goals, rng)
+    return _draft(sandbox, start, recipe.kind, FIND, (target, None), goals, rng)
 
 
 def _open_and_put(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) -> Task | None:
-    spread = _spread(sandbox, recipe.span, rng)
-    if spread is None:
+    floors_of_task = _pick_floors(sandbox, recipe.span, rng)
+    if floors_of_task is None:
         return None
-    start, source, goal = spread
+    start, source, goal = floors_of_task
     building, world = sandbox.building, sandbox.world
-    brought = [entry for entry in things(building.scene(source)) if is_brought(entry)]
+    brought = [entry for entry in portable_objects(building.scene(source)) if is_requested(entry)]
     scene = building.scene(goal)
-    container = draw(
+    container = pick(
         [
             entry
             for entry in scene.objects
@@ -252,24 +390,24 @@ def _open_and_put(sandbox: Sandbox, recipe: Recipe, rng: np.random.Generator) ->
             and not entry.pickupable
             and entry.category not in _NOT_CONTAINERS
             and can_contain(world, entry)
-            and any(goes_into(thing, entry) for thing in brought)
+            and any(suits_container(item, entry) for item in brought)
         ],
         rng,
     )
     if container is None:
         return None
-    thing = draw([entry for entry in brought if goes_into(entry, container)], rng)
-    if thing is None:
+    item = pick([entry for entry in brought if suits_container(entry, container)], rng)
+    if item is None:
         return None
-    target = call_thing(thing, building.scene(source), building, rng)
-    place = call_place(container, scene, building, rng)
+    target = target_need(item, building.scene(source), building, rng)
+    place = destination_need(container, scene, building, rng)
     closing = rng.random() < 0.4
     goals = (GoalKind.OBJECT_IN, GoalKind.CLOSED) if closing else (GoalKind.OBJECT_IN,)
-    forms = wording.THEN_CLOSE if closing else wording.OPEN_AND_PUT
-    return _drawn(sandbox, start, recipe.kind, forms, (target, place), goals, rng)
+    forms = THEN_CLOSE if closing else OPEN_AND_PUT
+    return _draft(sandbox, start, recipe.kind, forms, (target, place), goals, rng)
 
 
-_DRAW: Final[dict[TaskKind, Callable[[Sandbox, Recipe, np.random.Generator], Task | None]]] = {
+_DRAFTS: Final[dict[TaskKind, Callable[[Sandbox, Recipe, np.random.Generator], Task | None]]] = {
     TaskKind.DELIVER: _deliver,
     TaskKind.SEARCH: _search,
     TaskKind.OPEN_AND_PUT: _open_and_put,

@@ -1,4 +1,4 @@
-"""From a task in words to a task in a building: ids for its needs, a start, and the oracle's proof."""
+"""From a task in words to a task in a building: ids, a start, the oracle's plan, difficulty and a step limit."""
 
 from collections.abc import Callable
 from typing import Final
@@ -7,16 +7,48 @@ import msgspec
 
 from mansion_msgs_py.codec import to_builtins
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.task import Goal, GoalKind, Need, Task, TaskKind, TaskStart
+from mansion_msgs_py.task import Difficulty, Goal, GoalKind, Need, Task, TaskKind, TaskStart
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.skills.receptacles import can_contain
 from mansion_skills.world.world import World
-from mansion_tasks.tasks.judging import difficulty_of, steps_for
 from mansion_tasks.tasks.needs import describe, matching_objects, matching_rooms
 from mansion_tasks.tasks.sandbox import Sandbox
-from mansion_tasks.tasks.solving import solve
+from mansion_tasks.tasks.solving import Solution, solve
 
-__all__ = ["ground", "missing_needs", "proven", "with_ids"]
+__all__ = ["difficulty_of", "ground", "missing_needs", "proven", "steps_for", "with_ids"]
+
+LONG_PLAN: Final = 9
+"""Skills from which a plan counts as long."""
+
+MANY_ALIKE: Final = 8
+"""Number of objects of the target's kind beside the target from which they count as many."""
+
+LEAST_STEPS, MOST_STEPS, STEPS_PER_SKILL = 30, 200, 5
+
+
+def difficulty_of(task: Task, solution: Solution, world: World) -> Difficulty:
+    """Rate a task by the floors it spans, the length of its plan, and the number of objects of its target's kind.
+
+    Two floors, four floors, a long plan and many similar objects count a point each: none is easy, three are hard.
+    """
+    targets = {name for goal in task.goals for name in goal.objects}
+    kinds = {world.objects.kinds[name].category for name in targets if name in world.objects}
+    alike = sum(world.objects.kinds[name].category in kinds for name in world.objects)
+    points = (
+        (solution.floors_spanned >= 2)
+        + (solution.floors_spanned >= 4)
+        + (len(solution.plan) >= LONG_PLAN)
+        + (alike - len(targets) >= MANY_ALIKE)
+    )
+    if points == 0:
+        return Difficulty.EASY
+    return Difficulty.HARD if points >= 3 else Difficulty.MEDIUM
+
+
+def steps_for(solution: Solution) -> int:
+    """Return how many skills an agent may call: several for each of the oracle's."""
+    return max(LEAST_STEPS, min(MOST_STEPS, STEPS_PER_SKILL * len(solution.plan)))
+
 
 _CARRYING: Final = {
     GoalKind.HOLDING,
@@ -33,8 +65,8 @@ def ground(task: Task, sandbox: Sandbox, *, start_floor: int | None = None) -> T
     Parameters
     ----------
     task : Task
-        With `needs`; its goals say of what kinds they are, by default those of its kind: a thing is to be in the room,
-        or near the object, that is the destination.
+        With `needs`. Goals without ids say which kinds are wanted; by default the target is to be in the room, or near
+        the object, that is the destination.
     sandbox : Sandbox
         Of the building; it is reset.
     start_floor : int, optional
@@ -105,12 +137,12 @@ def _meeting(need: Need, task: Task, world: World) -> list[str]:
 
 
 def _can_receive(world: World, name: str, goals: set[GoalKind]) -> bool:
-    thing = world.objects.kinds[name]
+    item = world.objects.kinds[name]
     checks: dict[GoalKind, Callable[[], bool]] = {
-        GoalKind.OBJECT_ON: lambda: thing.receptacle,
-        GoalKind.OBJECT_IN: lambda: can_contain(world, thing),
-        GoalKind.OPEN: lambda: thing.openable,
-        GoalKind.CLOSED: lambda: thing.openable,
+        GoalKind.OBJECT_ON: lambda: item.receptacle,
+        GoalKind.OBJECT_IN: lambda: can_contain(world, item),
+        GoalKind.OPEN: lambda: item.openable,
+        GoalKind.CLOSED: lambda: item.openable,
     }
     return all(check() for kind, check in checks.items() if kind in goals)
 
@@ -123,8 +155,8 @@ def _goals(task: Task) -> list[Goal]:
         return [Goal(kind=GoalKind.SEEN), Goal(kind=GoalKind.ROBOT_NEAR)]
     if task.kind is TaskKind.OPEN_AND_PUT:
         return [Goal(kind=GoalKind.OBJECT_IN)]
-    to_thing = any(need.role == "destination" and need.noun for need in task.needs)
-    return [Goal(kind=GoalKind.OBJECT_NEAR if to_thing else GoalKind.OBJECT_IN_ROOM)]
+    to_object = any(need.role == "destination" and need.noun for need in task.needs)
+    return [Goal(kind=GoalKind.OBJECT_NEAR if to_object else GoalKind.OBJECT_IN_ROOM)]
 
 
 def _filled(goal: Goal, task: Task, world: World) -> Goal:
@@ -133,19 +165,19 @@ def _filled(goal: Goal, task: Task, world: World) -> Goal:
         return list(dict.fromkeys(name for need in needs for name in _meeting(need, task, world)))
 
     targets = ids("target", rooms=False)
-    things = ids("destination", rooms=False)
+    items = ids("destination", rooms=False)
     rooms = ids("destination", rooms=True)
     match goal.kind:
         case GoalKind.OBJECT_IN_ROOM:
             return msgspec.structs.replace(goal, objects=targets, rooms=rooms)
         case GoalKind.OBJECT_ON | GoalKind.OBJECT_IN | GoalKind.OBJECT_NEAR:
-            return msgspec.structs.replace(goal, objects=targets, receptacles=things)
+            return msgspec.structs.replace(goal, objects=targets, receptacles=items)
         case GoalKind.ROBOT_IN_ROOM:
             return msgspec.structs.replace(goal, rooms=rooms)
         case GoalKind.HOLDING | GoalKind.SEEN:
             return msgspec.structs.replace(goal, objects=targets)
         case GoalKind.ROBOT_NEAR | GoalKind.OPEN | GoalKind.CLOSED:
-            return msgspec.structs.replace(goal, receptacles=things or targets)
+            return msgspec.structs.replace(goal, receptacles=items or targets)
 
 
 def _start(sandbox: Sandbox, floor: int | None, goals: list[Goal]) -> TaskStart:

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.task import Need
 from mansion_skills.world.building import LoadedBuilding
-from mansion_tasks.tasks.words import colour_of, room_fits, thing_fits
-from mansion_tasks.words.nouns import article, ordinal, plain
+from mansion_tasks.language.matching import names_object, names_room, object_colour
+from mansion_tasks.language.vocabulary import article, ordinal, plain
 
 __all__ = ["describe", "floor_phrase", "matching_objects", "matching_rooms"]
 
@@ -20,7 +20,7 @@ def matching_rooms(need: Need, building: LoadedBuilding) -> list[str]:
         for floor in building.floors
         if need.floor in (None, floor)
         for room in building.scene(floor).rooms
-        if room.kind not in ("stair", "elevator") and (not need.room or room_fits(need.room, room))
+        if room.kind not in ("stair", "elevator") and (not need.room or names_room(need.room, room))
     ]
 
 
@@ -31,29 +31,27 @@ def matching_objects(need: Need, building: LoadedBuilding) -> list[str]:
     for floor in building.floors:
         if need.floor not in (None, floor):
             continue
-        things = {thing.id: thing for thing in building.scene(floor).objects}
+        items = {item.id: item for item in building.scene(floor).objects}
         found += [
-            thing.id
-            for thing in things.values()
-            if thing.room in rooms and _fits(need, thing, things.get(thing.parent or ""))
+            item.id for item in items.values() if item.room in rooms and _fits(need, item, items.get(item.parent or ""))
         ]
     return found
 
 
-def _fits(need: Need, thing: SceneObject, parent: SceneObject | None) -> bool:
-    if not thing_fits(need.noun, thing) or (need.color and colour_of(thing) != plain(need.color)):
+def _fits(need: Need, item: SceneObject, parent: SceneObject | None) -> bool:
+    if not names_object(need.noun, item) or (need.color and object_colour(item) != plain(need.color)):
         return False
     if need.relation == "room":
         return True
-    if parent is None or thing.mount != _MOUNTS[need.relation]:
+    if parent is None or item.mount != _MOUNTS[need.relation]:
         return False
-    if need.receptacle and not thing_fits(need.receptacle, parent):
+    if need.receptacle and not names_object(need.receptacle, parent):
         return False
-    return not need.receptacle_color or colour_of(parent) == plain(need.receptacle_color)
+    return not need.receptacle_color or object_colour(parent) == plain(need.receptacle_color)
 
 
 def floor_phrase(floor: int, building: LoadedBuilding | None = None) -> str:
-    """Return ``the third floor``; with the lift button's label where that says another thing."""
+    """Return ``the third floor``; with the lift button's label where that says another object."""
     label = building.label(floor) if building is not None and floor in building.floors else ""
     if floor < 1:
         return f"floor {label or floor}"

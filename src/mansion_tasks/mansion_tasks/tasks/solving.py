@@ -11,7 +11,7 @@ from mansion_tasks.tasks.sandbox import SESSION, Sandbox
 
 __all__ = ["Solution", "replay", "solve"]
 
-PATIENCE: Final = 200
+MAX_SKILLS: Final = 200
 """Skills after which the oracle gives up."""
 
 
@@ -50,7 +50,7 @@ def solve(task: Task, sandbox: Sandbox) -> Solution | None:
     tracker = ProgressTracker(task, world, SESSION)
     plan: list[SkillCall] = []
     floors = [sandbox.robot.floor]
-    for tries in range(PATIENCE):
+    for tries in range(MAX_SKILLS):
         if tracker.observe().success:
             return Solution(plan, tuple(dict.fromkeys(floors)), tries, world.time)
         call = oracle.next_call(tracker.seen)

@@ -1,0 +1,154 @@
+"""Synonyms for objects and rooms, words for colours, and the grammar of English nouns."""
+
+import re
+from typing import Final, NamedTuple
+
+from mansion_knowledge import name_groups
+from mansion_msgs_py.wording import with_article
+
+__all__ = [
+    "COLOURS",
+    "ROOMS",
+    "COLOUR_WORDS",
+    "OBJECTS",
+    "Synonyms",
+    "article",
+    "is_plural",
+    "ordinal",
+    "plain",
+    "singular",
+]
+
+
+class Synonyms(NamedTuple):
+    """Words for one kind of object or room.
+
+    Attributes
+    ----------
+    same : tuple of str
+        Synonyms without reservation.
+    goal : tuple of str
+        Further words that the goals of a task count as the same.
+    loose : tuple of str
+        Further words, also for similar objects, that an agent accepts while it searches.
+    """
+
+    same: tuple[str, ...]
+    goal: tuple[str, ...] = ()
+    loose: tuple[str, ...] = ()
+
+
+OBJECTS: Final = (
+    Synonyms(("sofa", "couch", "settee"), goal=("loveseat",)),
+    Synonyms(("cell phone", "cellphone", "mobile phone", "smartphone", "mobile"), loose=("phone",)),
+    Synonyms(("television", "tv"), loose=("tv set",)),
+    Synonyms(("fridge", "refrigerator"), loose=("freezer",)),
+    Synonyms(("laptop", "notebook computer"), loose=("laptop computer",)),
+    Synonyms(("waste bin", "trash can", "garbage can", "bin"), loose=("trash bin", "dustbin", "wastebasket")),
+    Synonyms(("cup",), loose=("coffee cup",)),
+    Synonyms(("cloth", "rag", "dishcloth"), loose=("dish cloth", "cleaning cloth")),
+    Synonyms(("toolbox", "tool box")),
+    Synonyms(("basketball",), goal=("basket ball",)),
+    Synonyms(("cabinet",), goal=("cupboard",)),
+    Synonyms(("wardrobe",), loose=("closet",)),
+    Synonyms(("bookshelf",), loose=("bookcase", "shelf", "shelves", "shelving unit")),
+    Synonyms(("drawer",), loose=("dresser", "chest of drawers")),
+    Synonyms(("remote",), loose=("remote control",)),
+    Synonyms(("key",), loose=("keychain", "key chain")),
+    Synonyms(("lift",), loose=("elevator",)),
+)
+
+ROOMS: Final = tuple(
+    Synonyms(*(tuple(name for name, level in names.items() if level == wanted) for wanted in ("", "goal", "talk")))
+    for names in name_groups().values()
+    if "" in names.values()
+)
+
+
+# fmt: off
+COLOURS: Final = (
+    "white", "black", "grey", "red", "blue", "green", "yellow", "orange", "purple", "brown", "beige", "pink",
+)
+"""Colours in the names of materials; observations encode a colour as its position here."""
+
+COLOUR_WORDS: Final = frozenset((
+    *COLOURS,
+    "gray", "violet", "silver", "gold", "golden", "cream", "turquoise", "teal", "navy", "maroon", "tan", "transparent",
+))
+"""Words for colours in instructions."""
+# fmt: on
+
+
+_ORDINALS: Final = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
+
+
+def plain(text: str) -> str:
+    """Return a text in lower case, without articles and punctuation.
+
+    Examples
+    --------
+    >>> plain("The Cell_phone")
+    'cell phone'
+    """
+    words = re.findall(r"[a-z0-9]+", text.lower())
+    return " ".join(word for word in words if word not in ("a", "an", "the", "some"))
+
+
+def is_plural(noun: str) -> bool:
+    """Whether a noun is in the plural (``boots``)."""
+    return noun.endswith("s") and not noun.endswith(("ss", "us", "is"))
+
+
+def singular(word: str) -> str:
+    """Return an English noun in the singular, by its ending.
+
+    Examples
+    --------
+    >>> singular("boxes"), singular("shelves"), singular("knives"), singular("gloves"), singular("glass")
+    ('box', 'shelf', 'knife', 'glove', 'glass')
+    """
+    if word.endswith("ives"):
+        return word[:-3] + "fe"
+    if word.endswith(("lves", "aves")):
+        return word[:-3] + "f"
+    if word.endswith(("sses", "shes", "ches", "xes")):
+        return word[:-2]
+    if word.endswith("ies") and len(word) > 4:
+        return word[:-3] + "y"
+    if is_plural(word) and len(word) > 3:
+        return word[:-1]
+    return word
+
+
+def article(words: str, *, known: bool) -> str:
+    """Return a noun phrase with its article.
+
+    Parameters
+    ----------
+    known : bool
+        Whether the listener knows which one is meant, since there is only one.
+
+    Examples
+    --------
+    >>> article("apple", known=False), article("work gloves", known=False)
+    ('an apple', 'some work gloves')
+    """
+    if known:
+        return f"the {words}"
+    if is_plural(words):
+        return f"some {words}"
+    return with_article(words)
+
+
+def ordinal(number: int) -> str:
+    """Return the ordinal of a number, in words up to ten.
+
+    Examples
+    --------
+    >>> ordinal(3), ordinal(13), ordinal(22)
+    ('third', '13th', '22nd')
+    """
+    if 1 <= number <= len(_ORDINALS):
+        return _ORDINALS[number - 1]
+    ending = {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th") if number % 100 // 10 != 1 else "th"
+    return f"{number}{ending}"

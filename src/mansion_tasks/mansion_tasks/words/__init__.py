@@ -1,1 +1,0 @@
-"""The vocabulary of instructions: names of things, rooms and colours, and the grammar of nouns."""
