@@ -30,7 +30,7 @@ class _Scratch(NamedTuple):
 
     ``changes`` records the cells that a proposal paints, ``touched`` the labels that gain or lose cells (``marks``
     tells which are listed); the others belong to `rooms_connected` (``stack``, ``seen``, ``stamps``), `scan_walls`
-    (``sums``, ``few``, ``narrow``) and the rectangles (``box``).
+    (``sums``, ``compressed``, ``narrow``) and the rectangles (``box``).
     """
 
     changes: Ints
@@ -40,7 +40,7 @@ class _Scratch(NamedTuple):
     seen: Ints
     stamps: Ints
     sums: Floats
-    few: Ints
+    compressed: Ints
     narrow: Floats
     box: Ints
 
@@ -173,7 +173,7 @@ def _energy_below(
         state.labels,
         straight,
         state.thin,
-        scratch.few,
+        scratch.compressed,
         scratch.narrow,
     )
     found = shape + thin_energy(rooms, weights, state.thin)

@@ -44,14 +44,13 @@ def refused_layout(problem: FloorProblem, error: MansionError) -> FloorLayout:
 
 
 def solve_timed(problem: FloorProblem, options: SolverOptions | None = None) -> FloorLayout:
-    """Solve one problem and note the seconds; a refused problem gives `refused_layout`."""
+    """Solve one problem and fill in ``seconds``; a refused problem gives `refused_layout`."""
     begin = time.perf_counter()
     try:
         layout = solve_floor(problem, options=options)
     except MansionError as error:
         layout = refused_layout(problem, error)
-    layout.seconds = round(time.perf_counter() - begin, 4)
-    return layout
+    return msgspec.structs.replace(layout, seconds=round(time.perf_counter() - begin, 4))
 
 
 def solve_many(problems: Sequence[FloorProblem], jobs: int) -> Generator[tuple[int, FloorLayout], None, None]:
@@ -163,16 +162,16 @@ def solve_file(
     MansionError
         When the problems cannot be read.
     """
-    asked = [msgspec.structs.replace(problem, seed=problem.seed + seed) for problem in load_problems(problems)]
+    seeded = [msgspec.structs.replace(problem, seed=problem.seed + seed) for problem in load_problems(problems)]
     done: dict[int, FloorLayout] = {}
-    with closing(solve_many(asked, jobs)) as arriving:
+    with closing(solve_many(seeded, jobs)) as arriving:
         for index, layout in arriving:
             done[index] = layout
             if progress is not None:
                 met = "every edge met" if layout.topology_satisfied else "edges unmet"
                 message = f"plan {layout.plan_id}: {met}"
-                progress(Progress(stage="solve", message=message, done=len(done), total=len(asked)))
-    layouts = [done[index] for index in range(len(asked))]
+                progress(Progress(stage="solve", message=message, done=len(done), total=len(seeded)))
+    layouts = [done[index] for index in range(len(seeded))]
     lines = b",\n".join(encode_bytes(layout) for layout in layouts)
     write_atomic(output, b"[" + lines + b"]\n")
     return layouts

@@ -15,11 +15,15 @@ __all__ = ["FREE", "OTHER", "candidate_energy", "clean", "grow", "grow_batch"]
 
 
 OVERSHOOT = 1.08
+"""Share of its target area up to which a rectangle grows."""
+
+ENOUGH, L_OVERSHOOT = 0.97, 1.25
+"""Share of its target area from which a room needs no L-shape, and up to which an L-shape grows."""
 
 
 @kernel
 def _place_seeds(geometry: Floats, work: Ints, seeds: Floats, bounds: Ints, area: Floats) -> bool:
-    """Give each child the free cell nearest its seed; return whether all found one."""
+    """Give each child the free cell nearest its seed; tell whether each got one."""
     rows, columns = work.shape
     for k in range(seeds.shape[0]):
         best_j, best_i, nearest = -1, -1, 1e18
@@ -67,7 +71,7 @@ def _least_filled(area: Floats, targets: Floats, done: Ints) -> int:
 def _grow_rectangles(
     xs: Floats, ys: Floats, geometry: Floats, work: Ints, targets: Floats, bounds: Ints, area: Floats
 ) -> None:
-    """Push out whole sides of the rectangles, the hungriest room first, the side that keeps it squarest."""
+    """Push out whole sides of the rectangles: the room that lacks most of its area first, and its squarest choice."""
     done = np.zeros(targets.size, np.int64)
     while True:
         k = _least_filled(area, targets, done)
@@ -104,9 +108,9 @@ def _longest_run(work: Ints, xs: Floats, ys: Floats, k: int, run: Ints) -> float
     """Find the longest straight run of free cells along child k; write line, begin, end and orientation to `run`."""
     rows, columns = work.shape
     longest = 0.0
-    for way in range(4):
-        along_x = way < 2
-        back = 1 if way % 2 == 0 else -1
+    for side in range(4):
+        along_x = side < 2
+        back = 1 if side % 2 == 0 else -1
         lines = rows if along_x else columns
         steps = columns if along_x else rows
         for u in range(1, lines - 1):
@@ -136,13 +140,13 @@ def _grow_l_shapes(xs: Floats, ys: Floats, geometry: Floats, work: Ints, targets
         k = _least_filled(area, targets, done)
         if k < 0:
             return
-        if area[k] >= 0.97 * targets[k] or _longest_run(work, xs, ys, k, run) <= 0.0:
+        if area[k] >= ENOUGH * targets[k] or _longest_run(work, xs, ys, k, run) <= 0.0:
             done[k] = 1
             continue
         gain = 0.0
         for v in range(run[1], run[2]):
             gain += geometry[run[0], v, AREA] if run[3] == 1 else geometry[v, run[0], AREA]
-        if area[k] + gain > 1.25 * targets[k]:
+        if area[k] + gain > L_OVERSHOOT * targets[k]:
             done[k] = 1
             continue
         for v in range(run[1], run[2]):
@@ -180,6 +184,7 @@ def grow(xs: Floats, ys: Floats, geometry: Floats, work: Ints, seeds: Floats, ta
 FREE = -1
 OTHER = -2
 PASSES = 20
+"""Most cycles of removing spurs and filling holes (section C.2, last part)."""
 
 
 @kernel
@@ -232,7 +237,7 @@ def fill(work: Ints, geometry: Floats, children: int, keep_largest: bool) -> Non
 
 @kernel
 def _remove_spurs(work: Ints, children: int) -> int:
-    """Free every spur cell once: at most one neighbour of the same room; return how many there were."""
+    """Free every spur cell (at most one neighbour of the same room) once; return how many there were."""
     rows, columns = work.shape
     count = np.zeros(children, np.int64)
     spurs = np.empty((rows * columns, 2), np.int64)
@@ -277,6 +282,7 @@ def clean(work: Ints, geometry: Floats, children: int, keep_largest: bool) -> No
 
 
 EPSILON = 1e-9
+"""The epsilon of the min-max normalisation, and the tolerance of wall lengths, metres."""
 
 
 @kernel
@@ -438,7 +444,7 @@ def grow_batch(
     energy : float
     """
     work, trial = np.empty_like(layout), np.empty_like(layout)
-    few, narrow = np.empty_like(layout), np.empty(layout.shape)
+    compressed, narrow = np.empty_like(layout), np.empty(layout.shape)
     features = np.zeros((targets.size, 4))
     straight = np.zeros((side.size, side.size))
     thin = np.zeros(rooms.shape[0])
@@ -451,7 +457,7 @@ def grow_batch(
         if not _all_connected(work, geometry, targets.size, vanishes=vanishes):
             continue
         _merge_into_layout(layout, work, children, trial)
-        scan_walls(xs, ys, sums, rooms, side, trial, straight, thin, few, narrow)
+        scan_walls(xs, ys, sums, rooms, side, trial, straight, thin, compressed, narrow)
         unmet = _count_unmet(links, need, straight)
         if fewest >= 0 and unmet > fewest:
             continue

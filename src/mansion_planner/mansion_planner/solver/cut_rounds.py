@@ -32,7 +32,7 @@ __all__ = [
 
 @dataclass(frozen=True)
 class CutRound:
-    """One round ``(p_t, C_t)``; a vanishing parent (a zone) keeps no ground."""
+    """One round ``(p_t, C_t)``; a vanishing parent (a zone) keeps no cell."""
 
     parent: str
     children: tuple[str, ...]
@@ -215,7 +215,7 @@ def _too_close(batch: Floats, separation: float) -> "np.ndarray[tuple[int], np.d
 
 
 def monte_carlo_batch(cells: Floats, targets: Floats, size: int, rng: np.random.Generator) -> Floats:
-    """Draw seeds uniformly in the region, larger rooms first, each away from those before it (the fallback)."""
+    """Draw seeds uniformly in the region, larger rooms first, each repelled by those before it (lines 16 to 18)."""
     order = np.argsort(-targets, kind="stable")
     batch = np.empty((size, len(targets), 2))
     reach = 0.5 * np.sqrt(targets)
@@ -254,7 +254,7 @@ class RoundsResult:
 
 
 class _Rounds:
-    """State of the rounds of one floor."""
+    """The layout of one floor while its rounds are cut."""
 
     def __init__(
         self,
@@ -331,7 +331,7 @@ class _Rounds:
         )
 
     def _skip(self, cut: CutRound) -> None:
-        """Note a round whose parent has no ground left to split."""
+        """Record a round whose parent has no cell left to split."""
         self.records.append(CutRoundRecord(parent=cut.parent, children=list(cut.children), method="failed"))
 
     def _grow(

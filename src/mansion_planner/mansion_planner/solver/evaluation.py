@@ -11,12 +11,13 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from mansion_geometry.rasters import raster_over
-from mansion_geometry.rings import as_polygon, corner_points, polygon_parts
+from mansion_geometry.rings import as_polygon, polygon_parts
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls, total_length
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
 from mansion_planner.solver.batch import solve_timed
 from mansion_planner.solver.options import SolverOptions
 from mansion_planner.solver.solve import warm
+from mansion_planner.solver.verification import corner_count
 
 __all__ = ["TrueProblem", "figures", "run_protocol", "score_plan", "table"]
 
@@ -66,14 +67,6 @@ def _shapes(rooms: list[LayoutRoom]) -> dict[str, BaseGeometry]:
         shape = as_polygon(room.polygon, room.holes)
         shapes[room.id] = shapes[room.id].union(shape) if room.id in shapes else shape
     return shapes
-
-
-def _corners(shape: BaseGeometry) -> int:
-    return sum(
-        len(corner_points(shapely.get_coordinates(line)[:-1]))
-        for part in polygon_parts(shape)
-        for line in (part.exterior, *part.interiors)
-    )
 
 
 def _edge_counts(problem: FloorProblem, rooms: dict[str, BaseGeometry], touch: float) -> dict[str, list[int]]:
@@ -153,7 +146,7 @@ def score_plan(problem: TrueProblem, layout: FloorLayout, *, cells: int = 64, to
         outside=whole.difference(free).area / free.area,
         access=(counts["access"][0], counts["access"][1]),
         adjacent=(counts["adjacent"][0], counts["adjacent"][1]),
-        corners=sum(_corners(shape) for shape in rooms.values()),
+        corners=sum(corner_count(shape) for shape in rooms.values()),
         seconds=layout.seconds,
     )
 

@@ -55,8 +55,13 @@ class Cells(NamedTuple):
 
 
 SAME_LINE = 1e-5
+"""Distance, metres, below which two lines are one."""
+
 SHORT_EDGE = 0.02
+"""Length, metres, up to which an edge of the outline gets no line."""
+
 MOST_MAJOR_LINES = 90
+"""Most lines along each axis that all grids of a floor share."""
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,7 @@ Each move paints cells, records in ``changes`` what it painted over, and returns
 import numpy as np
 
 from mansion_geometry.compiled import Bools, Floats, Ints, kernel
-from mansion_planner.solver.grid import HB, VB
-from mansion_planner.solver.partition import COUNT, SIZE, repaint
+from mansion_planner.solver.partition import COUNT, SIZE, neighbour, repaint
 from mansion_planner.solver.problem import TARGET
 
 __all__ = ["draw", "place_rectangle", "random_rectangle", "shift_wall", "swap_rooms", "uniform"]
@@ -15,9 +14,16 @@ __all__ = ["draw", "place_rectangle", "random_rectangle", "shift_wall", "swap_ro
 
 @kernel
 def draw(rng: Ints) -> int:
-    """Return 31 random bits and advance `rng` (a 64-bit linear congruential generator with output mixing)."""
+    """Return 31 random bits and advance `rng`, an array of one integer, so that a seed decides every draw.
+
+    References
+    ----------
+    D. E. Knuth (1997). The Art of Computer Programming, vol. 2, section 3.3.4 (multiplier of the MMIX generator).
+    """
     x = rng[0] * 6364136223846793005 + 1442695040888963407
     rng[0] = x
+    # Low bits of a generator modulo 2^64 have short periods (bit k repeats after 2^(k+1) draws), so only the upper 31
+    # are used; the fold mixes them once more, because callers take remainders, which look at low bits.
     y = (x >> 33) & 0x7FFFFFFF
     return int((y ^ (y >> 15)) & 0x7FFFFFFF)
 
@@ -25,18 +31,29 @@ def draw(rng: Ints) -> int:
 @kernel
 def uniform(rng: Ints) -> float:
     """Return a random number in [0, 1)."""
-    return draw(rng) / 2147483648.0
+    return draw(rng) / 2.0**31
 
 
 MOST_SWAPPED = 2.0
-"""Ratio of areas up to which rooms change places."""
+"""Ratio of areas up to which two rooms may swap."""
+
+LONG_SHARE, PARTIAL_SHARE, DEEPER_SHARE = 3, 6, 3
+"""One wall in so many is shifted along all rooms behind it; is cut off at its upper, and at its lower end; and one step
+in so many goes a line further."""
+
+LONG_BITS, PARTIAL_BITS, OUTWARD_BITS = 4, 12, 20
+"""First bits of a random number that decide on these and on the direction; the two lowest decide on the side.
+
+One number serves for all four choices, because drawing numbers is a large part of a short move. The fields are far
+enough apart for the remainders to be nearly independent.
+"""
 
 
 @kernel
-def _run_end(labels: Ints, free: Bools, j: int, i: int, tj: int, ti: int, sj: int, si: int, whole: bool) -> int:
-    """Return how many cells the wall beside cell (j, i) goes on in direction (tj, ti).
+def _run_length(labels: Ints, free: Bools, j: int, i: int, tj: int, ti: int, sj: int, si: int, whole: bool) -> int:
+    """Return how many cells the wall on side (sj, si) of cell (j, i) goes on straight in direction (tj, ti).
 
-    The wall is on side (sj, si) of the cell; with `whole` it may border several rooms.
+    With `whole`, it goes on where another room begins behind it.
     """
     a, b = labels[j, i], labels[j + sj, i + si]
     k = 0
@@ -61,14 +78,24 @@ def shift_wall(
     rng: Ints,
     reach: int,
 ) -> int:
-    """Shift a random straight run of wall by up to `reach` lines; return the number of records (0: nothing to do)."""
+    """Shift a random straight run of wall, or a part of it, by up to `reach` grid lines.
+
+    The wall is the first one met from a random cell in a random direction; it moves away from the cell's room or into
+    it.
+
+    Returns
+    -------
+    int
+        Number of records in `changes`; 0 where there is nothing to shift.
+    """
     rows, columns = labels.shape
     j = 1 + draw(rng) % (rows - 2)
     i = 1 + draw(rng) % (columns - 2)
     if not free[j, i]:
         return 0
-    d = draw(rng)
-    sj, si = (d & 3 == 0) - (d & 3 == 1), (d & 3 == 2) - (d & 3 == 3)
+    bits = draw(rng)
+    q = bits & 3
+    sj, si = (q == 0) - (q == 1), (q == 2) - (q == 3)
     a = labels[j, i]
     while labels[j + sj, i + si] == a:
         j += sj
@@ -76,19 +103,19 @@ def shift_wall(
     if not free[j + sj, i + si]:
         return 0
     tj, ti = abs(si), abs(sj)
-    whole = (d >> 4) % 3 == 0
-    hi = _run_end(labels, free, j, i, tj, ti, sj, si, whole=whole)
-    lo = -_run_end(labels, free, j, i, -tj, -ti, sj, si, whole=whole)
-    cut = (d >> 12) % 6
+    whole = (bits >> LONG_BITS) % LONG_SHARE == 0
+    hi = _run_length(labels, free, j, i, tj, ti, sj, si, whole=whole)
+    lo = -_run_length(labels, free, j, i, -tj, -ti, sj, si, whole=whole)
+    cut = (bits >> PARTIAL_BITS) % PARTIAL_SHARE
     if cut == 0 and hi > 0:
         hi = draw(rng) % (hi + 1)
     elif cut == 1 and lo < 0:
         lo = -(draw(rng) % (1 - lo))
     depth = 1
-    while depth < reach and draw(rng) % 3 == 0:
+    while depth < reach and draw(rng) % DEEPER_SHARE == 0:
         depth += 1
     made = 0
-    outward = (d >> 20) & 1 == 0
+    outward = (bits >> OUTWARD_BITS) & 1 == 0
     for k in range(lo, hi + 1):
         y, x = j + k * tj, i + k * ti
         new = a if outward else labels[y + sj, x + si]
@@ -120,7 +147,7 @@ def swap_rooms(
     rng: Ints,
     rooms: Floats,
 ) -> int:
-    """Let two random rooms of similar area change places; return the number of records."""
+    """Swap two random rooms of similar area; return the number of records."""
     a = draw(rng) % rooms.shape[0]
     b = draw(rng) % rooms.shape[0]
     made = 0
@@ -139,7 +166,7 @@ def swap_rooms(
 
 
 MOST_TAKEN = 0.6
-"""Share of another room's cells that a rectangle may take."""
+"""Largest share of another room's cells that a rectangle may take."""
 
 
 @kernel
@@ -212,7 +239,7 @@ def random_rectangle(
 ) -> bool:
     """Draw a room and a rectangle of about its area; write room, rows and columns to `box`.
 
-    Half of the draws take a room whose link is unmet and a corner beside the room that it should touch.
+    Half of the draws take a room with an unmet link and a corner beside the room that it should touch.
 
     Returns
     -------
@@ -240,12 +267,9 @@ def _longest_neighbour(geometry: Floats, free: Bools, labels: Ints, j: int, i: i
     best, longest = -1, 1e-9
     r = labels[j, i]
     for q in range(4):
-        y, x = j + (q == 0) - (q == 1), i + (q == 2) - (q == 3)
-        if not free[y, x] or labels[y, x] == r:
-            continue
-        s = geometry[min(j, y), i, HB] if q < 2 else geometry[j, min(i, x), VB]
-        if s > longest:
-            best, longest = labels[y, x], s
+        y, x, border = neighbour(geometry, j, i, q)
+        if free[y, x] and labels[y, x] != r and border > longest:
+            best, longest = labels[y, x], border
     return best
 
 
@@ -277,7 +301,13 @@ def place_rectangle(
     i0: int,
     i1: int,
 ) -> int:
-    """Set room `r` to the cells of a rectangle; its old ground goes to whoever it touches."""
+    """Set room `r` to the cells of a rectangle; each cell that it leaves goes to the neighbour with most border to it.
+
+    Returns
+    -------
+    int
+        Number of records in `changes`; 0 where the rectangle would take too much of another room.
+    """
     made = 0
     rows, columns = labels.shape
     if _takes_too_much(free, labels, stats, r, j0, j1, i0, i1):

@@ -17,7 +17,7 @@ class EnergyWeights:
 
 @dataclass(frozen=True)
 class SearchWeights:
-    """Weights of the wall search's energy (order of `objective.WEIGHTS`).
+    """Weights of the wall search's energy in the order of ``Goal.weights``.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class SolverOptions:
     round_candidates : int
         Candidates of all cut rounds together, divided by the number of rooms, when the wall search follows.
     seeded_proposals, proposals : int
-        Candidates of one coarse search per room, with seeds and without. Without seeds, a sound one gets as many again;
+        Candidates of one coarse search per room, with seeds and without. Without seeds, a valid one gets as many again;
         on large floors the search is twice as long instead.
     attempts : int
         Most wall searches, as long as edges are unmet or rooms narrow.

@@ -189,7 +189,10 @@ SIDES = ("any", "north", "east", "south", "west")
 """Sides on which a core may be entered, by their code in `Obstacle.side` and `Goal.side`."""
 
 LEAST_AREA = 1e-3
+"""Area, m2, up to which a part of the free region is left out."""
+
 WALL_OFFSET = 0.05
+"""Distance, metres, by which the ends of a straight structural wall may differ across it."""
 
 
 @dataclass(frozen=True)
@@ -408,7 +411,7 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
 
 @dataclass(frozen=True)
 class RelaxedLink:
-    """A link that the search does not ask for, and why."""
+    """A link that the search leaves out because no layout can realise it, and the reason."""
 
     link: Link
     reason: str
@@ -481,7 +484,7 @@ ACCESS, ADJACENT = range(2)
 
 
 class Goal(NamedTuple):
-    """What the search wants.
+    """The goal of the search as arrays.
 
     ``rooms[r]`` holds target area, seed, weights and minimum width; ``links`` are rows of two labels and a kind (0
     access, 1 adjacent) and the wall length they ``need``; ``side`` gives, for each label, the side on which a core
@@ -497,7 +500,7 @@ class Goal(NamedTuple):
 
 
 def make_goal(model: FloorModel, options: SolverOptions, relaxed: Iterable[Link] = ()) -> Goal:
-    """Return the goal arrays of the wall search; links that are `relaxed` are not asked for."""
+    """Return the goal arrays of the wall search; links that are `relaxed` are left out."""
     n = len(model.rooms)
     total = n + len(model.obstacles) + 1
     index = model.index
@@ -505,15 +508,15 @@ def make_goal(model: FloorModel, options: SolverOptions, relaxed: Iterable[Link]
     links = [link for link in model.links if link not in dropped]
     pairs = np.array([(index[k.source], index[k.target]) for k in links], np.int64)
     pairs = pairs.reshape(-1, 2)
-    kind = np.array([0 if k.kind == "access" else 1 for k in links], np.int64)
-    need = np.where(kind == 0, model.problem.min_access_wall, options.adjacent_wall).astype(float)
+    kind = np.array([ACCESS if k.kind == "access" else ADJACENT for k in links], np.int64)
+    need = np.where(kind == ACCESS, model.problem.min_access_wall, options.adjacent_wall).astype(float)
     side = np.zeros(total, np.int64)
     for k, obstacle in enumerate(model.obstacles):
         side[n + k] = obstacle.side
     known = ~np.isnan(model.seeds[:, 0])
     linked = {(min(a, b), max(a, b)) for a, b in pairs.tolist()}
     apart = np.array(
-        [(a, b) for a in range(n) for b in range(a + 1, n) if (a, b) not in linked] if (kind == 1).any() else [],
+        [(a, b) for a in range(n) for b in range(a + 1, n) if (a, b) not in linked] if (kind == ADJACENT).any() else [],
         np.int64,
     ).reshape(-1, 2)
     hub = np.arange(n) == 0
@@ -534,6 +537,7 @@ def make_goal(model: FloorModel, options: SolverOptions, relaxed: Iterable[Link]
     return Goal(
         rooms=np.ascontiguousarray(rooms),
         links=np.column_stack([pairs, kind]),
+        # Walls a little longer than needed survive the rounding of the final polygons.
         need=need + 1e-3,
         side=side,
         apart=apart,

@@ -1,5 +1,6 @@
 """`solve_floor`: from a FloorProblem to a FloorLayout (Algorithm 2, then the wall search)."""
 
+import msgspec
 import numpy as np
 
 from mansion_geometry.compiled import Floats
@@ -40,26 +41,27 @@ from mansion_planner.solver.wall_search import WallSearch
 __all__ = ["coarse_grid", "solve_floor", "warm"]
 
 
-def _turned_edge(edge: RealisedEdge, angle: float) -> RealisedEdge:
-    """Return the edge with its wall in the problem's frame."""
-    edge.length = round(edge.length, 4)
-    if edge.wall is not None:
-        a, b = (to_problem_frame([p], angle)[0] for p in edge.wall)
-        edge.wall = (a, b)
-    return edge
+def _edge_in_problem_frame(edge: RealisedEdge, angle: float) -> RealisedEdge:
+    """Return the edge with its wall in the problem's frame, rounded."""
+    wall = edge.wall
+    if wall is not None:
+        start, end = (to_problem_frame([point], angle)[0] for point in wall)
+        wall = (start, end)
+    return msgspec.structs.replace(edge, length=round(edge.length, 4), wall=wall)
 
 
 def _reason(
     model: FloorModel, edge: RealisedEdge, relaxed: list[RelaxedLink], options: SolverOptions, used: int
 ) -> str:
+    """Return why an edge is not realised: found before the search, or what the search came to."""
     for entry in relaxed:
         if {entry.link.source, entry.link.target} == {edge.source, edge.target}:
             return entry.reason
     need = model.problem.min_access_wall if edge.kind == "access" else options.adjacent_wall
-    what = "they do not touch"
+    shared = "they do not touch"
     if edge.length > 0.0:
-        what = f"they share {edge.length:.2f} m of wall"
-    return f"{what}, {need:g} m are needed; {used} candidate layouts were looked at"
+        shared = f"they share {edge.length:.2f} m of wall"
+    return f"{shared}, {need:g} m are needed; {used} candidate layouts were looked at"
 
 
 def _messages(verdict: Verdict) -> list[str]:
@@ -73,7 +75,7 @@ def _messages(verdict: Verdict) -> list[str]:
     return lines
 
 
-def finish(
+def _assemble_layout(
     model: FloorModel,
     measured: MeasuredPartition,
     options: SolverOptions,
@@ -81,14 +83,14 @@ def finish(
     relaxed: list[RelaxedLink],
     used: int,
 ) -> FloorLayout:
-    """Return the layout of the best partition, measured on its final polygons."""
+    """Return the payload of the best partition, measured on its final polygons."""
     shapes, verdict = measured.shapes, measured.verdict
     rooms = [
         layout_room(room.id, max(polygon_parts(shape), key=lambda p: p.area), model.angle)
         for room, shape in zip(model.rooms, shapes)
     ]
     rooms += [LayoutRoom(id=r.id, polygon=r.polygon) for r in model.problem.fixed_rooms]
-    edges = [_turned_edge(edge, model.angle) for edge in verdict.edges]
+    edges = [_edge_in_problem_frame(edge, model.angle) for edge in verdict.edges]
     unmet = [
         UnmetEdge(source=e.source, target=e.target, kind=e.kind, reason=_reason(model, e, relaxed, options, used))
         for e in edges
@@ -122,10 +124,10 @@ def coarse_grid(model: FloorModel, major: tuple[Floats, Floats], options: Solver
     return make_grid(model, spaced_lines(major[0], spacing), spaced_lines(major[1], spacing))
 
 
-def _without_search(
+def _fill_rounds(
     model: FloorModel, goal: Goal, grid: Grid, rounds: RoundsResult, options: SolverOptions
 ) -> MeasuredPartition | None:
-    """Return the cut rounds' own layout, what they left open filled."""
+    """Return the layout of the cut rounds alone, with the cells that they left over given to rooms."""
     labels = flood(rounds.labels, grid.cells, goal, goal.rooms[:, SEED_X : SEED_Y + 1].copy())
     if labels is None:
         return None
@@ -202,7 +204,7 @@ def solve_floor(
     if planned is not None:
         measured = measure(model, planned, options)
         if all(edge.satisfied for edge in measured.verdict.edges) and measured.valid:
-            return finish(model, measured, options, planned_rounds(model, planned), relaxed, 1)
+            return _assemble_layout(model, measured, options, planned_rounds(model, planned), relaxed, 1)
     grid = coarse_grid(model, major, options)
     budget = Budget(options.candidates)
     rng = np.random.default_rng(item_seed(problem.seed, "floor", problem.plan_id))
@@ -213,10 +215,10 @@ def solve_floor(
         annealing = Annealing(model, goal, grid, major, options, budget, rng)
         best, rounds = WallSearch(annealing).run(rounds, planned)
     else:
-        best = _without_search(model, goal, grid, rounds, options)
+        best = _fill_rounds(model, goal, grid, rounds, options)
     if best is None:
         raise _too_small(model)
-    return finish(model, best, options, rounds, relaxed, budget.used)
+    return _assemble_layout(model, best, options, rounds, relaxed, budget.used)
 
 
 def warm() -> None:
@@ -236,5 +238,6 @@ def warm() -> None:
     boundary = [(0.0, 0.0), (8.0, 0.0), (8.0, 5.0), (0.0, 5.0)]
     problem = FloorProblem(boundary=boundary, nodes=nodes, edges=edges, cores=[core])
     solve_floor(problem)
-    problem.min_access_wall = 4.9
-    solve_floor(problem, options=SolverOptions(seeded_proposals=10, proposals=10, attempts=4))
+    # No wall of 4.9 m fits, so that every kind of start and repair is compiled as well.
+    unsolvable = msgspec.structs.replace(problem, min_access_wall=4.9)
+    solve_floor(unsolvable, options=SolverOptions(seeded_proposals=10, proposals=10, attempts=4))

@@ -110,7 +110,7 @@ def _within(total: Floats, q: int, j0: int, j1: int, i0: int, i1: int) -> float:
 
 @kernel
 def _misfit(total: Floats, room: Floats, j0: int, j1: int, i0: int, i1: int, height: float, span: float) -> float:
-    """Return what a rectangle of `height` and `span` costs as a room's start; infinity where its area is far off."""
+    """Return the cost of a rectangle of `height` and `span` as a room's start; infinity where its area is far off."""
     t = room[TARGET]
     a = _within(total, 0, j0, j1, i0, i1)
     if a < 0.7 * t or a > 1.4 * t:
@@ -330,7 +330,11 @@ def _flood(labels: Ints, cells: Cells, goal: Goal, seeds: Floats) -> bool:
 
 @kernel
 def _cheapest_paths(cells: Cells, labels: Ints, a: int) -> tuple[Floats, Ints]:
-    """Return, for each free cell, the ground that a way from room `a` to it takes, and the way's cell before it."""
+    """Return the area, m2, that the cheapest path from room `a` takes to each cell, and the path's cell before it.
+
+    Relaxes all cells until nothing changes (R. Bellman (1958), On a routing problem); the grid is small and few links
+    are carved, so that a heap would not pay.
+    """
     rows, columns = labels.shape
     far = np.where(labels == a, 0.0, np.inf)
     before = np.full((rows, columns), -1, np.int64)
@@ -353,7 +357,7 @@ def _cheapest_paths(cells: Cells, labels: Ints, a: int) -> tuple[Floats, Ints]:
 
 @kernel
 def _carve(cells: Cells, labels: Ints, a: int, b: int) -> bool:
-    """Give room `a` the cheapest way to the border of `b`, three cells wide; tell whether there is one."""
+    """Give room `a` the cheapest path to the border of `b`, three cells wide; tell whether there is one."""
     rows, columns = labels.shape
     far, before = _cheapest_paths(cells, labels, a)
     best, least = -1, np.inf
@@ -377,10 +381,10 @@ def _carve(cells: Cells, labels: Ints, a: int, b: int) -> bool:
 
 @kernel
 def carve_open_links(cells: Cells, goal: Goal, state: State) -> Ints:
-    """Return labels in which the access links that `state` leaves open are carved, as far as there is a way.
+    """Return labels in which the access links that `state` leaves open are carved where there is a path.
 
-    The room with more cells reaches for the other one. Rooms that this leaves in pieces or without a cell are for
-    `flood` to mend.
+    The room with more cells reaches for the other one. Rooms may be left disconnected or without a cell, which `flood`
+    repairs.
     """
     labels = state.labels.copy()
     rooms = goal.rooms.shape[0]

@@ -17,7 +17,7 @@ from mansion_planner.solver.partition import Partition
 from mansion_planner.solver.polygons import room_shapes
 from mansion_planner.solver.problem import FloorModel, Obstacle
 
-__all__ = ["MOST_STRADDLED", "MeasuredPartition", "Verdict", "layout_checks", "measure", "width_fault"]
+__all__ = ["MOST_STRADDLED", "MeasuredPartition", "Verdict", "corner_count", "layout_checks", "measure", "width_fault"]
 
 
 KEPT = 0.9
@@ -27,6 +27,8 @@ LOBE = 0.04
 """Share of a room's area that may lie behind a pinch."""
 
 WIDTH_SLACK = 4e-3
+"""Tolerance of half a width, metres, for rounded coordinates."""
+
 STRADDLE = 0.06
 """Metres by which a structural wall may reach into a room (half an interior wall)."""
 
@@ -82,7 +84,10 @@ def straddled_lengths(model: FloorModel, shapes: list[Polygon | MultiPolygon]) -
 
 
 SLACK = 1e-3
+"""Length, metres, by which a wall may be too short for its edge."""
+
 GAP = 1e-3
+"""Distance, metres, up to which two rooms touch."""
 
 MOST_STRADDLED = 0.05
 """Metres of a structural wall that may lie inside rooms."""
@@ -90,7 +95,7 @@ MOST_STRADDLED = 0.05
 
 @dataclass(frozen=True)
 class Verdict:
-    """Edges as realised, and what else is wrong with a layout.
+    """What a layout realises and what is wrong with it.
 
     Attributes
     ----------
@@ -108,7 +113,8 @@ class Verdict:
     straddled: list[float]
 
     def violations(self, required: Container[tuple[str, str]]) -> tuple[int, int]:
-        """Return the number of open links among `asked`, broken rooms and straddled walls, and that of bad shapes."""
+        """Return the number of hard violations (open links among `required`, broken rooms, straddled walls) and of soft
+        ones (unusable shapes)."""
         links = sum(not e.satisfied and (e.source, e.target) in required for e in self.edges)
         walls = sum(length > MOST_STRADDLED for length in self.straddled)
         return links + self.broken + walls, len(self.shape_faults)
@@ -166,19 +172,23 @@ def verify(model: FloorModel, shapes: list[Polygon | MultiPolygon], options: Sol
     )
 
 
+def corner_count(shape: BaseGeometry) -> int:
+    """Return the number of corners of a shape and its holes."""
+    return sum(
+        len(corner_points(shapely.get_coordinates(line)[:-1]))
+        for part in polygon_parts(shape)
+        for line in (part.exterior, *part.interiors)
+    )
+
+
 def layout_checks(model: FloorModel, shapes: list[Polygon | MultiPolygon], verdict: Verdict) -> dict[str, float]:
-    """Return the figures of a judged layout."""
+    """Return the figures of ``FloorLayout.checks``."""
     edges = verdict.edges
     free = float(model.region.area)
     areas = np.array([shape.area for shape in shapes])
     whole: BaseGeometry = shapely.union_all(shapes)
     access = [e.satisfied for e in edges if e.kind == "access"]
     adjacent = [e.satisfied for e in edges if e.kind == "adjacent"]
-    corners = 0
-    for shape in shapes:
-        for part in polygon_parts(shape):
-            for line in (part.exterior, *part.interiors):
-                corners += len(corner_points(shapely.get_coordinates(line)[:-1]))
     return {
         "rooms": float(len(shapes)),
         "one_piece": float(len(shapes) - verdict.broken),
@@ -190,13 +200,13 @@ def layout_checks(model: FloorModel, shapes: list[Polygon | MultiPolygon], verdi
         "outside": float(whole.difference(model.region).area) / free,
         "access": float(np.mean(access)) if access else 1.0,
         "adjacent": float(np.mean(adjacent)) if adjacent else 1.0,
-        "corners": corners / len(shapes),
+        "corners": sum(corner_count(shape) for shape in shapes) / len(shapes),
     }
 
 
 @dataclass(frozen=True)
 class MeasuredPartition:
-    """A partition, its rooms' shapes in the model's frame, and what they are worth."""
+    """A partition with its rooms' shapes in the model's frame and the verdict on them."""
 
     partition: Partition
     shapes: list[Polygon | MultiPolygon]
@@ -209,6 +219,6 @@ class MeasuredPartition:
 
 
 def measure(model: FloorModel, partition: Partition, options: SolverOptions) -> MeasuredPartition:
-    """Trace and judge a partition."""
+    """Trace the rooms of a partition and verify them."""
     shapes = room_shapes(model, partition.grid, partition.labels)
     return MeasuredPartition(partition, shapes, verify(model, shapes, options))

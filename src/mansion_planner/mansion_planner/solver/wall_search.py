@@ -19,16 +19,19 @@ __all__ = ["AttemptStarts", "WallSearch"]
 
 
 FOLLOWING_SEEDS = 2
-"""Attempts that start from what the seeds say, where most rooms have one."""
+"""Number of attempts that start from the seeds, where most rooms have one."""
 
 CYCLE, CYCLE_LARGE, REROOTED, CARVED = 6, 4, 2, 3
-"""Of each six attempts (four on large floors) the third starts from rounds from another room, the fourth from carved
-open links. On large floors without seeds the second is carved too: a search from the carved result of another mostly
-realises what that left open, and one from elsewhere seldom does."""
+"""Lengths of a cycle of attempts on small and on large floors, and the places in it of two kinds of starts: rounds
+from another room, and carved open links.
+
+On large floors without seeds every second attempt is carved: a search from the carved result of another mostly realises
+what that left open, and one from elsewhere seldom does.
+"""
 
 
 class AttemptStarts:
-    """The starts of one floor's attempts.
+    """Starting partitions of the attempts on one floor.
 
     Parameters
     ----------
@@ -38,7 +41,7 @@ class AttemptStarts:
 
     def __init__(self, annealing: Annealing) -> None:
         self.annealing = annealing
-        self.kinds = CYCLE_LARGE if annealing.large or annealing.seeded else CYCLE
+        self.cycle = CYCLE_LARGE if annealing.large or annealing.seeded else CYCLE
         self.model, self.goal, self.grid = annealing.model, annealing.goal, annealing.grid
 
     def rounds(self, hub: RoundsResult, attempt: int) -> RoundsResult:
@@ -46,8 +49,8 @@ class AttemptStarts:
         graph, model, options = self.model.graph, self.model, self.annealing.options
         roots = [r.id for r in model.rooms[1:] if graph.degree(r.id) > 1]
         roots.sort(key=lambda name: -graph.degree(name))
-        turn = attempt // self.kinds
-        if attempt % self.kinds != REROOTED or turn >= len(roots):
+        turn = attempt // self.cycle
+        if attempt % self.cycle != REROOTED or turn >= len(roots):
             return hub
         share = max(1, options.round_candidates // len(model.rooms))
         budget = Budget(min(share, self.annealing.budget.left))
@@ -74,7 +77,7 @@ class AttemptStarts:
                 return filled
         seeds, seeded = self._seed_points(rounds, attempt), self.annealing.seeded
         from_rounds = flood(rounds.labels, self.grid.cells, self.goal, seeds)
-        rerooted = attempt % self.kinds == REROOTED
+        rerooted = attempt % self.cycle == REROOTED
         if from_rounds is not None and (rerooted or (attempt == 0 and not seeded)):
             return from_rounds
         base = self.grid.base
@@ -83,7 +86,7 @@ class AttemptStarts:
         from_seeds = flood(base, self.grid.cells, self.goal, seeds)
         if from_seeds is None:
             return from_rounds
-        if attempt == 0 and from_rounds is not None and self._lower(from_rounds, from_seeds):
+        if attempt == 0 and from_rounds is not None and self._has_less_energy(from_rounds, from_seeds):
             return from_rounds
         return from_seeds
 
@@ -91,10 +94,10 @@ class AttemptStarts:
         """Tell whether an attempt starts from what the one before found, with its open links carved."""
         if self.annealing.large and not self.annealing.seeded:
             return attempt % 2 == 1
-        return attempt % self.kinds == CARVED
+        return attempt % self.cycle == CARVED
 
-    def _lower(self, first: Ints, second: Ints) -> bool:
-        """Tell whether the first labels on the coarse grid have less energy."""
+    def _has_less_energy(self, first: Ints, second: Ints) -> bool:
+        """Tell whether the first labels on the coarse grid have less energy than the second."""
         a, b = (self.annealing.energy(Partition(self.grid, k, 0.0)) for k in (first, second))
         return a < b
 
@@ -119,12 +122,13 @@ MOST_NARROW = 0.05
 """Share of a room's area (of `LARGE` in larger rooms) that may be narrow after a coarse search."""
 
 SHAPE_SHARE = 0.5
-"""Share of the candidates that rooms of an unusable shape are worth when no edge is open."""
+"""Share of the candidates that may be spent on unusable shapes once no edge is open."""
 
 REPAIR_LEVELS = ((0.3, 0.1),)
+"""Offsets, metres, of the lines that the grid of a repair puts beside the walls."""
 
-REPAIRS = (6.0,)
-"""Factors of the weight of narrow places."""
+REPAIR_WEIGHT = 6.0
+"""Factor of the weight of narrow places in a repair."""
 
 
 @dataclass(frozen=True)
@@ -138,7 +142,7 @@ class CoarseResult:
 
 
 class WallSearch:
-    """One floor's wall search.
+    """The wall search on one floor.
 
     Parameters
     ----------
@@ -189,33 +193,33 @@ class WallSearch:
         return best, chosen
 
     def violations(self, measured: MeasuredPartition) -> tuple[int, int]:
-        """Return what the final polygons miss: links, whole rooms and structural walls; and usable shapes."""
+        """Return the hard violations of the final polygons (links, pieces, walls) and the soft ones (shapes)."""
         return measured.verdict.violations(self.required)
 
     def _better(self, first: MeasuredPartition, second: MeasuredPartition) -> MeasuredPartition:
-        """Return the one with fewer faults, then less energy; the first of equals."""
+        """Return the one with fewer violations, then less energy; the first of equals."""
         keys = [(self.violations(m), m.partition.energy) for m in (first, second)]
         return second if keys[1] < keys[0] else first
 
     def _is_done(self, best: MeasuredPartition) -> bool:
-        """Tell whether to stop: no fault is left, only shapes after their share of the budget, or no budget."""
+        """Tell whether to stop: nothing is violated, only shapes are and their share is spent, or no budget is left."""
         hard, soft = self.violations(best)
         spent = self.budget.used >= SHAPE_SHARE * self.budget.limit
         return self.budget.left == 0 or (hard == 0 and (soft == 0 or spent))
 
     def _from_plan(self, planned: Partition) -> MeasuredPartition:
-        """Mend what the seed boxes describe; move its walls where that is not enough."""
+        """Repair the shapes of a planned layout; move its walls where that is not enough."""
         best = self._with_shapes_repaired(measure(self.model, planned, self.options))
         if self.violations(best) != (0, 0):
             best = self._better(best, self._refined(self.annealing.adjust_planned(planned)))
         return best
 
     def _search_coarsely(self, start: Ints, rounds: RoundsResult, attempt: int) -> CoarseResult:
-        """Search the coarse grid: with little heat where seeds say much, else with much; then on, if it is sound."""
+        """Search the coarse grid: from seeds at a low temperature, else at a high one, then on from a valid result."""
         if self.annealing.seeded:
             if attempt < FOLLOWING_SEEDS:
-                heat = 0.15 if attempt == 0 else 0.3
-                return CoarseResult(self.annealing.follow_seeds(start, heat), rounds)
+                temperature = 0.15 if attempt == 0 else 0.3
+                return CoarseResult(self.annealing.follow_seeds(start, temperature), rounds)
             return CoarseResult(self.annealing.search(start), rounds)
         coarse = self._inspect(self.annealing.search(start), rounds)
         if coarse.open or coarse.narrow or self.annealing.large:
@@ -223,7 +227,7 @@ class WallSearch:
         return self._inspect(self.annealing.continue_search(coarse.partition), rounds)
 
     def _inspect(self, partition: Partition, rounds: RoundsResult) -> CoarseResult:
-        """Find out whether a coarse partition leaves links open or rooms narrow."""
+        """Return a coarse result with whether it leaves links open or rooms narrow."""
         state = self.annealing.state(partition)
         a, b = self.goal.links[:, 0], self.goal.links[:, 1]
         walls = np.where(self.goal.links[:, 2] == 0, state.straight[a, b], state.contact[a, b])
@@ -235,7 +239,7 @@ class WallSearch:
         return coarse.open, coarse.partition.energy
 
     def _postponed(self, coarse: CoarseResult, attempt: int) -> bool:
-        """Tell whether another coarse search is worth more than refining one with faults.
+        """Tell whether another coarse search is worth more than refining one with violations.
 
         Refining widens most narrow rooms, but hardly ever realises an open link: on a small floor, where a coarse
         search costs less than refining, one with an open link waits until the attempts or the candidates end.
@@ -248,19 +252,17 @@ class WallSearch:
         return coarse.open and not self.annealing.large
 
     def _refined(self, partition: Partition) -> MeasuredPartition:
-        """Refine a partition, measure it, and mend its shapes."""
+        """Refine a partition, measure it, and repair its shapes."""
         return self._with_shapes_repaired(measure(self.model, self.annealing.refine(partition), self.options))
 
     def _with_shapes_repaired(self, found: MeasuredPartition) -> MeasuredPartition:
-        """Move the walls of rooms that are too narrow or pinched, with more weight on width each time."""
-        for weight in REPAIRS:
-            hard, soft = self.violations(found)
-            if hard > 0 or soft == 0 or self.budget.left == 0:
-                break
-            weights = self.goal.weights.copy()
-            weights[W_THIN] *= weight
-            goal = self.goal._replace(weights=weights)
-            wider = self.annealing.refine(found.partition, goal, REPAIR_LEVELS)
-            wider = replace(wider, energy=self.annealing.energy(wider))
-            found = self._better(found, measure(self.model, wider, self.options))
-        return found
+        """Move the walls of rooms that are too narrow or pinched once more, with more weight on width."""
+        hard, soft = self.violations(found)
+        if hard > 0 or soft == 0 or self.budget.left == 0:
+            return found
+        weights = self.goal.weights.copy()
+        weights[W_THIN] *= REPAIR_WEIGHT
+        goal = self.goal._replace(weights=weights)
+        wider = self.annealing.refine(found.partition, goal, REPAIR_LEVELS)
+        wider = replace(wider, energy=self.annealing.energy(wider))
+        return self._better(found, measure(self.model, wider, self.options))

@@ -13,17 +13,21 @@ LARGE = 6.0
 """Area, m2, from which narrow places cost the same in rooms of any size."""
 
 PINCH = 0.1
-"""Share of a room's area that a pinch counts as narrow, at least; twice this where nothing is left."""
+"""Share of a room's area that a pinch counts as narrow, at least; twice this facing nothing is left."""
 
 MOST_NOTCHES = 256
+"""Notches that are looked at on one floor; further ones cost nothing."""
 
 AREA_SUM, H_SUM, V_SUM = range(3)
-"""Last index of the sums."""
+"""Last index of `border_sums`: areas, borders along rows, borders along columns."""
 
 
 @kernel
 def border_sums(geometry: Floats) -> Floats:
-    """Return running sums of a grid: of areas over all cells below and left, of borders along their lines.
+    """Return running sums of a grid, from which the area of a block and the length of a wall are differences.
+
+    Areas are summed over all cells below and left (a summed-area table, F. C. Crow (1984), Summed-area tables for
+    texture mapping), borders along their lines.
 
     Returns
     -------
@@ -42,45 +46,53 @@ def border_sums(geometry: Floats) -> Floats:
 
 
 @kernel
-def _blocks(labels: Ints, few: Ints, lines: Ints) -> tuple[int, int]:
+def _compress(labels: Ints, compressed: Ints, lines: Ints) -> tuple[int, int]:
     """Leave out lines along which no label changes.
 
-    Writes the labels of the blocks of cells between the others to `few`, the first row and column of each block (and
-    one past the last) to the two rows of `lines`, and returns how many block rows and columns there are.
+    Writes the labels of the blocks of cells between the others to `compressed`, the first row and column of each block
+    (and one past the last) to the two rows of `lines`, and returns how many block rows and columns there are.
     """
     rows, columns = labels.shape
     changed = np.zeros(columns, np.int64)
-    tall, wide = 0, 0
+    block_rows, block_columns = 0, 0
     for j in range(rows):
         difference = 1 if j == 0 else 0
         if j > 0:
             for i in range(columns):
                 difference |= labels[j, i] ^ labels[j - 1, i]
         if difference != 0:
-            lines[0, tall] = j
-            tall += 1
+            lines[0, block_rows] = j
+            block_rows += 1
             for i in range(1, columns):
                 changed[i] |= labels[j, i] ^ labels[j, i - 1]
-    lines[0, tall] = rows
+    lines[0, block_rows] = rows
     changed[0] = 1
     for i in range(columns):
         if changed[i] != 0:
-            lines[1, wide] = i
-            for p in range(tall):
-                few[p, wide] = labels[lines[0, p], i]
-            wide += 1
-    lines[1, wide] = columns
-    return tall, wide
+            lines[1, block_columns] = i
+            for p in range(block_rows):
+                compressed[p, block_columns] = labels[lines[0, p], i]
+            block_columns += 1
+    lines[1, block_columns] = columns
+    return block_rows, block_columns
 
 
 @kernel
-def _record_wall(straight: Floats, side: Ints, a: int, b: int, where: int, length: float) -> None:
-    """Record a straight wall whose lower (or left) label is `a`; `where` is `a`'s side that it is on (1 or 2)."""
+def _record_wall(straight: Floats, side: Ints, a: int, b: int, facing: int, length: float) -> None:
+    """Record a straight wall if it is the longest between its labels and on their door sides.
+
+    Parameters
+    ----------
+    a, b : int
+        Label below (or left of) the wall, and above (or right of) it.
+    facing : int
+        Side of `a` that the wall is on: 1 north or 2 east. For `b` it is the opposite side, 3 or 4.
+    """
     if a == b or length <= straight[a, b]:
         return
-    if side[a] != 0 and side[a] != where:
+    if side[a] != 0 and side[a] != facing:
         return
-    if side[b] != 0 and side[b] != where + 2:
+    if side[b] != 0 and side[b] != facing + 2:
         return
     straight[a, b] = length
     straight[b, a] = length
@@ -134,7 +146,7 @@ def _scan_stripes(
     across: Floats,
     areas: Floats,
     rooms: Floats,
-    few: Ints,
+    compressed: Ints,
     stripes: Ints,
     blocks: Ints,
     count: tuple[int, int],
@@ -160,9 +172,9 @@ def _scan_stripes(
     for p in range(1, count[0]):
         a0, a1 = stripes[p], stripes[p + 1]
         deep = across[a1] - across[a0]
-        begin, previous = 0, few[p, 0]
+        begin, previous = 0, compressed[p, 0]
         for q in range(1, count[1]):
-            x = few[p, q]
+            x = compressed[p, q]
             if x == previous:
                 continue
             if previous < n:
@@ -180,13 +192,15 @@ def _scan_stripes(
 
 
 @kernel
-def _scan_columns(sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, wide: int, straight: Floats) -> None:
+def _scan_columns(
+    sums: Floats, side: Ints, compressed: Ints, lines: Ints, block_rows: int, block_columns: int, straight: Floats
+) -> None:
     """Find the longest straight walls that straight along columns."""
-    for q in range(wide - 1):
-        a, b, begin = few[0, q], few[0, q + 1], 0
+    for q in range(block_columns - 1):
+        a, b, begin = compressed[0, q], compressed[0, q + 1], 0
         i = lines[1, q + 1] - 1
-        for p in range(1, tall):
-            x, y = few[p, q], few[p, q + 1]
+        for p in range(1, block_rows):
+            x, y = compressed[p, q], compressed[p, q + 1]
             if x == a and y == b:
                 continue
             if a != b:
@@ -197,16 +211,24 @@ def _scan_columns(sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, w
 
 @kernel
 def _scan_rows(
-    sums: Floats, side: Ints, few: Ints, lines: Ints, tall: int, wide: int, straight: Floats, notches: Ints, last: Ints
+    sums: Floats,
+    side: Ints,
+    compressed: Ints,
+    lines: Ints,
+    block_rows: int,
+    block_columns: int,
+    straight: Floats,
+    notches: Ints,
+    last: Ints,
 ) -> None:
     """Find the longest straight walls that straight along rows, and the notches of rooms."""
     n = last.shape[0]
     made = 0
-    for p in range(tall - 1):
-        a, b, begin = few[p, 0], few[p + 1, 0], 0
+    for p in range(block_rows - 1):
+        a, b, begin = compressed[p, 0], compressed[p + 1, 0], 0
         j = lines[0, p + 1] - 1
-        for q in range(1, wide):
-            x, y = few[p, q], few[p + 1, q]
+        for q in range(1, block_columns):
+            x, y = compressed[p, q], compressed[p + 1, q]
             if x == a and y == b:
                 continue
             if a != b:
@@ -233,7 +255,7 @@ def scan_walls(
     labels: Ints,
     straight: Floats,
     thin: Floats,
-    few: Ints,
+    compressed: Ints,
     narrow: Floats,
 ) -> None:
     """Find the longest straight wall of each pair of labels, and each room's area narrower than its minimum width.
@@ -245,7 +267,7 @@ def scan_walls(
     ----------
     sums : (rows + 1, columns + 1, 3) array
         From `border_sums`.
-    few, narrow : (rows, columns) arrays
+    compressed, narrow : (rows, columns) arrays
         Scratch.
     """
     straight[:, :] = 0.0
@@ -253,12 +275,12 @@ def scan_walls(
     lines = np.empty((2, max(labels.shape[0], labels.shape[1]) + 1), np.int64)
     notches = np.empty((MOST_NOTCHES, 3), np.int64)
     last = np.full((rooms.shape[0], 4), -1, np.int64)
-    tall, wide = _blocks(labels, few, lines)
+    block_rows, block_columns = _compress(labels, compressed, lines)
     areas, level, upright = sums[:, :, AREA_SUM], lines[0], lines[1]
-    size = (tall, wide)
-    _scan_stripes(xs, ys, areas, rooms, few, level, upright, size, narrow, thin, second=False)
-    size = (wide, tall)
-    _scan_stripes(ys, xs, areas.T, rooms, few.T, upright, level, size, narrow.T, thin, second=True)
-    _scan_columns(sums, side, few, lines, tall, wide, straight)
-    _scan_rows(sums, side, few, lines, tall, wide, straight, notches, last)
+    size = (block_rows, block_columns)
+    _scan_stripes(xs, ys, areas, rooms, compressed, level, upright, size, narrow, thin, second=False)
+    size = (block_columns, block_rows)
+    _scan_stripes(ys, xs, areas.T, rooms, compressed.T, upright, level, size, narrow.T, thin, second=True)
+    _scan_columns(sums, side, compressed, lines, block_rows, block_columns, straight)
+    _scan_rows(sums, side, compressed, lines, block_rows, block_columns, straight, notches, last)
     _add_pinches(xs, ys, rooms, notches, last, thin)
