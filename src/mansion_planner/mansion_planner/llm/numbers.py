@@ -11,10 +11,9 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief.facts import BriefFacts, Quantity, Span
 from mansion_planner.llm.answers import NumbersAnswer
 from mansion_planner.llm.cleaning import clean_text
-from mansion_planner.llm.context import Context
-from mansion_planner.llm.wording import ARCHITECT, CLOSING, number
-from mansion_planner.program.areas import AREA_CAP
+from mansion_planner.llm.context import ARCHITECT, CLOSING, Context, number
 from mansion_planner.program.building import PlannedBuilding, plan_program
+from mansion_planner.program.decisions import AREA_CAP
 
 __all__ = ["INFERRED_FLOORS", "numbers_prompt", "plan_reference"]
 

@@ -4,11 +4,9 @@ from mansion_llm import Fault, Prompt, quoted_data
 from mansion_msgs_py.wording import with_article
 from mansion_planner.llm.answers import MaterialsAnswer
 from mansion_planner.llm.cleaning import clean_text, material_fault
-from mansion_planner.llm.context import Context
-from mansion_planner.llm.wording import ARCHITECT, CLOSING
-from mansion_planner.program.building import PlannedBuilding
+from mansion_planner.llm.context import ARCHITECT, CLOSING, Context
+from mansion_planner.program.building import PlannedBuilding, materials_of
 from mansion_planner.program.decisions import Decisions
-from mansion_planner.program.materials import materials_of
 
 __all__ = ["Palette", "choose_palette", "palette_prompt"]
 

@@ -12,19 +12,17 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_msgs_py.topology import FloorTopology, SeedBox, SeedPlan
 from mansion_planner.brief import read_brief
-from mansion_planner.llm.chosen import chosen_of_storey
 from mansion_planner.llm.context import Context
 from mansion_planner.llm.numbers import plan_reference
 from mansion_planner.llm.palette import Palette, choose_palette
 from mansion_planner.llm.program import plan_model_program
-from mansion_planner.llm.refit import refit
+from mansion_planner.llm.refit import chosen_of_storey, refit
 from mansion_planner.llm.seeds import collect_seeds
 from mansion_planner.llm.topology import plan_model_topology
 from mansion_planner.program.building import PlannedBuilding
 from mansion_planner.program.model import Storey
 from mansion_planner.solver import solve_floor
-from mansion_planner.topology.graph import floor_topology
-from mansion_planner.topology.problem import floor_problem
+from mansion_planner.topology import floor_problem, floor_topology
 
 __all__ = ["plan_with_model"]
 

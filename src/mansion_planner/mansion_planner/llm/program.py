@@ -1,23 +1,225 @@
-"""The program of the whole building by a model (Fig. 23), floor by floor checked against the brief and the rules."""
+"""Ask a model for the program of the building (Fig. 23), and check each floor against the brief and the rules."""
 
 import dataclasses
 
-from mansion_llm import Fault
-from mansion_planner.brief.facts import RoomFact
-from mansion_planner.llm.answers import FloorAnswer, ProgramAnswer
-from mansion_planner.llm.chosen import ChosenFloor, ChosenRoom, chosen_of_storey
-from mansion_planner.llm.cleaning import clean_text
-from mansion_planner.llm.context import Context
-from mansion_planner.llm.cores import core_faults, cores_of, same_cores
-from mansion_planner.llm.palette import Palette
-from mansion_planner.llm.program_prompt import program_prompt
-from mansion_planner.llm.reading import floor_piece, read_floor
-from mansion_planner.llm.refit import refit, with_cores
-from mansion_planner.program.allocation import allocate
-from mansion_planner.program.building import PlannedBuilding
-from mansion_planner.program.storeys import floors_of, make_storeys
+import numpy as np
+import shapely
+from shapely.geometry import Polygon
 
-__all__ = ["plan_model_program"]
+from mansion_llm import Fault, Prompt, quoted_data
+from mansion_msgs_py.program import CorePlan
+from mansion_msgs_py.wording import with_article
+from mansion_planner.brief.facts import RoomFact
+from mansion_planner.llm.answers import FloorAnswer, ProgramAnswer, RoomAnswer
+from mansion_planner.llm.cleaning import clean_id, clean_text, is_core_name, material_fault, room_kind
+from mansion_planner.llm.context import ARCHITECT, CLOSING, Context, as_json, number
+from mansion_planner.llm.cores import core_faults, core_sizes, cores_of, same_cores
+from mansion_planner.llm.palette import Palette
+from mansion_planner.llm.refit import ChosenFloor, ChosenRoom, chosen_of_storey, refit, with_cores
+from mansion_planner.program.building import PlannedBuilding
+from mansion_planner.program.storey_rooms import allocate
+from mansion_planner.program.storeys import floors_of, make_storeys
+from mansion_planner.solver.preview import png_bytes
+
+__all__ = ["MOST_ROOMS", "floor_piece", "outline_picture", "plan_model_program", "program_prompt", "read_floor"]
+
+_SIZE = 320
+_MARGIN = 8
+
+
+def outline_picture(outline: Polygon, cores: list[CorePlan]) -> bytes:
+    """Return a plan, y up: the floor white on grey, its edge dark, stairs red, lifts blue.
+
+    Examples
+    --------
+    >>> outline_picture(Polygon([(0, 0), (9, 0), (9, 6), (0, 6)]), [])[1:4]
+    b'PNG'
+    """
+    x0, y0, x1, y1 = outline.bounds
+    scale = (_SIZE - 2 * _MARGIN) / max(x1 - x0, y1 - y0)
+    columns = int((x1 - x0) * scale) + 2 * _MARGIN
+    rows = int((y1 - y0) * scale) + 2 * _MARGIN
+    xs = x0 + (np.arange(columns) - _MARGIN + 0.5) / scale
+    ys = y1 - (np.arange(rows) - _MARGIN + 0.5) / scale
+    grid_x, grid_y = np.meshgrid(xs, ys)
+    inside = shapely.contains_xy(outline, grid_x, grid_y)
+    pixels = np.full((rows, columns, 3), 170, np.uint8)
+    pixels[inside] = 255
+    for core in cores:
+        box = (grid_x > core.x[0]) & (grid_x < core.x[1]) & (grid_y > core.y[0]) & (grid_y < core.y[1])
+        pixels[box & inside] = (205, 70, 60) if core.type == "stair" else (60, 90, 205)
+    edge = np.zeros_like(inside)
+    edge[1:] |= inside[1:] != inside[:-1]
+    edge[:, 1:] |= inside[:, 1:] != inside[:, :-1]
+    pixels[edge] = 20
+    return png_bytes(pixels)
+
+
+_RULES = """\
+Rules:
+1. Plan the program floor by floor. Fulfil every statement of the brief: named rooms, counts, areas, floors, what
+   must not be there.
+2. The first room of each floor is its circulation hub (a lobby, hall, corridor or the main room of a small dwelling).
+   List no other corridors, stairs or elevators as rooms: they are taken from the reserve.
+3. A room has an id and no type: English snake case, unique on its floor, numbered where there are several
+   (meeting_room_1). Name a private bathroom or closet after the room that it belongs to (bedroom_1_bathroom).
+4. Areas are realistic for the use. The rooms of a floor never add up to more than its gross area; leave 12 to 25
+   percent for circulation and cores unless you justify another share.
+5. Each room has a floor_material and a wall_material in a few plain words; wet rooms get materials that stand water.
+6. A floor that repeats an earlier one exactly is written {"index": k, "copy": j}.
+7. Cores stand at the same place on all floors, with non-negative integer coordinates and exactly the given size,
+   inside every floor's outline. Put them only in corners of two exterior walls, choose the corner with the least space
+   left around it, use tight and awkward pockets first, and keep the large areas in one piece. You may keep the
+   proposed cores."""
+
+_SCHEMA = """\
+{"reasoning": "<short>",
+ "vertical_connectivity": {"method": "none|stair|elevator|stair_and_elevator",
+   "cores": [{"type": "stair|elevator", "x": [<int>, <int>], "y": [<int>, <int>]}], "justification": "<why>"},
+ "floors": [{"index": <int>, "copy": null, "requirement": "<what this floor is for>",
+   "rooms": [{"id": "<hub>", "area_estimate": <float>, "floor_material": "<words>", "wall_material": "<words>",
+              "notes": "circulation hub"},
+             {"id": "<room>", "area_estimate": <float>, "floor_material": "<words>", "wall_material": "<words>",
+              "notes": ""}],
+   "reserve_justification": ""}]}"""
+
+
+def program_prompt(context: Context, reference: PlannedBuilding, palette: Palette) -> Prompt:
+    """Return the question for the building program, with the outline as a picture."""
+    program, decisions = reference.program, reference.decisions
+    ground = next(f for f in program.floors if f.index == min(1, program.floors[-1].index))
+    outline = {"boundary": ground.outline, "holes": ground.holes}
+    vertical = program.vertical_connectivity
+    sizes = "; ".join(
+        f"{kind} {' or '.join(f'{number(w)} x {number(d)}' for w, d in both)}"
+        for kind, both in core_sizes(vertical).items()
+    )
+    floors = [
+        f"- index {floor.index}: {number(floor.gross_floor_area)} m2 gross, {storey.role} floor"
+        + ("" if floor.outline == ground.outline else f", outline {as_json(floor.outline)}")
+        for floor, storey in zip(program.floors, reference.storeys)
+    ]
+    proposed = [{"type": c.type, "x": c.x, "y": c.y} for c in vertical.cores]
+    lines = [
+        "Program a complete building from the outline of its first floor, shown in the picture (stairs red, elevators "
+        "blue where they are proposed).",
+        quoted_data("brief", context.description),
+        f"Type: {decisions.building.name}; style: {decisions.style}. Floors, from the lowest:",
+        *floors,
+        f"First-floor boundary: {as_json(outline)}",
+        f"Vertical connection by rule: {vertical.method} ({vertical.justification}). Sizes: {sizes}. "
+        f"Proposed cores: {as_json(proposed)}",
+        "Palette of the building:\n" + palette.hints(),
+        _RULES,
+        CLOSING,
+        _SCHEMA,
+    ]
+    picture = outline_picture(Polygon(ground.outline, ground.holes), vertical.cores)
+    return Prompt("building_program", ARCHITECT, "\n".join(lines), (picture,))
+
+
+MOST_ROOMS = 40
+
+
+def floor_piece(index: int) -> str:
+    """Return the name of a floor's program among the pieces."""
+    return f"program/F{index}"
+
+
+def read_floor(
+    answer: FloorAnswer, context: Context, planned: PlannedBuilding
+) -> tuple[ChosenFloor | None, list[Fault]]:
+    """Return a floor's rooms, and what is wrong with them apart from the rest of the building.
+
+    Corridors and cores among the rooms are passed over: they come out of the reserve.
+    """
+    piece = floor_piece(answer.index)
+    faults: list[str] = []
+    known = {fact.name: fact.room_type for fact in planned.decisions.facts.rooms}
+    rooms: list[ChosenRoom] = []
+    for place, entry in enumerate(answer.rooms):
+        room = _room(entry, place == 0, context, known, faults)
+        if room is not None:
+            rooms.append(room)
+    if not rooms or not answer.rooms or clean_id(answer.rooms[0].id) != rooms[0].id:
+        faults.append("rooms must begin with the circulation hub")
+        return None, [Fault(f"floor {answer.index}: {text}", piece) for text in faults]
+    own = next(storey for storey in planned.storeys if storey.index == answer.index)
+    if len(rooms) < 2 and own.rooms:
+        faults.append("a floor needs rooms besides its hub")
+    if len(rooms) > MOST_ROOMS:
+        faults.append(f"{len(rooms)} rooms are too many; at most {MOST_ROOMS}")
+    ids = [room.id for room in rooms]
+    repeated = sorted({name for name in ids if ids.count(name) > 1})
+    if repeated:
+        faults.append(f"the id {', '.join(repeated)} is used more than once")
+    hub = rooms[0]
+    if hub.kind.wet or (hub.kind.zone in ("private", "service") and hub.kind.name != "living_room"):
+        faults.append(f"{hub.id} cannot be the circulation hub; use a lobby, hall, corridor or main room")
+    floor = ChosenFloor(
+        index=answer.index,
+        hub=dataclasses.replace(hub, id=hub.kind.name),
+        rooms=_with_suites(_apart_from(hub.kind.name, rooms[1:])),
+        requirement=clean_text(answer.requirement, 240),
+    )
+    return floor, [Fault(f"floor {answer.index}: {text}", piece) for text in faults]
+
+
+def _room(
+    entry: RoomAnswer, first: bool, context: Context, known: dict[str, str], faults: list[str]
+) -> ChosenRoom | None:
+    name = clean_id(entry.id)
+    if not name:
+        faults.append(f"{clean_text(entry.id, 40)!r} is no id; use lower-case letters, digits and _")
+        return None
+    if is_core_name(name):
+        return None
+    kind = room_kind(name, context.knowledge, known)
+    if kind.zone == "circulation" and not first:
+        return None
+    if not 0.5 <= entry.area_estimate <= 5000.0:
+        faults.append(f"area_estimate of {name} is {entry.area_estimate:g}; it must be a positive area in m2")
+        return None
+    if entry.area_estimate < 0.8 * kind.least and not first:
+        faults.append(f"{name} has {entry.area_estimate:g} m2; {with_article(kind.name)} needs at least {kind.least:g}")
+    for text, is_floor in ((entry.floor_material, True), (entry.wall_material, False)):
+        fault = material_fault(text, kind, floor=is_floor)
+        if fault:
+            faults.append(f"{name}: {fault}")
+    return ChosenRoom(
+        id=name,
+        kind=kind,
+        area=float(entry.area_estimate),
+        floor_material=entry.floor_material,
+        wall_material=entry.wall_material,
+        notes=clean_text(entry.notes, 120),
+    )
+
+
+def _apart_from(hub: str, rooms: list[ChosenRoom]) -> list[ChosenRoom]:
+    """Rename a room that is called as the hub will be."""
+    names = {room.id for room in rooms}
+    out = []
+    for room in rooms:
+        name, number = room.id, 2
+        while name == hub or (name != room.id and name in names):
+            name, number = f"{room.id}_{number}", number + 1
+        out.append(dataclasses.replace(room, id=name))
+    return out
+
+
+def _with_suites(rooms: list[ChosenRoom]) -> tuple[ChosenRoom, ...]:
+    """Hang wet rooms and closets that are named after a room (``bedroom_1_bathroom``) on it."""
+    names = [room.id for room in rooms]
+    out = []
+    for room in rooms:
+        owners = [n for n in names if n != room.id and room.id.startswith(n + "_")]
+        suits = room.kind.wet or room.kind.zone == "service"
+        suffix = room.id[len(max(owners, key=len)) + 1 :] if owners else ""
+        owner = max(owners, key=len) if owners and suits and not suffix.isdigit() else ""
+        out.append(dataclasses.replace(room, suite_of=owner))
+    return tuple(out)
+
 
 _KIN = (
     {"bedroom", "master_bedroom", "guest_room", "childrens_room"},

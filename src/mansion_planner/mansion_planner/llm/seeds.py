@@ -8,8 +8,7 @@ from mansion_msgs_py.layout import FloorProblem
 from mansion_msgs_py.topology import SeedBox, SeedPlan
 from mansion_planner.llm.answers import SeedAnswer, SeedsAnswer
 from mansion_planner.llm.cleaning import clean_text
-from mansion_planner.llm.context import Context
-from mansion_planner.llm.wording import ARCHITECT, CLOSING, as_json, number
+from mansion_planner.llm.context import ARCHITECT, CLOSING, Context, as_json, number
 from mansion_planner.solver import SolverOptions, solve_floor
 from mansion_planner.solver.cut_rounds import SeedRequest
 

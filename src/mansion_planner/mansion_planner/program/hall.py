@@ -2,10 +2,19 @@
 
 from dataclasses import dataclass
 
-from mansion_planner.program.blocks import Block, group_blocks, lay_block, widened
-from mansion_planner.program.model import Box, CoreBox, Massing, PlannedRoom, Storey
-from mansion_planner.program.placement import DOOR_WALL, Corridor, Placement, Sketch, short_edges
-from mansion_planner.program.segments import Segment, bring_together, front_order
+from mansion_planner.program.bands import Block, Segment, bring_together, front_order, group_blocks, lay_block, widened
+from mansion_planner.program.model import (
+    DOOR_WALL,
+    Box,
+    CoreBox,
+    Corridor,
+    Massing,
+    Placement,
+    PlannedRoom,
+    Sketch,
+    Storey,
+    short_edges,
+)
 
 __all__ = ["sketch_hall"]
 

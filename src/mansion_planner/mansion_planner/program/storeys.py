@@ -2,8 +2,7 @@
 
 from mansion_knowledge import BuildingType, KnowledgeBase, RoomEntry
 from mansion_planner.brief.facts import FloorRef
-from mansion_planner.program.decisions import Decisions, conflict
-from mansion_planner.program.inference import note
+from mansion_planner.program.decisions import Decisions, conflict, note
 from mansion_planner.program.model import Storey
 
 __all__ = ["entries_of", "floors_of", "is_hall", "make_storeys"]
