@@ -6,6 +6,7 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
+from mansion_knowledge import KnowledgeBase
 from mansion_llm import Fault, Prompt, quoted_data
 from mansion_msgs_py.program import CorePlan
 from mansion_msgs_py.wording import with_article
@@ -221,14 +222,6 @@ def _with_suites(rooms: list[ChosenRoom]) -> tuple[ChosenRoom, ...]:
     return tuple(out)
 
 
-_KIN = (
-    {"bedroom", "master_bedroom", "guest_room", "childrens_room"},
-    {"kitchen", "open_kitchen", "kitchen_diner"},
-    {"apartment", "small_apartment", "studio_apartment"},
-    {"bathroom", "family_bathroom", "shower_room"},
-)
-
-
 def plan_model_program(context: Context, reference: PlannedBuilding, palette: Palette) -> tuple[PlannedBuilding, bool]:
     """Return the plan of the model's rooms and cores in the reference's outline, and whether its cores moved."""
     offline = [
@@ -371,7 +364,7 @@ class _Reader:
         left = [fact for fact in self.wanted[floor.index] if fact.area is not None]
         rooms = []
         for room in floor.rooms:
-            fact = next((f for f in left if _is_of(room, f)), None)
+            fact = next((f for f in left if _is_of(room, f, self.context.knowledge)), None)
             if fact is not None and fact.area is not None and abs(room.area - fact.area) <= 0.05 * fact.area:
                 left.remove(fact)
                 room = dataclasses.replace(room, area=fact.area, fixed=True)
@@ -386,7 +379,7 @@ class _Reader:
         pinned = [fact for fact in self.wanted[floor.index] if fact.floors or fact.each]
         for fact in _distinct(pinned):
             need = pinned.count(fact)
-            have = [room for room in (floor.hub, *floor.rooms) if _is_of(room, fact)]
+            have = [room for room in (floor.hub, *floor.rooms) if _is_of(room, fact, self.context.knowledge)]
             if len(have) < need:
                 out.append(f"the brief puts {need} x {fact.name} here, and there are {len(have)}")
             elif fact.area is not None and not any(abs(r.area - fact.area) <= 0.05 * fact.area for r in have):
@@ -400,7 +393,8 @@ class _Reader:
         for fact in _distinct(loose):
             need = loose.count(fact)
             have = sum(
-                _is_of(room, fact) and (fact.area is None or abs(room.area - fact.area) <= 0.05 * fact.area)
+                _is_of(room, fact, self.context.knowledge)
+                and (fact.area is None or abs(room.area - fact.area) <= 0.05 * fact.area)
                 for floor in floors.values()
                 for room in (floor.hub, *floor.rooms)
             )
@@ -440,8 +434,8 @@ def _distinct(facts: list[RoomFact]) -> list[RoomFact]:
     return list(dict.fromkeys(facts))
 
 
-def _is_of(room: ChosenRoom, fact: RoomFact) -> bool:
+def _is_of(room: ChosenRoom, fact: RoomFact, knowledge: KnowledgeBase) -> bool:
     """Whether a room is what a fact asks for."""
     if room.kind.name == fact.room_type or room.id.startswith(fact.name):
         return True
-    return any(fact.room_type in kin and room.kind.name in kin for kin in _KIN)
+    return room.kind.counts_as == knowledge.room(fact.room_type).counts_as

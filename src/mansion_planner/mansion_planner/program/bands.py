@@ -278,16 +278,13 @@ class Segment:
         return (across[0], start - box[2], across[1], start - box[0])
 
 
-_NEAR_CORE = ("restroom", "accessible_toilet", "shower_area", "janitor_closet", "toilet", "bathroom")
-
-
 def front_order(rooms: list[PlannedRoom]) -> list[PlannedRoom]:
     """Order rooms from the cores outwards: wet rooms (stacked from storey to storey), public, service, private."""
     zones = {"circulation": 0, "public": 1, "service": 2, "private": 3}
 
     def rank(room: PlannedRoom) -> tuple[int, int]:
-        if room.kind.name in _NEAR_CORE:
-            return (0, _NEAR_CORE.index(room.kind.name))
+        if room.kind.stack:
+            return (0, room.kind.stack)
         if room.kind.open:
             return (1, 0)
         return (2 + zones[room.kind.zone], 0)

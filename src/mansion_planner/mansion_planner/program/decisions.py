@@ -88,22 +88,6 @@ _SIZES = {"high_rise": (10, 1.0), "mid_rise": (6, 1.0), "low_rise": (3, 1.0), "d
           "triplex": (3, 1.0), "bungalow": (1, 1.0)}  # fmt: skip
 
 
-_HINTS = {
-    "home": "house", "classroom": "school", "patient_room": "hospital", "hotel_room": "hotel",
-    "consultation_room": "clinic", "open_office": "office", "private_office": "office",
-    "meeting_room": "office", "bedroom": "house", "living_room": "house", "apartment": "apartment_building",
-    "shop": "shopping_mall", "sales_area": "supermarket", "gallery": "museum", "laboratory": "laboratory_building",
-    "gym": "gym_building", "cinema_hall": "cinema", "warehouse": "warehouse_building", "operating_room": "hospital",
-    "production_hall": "factory", "restaurant": "restaurant_building", "dorm_room": "student_dormitory",
-    "reading_room": "library_building", "book_stacks": "library_building", "master_bedroom": "house",
-    "parking": "parking_garage", "workshop": "factory", "coworking_area": "coworking", "auditorium": "theater",
-    "courtroom": "courthouse",
-    "cafe": "cafe_building", "sports_hall": "sports_center", "lecture_hall": "university", "kitchen": "house",
-    "studio_apartment": "apartment_building", "bathroom": "house", "dining_room": "house",
-    "kindergarten_classroom": "kindergarten", "dental_room": "dental_clinic", "apparatus_bay": "fire_station",
-}  # fmt: skip
-
-
 _PEOPLE_HINTS = {"pupil": "school", "student": "university", "patient": "hospital", "bed": "hospital",
                  "employee": "office", "guest": "hotel", "resident": "apartment_building", "worker": "office",
                  "family": "house", "kid": "kindergarten", "child": "kindergarten", "developer": "office",
@@ -111,18 +95,19 @@ _PEOPLE_HINTS = {"pupil": "school", "student": "university", "patient": "hospita
                  "tenant": "apartment_building"}  # fmt: skip
 
 
-def infer_building(facts: BriefFacts) -> str:
+def infer_building(facts: BriefFacts, knowledge: KnowledgeBase) -> str:
+    """Return the building type that the uses, rooms and occupants of a brief suggest."""
     if len({use.building_type for use in facts.uses}) > 1:
         return "mixed_use"
     if facts.uses:
         return facts.uses[0].building_type
     votes: dict[str, float] = {}
     for room in facts.rooms:
-        hint = _HINTS.get(room.room_type)
+        hint = knowledge.room(room.room_type).suggests
         if hint:
             votes[hint] = votes.get(hint, 0.0) + min(room.count or 2, 4)
     for occupants in facts.occupants:
-        hint = _PEOPLE_HINTS.get(occupants.noun)
+        hint = _PEOPLE_HINTS.get(occupants.noun, "")
         if hint:
             votes[hint] = votes.get(hint, 0.0) + 3.0
     if votes:
@@ -368,7 +353,7 @@ def _building(facts: BriefFacts, knowledge: KnowledgeBase, trace: list[TraceEntr
         name, span = facts.building[0]
         note(trace, span, f"building type {name}")
         return knowledge.buildings[name]
-    name = infer_building(facts)
+    name = infer_building(facts, knowledge)
     building = knowledge.buildings.get(name) or next(iter(knowledge.buildings.values()))
     note(trace, None, f"no building type is named: {building.name} suits the rooms best")
     return building

@@ -10,14 +10,6 @@ from mansion_planner.program.storeys import entries_of, floors_of
 
 __all__ = ["Allocation", "allocate", "base_rooms", "fill_storey", "fit_areas", "hub_area", "name_rooms", "planned_room"]
 
-_KIN = (
-    frozenset({"bedroom", "master_bedroom", "guest_room", "childrens_room"}),
-    frozenset({"kitchen", "open_kitchen", "kitchen_diner"}),
-    frozenset({"hotel_room", "hotel_suite"}),
-    frozenset({"apartment", "small_apartment", "studio_apartment"}),
-)
-_EVERYWHERE = frozenset({"restroom", "storage", "corridor", "lobby", "janitor_closet"})
-
 
 @dataclass
 class Allocation:
@@ -62,7 +54,7 @@ def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFa
         "kid",
         "child",
     ):
-        if stated & _KIN[0]:
+        if any(knowledge.room(name).counts_as == "bedroom" for name in stated):
             return []
         grown = people.count if people.noun not in ("kid", "child") else people.count + 2
         count = max(1, min(grown - 1, 8))
@@ -89,8 +81,8 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
     settled: set[str] = set()
     for fact in [*decisions.facts.rooms, *_people_rooms(decisions, knowledge)]:
         kind = knowledge.room(fact.room_type)
-        if fact.count is not None and not (fact.room_type in _EVERYWHERE and fact.count == 1):
-            settled.update(next((kin for kin in _KIN if fact.room_type in kin), {fact.room_type}))
+        if fact.count is not None and not (kind.common and fact.count == 1):
+            settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)
             if fact.count > 1:
                 settled.update(_same_head(fact.name, knowledge))
         _distribute(fact, kind, decisions, storeys, allocation)
