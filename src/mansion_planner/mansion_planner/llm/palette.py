@@ -8,7 +8,7 @@ from mansion_planner.llm.context import ARCHITECT, CLOSING, Context
 from mansion_planner.program.building import PlannedBuilding, materials_of
 from mansion_planner.program.decisions import Decisions
 
-__all__ = ["Palette", "choose_palette", "palette_prompt"]
+__all__ = ["Palette", "choose_palette"]
 
 MOST_TYPES = 60
 
@@ -58,7 +58,7 @@ def _types(reference: PlannedBuilding) -> list[str]:
     return sorted(found)[:MOST_TYPES]
 
 
-def palette_prompt(context: Context, reference: PlannedBuilding) -> Prompt:
+def _palette_prompt(context: Context, reference: PlannedBuilding) -> Prompt:
     """Return the question for materials."""
     decisions = reference.decisions
     wet = [name for name in _types(reference) if context.knowledge.room(name).wet]
@@ -95,7 +95,7 @@ def choose_palette(context: Context, reference: PlannedBuilding) -> Palette:
                     faults.append(Fault(f"{entry.room_type}: {fault}", entry.room_type))
         return faults
 
-    answer = context.client.ask(palette_prompt(context, reference), MaterialsAnswer, check)
+    answer = context.client.ask(_palette_prompt(context, reference), MaterialsAnswer, check)
     if answer.value is None:
         context.from_rules("materials", answer.reason)
         return Palette(context, decisions, {})

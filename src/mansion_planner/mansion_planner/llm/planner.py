@@ -67,7 +67,7 @@ def plan_with_model(
     for storey in planned.storeys:
         source = storey.index if storey.copy is None else storey.copy
         if storey.copy is None:
-            topology, problem = _floor(context, planned, storey, palette, request.seed, moved)
+            topology, problem = _floor(context, planned, storey, palette, request.seed, moved=moved)
         else:
             topology = msgspec.structs.replace(topologies[source], floor=storey.index)
             plan_id = f"{building_id}/F{storey.index}"
@@ -113,7 +113,7 @@ def _kept_cores(
 
 
 def _regrouped(
-    planned: PlannedBuilding, storey: Storey, graph: FloorTopology, palette: Palette, moved: bool
+    planned: PlannedBuilding, storey: Storey, graph: FloorTopology, palette: Palette, *, moved: bool
 ) -> PlannedBuilding:
     """Return the plan with the storey sketched anew as the graph groups its rooms: suites behind their room."""
     rooms = {room.id for top in storey.rooms for room in top.each()}
@@ -148,13 +148,13 @@ def _parents(graph: FloorTopology) -> dict[str, str]:
 
 
 def _floor(
-    context: Context, planned: PlannedBuilding, storey: Storey, palette: Palette, seed: int, moved: bool
+    context: Context, planned: PlannedBuilding, storey: Storey, palette: Palette, seed: int, *, moved: bool
 ) -> tuple[FloorTopology, FloorProblem]:
     """Return a floor's graph and problem: the model's where the solver can realise them."""
     offline = floor_topology(planned, storey, context.knowledge)
     own = plan_model_topology(context, planned, offline, palette)
     topology = own or offline
-    sketched = planned if own is None else _regrouped(planned, storey, own, palette, moved)
+    sketched = planned if own is None else _regrouped(planned, storey, own, palette, moved=moved)
     plain = floor_problem(sketched, storey, topology, seed)
     requirement = next(f.requirement for f in planned.program.floors if f.index == storey.index)
     boxes = collect_seeds(context, plain, requirement)

@@ -98,7 +98,7 @@ def refit(
     by_index = {storey.index: storey for storey in out.storeys}
     for storey in out.storeys:
         if storey.copy is None:
-            out.sketches[storey.index] = _sketch(out, storey, placed)
+            out.sketches[storey.index] = _sketch(out, storey, placed=placed)
     for storey in out.storeys:
         if storey.copy is not None:
             storey.rooms, storey.hub = by_index[storey.copy].rooms, by_index[storey.copy].hub
@@ -132,7 +132,7 @@ def _planned(room: ChosenRoom) -> PlannedRoom:
     )  # fmt: skip
 
 
-def _sketch(planned: PlannedBuilding, storey: Storey, placed: bool) -> Sketch:
+def _sketch(planned: PlannedBuilding, storey: Storey, *, placed: bool) -> Sketch:
     massing, decisions = planned.massing, planned.decisions
     hub = storey.hub.name
     if decisions.free_form or not placed:

@@ -17,7 +17,8 @@ from mansion_planner.llm.palette import Palette
 from mansion_planner.program.building import PlannedBuilding
 from mansion_planner.solver.problem import resolve_zones
 
-__all__ = ["free_region", "plan_model_topology", "topology_prompt"]
+__all__ = ["free_region", "plan_model_topology"]
+
 
 _RULES = f"""\
 Rules:
@@ -37,10 +38,42 @@ Rules:
    can and give the rest to hub and corridors.
 8. Each node has a floor_material and a wall_material in a few plain words."""
 
+
 _SCHEMA = """\
 {"nodes": [{"id": "<id>", "type": "main|Entities|area|stair|elevator", "area": <float>, "floor_material": "<words>",
             "wall_material": "<words>", "open_relation": "open|door"}],
  "edges": [{"source": "<id>", "target": "<id>", "kind": "access|adjacent"}]}"""
+
+
+_KINDS: dict[str, NodeKind] = {
+    "main": "main", "entities": "Entities", "entity": "Entities", "room": "Entities", "area": "area",
+    "stair": "stair", "elevator": "elevator",
+}  # fmt: skip
+
+
+def plan_model_topology(
+    context: Context, planned: PlannedBuilding, offline: FloorTopology, palette: Palette
+) -> FloorTopology | None:
+    """Return the model's room graph of a floor, or ``None`` where the offline one is to stay.
+
+    Parameters
+    ----------
+    offline : FloorTopology
+        The graph of the sketch of the same rooms.
+    """
+    piece = f"topology/F{offline.floor}"
+    if not context.client.wants("topology"):
+        context.from_rules(piece)
+        return None
+    floor = next(f for f in planned.program.floors if f.index == offline.floor)
+    reader = _Reader(context, planned, floor, offline, palette)
+    prompt = _topology_prompt(context, planned, floor, palette)
+    answer = context.client.ask(prompt, TopologyAnswer, reader.faults)
+    if answer.value is None or not answer.good:
+        context.from_rules(piece, answer.reason)
+        return None
+    context.from_model(piece)
+    return reader.topology(answer.value, [])
 
 
 def free_region(floor: FloorProgram, planned: PlannedBuilding) -> Polygon:
@@ -49,7 +82,7 @@ def free_region(floor: FloorProgram, planned: PlannedBuilding) -> Polygon:
     return Polygon(floor.outline, floor.holes).difference(shapely.union_all(cores))
 
 
-def topology_prompt(context: Context, planned: PlannedBuilding, floor: FloorProgram, palette: Palette) -> Prompt:
+def _topology_prompt(context: Context, planned: PlannedBuilding, floor: FloorProgram, palette: Palette) -> Prompt:
     """Return the question for one floor's room graph."""
     free = free_region(floor, planned)
     rings = [
@@ -77,37 +110,6 @@ def topology_prompt(context: Context, planned: PlannedBuilding, floor: FloorProg
         _SCHEMA,
     ]
     return Prompt("floor_topology", ARCHITECT, "\n".join(lines))
-
-
-_KINDS: dict[str, NodeKind] = {
-    "main": "main", "entities": "Entities", "entity": "Entities", "room": "Entities", "area": "area",
-    "stair": "stair", "elevator": "elevator",
-}  # fmt: skip
-
-
-def plan_model_topology(
-    context: Context, planned: PlannedBuilding, offline: FloorTopology, palette: Palette
-) -> FloorTopology | None:
-    """Return the model's room graph of a floor, or ``None`` where the offline one is to stay.
-
-    Parameters
-    ----------
-    offline : FloorTopology
-        The graph of the sketch of the same rooms.
-    """
-    piece = f"topology/F{offline.floor}"
-    if not context.client.wants("topology"):
-        context.from_rules(piece)
-        return None
-    floor = next(f for f in planned.program.floors if f.index == offline.floor)
-    reader = _Reader(context, planned, floor, offline, palette)
-    prompt = topology_prompt(context, planned, floor, palette)
-    answer = context.client.ask(prompt, TopologyAnswer, reader.faults)
-    if answer.value is None or not answer.good:
-        context.from_rules(piece, answer.reason)
-        return None
-    context.from_model(piece)
-    return reader.topology(answer.value, [])
 
 
 class _Reader:

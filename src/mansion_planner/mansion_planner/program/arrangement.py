@@ -29,6 +29,45 @@ from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_ar
 __all__ = ["Arrangement", "apart_pairs", "best_arrangement", "neighbours", "wanted_pairs"]
 
 
+Arrangement = tuple[Massing, Frame, dict[int, Sketch], dict[int, Envelope]]
+"""A massing, where it stands, and the sketch and the envelope of each storey by index."""
+
+
+def best_arrangement(
+    decisions: Decisions, wish: MassingWish, storeys: list[Storey], allocation: Allocation, knowledge: KnowledgeBase
+) -> Arrangement:
+    """Lay the building out; when rooms lack a door's wall or wished neighbours stay apart, try other proportions."""
+    best: tuple[int, Arrangement] | None = None
+    attempts = 6 if decisions.outline is None and not decisions.free_form else 1
+    for attempt in range(attempts):
+        growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
+        generator = item_generator(decisions.seed, "massing", attempt)
+        layout = _arranged(
+            decisions,
+            replace(wish, area=wish.area * growth, variant=attempt),
+            storeys,
+            allocation,
+            knowledge,
+            generator,
+        )
+        apart = sum(len(apart_pairs(decisions, s, layout[2][s.index])) for s in storeys)
+        short = sum(len(short_edges(layout[2][s.index])) for s in storeys if s.copy is None)
+        missed = apart + short + sum(misses_areas(layout[2][s.index]) for s in storeys if s.copy is None)
+        if best is None or missed < best[0]:
+            best = (missed, layout)
+        if missed == 0:
+            break
+    assert best is not None
+    massing, frame, sketches, envelopes = best[1]
+    for storey in storeys:
+        sketch = sketches[storey.index]
+        if storey.copy is None and (misses_areas(sketch) or apart_pairs(decisions, storey, sketch)):
+            sketches[storey.index] = loosened(sketch)
+        elif storey.copy is not None:
+            sketches[storey.index] = sketches[storey.copy]
+    return massing, frame, sketches, envelopes
+
+
 def wanted_pairs(decisions: Decisions) -> list[tuple[str, str]]:
     """Return room types to be side by side: the brief's wishes last, so that they win."""
     usual = [("kitchen", "dining_room"), ("commercial_kitchen", "restaurant"), ("commercial_kitchen", "cafeteria")]
@@ -69,45 +108,6 @@ def neighbours(decisions: Decisions, storey: Storey, sketch: Sketch) -> dict[str
             pair = next((p for p in pairs if decisions.free_form or sketch.loose or touching(*p)), pairs[0])
             beside.setdefault(pair[0].room.id, []).append(pair[1].room.id)
     return beside
-
-
-Arrangement = tuple[Massing, Frame, dict[int, Sketch], dict[int, Envelope]]
-"""A massing, where it stands, and the sketch and the envelope of each storey by index."""
-
-
-def best_arrangement(
-    decisions: Decisions, wish: MassingWish, storeys: list[Storey], allocation: Allocation, knowledge: KnowledgeBase
-) -> Arrangement:
-    """Lay the building out; when rooms lack a door's wall or wished neighbours stay apart, try other proportions."""
-    best: tuple[int, Arrangement] | None = None
-    attempts = 6 if decisions.outline is None and not decisions.free_form else 1
-    for attempt in range(attempts):
-        growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
-        generator = item_generator(decisions.seed, "massing", attempt)
-        layout = _arranged(
-            decisions,
-            replace(wish, area=wish.area * growth, variant=attempt),
-            storeys,
-            allocation,
-            knowledge,
-            generator,
-        )
-        apart = sum(len(apart_pairs(decisions, s, layout[2][s.index])) for s in storeys)
-        short = sum(len(short_edges(layout[2][s.index])) for s in storeys if s.copy is None)
-        missed = apart + short + sum(misses_areas(layout[2][s.index]) for s in storeys if s.copy is None)
-        if best is None or missed < best[0]:
-            best = (missed, layout)
-        if missed == 0:
-            break
-    assert best is not None
-    massing, frame, sketches, envelopes = best[1]
-    for storey in storeys:
-        sketch = sketches[storey.index]
-        if storey.copy is None and (misses_areas(sketch) or apart_pairs(decisions, storey, sketch)):
-            sketches[storey.index] = loosened(sketch)
-        elif storey.copy is not None:
-            sketches[storey.index] = sketches[storey.copy]
-    return massing, frame, sketches, envelopes
 
 
 def _arranged(

@@ -4,17 +4,7 @@ from dataclasses import dataclass, field
 
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
 
-__all__ = [
-    "Block",
-    "Segment",
-    "bring_together",
-    "fill_segments",
-    "front_depth",
-    "front_order",
-    "group_blocks",
-    "lay_block",
-    "widened",
-]
+__all__ = ["Block", "Segment", "bring_together", "fill_segments", "front_order", "group_blocks", "lay_block", "widened"]
 
 DOOR = 1.5
 """Least contact of a room with what it is reached from, with a margin over the 1.20 m of a door, metres."""
@@ -73,7 +63,7 @@ class Block:
         return [*self.smalls, self.host]
 
 
-def front_depth(area: float, depth: float) -> float:
+def _front_depth(area: float, depth: float) -> float:
     """Return how deep a small room of `area` is made in a band of `depth`."""
     return float(min(max((area * 1.25) ** 0.5, 1.8), max(depth - 1.8, 0.55 * depth)))
 
@@ -84,7 +74,7 @@ def group_blocks(rooms: list[PlannedRoom], depth: float, pairs: list[tuple[str, 
     narrow.sort(key=lambda room: -room.area)
     blocks = [Block(room) for room in rooms if not any(room is other for other in narrow)]
     for room in narrow:
-        width = room.area / front_depth(room.area, depth)
+        width = room.area / _front_depth(room.area, depth)
         best: Block | None = None
         for block in blocks:
             spare = _spare_front(block, depth)
@@ -101,7 +91,7 @@ def group_blocks(rooms: list[PlannedRoom], depth: float, pairs: list[tuple[str, 
 
 def _spare_front(block: Block, depth: float) -> float:
     width = block.gross / depth
-    return width - sum(room.area / front_depth(room.area, depth) for room in block.smalls)
+    return width - sum(room.area / _front_depth(room.area, depth) for room in block.smalls)
 
 
 def _fit(block: Block, room: PlannedRoom, depth: float, pairs: list[tuple[str, str]]) -> float:
@@ -137,7 +127,7 @@ def lay_block(block: Block, width: float, depth: float) -> list[tuple[PlannedRoo
     x = 0.0
     corner_boxes: list[Box] = []
     for number, room in enumerate(block.smalls):
-        high = front_depth(room.area * scale, depth)
+        high = _front_depth(room.area * scale, depth)
         after = LEAST_FRONT * (len(block.smalls) - number)
         wide = min(max(room.area * scale / high, LEAST_FRONT), max(width - x - after, 0.5))
         high = min(high, max(room.area * scale / wide, 1.2))
@@ -166,7 +156,7 @@ def _lay_one(
 ) -> list[tuple[PlannedRoom, list[Box]]]:
     """A child in the front corner when the front is wide enough (a hotel room's bath), else at the back."""
     area = child.area * scale
-    high = front_depth(area, depth)
+    high = _front_depth(area, depth)
     wide = area / high
     if width - wide >= DOOR and area < 0.4 * host.area * scale:
         corner: Box = (0.0, 0.0, wide, high)
@@ -371,6 +361,8 @@ class _Share:
 
     def cost(self, coming: _Parts = _NOTHING, leaving: _Parts = _NOTHING, members: int = 0) -> float:
         """Return the segment's price after a change."""
+        # Squared, so that two segments a little off are cheaper than one far off. A block of fixed area costs extra
+        # where the others cannot give way, and a segment without a block is worth avoiding at almost any price.
         length = self.segment.length
         used = self.used + coming[0] - leaving[0]
         rigid = self.rigid + coming[2] - leaving[2]

@@ -28,6 +28,64 @@ from mansion_planner.program.wishes import assign_furniture, requested_objects, 
 __all__ = ["PlannedBuilding", "floor_program", "materials_of", "plan_program"]
 
 
+@dataclass
+class PlannedBuilding:
+    """The program and what it was made from, for the topology stage."""
+
+    program: BuildingProgram
+    decisions: Decisions
+    massing: Massing
+    frame: Frame
+    storeys: list[Storey]
+    sketches: dict[int, Sketch] = field(default_factory=dict)
+    envelopes: dict[int, Envelope] = field(default_factory=dict)
+
+
+def plan_program(
+    request: BuildRequest, facts: BriefFacts, knowledge: KnowledgeBase, building_id: str, generator: np.random.Generator
+) -> PlannedBuilding:
+    """Decide, distribute the rooms, choose the massing, and sketch every storey.
+
+    Raises
+    ------
+    MansionError
+        See `mansion_planner.plan.plan_building`.
+    """
+    decisions = decide(request, facts, knowledge, generator)
+    storeys = make_storeys(decisions, knowledge)
+    allocation = allocate(decisions, knowledge, storeys)
+    method, stairs, lifts, why = vertical_method(decisions, storeys, allocation, knowledge)
+    area = storey_area(decisions, storeys, allocation, knowledge, stairs, lifts)
+    wish = MassingWish(
+        area, decisions.building, stairs, lifts, exact=decisions.area_stated,
+        room=typical_room(storeys, allocation, knowledge), shape=choose_shape(decisions, area, generator),
+    )  # fmt: skip
+    massing, frame, sketches, envelopes = best_arrangement(decisions, wish, storeys, allocation, knowledge)
+    assign_furniture(decisions, storeys)
+    walls = bearing_walls([sketches[storey.index] for storey in storeys], frame)
+    program = BuildingProgram(
+        building_id=building_id,
+        reasoning=_reasoning(decisions, area),
+        vertical_connectivity=VerticalConnectivity(method=method, cores=_cores(massing, frame), justification=why),
+        floors=[
+            floor_program(decisions, storey, sketches[storey.index], envelopes[storey.index], knowledge)
+            for storey in storeys
+        ],
+        description=request.description,
+        building_type=decisions.building.name,
+        style=decisions.style,
+        seed=request.seed,
+        trace=decisions.trace,
+        downgrades=decisions.downgrades,
+        wishes=wishes_of(decisions, knowledge),
+    )
+    for floor in program.floors:
+        floor.structural_walls = list(walls)
+    _set_elevations(program)
+    note(decisions.trace, None, f"{why}")
+    return PlannedBuilding(program, decisions, massing, frame, storeys, sketches, envelopes)
+
+
 def materials_of(
     kind: RoomType, style: str, knowledge: KnowledgeBase, wishes: list[MaterialFact] | None = None
 ) -> tuple[str, str]:
@@ -134,64 +192,6 @@ def _requirement(storey: Storey) -> str:
         if kinds
         else f"{storey.role} storey of {with_article(use)}"
     )
-
-
-@dataclass
-class PlannedBuilding:
-    """The program and what it was made from, for the topology stage."""
-
-    program: BuildingProgram
-    decisions: Decisions
-    massing: Massing
-    frame: Frame
-    storeys: list[Storey]
-    sketches: dict[int, Sketch] = field(default_factory=dict)
-    envelopes: dict[int, Envelope] = field(default_factory=dict)
-
-
-def plan_program(
-    request: BuildRequest, facts: BriefFacts, knowledge: KnowledgeBase, building_id: str, generator: np.random.Generator
-) -> PlannedBuilding:
-    """Decide, distribute the rooms, choose the massing, and sketch every storey.
-
-    Raises
-    ------
-    MansionError
-        See `mansion_planner.plan.plan_building`.
-    """
-    decisions = decide(request, facts, knowledge, generator)
-    storeys = make_storeys(decisions, knowledge)
-    allocation = allocate(decisions, knowledge, storeys)
-    method, stairs, lifts, why = vertical_method(decisions, storeys, allocation, knowledge)
-    area = storey_area(decisions, storeys, allocation, knowledge, stairs, lifts)
-    wish = MassingWish(
-        area, decisions.building, stairs, lifts, exact=decisions.area_stated,
-        room=typical_room(storeys, allocation, knowledge), shape=choose_shape(decisions, area, generator),
-    )  # fmt: skip
-    massing, frame, sketches, envelopes = best_arrangement(decisions, wish, storeys, allocation, knowledge)
-    assign_furniture(decisions, storeys)
-    walls = bearing_walls([sketches[storey.index] for storey in storeys], frame)
-    program = BuildingProgram(
-        building_id=building_id,
-        reasoning=_reasoning(decisions, area),
-        vertical_connectivity=VerticalConnectivity(method=method, cores=_cores(massing, frame), justification=why),
-        floors=[
-            floor_program(decisions, storey, sketches[storey.index], envelopes[storey.index], knowledge)
-            for storey in storeys
-        ],
-        description=request.description,
-        building_type=decisions.building.name,
-        style=decisions.style,
-        seed=request.seed,
-        trace=decisions.trace,
-        downgrades=decisions.downgrades,
-        wishes=wishes_of(decisions, knowledge),
-    )
-    for floor in program.floors:
-        floor.structural_walls = list(walls)
-    _set_elevations(program)
-    note(decisions.trace, None, f"{why}")
-    return PlannedBuilding(program, decisions, massing, frame, storeys, sketches, envelopes)
 
 
 def _reasoning(decisions: Decisions, area: float) -> str:

@@ -13,19 +13,24 @@ from mansion_msgs_py.wording import with_article
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
 from mansion_planner.program.footprint import check_footprint, is_rectangle
 
-__all__ = [
-    "AREA_CAP",
-    "Decisions",
-    "MOST_FLOORS",
-    "area_of_footprint",
-    "conflict",
-    "decide",
-    "infer_building",
-    "infer_floors",
-    "note",
-    "quoted",
-    "settle_area",
-]
+__all__ = ["AREA_CAP", "Decisions", "MOST_FLOORS", "conflict", "decide", "note", "quoted"]
+
+
+MOST_FLOORS = 100
+
+
+_STOREYS = {"high_rise": 10, "mid_rise": 6, "low_rise": 3, "duplex": 2, "triplex": 3, "bungalow": 1}
+
+
+_PEOPLE_HINTS = {"pupil": "school", "student": "university", "patient": "hospital", "bed": "hospital",
+                 "employee": "office", "guest": "hotel", "resident": "apartment_building", "worker": "office",
+                 "family": "house", "kid": "kindergarten", "child": "kindergarten", "developer": "office",
+                 "diner": "restaurant_building", "firefighter": "fire_station",
+                 "tenant": "apartment_building"}  # fmt: skip
+
+
+AREA_CAP = 500.0
+"""Most square metres of a storey that are inferred (section B.1)."""
 
 
 @dataclass
@@ -63,6 +68,41 @@ class Decisions:
     furniture: dict[tuple[int, str], list[RequestedObject]] = field(default_factory=dict)
 
 
+def decide(
+    request: BuildRequest, facts: BriefFacts, knowledge: KnowledgeBase, generator: np.random.Generator
+) -> Decisions:
+    """Resolve type, storeys, area and style; statements that exclude each other are settled and recorded.
+
+    Fields of the request win over the text; in the text explicit counts and storeys win over rooms, rooms over areas.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` for numbers beyond the limits of a program.
+    """
+    trace: list[TraceEntry] = []
+    given_way: list[Downgrade] = []
+    facts = _settled(facts, given_way)
+    building = _building(facts, knowledge, trace)
+    floors, facts = _floors(request, facts, building, trace, generator, given_way)
+    basements = _basements(facts, trace)
+    style = building.style
+    if facts.styles:
+        style = facts.styles[0][0]
+        note(trace, facts.styles[0][1], f"style {style}")
+    decisions = Decisions(
+        building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace, downgrades=given_way
+    )
+    if building.name == "bungalow" and floors > 1:
+        reason = "a bungalow has one storey, and the number of storeys is stated"
+        decisions.downgrades.append(conflict("bungalow", f"a house of {floors} storeys", reason))
+    if request.footprint is not None:
+        _area_of_footprint(request, decisions)
+    else:
+        _settle_area(request, decisions, generator)
+    return decisions
+
+
 def conflict(wish: str, got: str, reason: str, floor: int | None = None) -> Downgrade:
     """Return the record of a statement that gave way to another one."""
     return Downgrade(wish=wish, got=got, reason=reason, stage="program", floor=floor)
@@ -73,9 +113,6 @@ def quoted(span: Span) -> str:
     return f'"{span.words}" (characters {span.start} to {span.end} of the description)'
 
 
-MOST_FLOORS = 100
-
-
 def note(trace: list[TraceEntry], span: Span | None, effect: str) -> None:
     """Add a line to the trace: the words (or none, for a rule) and what they led to."""
     if span is None:
@@ -84,18 +121,7 @@ def note(trace: list[TraceEntry], span: Span | None, effect: str) -> None:
         trace.append(TraceEntry(words=span.words, effect=effect, start=span.start, end=span.end))
 
 
-_SIZES = {"high_rise": (10, 1.0), "mid_rise": (6, 1.0), "low_rise": (3, 1.0), "duplex": (2, 1.0),
-          "triplex": (3, 1.0), "bungalow": (1, 1.0)}  # fmt: skip
-
-
-_PEOPLE_HINTS = {"pupil": "school", "student": "university", "patient": "hospital", "bed": "hospital",
-                 "employee": "office", "guest": "hotel", "resident": "apartment_building", "worker": "office",
-                 "family": "house", "kid": "kindergarten", "child": "kindergarten", "developer": "office",
-                 "diner": "restaurant_building", "firefighter": "fire_station",
-                 "tenant": "apartment_building"}  # fmt: skip
-
-
-def infer_building(facts: BriefFacts, knowledge: KnowledgeBase) -> str:
+def _infer_building(facts: BriefFacts, knowledge: KnowledgeBase) -> str:
     """Return the building type that the uses, rooms and occupants of a brief suggest."""
     if len({use.building_type for use in facts.uses}) > 1:
         return "mixed_use"
@@ -117,14 +143,15 @@ def infer_building(facts: BriefFacts, knowledge: KnowledgeBase) -> str:
     return "house" if not any(q.value > 300 for q in facts.area) else "office"
 
 
-def infer_floors(
+def _infer_floors(
     facts: BriefFacts, building: BuildingType, needed: int, trace: list[TraceEntry], generator: np.random.Generator
 ) -> int:
+    """Return a number of storeys that suits the type, the sizes named and the storeys that rooms are put on."""
     usual, most = building.floors
     count, reason = usual, f"{with_article(building.name)} usually has {usual}"
-    sized = next(((word, span) for word, span in facts.size if word in _SIZES), None)
+    sized = next(((word, span) for word, span in facts.size if word in _STOREYS), None)
     if sized is not None:
-        count, reason = _SIZES[sized[0]][0], f'"{sized[1].words}"'
+        count, reason = _STOREYS[sized[0]], f'"{sized[1].words}"'
         if building.name == "penthouse" or (sized[0] == "high_rise" and building.family == "home"):
             count = usual
     elif facts.area and facts.floor_area:
@@ -162,11 +189,7 @@ def infer_floors(
     return result
 
 
-AREA_CAP = 500.0
-"""Most square metres of a storey that are inferred (section B.1)."""
-
-
-def settle_area(request: BuildRequest, decisions: Decisions, generator: np.random.Generator) -> None:
+def _settle_area(request: BuildRequest, decisions: Decisions, generator: np.random.Generator) -> None:
     """Set the area of a storey from what the request and the brief state, or from what is usual.
 
     The request's own fields win over the text, and a total over the area of a storey that does not agree with it.
@@ -238,7 +261,7 @@ def _overruled(
     return total, floor
 
 
-def area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:
+def _area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:
     """Take the area of the given outline; areas and outlines of the text that do not agree with it give way.
 
     Raises
@@ -285,41 +308,6 @@ def _infer_area(decisions: Decisions, generator: np.random.Generator) -> None:
     note(decisions.trace, None, f"about {decisions.area:.0f} m2 a storey, usual for {with_article(building.name)}")
 
 
-def decide(
-    request: BuildRequest, facts: BriefFacts, knowledge: KnowledgeBase, generator: np.random.Generator
-) -> Decisions:
-    """Resolve type, storeys, area and style; statements that exclude each other are settled and recorded.
-
-    Fields of the request win over the text; in the text explicit counts and storeys win over rooms, rooms over areas.
-
-    Raises
-    ------
-    MansionError
-        ``INFEASIBLE`` for numbers beyond the limits of a program.
-    """
-    trace: list[TraceEntry] = []
-    given_way: list[Downgrade] = []
-    facts = _settled(facts, given_way)
-    building = _building(facts, knowledge, trace)
-    floors, facts = _floors(request, facts, building, trace, generator, given_way)
-    basements = _basements(facts, trace)
-    style = building.style
-    if facts.styles:
-        style = facts.styles[0][0]
-        note(trace, facts.styles[0][1], f"style {style}")
-    decisions = Decisions(
-        building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace, downgrades=given_way
-    )
-    if building.name == "bungalow" and floors > 1:
-        reason = "a bungalow has one storey, and the number of storeys is stated"
-        decisions.downgrades.append(conflict("bungalow", f"a house of {floors} storeys", reason))
-    if request.footprint is not None:
-        area_of_footprint(request, decisions)
-    else:
-        settle_area(request, decisions, generator)
-    return decisions
-
-
 def _settled(facts: BriefFacts, given_way: list[Downgrade]) -> BriefFacts:
     """Return the facts without those that exclude others; record what gave way."""
     facts = replace(facts, vertical=_vertical_of(facts, given_way))
@@ -353,7 +341,7 @@ def _building(facts: BriefFacts, knowledge: KnowledgeBase, trace: list[TraceEntr
         name, span = facts.building[0]
         note(trace, span, f"building type {name}")
         return knowledge.buildings[name]
-    name = infer_building(facts, knowledge)
+    name = _infer_building(facts, knowledge)
     building = knowledge.buildings.get(name) or next(iter(knowledge.buildings.values()))
     note(trace, None, f"no building type is named: {building.name} suits the rooms best")
     return building
@@ -388,7 +376,7 @@ def _floors(
         reason = f'"{stated.span.words}" is the larger number'
         given_way += [conflict(other.span.words, f"{count} storeys", reason) for other in facts.floors[1:]]
     else:
-        return infer_floors(facts, building, needed, trace, generator), facts
+        return _infer_floors(facts, building, needed, trace, generator), facts
     if place is not None and needed > count:
         reason = f"the building has {count} {'storeys' if count > 1 else 'storey'}"
         given_way.append(conflict(place.span.words, f"storey {count}", reason, count))

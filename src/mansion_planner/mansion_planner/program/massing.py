@@ -19,7 +19,6 @@ __all__ = [
     "MassingWish",
     "choose_massing",
     "choose_shape",
-    "least_area",
     "rectangle_massing",
     "storey_area",
     "typical_room",
@@ -134,7 +133,7 @@ def storey_area(
         usual = typical * 0.85 if small else min(typical, 1.5 * usual)
     result = max(usual, asked, decisions.building.floor_area[0])
     if decisions.facts.shapes:
-        result = max(result, least_area(decisions.facts.shapes[0][0]))
+        result = max(result, _least_area(decisions.facts.shapes[0][0]))
     if result > usual + 1.0 and asked > usual:
         note(decisions.trace, None, f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}")
     if result > AREA_CAP:
@@ -244,7 +243,7 @@ class MassingWish:
 _LEAST_AREA = {"L": 110.0, "T": 170.0, "U": 300.0, "H": 380.0, "courtyard": 440.0}
 
 
-def least_area(shape: str) -> float:
+def _least_area(shape: str) -> float:
     """Return the least gross area of a storey with an outline of that shape, square metres."""
     return _LEAST_AREA.get(shape, 0.0)
 

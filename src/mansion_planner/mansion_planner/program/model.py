@@ -28,7 +28,6 @@ __all__ = [
     "loosened",
     "misses_areas",
     "pocket",
-    "shared_wall",
     "short_edges",
     "touching",
 ]
@@ -204,7 +203,7 @@ DOOR_WALL = 1.22
 """Least straight wall that a sketch gives an access edge: the solver's 1.20 m and what rounding takes, metres."""
 
 
-@dataclass
+@dataclass(frozen=True)
 class Corridor:
     """A corridor, or the hub (the first): its boxes, what it is reached from, and the rooms on it."""
 
@@ -219,7 +218,7 @@ class Corridor:
         return self.given or sum(box_area(box) for box in self.boxes)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Placement:
     """A room's place: disjoint boxes, and the room or corridor that it is reached from."""
 
@@ -234,7 +233,7 @@ class Placement:
         return self.given or sum(box_area(box) for box in self.boxes)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Sketch:
     """Corridors (the hub first), placed rooms, and which corridor each core opens to.
 
@@ -297,6 +296,7 @@ def pocket(massing: Massing) -> float:
 
 
 def far_stair(massing: Massing) -> float:
+    """Return the length that the stairs at the far end take of the north band, metres."""
     return sum(
         core.box[2] - core.box[0]
         for core in massing.cores
@@ -315,7 +315,7 @@ def touching(first: Placement, second: Placement) -> bool:
     return False
 
 
-def shared_wall(first: list[Box], second: list[Box]) -> float:
+def _shared_wall(first: list[Box], second: list[Box]) -> float:
     """Return the longest straight wall that two sets of boxes share, metres."""
     spans: dict[tuple[bool, float], list[tuple[float, float]]] = {}
     for a in first:
@@ -347,7 +347,7 @@ def short_edges(sketch: Sketch) -> list[tuple[str, str]]:
     edges += [(placement.parent, placement.room.id) for placement in sketch.rooms]
     return [
         (parent, name) for parent, name in edges
-        if places[name] and shared_wall(places.get(parent, []), places[name]) < DOOR_WALL
+        if places[name] and _shared_wall(places.get(parent, []), places[name]) < DOOR_WALL
     ]  # fmt: skip
 
 

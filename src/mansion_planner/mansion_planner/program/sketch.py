@@ -1,6 +1,7 @@
 """Sketch a storey with corridors: where they run, which rooms they serve, and the place of each room."""
 
 import itertools
+from dataclasses import replace
 
 from mansion_planner.program.bands import Segment, fill_segments, front_order, group_blocks, lay_block
 from mansion_planner.program.model import (
@@ -16,32 +17,48 @@ from mansion_planner.program.model import (
     pocket,
 )
 
-__all__ = [
-    "assign_parents",
-    "bearing_lines",
-    "capacity",
-    "close_corridor",
-    "connect_cores",
-    "corridors_of",
-    "fill_pocket",
-    "give_empty",
-    "sketch_storey",
-]
+__all__ = ["capacity", "sketch_storey"]
+
 
 HUB_CHILDREN = 8
 """Rooms that a corridor serves before it is divided."""
+
+_AT_END = "@end"
+"""Stands for the last piece of the main corridor until the corridors are known."""
+
+
+def sketch_storey(massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]) -> Sketch:
+    """Lay out the rooms of a storey along its corridors.
+
+    Parameters
+    ----------
+    massing : Massing
+    storey : Storey
+        With rooms whose areas add up to about the storey's capacity.
+    hub_id : str
+    pairs : list of (str, str)
+        Room types to be side by side.
+    """
+    length = _extent(massing, storey)
+    ends, rest = _end_rooms(massing, storey.rooms, length)
+    stop = length - sum(room.gross / massing.depth for room in ends)
+    segments = _segments(massing, stop, lobby_length(massing, storey))
+    depth = max(segment.depth for segment in segments)
+    blocks = group_blocks(front_order(rest), depth, pairs)
+    fill_segments(segments, blocks, pairs)
+    return _assemble(massing, storey, hub_id, segments, ends, stop, length)
 
 
 def _is_main(corridor: Corridor) -> bool:
     return not corridor.id.startswith("wing_") and corridor.id != "far"
 
 
-def fill_pocket(massing: Massing, rooms: list[Placement]) -> None:
-    """Give the ground above a lift that stands beside the stair to the room next to it."""
+def _with_pocket(massing: Massing, rooms: list[Placement]) -> list[Placement]:
+    """Return the rooms, where the one beside a lift next to the stair also has the floor behind that lift."""
     upper = massing.south + massing.corridor
     lifts = [core.box for core in massing.cores if core.type == "elevator" and core.box[1] >= upper - 0.01]
     if not lifts or pocket(massing) <= 0:
-        return
+        return rooms
     edge = max(box[2] for box in lifts)
     top = max(box[3] for box in lifts)
     spare: Box = (min(box[0] for box in lifts), top, edge, massing.depth)
@@ -50,32 +67,50 @@ def fill_pocket(massing: Massing, rooms: list[Placement]) -> None:
         for box in placement.boxes
         if abs(box[0] - edge) < 0.01 and min(box[3], massing.depth) - max(box[1], top) > 1.2
     ]  # fmt: skip
-    if neighbours:
-        neighbours[0].boxes.append(spare)
+    return [
+        replace(placement, boxes=[*placement.boxes, spare]) if neighbours and placement is neighbours[0] else placement
+        for placement in rooms
+    ]
 
 
-def give_empty(massing: Massing, sketch: Sketch, segments: list[Segment]) -> None:
-    """Give stretches of band without a room to the corridor that they lie on."""
+def _with_empty_bands(massing: Massing, corridors: list[Corridor], segments: list[Segment]) -> list[Corridor]:
+    """Return the corridors with the stretches of band along them that have no room."""
+    given: dict[str, list[Box]] = {}
     for segment in segments:
         if segment.blocks:
             continue
         box = segment.world((0.0, 0.0, segment.length, segment.depth), segment.begin, massing)
-        owners = [c for c in sketch.corridors if c.id == segment.bar]
+        owners = [c for c in corridors if c.id == segment.bar]
         if not owners:
             middle = (box[0] + box[2]) / 2
-            mains = [c for c in sketch.corridors if _is_main(c)]
+            mains = [c for c in corridors if _is_main(c)]
             owners = [c for c in mains if c.boxes[0][0] <= middle <= c.boxes[0][2]] or mains[-1:]
-        owners[0].boxes.append(box)
+        given.setdefault(owners[0].id, []).append(box)
+    return [replace(c, boxes=[*c.boxes, *given.get(c.id, [])]) for c in corridors]
 
 
-def corridors_of(
+def _corridors_of(
     massing: Massing,
     hub_id: str,
     fronts: list[tuple[str, PlannedRoom, float, float]],
     stop: float,
-    ended: bool,
     lobby: float,
+    *,
+    ended: bool,
 ) -> list[Corridor]:
+    """Return the corridors, the hub first: the main one in pieces, one in each wing, and that of the far bar.
+
+    Parameters
+    ----------
+    fronts : list of (str, PlannedRoom, float, float)
+        Bar of each front room, the room, and where its front begins and ends along the bar, metres.
+    stop : float
+        Where the main corridor ends.
+    lobby : float
+        Length of the lift lobby.
+    ended : bool
+        A room closes the bar over its whole depth.
+    """
     low, high = massing.south, massing.south + massing.corridor
     main = sorted((x0, x1) for bar, _, x0, x1 in fronts if bar == "main")
     load = len(main) + len(massing.cores) + len(massing.wings) + ended
@@ -130,57 +165,61 @@ def _cut_positions(main: list[tuple[float, float]], stop: float, pieces: int) ->
     return sorted(cuts)
 
 
-def assign_parents(sketch: Sketch, fronts: list[tuple[str, PlannedRoom, float, float]]) -> None:
-    """Give each front room to the corridor that it touches most."""
-    place = {id(placement.room): placement for placement in sketch.rooms}
-    mains = [c for c in sketch.corridors if _is_main(c)]
+def _with_parents(
+    rooms: list[Placement], corridors: list[Corridor], fronts: list[tuple[str, PlannedRoom, float, float]]
+) -> list[Placement]:
+    """Return the rooms, each front room reached from the corridor that it touches most."""
+    mains = [c for c in corridors if _is_main(c)]
+    owners: dict[int, str] = {}
     for bar, room, x0, x1 in fronts:
-        owner = bar
+        owners[id(room)] = bar
         if bar == "main":
-            owner = max(mains, key=lambda c: min(c.boxes[0][2], x1) - max(c.boxes[0][0], x0)).id
-        place[id(room)].parent = owner
-    for placement in sketch.rooms:
-        if placement.parent == "@end":
-            placement.parent = mains[-1].id
+            owners[id(room)] = max(mains, key=lambda c: min(c.boxes[0][2], x1) - max(c.boxes[0][0], x0)).id
+    placed = [replace(placement, parent=owners.get(id(placement.room), placement.parent)) for placement in rooms]
+    return [replace(p, parent=mains[-1].id) if p.parent == _AT_END else p for p in placed]
 
 
-def close_corridor(massing: Massing, sketch: Sketch, segments: list[Segment], stop: float, ended: bool) -> None:
-    """Let the last room on the north side take the dead end of the corridor."""
-    if ended or far_stair(massing):
-        return
-    mains = [c for c in sketch.corridors if _is_main(c)]
-    last = mains[-1]
+def _closed(
+    massing: Massing, corridors: list[Corridor], rooms: list[Placement], stop: float
+) -> tuple[list[Corridor], list[Placement]]:
+    """Return corridors and rooms, the last room on the north side across the dead end of the corridor where it can."""
+    unchanged = (corridors, rooms)
+    if far_stair(massing):
+        return unchanged
+    last = [c for c in corridors if _is_main(c)][-1]
     low, high = massing.south, massing.south + massing.corridor
     if any(abs(w.x1 - stop) < 8.0 for w in massing.wings):
-        return
+        return unchanged
     x0c = last.boxes[0][0]
     closing = None
-    for placement in sketch.rooms:
+    for placement in rooms:
         if placement.parent == last.id and len(placement.boxes) == 1 and not placement.room.suite:
             box = placement.boxes[0]
             if abs(box[2] - stop) < 0.01 and abs(box[1] - high) < 0.01 and not placement.room.fixed:
                 closing = placement
     if closing is None:
-        return
+        return unchanged
     x = closing.boxes[0][0]
     if x - x0c < 3.0:
-        return
-    for placement in sketch.rooms:
+        return unchanged
+    for placement in rooms:
         if placement is closing or placement.parent != last.id:
             continue
         for box in placement.boxes:
             touches = abs(box[3] - low) < 0.01 and box[2] > x
             if touches and min(box[2], x) - max(box[0], x0c) < 1.5:
-                return
+                return unchanged
     x0, _, x1, y1 = closing.boxes[0]
-    closing.boxes[0] = (x0, low, x1, y1)
-    last.boxes[0] = (x0c, low, x, high)
+    shortened = replace(last, boxes=[(x0c, low, x, high), *last.boxes[1:]])
+    widened = replace(closing, boxes=[(x0, low, x1, y1)])
+    return [shortened if c is last else c for c in corridors], [widened if p is closing else p for p in rooms]
 
 
-def bearing_lines(
-    massing: Massing, sketch: Sketch, lobby: float, stop: float
+def _bearing_lines(
+    massing: Massing, corridors: list[Corridor], lobby: float, stop: float
 ) -> dict[float, list[tuple[float, float]]]:
-    mains = [c for c in sketch.corridors if _is_main(c)]
+    """Return the stretches along x, by their y, where both sides of the main corridor are walls."""
+    mains = [c for c in corridors if _is_main(c)]
     end = max(corridor.boxes[0][2] for corridor in mains)
     far = min((core.box[0] for core in massing.cores if core.box[0] > 0.5 * massing.length), default=end)
     lines = {massing.south + massing.corridor: [(pocket(massing), min(end, far))], massing.south: [(lobby, stop)]}
@@ -197,11 +236,10 @@ def _without(spans: list[tuple[float, float]], x0: float, x1: float) -> list[tup
     return [(a, b) for a, b in left + right if b - a > 0.5]
 
 
-def connect_cores(massing: Massing, sketch: Sketch) -> None:
-    mains = [c for c in sketch.corridors if _is_main(c)]
-    for core in massing.cores:
-        far = core.box[0] >= 0.5 * massing.length
-        sketch.core_parent[core.id] = mains[-1].id if far else mains[0].id
+def _core_parents(massing: Massing, corridors: list[Corridor]) -> dict[str, str]:
+    """Return the corridor that each core opens to: the hub, or the last piece for cores at the far end."""
+    mains = [c for c in corridors if _is_main(c)]
+    return {core.id: mains[-1].id if core.box[0] >= 0.5 * massing.length else mains[0].id for core in massing.cores}
 
 
 def _extent(massing: Massing, storey: Storey) -> float:
@@ -225,28 +263,6 @@ def capacity(massing: Massing, storey: Storey) -> float:
         hub = length * massing.corridor
         return total + hub
     return total
-
-
-def sketch_storey(massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]) -> Sketch:
-    """Lay out the rooms of a storey along its corridors.
-
-    Parameters
-    ----------
-    massing : Massing
-    storey : Storey
-        With rooms whose areas add up to about the storey's capacity.
-    hub_id : str
-    pairs : list of (str, str)
-        Room types to be side by side.
-    """
-    length = _extent(massing, storey)
-    ends, rest = _end_rooms(massing, storey.rooms, length)
-    stop = length - sum(room.gross / massing.depth for room in ends)
-    segments = _segments(massing, stop, lobby_length(massing, storey))
-    depth = max(segment.depth for segment in segments)
-    blocks = group_blocks(front_order(rest), depth, pairs)
-    fill_segments(segments, blocks, pairs)
-    return _assemble(massing, storey, hub_id, segments, ends, stop, length)
 
 
 def _end_rooms(
@@ -331,15 +347,13 @@ def _assemble(
     x = stop
     for room in ends:
         wide = (length - stop) * room.gross / sum(end.gross for end in ends)
-        rooms.append(Placement(room, [(x, 0.0, x + wide, massing.depth)], "@end"))
+        rooms.append(Placement(room, [(x, 0.0, x + wide, massing.depth)], _AT_END))
         x += wide
     lobby = lobby_length(massing, storey)
-    fill_pocket(massing, rooms)
-    corridors = corridors_of(massing, hub_id, fronts, stop, bool(ends), lobby)
-    sketch = Sketch(corridors, rooms)
-    assign_parents(sketch, fronts)
-    close_corridor(massing, sketch, segments, stop, bool(ends))
-    give_empty(massing, sketch, segments)
-    connect_cores(massing, sketch)
-    sketch.bearing = bearing_lines(massing, sketch, lobby, stop)
-    return sketch
+    corridors = _corridors_of(massing, hub_id, fronts, stop, lobby, ended=bool(ends))
+    rooms = _with_parents(_with_pocket(massing, rooms), corridors, fronts)
+    if not ends:
+        corridors, rooms = _closed(massing, corridors, rooms, stop)
+    corridors = _with_empty_bands(massing, corridors, segments)
+    bearing = _bearing_lines(massing, corridors, lobby, stop)
+    return Sketch(corridors, rooms, _core_parents(massing, corridors), bearing=bearing)

@@ -299,6 +299,8 @@ def fit_areas(rooms: list[PlannedRoom], capacity: float) -> float:
     fixed = sum(room.area for room in every if room.fixed)
     loose = [room for room in every if not room.fixed]
     spare = capacity - fixed
+    # A room that meets its limit leaves its share to the others, so the scale is sought anew a few times. Only what
+    # cannot be met within the limits is spread over all rooms without them.
     for limited in (True, False):
         for _ in range(6):
             total = sum(room.area for room in loose)
