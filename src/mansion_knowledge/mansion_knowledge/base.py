@@ -37,7 +37,7 @@ FOLDERS = "MANSION_KNOWLEDGE"
 _DATA = Path(__file__).parent / "data"
 _STOREYS = ("single", "ground", "second", "upper", "top", "basement")
 _WALLS = ("dry", "wet", "circulation", "industrial")
-_FLAGS = ("daylight", "wet", "open", "flex", "unit")
+_FLAGS = ("daylight", "wet", "open", "flex", "unit", "sleeping", "toilet", "food", "common")
 _OWN = ("name", "synonyms", "kin")
 """Cells of a room type that its kin does not fill."""
 
@@ -178,8 +178,15 @@ def _room(row: _Row) -> RoomType:
         open="open" in flags,
         flexible="flex" in flags,
         unit="unit" in flags,
+        sleeping="sleeping" in flags,
+        toilet="toilet" in flags,
+        food="food" in flags,
+        common="common" in flags,
         suite=tuple(parse_entry(part) for part in _parts(row.get("suite", ""))),
         kin=row.get("kin", ""),
+        suggests=row.get("suggests", ""),
+        counts_as=row.get("counts_as") or row["name"],
+        stack=int(row.get("stack") or 0),
     )
 
 
@@ -303,7 +310,13 @@ def _check_references(knowledge: KnowledgeBase) -> None:
 
     for room in knowledge.rooms.values():
         check(room.name, room.suite)
-        check(room.name, [RoomEntry(name) for name in room.near])
+        check(room.name, [RoomEntry(name) for name in (*room.near, room.counts_as)])
+        if room.suggests and room.suggests not in knowledge.buildings:
+            raise MansionError(
+                ErrorCode.INVALID_PAYLOAD,
+                f"knowledge record {room.name!r} names the unknown building type {room.suggests!r}",
+                details={"record": room.name, "building_type": room.suggests},
+            )
     for building in knowledge.buildings.values():
         check(building.name, [RoomEntry(building.hub), RoomEntry(building.hub_upper)])
         for entries in building.storeys.values():

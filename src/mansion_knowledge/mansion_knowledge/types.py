@@ -96,6 +96,9 @@ class RoomType:
     daylight, wet, open, flexible, unit : bool
         Wants a window; has water; stands open to what it is reached from; may take up a storey's spare area; is a
         dwelling of several rooms.
+    sleeping, toilet, food, common : bool
+        Somebody sleeps there; has a toilet; food is prepared or kept there; belongs to most storeys, so that a brief
+        that asks for one does not rule out others.
     finish : str
         Which floor material of a style it takes.
     suite : tuple of RoomEntry
@@ -103,6 +106,12 @@ class RoomType:
     kin : str
         Room type as which it is furnished, coloured and used, and whose facts fill what its row leaves empty; empty
         for one that stands for itself.
+    suggests : str
+        Building type that a room of this type suggests where a brief names none; empty for none.
+    counts_as : str
+        Room type with which it is counted (a guest room is one of "three bedrooms"); mostly its own.
+    stack : int
+        Rank of rooms that stand nearest to the cores, stacked from storey to storey, 1 the nearest; 0 for others.
     """
 
     name: str
@@ -121,6 +130,13 @@ class RoomType:
     unit: bool = False
     suite: tuple[RoomEntry, ...] = ()
     kin: str = ""
+    sleeping: bool = False
+    toilet: bool = False
+    food: bool = False
+    common: bool = False
+    suggests: str = ""
+    counts_as: str = ""
+    stack: int = 0
 
 
 @dataclass(frozen=True)

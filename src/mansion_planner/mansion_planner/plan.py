@@ -13,8 +13,7 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_planner.brief import BriefFacts, read_brief
 from mansion_planner.program.building import plan_program
-from mansion_planner.topology.graph import floor_topology
-from mansion_planner.topology.problem import floor_problem
+from mansion_planner.topology import floor_problem, floor_topology
 
 __all__ = ["building_id_of", "plan_building"]
 

@@ -3,7 +3,7 @@
 import re
 import unicodedata
 
-from mansion_knowledge import KnowledgeBase, RoomType
+from mansion_knowledge import KnowledgeBase, RoomType, words_by
 from mansion_planner.brief.similarity import similar_room_type
 
 __all__ = ["clean_id", "clean_text", "is_core_name", "material_fault", "room_kind"]
@@ -13,9 +13,6 @@ _NUMBER = re.compile(r"(_\d+)+$")
 _MATERIAL = re.compile(r"^[A-Za-z][A-Za-z0-9 ,.'()/%+-]{2,79}$")
 _DRY_ONLY = re.compile(r"(?i)\b(carpet|hardwood|parquet|oak|walnut|maple|pine|timber|wood|wooden|cork)\b")
 _WATERPROOF = re.compile(r"(?i)\b(tiles?|tiled|vinyl|ceramic|porcelain|stone|resin|epoxy|rubber|-look|look)\b")
-_PASSAGES = frozenset(
-    {"corridor", "hallway", "passage", "passageway", "landing", "vestibule", "foyer", "wing", "circulation"}
-)
 _CORE = re.compile(r"^(stair|stairs|staircase|stairwell|elevator|lift|core|shaft)(_|$)")
 
 
@@ -72,6 +69,6 @@ def room_kind(name: str, knowledge: KnowledgeBase, known: dict[str, str]) -> Roo
     for candidate in (name, base):
         if candidate in known:
             return knowledge.room(known[candidate])
-    if base not in knowledge.rooms and _PASSAGES & set(base.split("_")):
+    if base not in knowledge.rooms and set(words_by("classes")["passage"]).intersection(base.split("_")):
         return knowledge.room("corridor")
     return knowledge.room(similar_room_type(base, knowledge))

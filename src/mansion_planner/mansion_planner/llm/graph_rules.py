@@ -10,12 +10,6 @@ __all__ = ["MOST_CHILDREN", "access_promoted", "graph_faults"]
 MOST_CHILDREN = 18
 """Most doors of one circulation space."""
 
-_SLEEPING = frozenset(
-    {"bedroom", "master_bedroom", "guest_room", "childrens_room", "hotel_room", "patient_room", "dorm_room"}
-)
-_TOILETS = frozenset({"toilet", "restroom", "bathroom", "shower_room", "accessible_toilet"})
-_FOOD = frozenset({"kitchen", "commercial_kitchen", "open_kitchen", "kitchen_diner", "pantry"})
-
 
 def access_promoted(topology: FloorTopology) -> FloorTopology:
     """Return the graph with an access edge towards the hub for each node that only ``adjacent`` edges reach.
@@ -113,24 +107,24 @@ def _walking_faults(
     cores = {name for name, node in nodes.items() if node.type in ("stair", "elevator")}
     lost = sorted(set(nodes) - _reached(access, hub, cores))
     faults = [f"{name} is not reached by access edges" for name in lost]
-    kinds = {name: node.room_type for name, node in nodes.items()}
-    sleeping = {name for name, kind in kinds.items() if kind in _SLEEPING and name != hub}
-    toilets = {name for name, kind in kinds.items() if kind in _TOILETS and name != hub}
+    kinds = {name: knowledge.room(node.room_type) for name, node in nodes.items()}
+    sleeping = {name for name, kind in kinds.items() if kind.sleeping and name != hub}
+    toilets = {name for name, kind in kinds.items() if kind.toilet and name != hub}
     ways = _reached(access, hub, cores | toilets)
     faults += [f"{name} is reached only through a toilet or bathroom" for name in sorted(set(nodes) - ways - set(lost))]
     for name in sorted(sleeping & ways):
         if name not in _reached(access, hub, cores | toilets | (sleeping - {name})):
             faults.append(f"{name} is reached only through another bedroom")
     for edge in topology.edges:
-        pair = {kinds[edge.source], kinds[edge.target]}
-        if edge.kind == "access" and pair & _TOILETS and pair & _FOOD:
+        pair = (kinds[edge.source], kinds[edge.target])
+        if edge.kind == "access" and any(kind.toilet for kind in pair) and any(kind.food for kind in pair):
             faults.append(f"no toilet may open into a kitchen ({edge.source}, {edge.target})")
     for name in access:
         doors = access.degree(name)
         if doors > MOST_CHILDREN:
             faults.append(f"{name} has {doors} access edges; at most {MOST_CHILDREN}: use sub-hubs or area zones")
     for core in sorted(cores):
-        if not any(knowledge.room(kinds[n]).zone in ("circulation", "public") or n == hub or nodes[n].type == "area"
+        if not any(kinds[n].zone in ("circulation", "public") or n == hub or nodes[n].type == "area"
                    for n in access[core]):  # fmt: skip
             faults.append(f"{core} must open to the hub, a corridor or another public space")
     return faults

@@ -11,12 +11,11 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief.facts import BriefFacts, Quantity, Span
 from mansion_planner.llm.answers import NumbersAnswer
 from mansion_planner.llm.cleaning import clean_text
-from mansion_planner.llm.context import Context
-from mansion_planner.llm.wording import ARCHITECT, CLOSING, number
-from mansion_planner.program.areas import AREA_CAP
+from mansion_planner.llm.context import ARCHITECT, CLOSING, Context, number
 from mansion_planner.program.building import PlannedBuilding, plan_program
+from mansion_planner.program.decisions import AREA_CAP
 
-__all__ = ["INFERRED_FLOORS", "numbers_prompt", "plan_reference"]
+__all__ = ["INFERRED_FLOORS", "plan_reference"]
 
 INFERRED_FLOORS = 10
 """Most storeys that are inferred (section B.1)."""
@@ -72,7 +71,7 @@ def plan_reference(context: Context, request: BuildRequest, facts: BriefFacts, b
     if not context.client.wants("numbers") or not left.any:
         context.from_rules("numbers", "" if left.any else "the brief states them")
         return reference
-    prompt = numbers_prompt(context, request, facts, reference)
+    prompt = _numbers_prompt(context, request, facts, reference)
 
     def check(answer: NumbersAnswer) -> list[Fault]:
         faults = _faults(answer, left, context)
@@ -93,7 +92,7 @@ def plan_reference(context: Context, request: BuildRequest, facts: BriefFacts, b
     return planned
 
 
-def numbers_prompt(context: Context, request: BuildRequest, facts: BriefFacts, reference: PlannedBuilding) -> Prompt:
+def _numbers_prompt(context: Context, request: BuildRequest, facts: BriefFacts, reference: PlannedBuilding) -> Prompt:
     """Return the question for type, style and numbers."""
     decisions = reference.decisions
     known = []

@@ -4,13 +4,11 @@ from mansion_llm import Fault, Prompt, quoted_data
 from mansion_msgs_py.wording import with_article
 from mansion_planner.llm.answers import MaterialsAnswer
 from mansion_planner.llm.cleaning import clean_text, material_fault
-from mansion_planner.llm.context import Context
-from mansion_planner.llm.wording import ARCHITECT, CLOSING
-from mansion_planner.program.building import PlannedBuilding
+from mansion_planner.llm.context import ARCHITECT, CLOSING, Context
+from mansion_planner.program.building import PlannedBuilding, materials_of
 from mansion_planner.program.decisions import Decisions
-from mansion_planner.program.materials import materials_of
 
-__all__ = ["Palette", "choose_palette", "palette_prompt"]
+__all__ = ["Palette", "choose_palette"]
 
 MOST_TYPES = 60
 
@@ -60,7 +58,7 @@ def _types(reference: PlannedBuilding) -> list[str]:
     return sorted(found)[:MOST_TYPES]
 
 
-def palette_prompt(context: Context, reference: PlannedBuilding) -> Prompt:
+def _palette_prompt(context: Context, reference: PlannedBuilding) -> Prompt:
     """Return the question for materials."""
     decisions = reference.decisions
     wet = [name for name in _types(reference) if context.knowledge.room(name).wet]
@@ -97,7 +95,7 @@ def choose_palette(context: Context, reference: PlannedBuilding) -> Palette:
                     faults.append(Fault(f"{entry.room_type}: {fault}", entry.room_type))
         return faults
 
-    answer = context.client.ask(palette_prompt(context, reference), MaterialsAnswer, check)
+    answer = context.client.ask(_palette_prompt(context, reference), MaterialsAnswer, check)
     if answer.value is None:
         context.from_rules("materials", answer.reason)
         return Palette(context, decisions, {})

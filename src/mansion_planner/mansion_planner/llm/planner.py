@@ -12,19 +12,17 @@ from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_msgs_py.topology import FloorTopology, SeedBox, SeedPlan
 from mansion_planner.brief import read_brief
-from mansion_planner.llm.chosen import chosen_of_storey
 from mansion_planner.llm.context import Context
 from mansion_planner.llm.numbers import plan_reference
 from mansion_planner.llm.palette import Palette, choose_palette
 from mansion_planner.llm.program import plan_model_program
-from mansion_planner.llm.refit import refit
+from mansion_planner.llm.refit import chosen_of_storey, refit
 from mansion_planner.llm.seeds import collect_seeds
 from mansion_planner.llm.topology import plan_model_topology
 from mansion_planner.program.building import PlannedBuilding
 from mansion_planner.program.model import Storey
 from mansion_planner.solver import solve_floor
-from mansion_planner.topology.graph import floor_topology
-from mansion_planner.topology.problem import floor_problem
+from mansion_planner.topology import floor_problem, floor_topology
 
 __all__ = ["plan_with_model"]
 
@@ -69,7 +67,7 @@ def plan_with_model(
     for storey in planned.storeys:
         source = storey.index if storey.copy is None else storey.copy
         if storey.copy is None:
-            topology, problem = _floor(context, planned, storey, palette, request.seed, moved)
+            topology, problem = _floor(context, planned, storey, palette, request.seed, moved=moved)
         else:
             topology = msgspec.structs.replace(topologies[source], floor=storey.index)
             plan_id = f"{building_id}/F{storey.index}"
@@ -115,7 +113,7 @@ def _kept_cores(
 
 
 def _regrouped(
-    planned: PlannedBuilding, storey: Storey, graph: FloorTopology, palette: Palette, moved: bool
+    planned: PlannedBuilding, storey: Storey, graph: FloorTopology, palette: Palette, *, moved: bool
 ) -> PlannedBuilding:
     """Return the plan with the storey sketched anew as the graph groups its rooms: suites behind their room."""
     rooms = {room.id for top in storey.rooms for room in top.each()}
@@ -150,13 +148,13 @@ def _parents(graph: FloorTopology) -> dict[str, str]:
 
 
 def _floor(
-    context: Context, planned: PlannedBuilding, storey: Storey, palette: Palette, seed: int, moved: bool
+    context: Context, planned: PlannedBuilding, storey: Storey, palette: Palette, seed: int, *, moved: bool
 ) -> tuple[FloorTopology, FloorProblem]:
     """Return a floor's graph and problem: the model's where the solver can realise them."""
     offline = floor_topology(planned, storey, context.knowledge)
     own = plan_model_topology(context, planned, offline, palette)
     topology = own or offline
-    sketched = planned if own is None else _regrouped(planned, storey, own, palette, moved)
+    sketched = planned if own is None else _regrouped(planned, storey, own, palette, moved=moved)
     plain = floor_problem(sketched, storey, topology, seed)
     requirement = next(f.requirement for f in planned.program.floors if f.index == storey.index)
     boxes = collect_seeds(context, plain, requirement)

@@ -1,22 +1,65 @@
-"""Lay chosen rooms out in a given massing: the offline sketch of somebody else's program."""
+"""Lay chosen rooms, the model's or the rules', out in a given massing: the offline sketch of another program."""
 
 import copy
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
+from mansion_knowledge import RoomType
 from mansion_msgs_py.program import AreaSummary, CorePlan, FloorProgram, RoomProgram
-from mansion_planner.llm.chosen import ChosenFloor, ChosenRoom
 from mansion_planner.llm.palette import Palette
-from mansion_planner.program.bearing import bearing_walls
+from mansion_planner.program.arrangement import apart_pairs, wanted_pairs
 from mansion_planner.program.building import PlannedBuilding
-from mansion_planner.program.filling import fit_areas
 from mansion_planner.program.footprint import sketch_free
 from mansion_planner.program.hall import sketch_hall
-from mansion_planner.program.model import CoreBox, PlannedRoom, Storey, box_area
-from mansion_planner.program.neighbours import apart_pairs, wanted_pairs
-from mansion_planner.program.placement import Sketch
+from mansion_planner.program.model import CoreBox, PlannedRoom, Sketch, Storey, box_area
+from mansion_planner.program.outline import bearing_walls
 from mansion_planner.program.sketch import capacity, sketch_storey
+from mansion_planner.program.storey_rooms import fit_areas
 
-__all__ = ["refit", "with_cores"]
+__all__ = ["ChosenFloor", "ChosenRoom", "chosen_of_storey", "refit", "with_cores"]
+
+
+@dataclass(frozen=True)
+class ChosenRoom:
+    """A room of a floor's program.
+
+    Attributes
+    ----------
+    fixed : bool
+        The brief states its area.
+    suite_of : str
+        Id of the room that it is reached through; empty for one at the hub or a corridor.
+    """
+
+    id: str
+    kind: RoomType
+    area: float
+    fixed: bool = False
+    suite_of: str = ""
+    floor_material: str = ""
+    wall_material: str = ""
+    notes: str = ""
+
+
+@dataclass(frozen=True)
+class ChosenFloor:
+    """A floor's hub and rooms; `copy` names the floor that it repeats."""
+
+    index: int
+    hub: ChosenRoom
+    rooms: tuple[ChosenRoom, ...]
+    requirement: str = ""
+    copy: int | None = None
+
+
+def chosen_of_storey(storey: Storey, hub_area: float) -> ChosenFloor:
+    """Return what the offline planner chose for a storey."""
+    rooms = []
+    for top in storey.rooms:
+        for room in top.each():
+            owner = next((r.id for r in top.each() if any(c is room for c in r.suite)), "")
+            rooms.append(ChosenRoom(room.id, room.kind, room.area, room.fixed, owner, notes=room.notes))
+    hub = ChosenRoom(storey.hub.name, storey.hub, hub_area)
+    return ChosenFloor(storey.index, hub, tuple(rooms), copy=storey.copy)
 
 
 def with_cores(planned: PlannedBuilding, cores: list[CorePlan], method: str, why: str) -> PlannedBuilding:
@@ -55,7 +98,7 @@ def refit(
     by_index = {storey.index: storey for storey in out.storeys}
     for storey in out.storeys:
         if storey.copy is None:
-            out.sketches[storey.index] = _sketch(out, storey, placed)
+            out.sketches[storey.index] = _sketch(out, storey, placed=placed)
     for storey in out.storeys:
         if storey.copy is not None:
             storey.rooms, storey.hub = by_index[storey.copy].rooms, by_index[storey.copy].hub
@@ -89,7 +132,7 @@ def _planned(room: ChosenRoom) -> PlannedRoom:
     )  # fmt: skip
 
 
-def _sketch(planned: PlannedBuilding, storey: Storey, placed: bool) -> Sketch:
+def _sketch(planned: PlannedBuilding, storey: Storey, *, placed: bool) -> Sketch:
     massing, decisions = planned.massing, planned.decisions
     hub = storey.hub.name
     if decisions.free_form or not placed:

@@ -8,12 +8,11 @@ from mansion_msgs_py.layout import FloorProblem
 from mansion_msgs_py.topology import SeedBox, SeedPlan
 from mansion_planner.llm.answers import SeedAnswer, SeedsAnswer
 from mansion_planner.llm.cleaning import clean_text
-from mansion_planner.llm.context import Context
-from mansion_planner.llm.wording import ARCHITECT, CLOSING, as_json, number
+from mansion_planner.llm.context import ARCHITECT, CLOSING, Context, as_json, number
 from mansion_planner.solver import SolverOptions, solve_floor
 from mansion_planner.solver.cut_rounds import SeedRequest
 
-__all__ = ["collect_seeds", "seed_faults", "seed_prompt"]
+__all__ = ["collect_seeds", "seed_faults"]
 
 ROUNDS_ONLY = SolverOptions(wall_search=False, retries=2, batch=25)
 """The cut rounds alone: enough to show the model where each round's parent lies."""
@@ -29,7 +28,7 @@ beside each other, and rooms with an edge to something that is placed already li
 and elevators free."""
 
 
-def seed_prompt(context: Context, problem: FloorProblem, request: SeedRequest, requirement: str) -> Prompt:
+def _seed_prompt(context: Context, problem: FloorProblem, request: SeedRequest, requirement: str) -> Prompt:
     """Return the question for one cut round."""
     nodes = {node.id: node for node in problem.nodes}
     parent = nodes[request.parent]
@@ -118,7 +117,7 @@ def collect_seeds(context: Context, problem: FloorProblem, requirement: str) -> 
 
     def plan(request: SeedRequest) -> SeedPlan | None:
         asked.extend(request.children)
-        prompt = seed_prompt(context, problem, request, requirement)
+        prompt = _seed_prompt(context, problem, request, requirement)
         answer = context.client.ask(prompt, SeedsAnswer, lambda value: seed_faults(value, request), array_field="boxes")
         if not answer.good:
             reasons.append(answer.reason)

@@ -1,4 +1,4 @@
-"""Arrange the rooms of all storeys in a massing; try other proportions until neighbours meet."""
+"""Arrange the storeys: the massing in which most wished neighbours are side by side."""
 
 from dataclasses import replace
 
@@ -6,20 +6,28 @@ import numpy as np
 
 from mansion_geometry.randomness import item_generator
 from mansion_knowledge import KnowledgeBase
-from mansion_planner.program.allocation import Allocation
+from mansion_msgs_py.program import Downgrade
+from mansion_planner.brief.facts import AdjacencyFact
 from mansion_planner.program.decisions import Decisions
-from mansion_planner.program.envelope import Envelope, envelope_of
-from mansion_planner.program.filling import fill_storey, fit_areas, hub_area, name_rooms
 from mansion_planner.program.footprint import free_cores, free_massing, sketch_free
-from mansion_planner.program.frame import Frame
 from mansion_planner.program.hall import sketch_hall
 from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
-from mansion_planner.program.model import Massing, Storey, box_area
-from mansion_planner.program.neighbours import apart_pairs, wanted_pairs
-from mansion_planner.program.placement import Sketch, loosened, misses_areas, short_edges
+from mansion_planner.program.model import (
+    Massing,
+    Sketch,
+    Storey,
+    box_area,
+    loosened,
+    misses_areas,
+    short_edges,
+    touching,
+)
+from mansion_planner.program.outline import Envelope, Frame, envelope_of
 from mansion_planner.program.sketch import capacity, sketch_storey
+from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_areas, hub_area, name_rooms
 
-__all__ = ["Arrangement", "best_arrangement"]
+__all__ = ["Arrangement", "apart_pairs", "best_arrangement", "neighbours", "wanted_pairs"]
+
 
 Arrangement = tuple[Massing, Frame, dict[int, Sketch], dict[int, Envelope]]
 """A massing, where it stands, and the sketch and the envelope of each storey by index."""
@@ -64,6 +72,48 @@ def best_arrangement(
         elif storey.copy is not None:
             sketches[storey.index] = sketches[storey.copy]
     return massing, frame, sketches, envelopes
+
+
+def wanted_pairs(decisions: Decisions) -> list[tuple[str, str]]:
+    """Return room types to be side by side: the brief's wishes last, so that they win."""
+    usual = [("kitchen", "dining_room"), ("commercial_kitchen", "restaurant"), ("commercial_kitchen", "cafeteria")]
+    return usual + [_names(fact) for fact in decisions.facts.adjacent]
+
+
+def _names(fact: AdjacencyFact) -> tuple[str, str]:
+    return fact.first_name or fact.first, fact.second_name or fact.second
+
+
+def apart_pairs(decisions: Decisions, storey: Storey, sketch: Sketch) -> list[AdjacencyFact]:
+    """Return the wished neighbours that both are on the storey and do not touch."""
+    apart = []
+    for fact in decisions.facts.adjacent:
+        firsts, seconds = ([p for p in sketch.rooms if p.room.called(name)] for name in _names(fact))
+        if storey.hub.name in (fact.first, fact.second) or not firsts or not seconds:
+            continue
+        if not sketch.loose and not any(a is not b and touching(a, b) for a in firsts for b in seconds):
+            apart.append(fact)
+    return apart
+
+
+def neighbours(decisions: Decisions, storey: Storey, sketch: Sketch) -> dict[str, list[str]]:
+    """Return the neighbours that the brief wishes, by room id; what the storey cannot give is recorded."""
+    beside: dict[str, list[str]] = {}
+    apart = apart_pairs(decisions, storey, sketch) if not decisions.free_form else []
+    for fact in decisions.facts.adjacent:
+        firsts, seconds = ([p for p in sketch.rooms if p.room.called(name)] for name in _names(fact))
+        pairs = [(a, b) for a in firsts for b in seconds if a is not b]
+        if fact in apart:
+            decisions.downgrades.append(
+                Downgrade(
+                    wish=fact.span.words, got="both on one storey, reached from one corridor", stage="program",
+                    reason="their sizes leave no place side by side", floor=storey.index,
+                )
+            )  # fmt: skip
+        elif pairs and storey.hub.name not in (fact.first, fact.second):
+            pair = next((p for p in pairs if decisions.free_form or sketch.loose or touching(*p)), pairs[0])
+            beside.setdefault(pair[0].room.id, []).append(pair[1].room.id)
+    return beside
 
 
 def _arranged(

@@ -4,30 +4,28 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from mansion_knowledge import KnowledgeBase
-from mansion_msgs_py.program import BuildingProgram, CorePlan, VerticalConnectivity
+from mansion_knowledge import KnowledgeBase, RoomType
+from mansion_msgs_py.program import (
+    AreaSummary,
+    BuildingProgram,
+    CorePlan,
+    FloorProgram,
+    RoomProgram,
+    VerticalConnectivity,
+)
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import with_article
-from mansion_planner.brief.facts import BriefFacts
-from mansion_planner.program.allocation import allocate
-from mansion_planner.program.arrangement import best_arrangement
-from mansion_planner.program.bearing import bearing_walls
-from mansion_planner.program.decisions import Decisions
-from mansion_planner.program.envelope import Envelope
-from mansion_planner.program.floor_program import floor_program
-from mansion_planner.program.frame import Frame
-from mansion_planner.program.furniture import assign_furniture
-from mansion_planner.program.inference import note
-from mansion_planner.program.massing import MassingWish, choose_shape
-from mansion_planner.program.model import Massing, Storey
-from mansion_planner.program.placement import Sketch
-from mansion_planner.program.resolve import decide
-from mansion_planner.program.sizes import storey_area, typical_room
+from mansion_planner.brief.facts import BriefFacts, MaterialFact
+from mansion_planner.program.arrangement import best_arrangement, neighbours
+from mansion_planner.program.decisions import Decisions, decide, note
+from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
+from mansion_planner.program.model import Massing, Sketch, Storey, aliases_of
+from mansion_planner.program.outline import Envelope, Frame, bearing_walls
+from mansion_planner.program.storey_rooms import allocate
 from mansion_planner.program.storeys import make_storeys
-from mansion_planner.program.vertical import vertical_method
-from mansion_planner.program.wishes import wishes_of
+from mansion_planner.program.wishes import assign_furniture, requested_objects, wishes_of
 
-__all__ = ["PlannedBuilding", "plan_program"]
+__all__ = ["PlannedBuilding", "floor_program", "materials_of", "plan_program"]
 
 
 @dataclass
@@ -86,6 +84,114 @@ def plan_program(
     _set_elevations(program)
     note(decisions.trace, None, f"{why}")
     return PlannedBuilding(program, decisions, massing, frame, storeys, sketches, envelopes)
+
+
+def materials_of(
+    kind: RoomType, style: str, knowledge: KnowledgeBase, wishes: list[MaterialFact] | None = None
+) -> tuple[str, str]:
+    """Return the floor and the wall material of a room type in a style.
+
+    `wishes` of the brief come before the style; one for all rooms leaves wet rooms alone.
+
+    Examples
+    --------
+    >>> from mansion_knowledge import default_knowledge
+    >>> base = default_knowledge()
+    >>> materials_of(base.room("bathroom"), "neutral", base)
+    ('ceramic tile, light gray', 'ceramic wall tile, white')
+    """
+    chosen = knowledge.styles[style]
+    wall = "dry"
+    if kind.zone == "circulation":
+        wall = "circulation"
+    elif kind.wet:
+        wall = "wet"
+    elif kind.finish == "concrete":
+        wall = "industrial"
+    floor_text, wall_text = chosen.floors[kind.finish], chosen.walls[wall]
+    for wish in wishes or []:
+        if wish.room_type not in ("", kind.name) or (not wish.room_type and kind.wet):
+            continue
+        if wish.surface == "floor":
+            floor_text = wish.material
+        else:
+            wall_text = wish.material
+    return floor_text, wall_text
+
+
+def floor_program(
+    decisions: Decisions, storey: Storey, sketch: Sketch, envelope: Envelope, knowledge: KnowledgeBase
+) -> FloorProgram:
+    """Return a storey's rooms, hub first, with the areas that its sketch gives them, square metres."""
+    gross = envelope.area
+    placed = sum(placement.area for placement in sketch.rooms)
+    circulation = gross - placed
+    hub_least = min(storey.hub.least, 0.5 * circulation)
+    reserve = min(max(0.12 * gross, min(0.25 * gross, circulation - hub_least)), circulation - 1.0)
+    hub_area = max(circulation - reserve, 1.0)
+    floor, wall = materials_of(storey.hub, decisions.style, knowledge, decisions.facts.materials)
+    rooms = [
+        RoomProgram(
+            id=storey.hub.name, area_estimate=round(hub_area, 2), room_type=storey.hub.name,
+            floor_material=floor, wall_material=wall, open_relation="open", notes="circulation hub",
+        )
+    ]  # fmt: skip
+    beside = neighbours(decisions, storey, sketch)
+    for placement in sketch.rooms:
+        room = placement.room
+        floor, wall = materials_of(room.kind, decisions.style, knowledge, decisions.facts.materials)
+        rooms.append(
+            RoomProgram(
+                id=room.id, area_estimate=round(placement.area, 2), room_type=room.kind.name,
+                floor_material=floor, wall_material=wall,
+                open_relation="open" if room.kind.open else "door", notes=room.notes,
+                adjacent_to=beside.get(room.id, []), name=room.label, aliases=aliases_of(room),
+                objects=requested_objects(decisions, room, storey),
+            )
+        )  # fmt: skip
+    total = sum(room.area_estimate for room in rooms)
+    summary = AreaSummary(
+        sum_rooms=round(total, 2),
+        reserve_ratio=round(1.0 - total / gross, 4),
+        fits_within_gfa=total <= gross,
+        notes=_reserve_notes(1.0 - total / gross),
+    )
+    return FloorProgram(
+        index=storey.index,
+        requirement=_requirement(storey),
+        gross_floor_area=round(gross, 2),
+        rooms=rooms,
+        area_summary=summary,
+        label="G" if storey.index == 1 and decisions.floors > 1 else _label(storey.index),
+        height=min(max(storey.use.height, 3.0), 4.2),
+        outline=envelope.outline,
+        holes=envelope.holes,
+        copy=storey.copy,
+    )
+
+
+def _reserve_notes(ratio: float) -> str:
+    if ratio < 0.119:
+        return "less than 12% in reserve: no cores, and a large room at the end of a short corridor"
+    return "the reserve holds cores, corridors and the rest of the hub"
+
+
+def _label(index: int) -> str:
+    return str(index) if index >= 1 else f"B{1 - index}"
+
+
+def _requirement(storey: Storey) -> str:
+    kinds: list[str] = []
+    for room in storey.rooms:
+        name = room.kind.name.replace("_", " ")
+        if name not in kinds:
+            kinds.append(name)
+    use = storey.use.name.replace("_", " ")
+    return (
+        f"{storey.role} storey of {with_article(use)}: {', '.join(kinds[:8])}"
+        if kinds
+        else f"{storey.role} storey of {with_article(use)}"
+    )
 
 
 def _reasoning(decisions: Decisions, area: float) -> str:

@@ -1,14 +1,36 @@
-"""What is decided of a building before its rooms, and the record of statements that gave way to others."""
+"""Decide type, storeys, areas and style of a building (Algorithm 1, line 1), and settle what contradicts itself."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
+import numpy as np
 from shapely.geometry import Polygon
 
-from mansion_knowledge import BuildingType
+from mansion_knowledge import BuildingType, KnowledgeBase
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade, RequestedObject, TraceEntry
-from mansion_planner.brief.facts import BriefFacts, Span
+from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.wording import with_article
+from mansion_planner.brief.facts import BriefFacts, FloorRef, Quantity, Span
+from mansion_planner.program.footprint import check_footprint, is_rectangle
 
-__all__ = ["Decisions", "conflict", "quoted"]
+__all__ = ["AREA_CAP", "Decisions", "MOST_FLOORS", "conflict", "decide", "note", "quoted"]
+
+
+MOST_FLOORS = 100
+
+
+_STOREYS = {"high_rise": 10, "mid_rise": 6, "low_rise": 3, "duplex": 2, "triplex": 3, "bungalow": 1}
+
+
+_PEOPLE_HINTS = {"pupil": "school", "student": "university", "patient": "hospital", "bed": "hospital",
+                 "employee": "office", "guest": "hotel", "resident": "apartment_building", "worker": "office",
+                 "family": "house", "kid": "kindergarten", "child": "kindergarten", "developer": "office",
+                 "diner": "restaurant_building", "firefighter": "fire_station",
+                 "tenant": "apartment_building"}  # fmt: skip
+
+
+AREA_CAP = 500.0
+"""Most square metres of a storey that are inferred (section B.1)."""
 
 
 @dataclass
@@ -46,6 +68,41 @@ class Decisions:
     furniture: dict[tuple[int, str], list[RequestedObject]] = field(default_factory=dict)
 
 
+def decide(
+    request: BuildRequest, facts: BriefFacts, knowledge: KnowledgeBase, generator: np.random.Generator
+) -> Decisions:
+    """Resolve type, storeys, area and style; statements that exclude each other are settled and recorded.
+
+    Fields of the request win over the text; in the text explicit counts and storeys win over rooms, rooms over areas.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` for numbers beyond the limits of a program.
+    """
+    trace: list[TraceEntry] = []
+    given_way: list[Downgrade] = []
+    facts = _settled(facts, given_way)
+    building = _building(facts, knowledge, trace)
+    floors, facts = _floors(request, facts, building, trace, generator, given_way)
+    basements = _basements(facts, trace)
+    style = building.style
+    if facts.styles:
+        style = facts.styles[0][0]
+        note(trace, facts.styles[0][1], f"style {style}")
+    decisions = Decisions(
+        building, floors, basements, 0.0, False, "", style, facts, request.seed, trace=trace, downgrades=given_way
+    )
+    if building.name == "bungalow" and floors > 1:
+        reason = "a bungalow has one storey, and the number of storeys is stated"
+        decisions.downgrades.append(conflict("bungalow", f"a house of {floors} storeys", reason))
+    if request.footprint is not None:
+        _area_of_footprint(request, decisions)
+    else:
+        _settle_area(request, decisions, generator)
+    return decisions
+
+
 def conflict(wish: str, got: str, reason: str, floor: int | None = None) -> Downgrade:
     """Return the record of a statement that gave way to another one."""
     return Downgrade(wish=wish, got=got, reason=reason, stage="program", floor=floor)
@@ -54,3 +111,302 @@ def conflict(wish: str, got: str, reason: str, floor: int | None = None) -> Down
 def quoted(span: Span) -> str:
     """Return the place of some words for an error message."""
     return f'"{span.words}" (characters {span.start} to {span.end} of the description)'
+
+
+def note(trace: list[TraceEntry], span: Span | None, effect: str) -> None:
+    """Add a line to the trace: the words (or none, for a rule) and what they led to."""
+    if span is None:
+        trace.append(TraceEntry(words="", effect=effect))
+    else:
+        trace.append(TraceEntry(words=span.words, effect=effect, start=span.start, end=span.end))
+
+
+def _infer_building(facts: BriefFacts, knowledge: KnowledgeBase) -> str:
+    """Return the building type that the uses, rooms and occupants of a brief suggest."""
+    if len({use.building_type for use in facts.uses}) > 1:
+        return "mixed_use"
+    if facts.uses:
+        return facts.uses[0].building_type
+    votes: dict[str, float] = {}
+    for room in facts.rooms:
+        hint = knowledge.room(room.room_type).suggests
+        if hint:
+            votes[hint] = votes.get(hint, 0.0) + min(room.count or 2, 4)
+    for occupants in facts.occupants:
+        hint = _PEOPLE_HINTS.get(occupants.noun, "")
+        if hint:
+            votes[hint] = votes.get(hint, 0.0) + 3.0
+    if votes:
+        return max(votes, key=lambda name: (votes[name], name))
+    if any(word == "high_rise" for word, _ in facts.size) or any(q.value >= 4 for q in facts.floors):
+        return "office"
+    return "house" if not any(q.value > 300 for q in facts.area) else "office"
+
+
+def _infer_floors(
+    facts: BriefFacts, building: BuildingType, needed: int, trace: list[TraceEntry], generator: np.random.Generator
+) -> int:
+    """Return a number of storeys that suits the type, the sizes named and the storeys that rooms are put on."""
+    usual, most = building.floors
+    count, reason = usual, f"{with_article(building.name)} usually has {usual}"
+    sized = next(((word, span) for word, span in facts.size if word in _STOREYS), None)
+    if sized is not None:
+        count, reason = _STOREYS[sized[0]], f'"{sized[1].words}"'
+        if building.name == "penthouse" or (sized[0] == "high_rise" and building.family == "home"):
+            count = usual
+    elif facts.area and facts.floor_area:
+        ratio = facts.area[0].value / facts.floor_area[0].value
+        count = max(1, min(round(ratio), MOST_FLOORS))
+        reason = "total area over area of a storey"
+    elif facts.area and facts.area[0].value > 1.25 * building.floor_area[1]:
+        count = min(max(-(-int(facts.area[0].value) // int(max(building.floor_area[1], 150))), 1), max(most, 1))
+        reason = "the stated area"
+    elif any(word == "small" for word, _ in facts.size):
+        count = max(1, usual - 1) if usual > 2 else usual
+    elif usual > 2 and generator.random() < 0.3:
+        count = usual + 1 if usual < most else usual
+    if facts.uses and needed:
+        tops = [ref.first for use in facts.uses for ref in use.floors if ref.kind == "top"]
+        count, needed = needed + max(tops, default=0), needed + max(tops, default=0)
+        reason = "the storeys that are given a use"
+    named = {ref.kind for room in facts.rooms for ref in room.floors}
+    if "upper" in named and named <= {"number", "upper", "basement"} and needed <= 1 and not sized and not facts.area:
+        count, reason = 2, "a lower and an upper one are described"
+    pinned = {ref.first for room in facts.rooms for ref in room.floors if ref.kind == "number"}
+    if needed >= 2 and pinned >= set(range(1, needed + 1)) and not sized:
+        count, reason = needed, "each of them is described"
+    kinds = {ref.kind for room in facts.rooms for ref in room.floors}
+    floor_least = 1
+    if kinds & {"upper", "top"}:
+        floor_least = 2
+    if kinds & {"middle"}:
+        floor_least = 3
+    if sum(use.count or 0 for use in facts.uses):
+        above = any(use.floors for use in facts.uses if use.count)
+        floor_least = max(floor_least, sum(use.count or 0 for use in facts.uses) + above)
+        count = floor_least
+    result = max(count, needed, floor_least)
+    if result > count:
+        reason = "the highest storey that is named"
+    note(trace, sized[1] if sized else None, f"{result} storeys: {reason}")
+    return result
+
+
+def _settle_area(request: BuildRequest, decisions: Decisions, generator: np.random.Generator) -> None:
+    """Set the area of a storey from what the request and the brief state, or from what is usual.
+
+    The request's own fields win over the text, and a total over the area of a storey that does not agree with it.
+
+    Raises
+    ------
+    MansionError
+        ``CONTRADICTION`` for two areas of the request that do not agree.
+    """
+    facts, trace = decisions.facts, decisions.trace
+    total, floor = next(iter(facts.area), None), next(iter(facts.floor_area), None)
+    storeys = decisions.floors + decisions.basements
+    _check_request(request, storeys)
+    if (request.area or request.floor_area) and (total or floor):
+        total, floor = _overruled(request, total, floor, storeys, decisions)
+    if total is not None and floor is not None and not _agree(total.value, floor.value, decisions):
+        reason = f'"{total.span.words}" in all leaves less or more for {storeys} storeys'
+        decisions.downgrades.append(conflict(floor.span.words, f"{total.value / storeys:.0f} m2 a storey", reason))
+        floor = None
+    if request.floor_area is not None or floor is not None:
+        decisions.area = request.floor_area if request.floor_area is not None else floor.value  # type: ignore[union-attr]
+        decisions.area_span = quoted(floor.span) if floor else f"$.floor_area = {decisions.area:g}"
+        note(trace, floor.span if floor else None, f"{decisions.area:.0f} m2 a storey, as stated")
+        decisions.area_stated = True
+    elif request.area is not None or total is not None:
+        whole = request.area if request.area is not None else total.value  # type: ignore[union-attr]
+        decisions.area = whole / storeys
+        decisions.area_span = quoted(total.span) if total else f"$.area = {whole:g}"
+        note(trace, total.span if total else None, f"{whole:.0f} m2 over {storeys} storeys, as stated")
+        decisions.area_stated = True
+    else:
+        _infer_area(decisions, generator)
+
+
+def _agree(total: float, floor: float, decisions: Decisions) -> bool:
+    """Whether a total is that of the storeys, with or without basements."""
+    counts = (decisions.floors, decisions.floors + decisions.basements)
+    return any(abs(floor * count - total) <= 0.12 * total for count in counts)
+
+
+def _check_request(request: BuildRequest, storeys: int) -> None:
+    """Refuse two areas of the request that do not agree."""
+    if request.area is None or request.floor_area is None:
+        return
+    if abs(request.floor_area * storeys - request.area) > 0.12 * request.area:
+        raise _two_fields(f"$.area = {request.area:g}", f"$.floor_area = {request.floor_area:g}", "$.floor_area")
+
+
+def _two_fields(first: str, second: str, path: str) -> MansionError:
+    """Return the refusal of two fields of a request that do not agree."""
+    return MansionError(
+        ErrorCode.CONTRADICTION,
+        f"the area of a storey: {first} against {second}; keep one of the two",
+        path=path,
+        details={"first": first, "second": second, "stage": "program"},
+    )
+
+
+def _overruled(
+    request: BuildRequest, total: Quantity | None, floor: Quantity | None, storeys: int, decisions: Decisions
+) -> tuple[Quantity | None, Quantity | None]:
+    """Return the areas of the text that agree with the request's; the others are recorded."""
+    given = request.floor_area or (request.area or 0.0) / storeys
+    for quantity, each in ((total, storeys), (floor, 1)):
+        if quantity is not None and abs(quantity.value / each - given) > 0.12 * given:
+            reason = "the request's own field says so"
+            decisions.downgrades.append(conflict(quantity.span.words, f"{given:.0f} m2 a storey", reason))
+            total, floor = (None, floor) if quantity is total else (total, None)
+    return total, floor
+
+
+def _area_of_footprint(request: BuildRequest, decisions: Decisions) -> None:
+    """Take the area of the given outline; areas and outlines of the text that do not agree with it give way.
+
+    Raises
+    ------
+    MansionError
+        ``CONTRADICTION`` for a field of the request that does not agree with it.
+    """
+    assert request.footprint is not None
+    shape = check_footprint(request.footprint)
+    facts, levels = decisions.facts, decisions.floors + decisions.basements
+    area = float(shape.area)
+    for given, name in ((request.floor_area, "floor_area"), (request.area and request.area / levels, "area")):
+        if given and abs(given - area) > 0.05 * area:
+            raise _two_fields(f"$.{name} = {getattr(request, name):g}", f"$.footprint of {area:.0f} m2", "$.footprint")
+    stated = [(q.value, q.span.words) for q in facts.floor_area] + [
+        (q.value / levels, q.span.words) for q in facts.area
+    ]
+    for value, words in stated:
+        if abs(value - area) > 0.05 * area:
+            decisions.downgrades.append(conflict(words, f"{area:.0f} m2 a storey", "$.footprint has this area"))
+    if facts.shapes and facts.shapes[0][0] not in ("rectangle", "square") and is_rectangle(shape):
+        decisions.downgrades.append(conflict(facts.shapes[0][1].words, "a rectangle", "$.footprint is one"))
+    decisions.area, decisions.area_stated = area, True
+    decisions.area_span = f"$.footprint of {area:.0f} m2"
+    decisions.outline = shape
+    decisions.free_form = not is_rectangle(shape)
+    note(decisions.trace, None, f"{area:.0f} m2 a storey, as the footprint gives")
+
+
+def _infer_area(decisions: Decisions, generator: np.random.Generator) -> None:
+    facts, building = decisions.facts, decisions.building
+    least, usual = building.floor_area
+    area = usual * float(generator.uniform(0.92, 1.08))
+    words = {word for word, _ in facts.size}
+    if "small" in words:
+        area = max(least, 0.75 * area)
+    elif "large" in words:
+        area = min(1.25 * area, AREA_CAP)
+    if facts.occupants and building.seats is None and building.family != "home":
+        people = sum(o.count for o in facts.occupants)
+        area = min(max(people * building.people / decisions.floors, least), AREA_CAP)
+        note(decisions.trace, facts.occupants[0].span, f"{building.people:g} m2 for each of {people} people")
+    decisions.area = min(max(area, least), AREA_CAP)
+    note(decisions.trace, None, f"about {decisions.area:.0f} m2 a storey, usual for {with_article(building.name)}")
+
+
+def _settled(facts: BriefFacts, given_way: list[Downgrade]) -> BriefFacts:
+    """Return the facts without those that exclude others; record what gave way."""
+    facts = replace(facts, vertical=_vertical_of(facts, given_way))
+    if len({shape for shape, _ in facts.shapes}) > 1:
+        kept, other = facts.shapes[0], next(entry for entry in facts.shapes if entry[0] != facts.shapes[0][0])
+        given_way.append(conflict(other[1].words, f"outline {kept[0]}", "the outline named first is kept"))
+        facts = replace(facts, shapes=[kept])
+    below = next((ref for room in facts.rooms for ref in room.floors if ref.kind == "basement"), None)
+    unwanted = next((span for name, span in facts.excluded if name == "basement"), None)
+    if unwanted is not None and (below is not None or facts.basements):
+        words = below.span.words if below is not None else facts.basements[0].span.words
+        given_way.append(conflict(unwanted.words, "a basement", f'"{words}" asks for it'))
+        facts = replace(facts, excluded=[entry for entry in facts.excluded if entry[0] != "basement"])
+    return facts
+
+
+def _vertical_of(facts: BriefFacts, given_way: list[Downgrade]) -> list[tuple[str, Span]]:
+    """Return the wishes for stairs and lifts; what is not wanted wins over what is, but one way up stays."""
+    unwanted = {name for name, _ in facts.vertical if name.startswith("no_")}
+    kept = []
+    for name, span in facts.vertical:
+        if f"no_{name}" in unwanted:
+            given_way.append(conflict(span.words, f"no {name}", "the brief says elsewhere that it is not wanted"))
+        elif (name, span) not in kept:
+            kept.append((name, span))
+    return kept
+
+
+def _building(facts: BriefFacts, knowledge: KnowledgeBase, trace: list[TraceEntry]) -> BuildingType:
+    if facts.building:
+        name, span = facts.building[0]
+        note(trace, span, f"building type {name}")
+        return knowledge.buildings[name]
+    name = _infer_building(facts, knowledge)
+    building = knowledge.buildings.get(name) or next(iter(knowledge.buildings.values()))
+    note(trace, None, f"no building type is named: {building.name} suits the rooms best")
+    return building
+
+
+def _floors(
+    request: BuildRequest,
+    facts: BriefFacts,
+    building: BuildingType,
+    trace: list[TraceEntry],
+    generator: np.random.Generator,
+    given_way: list[Downgrade],
+) -> tuple[int, BriefFacts]:
+    """Return the number of storeys, and the facts without storeys that the building does not have."""
+    stated = facts.floors[0] if facts.floors else None
+    needed, place = _highest(facts)
+    if stated is not None and not 1 <= stated.value <= MOST_FLOORS:
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"{quoted(stated.span)} asks for {stated.value:g} storeys; 1 to {MOST_FLOORS} can be planned",
+            path="$.description",
+            details={"stage": "program"},
+        )
+    if request.floors is not None:
+        count = request.floors
+        if stated is not None and int(stated.value) != count:
+            given_way.append(conflict(stated.span.words, f"{count} storeys", "the request's own field says so"))
+        note(trace, None, f"{count} storeys, as the request states")
+    elif stated is not None:
+        count = int(stated.value)
+        note(trace, stated.span, f"{count} storeys")
+        reason = f'"{stated.span.words}" is the larger number'
+        given_way += [conflict(other.span.words, f"{count} storeys", reason) for other in facts.floors[1:]]
+    else:
+        return _infer_floors(facts, building, needed, trace, generator), facts
+    if place is not None and needed > count:
+        reason = f"the building has {count} {'storeys' if count > 1 else 'storey'}"
+        given_way.append(conflict(place.span.words, f"storey {count}", reason, count))
+    return count, facts
+
+
+def _highest(facts: BriefFacts) -> tuple[int, FloorRef | None]:
+    refs = [ref for room in facts.rooms for ref in room.floors]
+    refs += [ref for use in facts.uses for ref in use.floors] + [copy.first for copy in facts.copies]
+    refs = [ref for ref in refs if ref.kind in ("number", "range")]
+    if not refs:
+        return 0, None
+    ref = max(refs, key=lambda entry: entry.last)
+    return ref.last, ref
+
+
+def _basements(facts: BriefFacts, trace: list[TraceEntry]) -> int:
+    stated = max(facts.basements, key=lambda q: q.value, default=None)
+    named = any(ref.kind == "basement" for room in facts.rooms for ref in room.floors)
+    count = int(stated.value) if stated is not None else int(named)
+    if count > 10:
+        raise MansionError(
+            ErrorCode.INFEASIBLE,
+            f"{count} basement storeys are asked for; up to 10 can be planned",
+            path="$.description",
+            details={"stage": "program"},
+        )
+    if count:
+        note(trace, stated.span if stated else None, f"{count} basement storeys")
+    return count

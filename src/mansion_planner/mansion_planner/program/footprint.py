@@ -11,8 +11,7 @@ from shapely.geometry import Polygon
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.request import Footprint
 from mansion_msgs_py.wording import with_article
-from mansion_planner.program.model import CoreBox, Massing, PlannedRoom, Storey
-from mansion_planner.program.placement import Corridor, Placement, Sketch
+from mansion_planner.program.model import CoreBox, Corridor, Massing, Placement, PlannedRoom, Sketch, Storey
 
 __all__ = ["check_footprint", "free_cores", "free_massing", "is_rectangle", "sketch_free"]
 

@@ -2,10 +2,19 @@
 
 from dataclasses import dataclass
 
-from mansion_planner.program.blocks import Block, group_blocks, lay_block, widened
-from mansion_planner.program.model import Box, CoreBox, Massing, PlannedRoom, Storey
-from mansion_planner.program.placement import DOOR_WALL, Corridor, Placement, Sketch, short_edges
-from mansion_planner.program.segments import Segment, bring_together, front_order
+from mansion_planner.program.bands import Block, Segment, bring_together, front_order, group_blocks, lay_block, widened
+from mansion_planner.program.model import (
+    DOOR_WALL,
+    Box,
+    CoreBox,
+    Corridor,
+    Massing,
+    Placement,
+    PlannedRoom,
+    Sketch,
+    Storey,
+    short_edges,
+)
 
 __all__ = ["sketch_hall"]
 
@@ -50,6 +59,7 @@ def sketch_hall(massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple
 def _others(rooms: int) -> list[_Arrangement]:
     """List ways to divide up to `MOST_DIVIDED` rooms: all of them; of more, those that cut their order in two."""
     if rooms <= MOST_DIVIDED:
+        # Bit n of `bits` says whether room n lines the north side; no room at all there is left out.
         groups = [tuple(n for n in range(rooms) if bits >> n & 1) for bits in range(1, 1 << rooms)]
     else:
         groups = [tuple(range(n)) for n in range(1, rooms + 1)]
@@ -109,10 +119,8 @@ def _arranged(
     reach = depth - band if under else depth
     column = area / reach
     _place_column(east, (length - column, reach, column), hub_id, placements)
-    hub = Corridor(hub_id, _hub_boxes(massing, begin, length - column, band, bool(north)))
-    sketch = Sketch([hub], placements)
-    sketch.core_parent = {core.id: hub_id for core in massing.cores}
-    return sketch
+    hub = Corridor(hub_id, _hub_boxes(massing, begin, length - column, band, lined=bool(north)))
+    return Sketch([hub], placements, {core.id: hub_id for core in massing.cores})
 
 
 def _place_column(
@@ -130,7 +138,7 @@ def _place_column(
         y += rise
 
 
-def _hub_boxes(massing: Massing, begin: float, end: float, band: float, lined: bool) -> list[Box]:
+def _hub_boxes(massing: Massing, begin: float, end: float, band: float, *, lined: bool) -> list[Box]:
     """Return what the rooms leave to the hub, around the cores."""
     depth = massing.depth
     stairs = [core.box for core in massing.cores if core.type == "stair"]

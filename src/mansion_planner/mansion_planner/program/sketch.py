@@ -1,24 +1,245 @@
-"""Sketch a storey: corridors, and a place for every room, from which areas, room graph and seeds follow.
+"""Sketch a storey with corridors: where they run, which rooms they serve, and the place of each room."""
 
-The sketch is a witness: a partition in which every access edge has its shared wall, so that the floor solver is asked
-for nothing impossible. The solver is free to find a better one.
-"""
+import itertools
+from dataclasses import replace
 
-from mansion_planner.program.blocks import group_blocks, lay_block
-from mansion_planner.program.corridors import (
-    assign_parents,
-    bearing_lines,
-    close_corridor,
-    connect_cores,
-    corridors_of,
-    fill_pocket,
-    give_empty,
+from mansion_planner.program.bands import Segment, fill_segments, front_order, group_blocks, lay_block
+from mansion_planner.program.model import (
+    Box,
+    Corridor,
+    Massing,
+    Placement,
+    PlannedRoom,
+    Sketch,
+    Storey,
+    far_stair,
+    lobby_length,
+    pocket,
 )
-from mansion_planner.program.model import Massing, PlannedRoom, Storey
-from mansion_planner.program.placement import Placement, Sketch, far_stair, lobby_length, pocket
-from mansion_planner.program.segments import Segment, fill_segments, front_order
 
 __all__ = ["capacity", "sketch_storey"]
+
+
+HUB_CHILDREN = 8
+"""Rooms that a corridor serves before it is divided."""
+
+_AT_END = "@end"
+"""Stands for the last piece of the main corridor until the corridors are known."""
+
+
+def sketch_storey(massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]) -> Sketch:
+    """Lay out the rooms of a storey along its corridors.
+
+    Parameters
+    ----------
+    massing : Massing
+    storey : Storey
+        With rooms whose areas add up to about the storey's capacity.
+    hub_id : str
+    pairs : list of (str, str)
+        Room types to be side by side.
+    """
+    length = _extent(massing, storey)
+    ends, rest = _end_rooms(massing, storey.rooms, length)
+    stop = length - sum(room.gross / massing.depth for room in ends)
+    segments = _segments(massing, stop, lobby_length(massing, storey))
+    depth = max(segment.depth for segment in segments)
+    blocks = group_blocks(front_order(rest), depth, pairs)
+    fill_segments(segments, blocks, pairs)
+    return _assemble(massing, storey, hub_id, segments, ends, stop, length)
+
+
+def _is_main(corridor: Corridor) -> bool:
+    return not corridor.id.startswith("wing_") and corridor.id != "far"
+
+
+def _with_pocket(massing: Massing, rooms: list[Placement]) -> list[Placement]:
+    """Return the rooms, where the one beside a lift next to the stair also has the floor behind that lift."""
+    upper = massing.south + massing.corridor
+    lifts = [core.box for core in massing.cores if core.type == "elevator" and core.box[1] >= upper - 0.01]
+    if not lifts or pocket(massing) <= 0:
+        return rooms
+    edge = max(box[2] for box in lifts)
+    top = max(box[3] for box in lifts)
+    spare: Box = (min(box[0] for box in lifts), top, edge, massing.depth)
+    neighbours = [
+        placement for placement in rooms
+        for box in placement.boxes
+        if abs(box[0] - edge) < 0.01 and min(box[3], massing.depth) - max(box[1], top) > 1.2
+    ]  # fmt: skip
+    return [
+        replace(placement, boxes=[*placement.boxes, spare]) if neighbours and placement is neighbours[0] else placement
+        for placement in rooms
+    ]
+
+
+def _with_empty_bands(massing: Massing, corridors: list[Corridor], segments: list[Segment]) -> list[Corridor]:
+    """Return the corridors with the stretches of band along them that have no room."""
+    given: dict[str, list[Box]] = {}
+    for segment in segments:
+        if segment.blocks:
+            continue
+        box = segment.world((0.0, 0.0, segment.length, segment.depth), segment.begin, massing)
+        owners = [c for c in corridors if c.id == segment.bar]
+        if not owners:
+            middle = (box[0] + box[2]) / 2
+            mains = [c for c in corridors if _is_main(c)]
+            owners = [c for c in mains if c.boxes[0][0] <= middle <= c.boxes[0][2]] or mains[-1:]
+        given.setdefault(owners[0].id, []).append(box)
+    return [replace(c, boxes=[*c.boxes, *given.get(c.id, [])]) for c in corridors]
+
+
+def _corridors_of(
+    massing: Massing,
+    hub_id: str,
+    fronts: list[tuple[str, PlannedRoom, float, float]],
+    stop: float,
+    lobby: float,
+    *,
+    ended: bool,
+) -> list[Corridor]:
+    """Return the corridors, the hub first: the main one in pieces, one in each wing, and that of the far bar.
+
+    Parameters
+    ----------
+    fronts : list of (str, PlannedRoom, float, float)
+        Bar of each front room, the room, and where its front begins and ends along the bar, metres.
+    stop : float
+        Where the main corridor ends.
+    lobby : float
+        Length of the lift lobby.
+    ended : bool
+        A room closes the bar over its whole depth.
+    """
+    low, high = massing.south, massing.south + massing.corridor
+    main = sorted((x0, x1) for bar, _, x0, x1 in fronts if bar == "main")
+    load = len(main) + len(massing.cores) + len(massing.wings) + ended
+    pieces = max(1, -(-load // (HUB_CHILDREN + 2)))
+    cuts = _cut_positions(main, stop, pieces)
+    xs = [0.0, *cuts, stop]
+    corridors = []
+    for number, (x0, x1) in enumerate(itertools.pairwise(xs)):
+        name = hub_id if number == 0 else f"corridor_{number}"
+        parent = "" if number == 0 else (hub_id if number == 1 else f"corridor_{number - 1}")
+        corridors.append(Corridor(name, [(x0, low, x1, high)], parent))
+    hub = corridors[0]
+    lifts = [core.box for core in massing.cores if core.box[3] <= massing.south + 0.01]
+    if lobby and lifts:
+        edge, top = max(box[2] for box in lifts), max(box[3] for box in lifts)
+        hub.boxes.append((0.0, top, lobby, massing.south))
+        if lobby > edge:
+            hub.boxes.append((edge, 0.0, lobby, top))
+    for core in massing.cores:
+        if core.box[1] > high + 0.01 and core.box[0] < 0.5 * massing.length:
+            hub.boxes.append((core.box[0], high, core.box[2], core.box[1]))
+        elif core.box[1] > high + 0.01:
+            corridors[-1].boxes.append((core.box[0], high, core.box[2], core.box[1]))
+    for number, wing in enumerate(massing.wings, 1):
+        side = (wing.x1 - wing.x0 - massing.corridor) / 2
+        box = (
+            (wing.x0 + side, high, wing.x1 - side, massing.depth + wing.reach)
+            if wing.north
+            else (wing.x0 + side, -wing.reach - (massing.far_band if massing.court else 0.0), wing.x1 - side, low)
+        )
+        centre = (wing.x0 + wing.x1) / 2
+        owner = next((c.id for c in corridors if c.boxes[0][0] <= centre <= c.boxes[0][2]), hub_id)
+        corridors.append(Corridor(f"wing_{number}", [box], owner))
+    if massing.court:
+        top = -massing.wings[0].reach - massing.far_band
+        far: Box = (massing.far[0], top - massing.corridor, massing.far[1], top)
+        corridors.append(Corridor("far", [far], "wing_1"))
+    return corridors
+
+
+def _cut_positions(main: list[tuple[float, float]], stop: float, pieces: int) -> list[float]:
+    """Choose where the main corridor is divided: every front keeps a door's width on one side."""
+    cuts: list[float] = []
+    for number in range(1, pieces):
+        ideal = sorted(x0 for x0, _ in main)[min(number * len(main) // pieces, len(main) - 1)]
+        candidates = sorted({x for pair in main for x in pair}, key=lambda x: (abs(x - ideal), x))
+        for x in candidates:
+            clear = all(max(x - x0, x1 - x) >= 1.5 or x <= x0 or x >= x1 for x0, x1 in main)
+            if clear and 3.0 <= x <= stop - 3.0 and all(abs(x - other) > 4.0 for other in cuts):
+                cuts.append(x)
+                break
+    return sorted(cuts)
+
+
+def _with_parents(
+    rooms: list[Placement], corridors: list[Corridor], fronts: list[tuple[str, PlannedRoom, float, float]]
+) -> list[Placement]:
+    """Return the rooms, each front room reached from the corridor that it touches most."""
+    mains = [c for c in corridors if _is_main(c)]
+    owners: dict[int, str] = {}
+    for bar, room, x0, x1 in fronts:
+        owners[id(room)] = bar
+        if bar == "main":
+            owners[id(room)] = max(mains, key=lambda c: min(c.boxes[0][2], x1) - max(c.boxes[0][0], x0)).id
+    placed = [replace(placement, parent=owners.get(id(placement.room), placement.parent)) for placement in rooms]
+    return [replace(p, parent=mains[-1].id) if p.parent == _AT_END else p for p in placed]
+
+
+def _closed(
+    massing: Massing, corridors: list[Corridor], rooms: list[Placement], stop: float
+) -> tuple[list[Corridor], list[Placement]]:
+    """Return corridors and rooms, the last room on the north side across the dead end of the corridor where it can."""
+    unchanged = (corridors, rooms)
+    if far_stair(massing):
+        return unchanged
+    last = [c for c in corridors if _is_main(c)][-1]
+    low, high = massing.south, massing.south + massing.corridor
+    if any(abs(w.x1 - stop) < 8.0 for w in massing.wings):
+        return unchanged
+    x0c = last.boxes[0][0]
+    closing = None
+    for placement in rooms:
+        if placement.parent == last.id and len(placement.boxes) == 1 and not placement.room.suite:
+            box = placement.boxes[0]
+            if abs(box[2] - stop) < 0.01 and abs(box[1] - high) < 0.01 and not placement.room.fixed:
+                closing = placement
+    if closing is None:
+        return unchanged
+    x = closing.boxes[0][0]
+    if x - x0c < 3.0:
+        return unchanged
+    for placement in rooms:
+        if placement is closing or placement.parent != last.id:
+            continue
+        for box in placement.boxes:
+            touches = abs(box[3] - low) < 0.01 and box[2] > x
+            if touches and min(box[2], x) - max(box[0], x0c) < 1.5:
+                return unchanged
+    x0, _, x1, y1 = closing.boxes[0]
+    shortened = replace(last, boxes=[(x0c, low, x, high), *last.boxes[1:]])
+    widened = replace(closing, boxes=[(x0, low, x1, y1)])
+    return [shortened if c is last else c for c in corridors], [widened if p is closing else p for p in rooms]
+
+
+def _bearing_lines(
+    massing: Massing, corridors: list[Corridor], lobby: float, stop: float
+) -> dict[float, list[tuple[float, float]]]:
+    """Return the stretches along x, by their y, where both sides of the main corridor are walls."""
+    mains = [c for c in corridors if _is_main(c)]
+    end = max(corridor.boxes[0][2] for corridor in mains)
+    far = min((core.box[0] for core in massing.cores if core.box[0] > 0.5 * massing.length), default=end)
+    lines = {massing.south + massing.corridor: [(pocket(massing), min(end, far))], massing.south: [(lobby, stop)]}
+    for wing in massing.wings:
+        y = massing.south + massing.corridor if wing.north else massing.south
+        side = (wing.x1 - wing.x0 - massing.corridor) / 2
+        lines[y] = _without(lines[y], wing.x0 + side, wing.x1 - side)
+    return lines
+
+
+def _without(spans: list[tuple[float, float]], x0: float, x1: float) -> list[tuple[float, float]]:
+    left = [(a, min(b, x0)) for a, b in spans]
+    right = [(max(a, x1), b) for a, b in spans]
+    return [(a, b) for a, b in left + right if b - a > 0.5]
+
+
+def _core_parents(massing: Massing, corridors: list[Corridor]) -> dict[str, str]:
+    """Return the corridor that each core opens to: the hub, or the last piece for cores at the far end."""
+    mains = [c for c in corridors if _is_main(c)]
+    return {core.id: mains[-1].id if core.box[0] >= 0.5 * massing.length else mains[0].id for core in massing.cores}
 
 
 def _extent(massing: Massing, storey: Storey) -> float:
@@ -42,28 +263,6 @@ def capacity(massing: Massing, storey: Storey) -> float:
         hub = length * massing.corridor
         return total + hub
     return total
-
-
-def sketch_storey(massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]) -> Sketch:
-    """Lay out the rooms of a storey along its corridors.
-
-    Parameters
-    ----------
-    massing : Massing
-    storey : Storey
-        With rooms whose areas add up to about the storey's capacity.
-    hub_id : str
-    pairs : list of (str, str)
-        Room types to be side by side.
-    """
-    length = _extent(massing, storey)
-    ends, rest = _end_rooms(massing, storey.rooms, length)
-    stop = length - sum(room.gross / massing.depth for room in ends)
-    segments = _segments(massing, stop, lobby_length(massing, storey))
-    depth = max(segment.depth for segment in segments)
-    blocks = group_blocks(front_order(rest), depth, pairs)
-    fill_segments(segments, blocks, pairs)
-    return _assemble(massing, storey, hub_id, segments, ends, stop, length)
 
 
 def _end_rooms(
@@ -148,15 +347,13 @@ def _assemble(
     x = stop
     for room in ends:
         wide = (length - stop) * room.gross / sum(end.gross for end in ends)
-        rooms.append(Placement(room, [(x, 0.0, x + wide, massing.depth)], "@end"))
+        rooms.append(Placement(room, [(x, 0.0, x + wide, massing.depth)], _AT_END))
         x += wide
     lobby = lobby_length(massing, storey)
-    fill_pocket(massing, rooms)
-    corridors = corridors_of(massing, hub_id, fronts, stop, bool(ends), lobby)
-    sketch = Sketch(corridors, rooms)
-    assign_parents(sketch, fronts)
-    close_corridor(massing, sketch, segments, stop, bool(ends))
-    give_empty(massing, sketch, segments)
-    connect_cores(massing, sketch)
-    sketch.bearing = bearing_lines(massing, sketch, lobby, stop)
-    return sketch
+    corridors = _corridors_of(massing, hub_id, fronts, stop, lobby, ended=bool(ends))
+    rooms = _with_parents(_with_pocket(massing, rooms), corridors, fronts)
+    if not ends:
+        corridors, rooms = _closed(massing, corridors, rooms, stop)
+    corridors = _with_empty_bands(massing, corridors, segments)
+    bearing = _bearing_lines(massing, corridors, lobby, stop)
+    return Sketch(corridors, rooms, _core_parents(massing, corridors), bearing=bearing)

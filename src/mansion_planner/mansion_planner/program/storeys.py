@@ -2,8 +2,7 @@
 
 from mansion_knowledge import BuildingType, KnowledgeBase, RoomEntry
 from mansion_planner.brief.facts import FloorRef
-from mansion_planner.program.decisions import Decisions, conflict
-from mansion_planner.program.inference import note
+from mansion_planner.program.decisions import Decisions, conflict, note
 from mansion_planner.program.model import Storey
 
 __all__ = ["entries_of", "floors_of", "is_hall", "make_storeys"]
@@ -24,14 +23,14 @@ def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> list[Storey]
         lead = None
         if use.parti == "hall" and not hall and role != "basement":
             lead = knowledge.room(use.hub)
-            hub = knowledge.room(_passage_hub(decisions, entrance))
+            hub = knowledge.room(_passage_hub(decisions, entrance=entrance))
         storeys.append(Storey(index=index, role=role, use=use, hub=hub, lead=lead))
     _mark_copies(decisions, storeys)
     _shape_storeys(decisions, storeys)
     return storeys
 
 
-def _passage_hub(decisions: Decisions, entrance: bool) -> str:
+def _passage_hub(decisions: Decisions, *, entrance: bool) -> str:
     if decisions.building.family == "home":
         return "hallway"
     return "lobby" if entrance else "corridor"

@@ -1,1 +1,0 @@
-"""From the program of a floor to its room graph and its solver problem."""
