@@ -65,6 +65,8 @@ class PlacementObject(msgspec.Struct, frozen=True, kw_only=True):
         Width along the front, depth, height; metres. Never changed.
     smaller : list of Size3
         Sizes of smaller assets of the category that may stand in (only where the catalogue chose the first).
+    first : bool
+        Whether it is placed before what is not, and matters more.
     """
 
     name: Identifier
@@ -75,6 +77,7 @@ class PlacementObject(msgspec.Struct, frozen=True, kw_only=True):
     structure: Structure = msgspec.field(default_factory=SingleStructure)
     relative: list[Relation] = []
     smaller: list[Size3] = []
+    first: bool = False
 
 
 class PlacementOpening(msgspec.Struct, frozen=True, kw_only=True):

@@ -80,7 +80,14 @@ def _contents(
     # The placement solver compiles its kernels when it is imported.
     from mansion_scene.room_contents import RoomFurnisher
 
-    furnisher = RoomFurnisher(structure, seed=request.seed, style=request.style, catalogue=catalogue, chooser=chooser)
+    furnisher = RoomFurnisher(
+        structure,
+        seed=request.seed,
+        style=request.style,
+        catalogue=catalogue,
+        chooser=chooser,
+        requested={f"F{request.floor.index}/{room.id}": room.objects for room in request.floor.rooms},
+    )
     objects: list[SceneObject] = []
     discarded: list[Discard] = []
     for index, room in enumerate(structure.rooms):

@@ -1,25 +1,41 @@
 """Objects of a room: chosen from the catalogue, placed, and decorated (Algorithm 1, lines 12 and 13)."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import msgspec
 from shapely.geometry import LineString, Polygon
 
-from mansion_assets.catalogue import Catalogue, RoomFurnishing, furnish_request, load_catalogue
+from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing, furnish_request, load_catalogue
+from mansion_assets.catalogue.kinds import answers
 from mansion_assets.catalogue.records import Item
+from mansion_assets.catalogue.requested import asked_counts
 from mansion_geometry.randomness import item_seed
-from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementRoom
+from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementResult, PlacementRoom
+from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.scene import Discard, Door, SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.clearance import clear_of_ways
 from mansion_scene.decor import decorate_room, scene_object
 from mansion_scene.placement import place_room
+from mansion_scene.requested_objects import (
+    PART,
+    asked_alone,
+    extra_wishes,
+    in_usual_order,
+    not_met,
+    placeable,
+    shortage,
+    with_extra,
+    with_usual,
+)
 from mansion_scene.structure import FloorStructure
 
 __all__ = ["ItemChooser", "RoomFurnisher", "room_openings"]
 
 ItemChooser = Callable[[SceneRoom, float, tuple[float, float]], Sequence[Item] | None]
 """Chooses the floor objects of a room, given the room, its net area and the sides of its bounding rectangle."""
+
+_Trial = tuple[RoomFurnishing, PlacementResult]
 
 _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
@@ -65,6 +81,8 @@ class RoomFurnisher:
         The package's own by default.
     chooser : callable, optional
         Chooses a room's floor objects; the room type's own list is used where it is absent or returns ``None``.
+    requested : mapping of str to sequence of RequestedObject, optional
+        By room, what the brief asks for in it.
     """
 
     def __init__(
@@ -75,44 +93,107 @@ class RoomFurnisher:
         style: str = "",
         catalogue: Catalogue | None = None,
         chooser: ItemChooser | None = None,
+        requested: Mapping[str, Sequence[RequestedObject]] | None = None,
     ) -> None:
         self._structure = structure
         self._seed = seed
         self._style = style
         self._chooser = chooser
+        self._requested = requested or {}
         self._catalogue = catalogue if catalogue is not None else load_catalogue()
 
     def furnish(self, room: SceneRoom) -> tuple[list[SceneObject], list[Discard]]:
         """Return a room's objects, large ones first, and what could not be placed."""
         net = Polygon(room.net_polygon, room.net_holes)
-        x0, y0, x1, y1 = net.bounds
-        furnishing = furnish_request(
+        items = None if self._chooser is None else self._chooser(room, net.area, _extent(net))
+        wishes = self._wishes(room, net, items)
+        counts = asked_counts(self._requested.get(room.id, ()))
+        if counts:
+            wishes, result = self._until_met(room, counts, wishes, self._wishes(room, net, items, compact=True))
+        else:
+            result = self._placed(room, wishes)
+        placed = _scene_objects(room, wishes, result.placements)
+        left = [
+            Discard(room=room.id, name=lost.name.removesuffix(PART), count=lost.count, reason=lost.reason)
+            for lost in result.discarded
+        ]
+        if not counts:
+            return [*placed, *self._decorated(room, net, wishes, placed)], left
+        small, short = self._decorated_as_asked(room, net, wishes, placed, counts)
+        categories = {name: asset.category for name, asset in wishes.floor_assets.items()}
+        return [*placed, *small], [*left, *not_met(self._catalogue, room.id, short, left, categories)]
+
+    def _wishes(
+        self, room: SceneRoom, net: Polygon, items: Sequence[Item] | None, *, compact: bool = False
+    ) -> RoomFurnishing:
+        return furnish_request(
             self._catalogue,
             room.room_type,
             net.area,
             seed=self._seed,
             style=self._style,
             room_id=room.id,
-            extent=(x1 - x0, y1 - y0),
-            items=None if self._chooser is None else self._chooser(room, net.area, (x1 - x0, y1 - y0)),
+            extent=_extent(net),
+            items=items,
+            requested=self._requested.get(room.id, ()),
+            compact=compact,
         )
+
+    def _placed(self, room: SceneRoom, wishes: RoomFurnishing) -> PlacementResult:
         doors, windows = room_openings(self._structure, room)
-        result = place_room(
+        return place_room(
             PlacementRoom(
                 room_id=room.id,
                 room_type=room.room_type,
                 polygon=room.net_polygon,
                 holes=room.net_holes,
-                objects=furnishing.floor,
+                objects=wishes.floor,
                 doors=doors,
                 windows=windows,
             ),
             seed=item_seed(self._seed, room.id),
         )
-        placed = _scene_objects(room, furnishing, result.placements)
+
+    def _until_met(
+        self, room: SceneRoom, counts: dict[str, int], wishes: RoomFurnishing, compact: RoomFurnishing
+    ) -> _Trial:
+        """Place with less and less of what nobody asked for, until all that the brief asks for stands."""
+        beyond = shortage(counts, placeable(wishes))
+        goal = {category: number - beyond.get(category, 0) for category, number in counts.items()}
+
+        def lost(trial: _Trial) -> int:
+            wishes, result = trial
+            stand = [wishes.asset_for(p.name, p.size) for p in result.placements]
+            return sum(shortage(goal, stand).values())
+
+        best: _Trial | None = None
+        least = 0
+        for number, trial_wishes in enumerate((in_usual_order(wishes), wishes, *asked_alone(compact))):
+            trial = trial_wishes, self._placed(room, trial_wishes)
+            if best is None or lost(trial) < least:
+                best, least, alone = trial, lost(trial), number > 1
+            if not least:
+                break
+        assert best is not None
+        for share in (0.6, 0.25) if alone else ():
+            fuller = with_usual(best[0], compact, share)
+            trial = fuller, self._placed(room, fuller)
+            if lost(trial) <= least:
+                return trial
+        return best
+
+    def _decorated(
+        self,
+        room: SceneRoom,
+        net: Polygon,
+        wishes: RoomFurnishing,
+        placed: Sequence[SceneObject],
+        asked: Sequence[Asset] = (),
+    ) -> list[SceneObject]:
+        doors, _ = room_openings(self._structure, room)
         small = decorate_room(
             self._catalogue,
-            furnishing,
+            wishes,
             room_id=room.id,
             net_polygon=room.net_polygon,
             net_holes=room.net_holes,
@@ -121,11 +202,40 @@ class RoomFurnisher:
             windows=[window for window in self._structure.windows if window.room == room.id],
             placed=placed,
             seed=self._seed,
+            asked=asked,
         )
-        left = [
-            Discard(room=room.id, name=lost.name, count=lost.count, reason=lost.reason) for lost in result.discarded
-        ]
-        return [*placed, *clear_of_ways(small, placed, net, doors)], left
+        return clear_of_ways(small, placed, net, doors)
+
+    def _decorated_as_asked(
+        self,
+        room: SceneRoom,
+        net: Polygon,
+        wishes: RoomFurnishing,
+        placed: Sequence[SceneObject],
+        counts: dict[str, int],
+    ) -> tuple[list[SceneObject], dict[str, int]]:
+        """Return what a room gets beyond its furniture, and by category how many pieces are short."""
+        standing = [self._catalogue.asset(o.asset) for o in placed]
+        small = self._decorated(room, net, wishes, placed)
+        short = shortage(counts, [*standing, *(self._catalogue.asset(o.asset) for o in small)])
+        wanted = dict(short)
+        for last in (False, True):
+            if not short:
+                break
+            extra = extra_wishes(self._catalogue, wanted, seed=self._seed, room_id=room.id, smallest=last)
+            further = with_extra(wishes, extra, counts, alone=last)
+            again = self._decorated(room, net, further, placed, extra.small)
+            left = shortage(counts, [*standing, *(self._catalogue.asset(o.asset) for o in again)])
+            if sum(left.values()) < sum(short.values()):
+                small, short = again, left
+            wanted = {category: wanted.get(category, 0) + number for category, number in left.items()}
+        unwanted = [category for category, number in counts.items() if not number]
+        return [o for o in small if not any(answers(category, o.category) for category in unwanted)], short
+
+
+def _extent(net: Polygon) -> tuple[float, float]:
+    x0, y0, x1, y1 = net.bounds
+    return x1 - x0, y1 - y0
 
 
 def _with_panels(door: Door) -> Door:

@@ -1,5 +1,6 @@
 """The furnishing of a room by its type and area: which objects, how many, with what constraints."""
 
+import math
 from collections.abc import Sequence
 
 import msgspec
@@ -16,9 +17,19 @@ from mansion_assets.catalogue.quantities import (
     sits_around,
     wanted_seats,
 )
-from mansion_assets.catalogue.records import Arrangement, HangItem, Item
+from mansion_assets.catalogue.records import Arrangement, HangItem, Item, MatrixShape
+from mansion_assets.catalogue.requested import AskedProgram, asked_counts, with_requested, without_small
 from mansion_geometry.randomness import item_generator
-from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacementObject, SingleStructure, Structure
+from mansion_msgs_py.placement import (
+    GlobalConstraint,
+    MatrixStructure,
+    PairedStructure,
+    PlacementObject,
+    Relation,
+    SingleStructure,
+    Structure,
+)
+from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.shapes import Size3
 
 __all__ = ["HangRequest", "RoomFurnishing", "RugRequest", "furnish_request"]
@@ -57,6 +68,8 @@ class RoomFurnishing(msgspec.Struct, frozen=True, kw_only=True):
         Assets behind ``smaller``, in the same order.
     small : list of Arrangement
         Arrangements of small objects; the first that fits a receptacle is used.
+    asked : frozenset of str
+        Entries of `floor` that the brief asks for, with what they stand at.
     """
 
     room_id: str
@@ -69,6 +82,7 @@ class RoomFurnishing(msgspec.Struct, frozen=True, kw_only=True):
     ceiling: list[HangRequest]
     rugs: list[RugRequest]
     small: list[Arrangement]
+    asked: frozenset[str] = frozenset()
 
     def asset_for(self, name: str, size: Size3) -> Asset:
         """Return the asset of a placed object: the first choice, or the smaller one of that size."""
@@ -79,6 +93,29 @@ class RoomFurnishing(msgspec.Struct, frozen=True, kw_only=True):
 
 _LOYALTY = 0.7
 """Probability that a room takes the building's own variant of a category."""
+
+_MANY = 6
+"""From so many copies asked for on, they stand in rows and columns."""
+
+_FIELD = 10
+"""From so many copies on, what stands at walls stands in rows and columns, unless it is shallow or a bed."""
+
+_SHALLOW = 0.7
+"""Depth of what lines walls in any number, metres."""
+
+_AISLES = (0.6, 0.9)
+"""Between the columns and the rows of what is asked for in such numbers, metres."""
+
+_LOOSE = MatrixShape(max_rows=99, max_cols=99, gap=(0.05, 0.6))
+
+_WALLED = 0.55
+"""Share of the walls' length that copies asked for may line."""
+
+_CROWDED = 0.8
+"""Share of the floor that objects asked for cover at the very most."""
+
+_ASKED_SHARE = 0.3
+"""Share of the floor up to which the assets for what is asked for are chosen freely."""
 
 
 def furnish_request(
@@ -91,6 +128,8 @@ def furnish_request(
     room_id: str = "",
     extent: tuple[float, float] | None = None,
     items: Sequence[Item] | None = None,
+    requested: Sequence[RequestedObject] = (),
+    compact: bool = False,
 ) -> RoomFurnishing:
     """Return the objects that a room should get.
 
@@ -106,6 +145,10 @@ def furnish_request(
         Sides of the room's bounding rectangle, metres; matrices and long objects then fit it.
     items : sequence of Item, optional
         Floor objects that replace the room type's own list.
+    requested : sequence of RequestedObject
+        What the brief asks for; it comes before the rest, whatever the share of the floor.
+    compact : bool
+        Whether the smallest assets are taken for it.
 
     Notes
     -----
@@ -116,7 +159,10 @@ def furnish_request(
     if items is not None:
         card = msgspec.structs.replace(card, floor=tuple(items))
     rng = item_generator(seed, "furnish", room_id, card.room_type)
-    draft = _Draft(catalogue, card, area, extent, rng, _Style(seed, style))
+    counts = asked_counts(requested)
+    asked = with_requested(catalogue, card, counts, area) if counts else AskedProgram(card=card)
+    card = asked.card
+    draft = _Draft(catalogue, asked, area, extent, rng, _Style(seed, style), compact=compact)
     for item in card.floor:
         draft.add(item)
     floor, assets, alternatives = draft.finished()
@@ -130,7 +176,8 @@ def furnish_request(
         wall=[w for item in card.wall if (w := _hang(draft, item)) is not None],
         ceiling=[w for item in card.ceiling if (w := _hang(draft, item)) is not None],
         rugs=_rugs(draft),
-        small=_arrangements(catalogue, card),
+        small=without_small(_arrangements(catalogue, card), [c for c, count in counts.items() if not count]),
+        asked=draft.first,
     )
 
 
@@ -161,13 +208,18 @@ class _Draft:
     def __init__(
         self,
         catalogue: Catalogue,
-        card: RoomProgramCard,
+        asked: AskedProgram,
         area: float,
         extent: tuple[float, float] | None,
         rng: np.random.Generator,
         style: _Style,
+        *,
+        compact: bool = False,
     ) -> None:
+        card = asked.card
         self.catalogue, self.card, self.area, self.rng, self.style = (catalogue, card, area, rng, style)
+        self.asked, self.compact = asked, compact
+        self.rests: dict[str, list[str]] = {}
         self.extent = room_extent(area, extent)
         self.left = area * card.cover * min(1.0, 0.7 + 0.3 * area / 12.0)
         self.entries: dict[str, _Entry] = {}
@@ -176,16 +228,23 @@ class _Draft:
     def numbers(self) -> dict[str, int]:
         return {name: entry.count for name, entry in self.entries.items()}
 
+    @property
+    def first(self) -> frozenset[str]:
+        """Names of the objects that come before the usual furniture."""
+        names = {name for name in self.entries if name in self.asked.first}
+        return frozenset(names.union(*(self.rests.get(name, []) for name in names)))
+
     def category_of(self, name: str) -> str:
         """Return the category that an item of the room got; `name` itself where no item is called so."""
         return self.entries[name].asset.category if name in self.entries else name
 
     def add(self, item: Item) -> None:
         """Take an item of the program as far as the share of floor allows."""
-        wanted = copies(item.count, self.area, self.numbers, self.rng)
+        least = self.asked.least.get(item.name, 0)
+        wanted = max(copies(item.count, self.area, self.numbers, self.rng), least)
         present = self.rng.random() < item.p and item.min_area <= self.area <= item.max_area
         asset = self._asset(item, wanted)
-        if asset is None or not present or wanted < 1 or item.name in self.entries:
+        if asset is None or not present or wanted < 1 or item.name in self.entries or self._stray(item):
             return
         wanted = min(wanted, self._places(item, asset))
         structure: Structure = SingleStructure()
@@ -195,10 +254,12 @@ class _Draft:
             wanted = self.entries[item.paired].count
             structure = PairedStructure(with_=item.paired)
         elif asset.footprint > 0.0:
-            wanted = min(wanted, max(1, int((self.left - self._reserved(item)) / self._share(item, asset))))
-            wanted = wanted if asset.footprint <= max(self.left, 0.0) else 0
-            if item.matrix is not None:
-                rows, cols = self._grid(item, asset, wanted)
+            usual = min(wanted, max(1, int((self.left - self._reserved(item)) / self._share(item, asset))))
+            usual = usual if asset.footprint <= max(self.left, 0.0) else 0
+            wanted = max(usual, min(wanted, least, self._possible(asset)))
+            shape = self._shape(item, asset, wanted)
+            if shape is not None:
+                rows, cols = self._grid(item, asset, wanted, shape)
                 wanted = rows * cols
                 structure = MatrixStructure(rows=rows, cols=cols) if wanted > 1 else structure
         if wanted < 1:
@@ -206,6 +267,63 @@ class _Draft:
         self.left -= wanted * asset.footprint
         smaller = [] if item.paired else self._smaller(item, asset)
         self.entries[item.name] = _Entry(item, asset, wanted, structure, smaller)
+        if least or item.name in self.asked.first:
+            self._add_rests(item, least)
+
+    def _possible(self, asset: Asset) -> int:
+        """Return how many copies the whole floor of the room has space for."""
+        return max(1, int(_CROWDED * self.area / max(asset.footprint, 0.01)))
+
+    def _shape(self, item: Item, asset: Asset, wanted: int) -> MatrixShape | None:
+        """Return how the copies of an item spread in rows and columns; None where they do not."""
+        if item.name not in self.asked.least:
+            return item.matrix
+        tied = item.paired or any(relation.kind == "around" for relation in item.relative)
+        along = 2 * sum(self.extent) * _WALLED
+        bed = any(surface.kind == "mattress" for surface in asset.surfaces)
+        few = wanted < _FIELD or bed or asset.size[1] <= _SHALLOW
+        walled = item.global_ == "edge" and few and wanted * (asset.size[0] + 0.1) <= along
+        if tied or (item.matrix is None and (wanted < _MANY or walled)):
+            return None
+        return MatrixShape(max_rows=99, max_cols=99, gap=item.matrix.gap if item.matrix else _AISLES)
+
+    def _add_rests(self, item: Item, least: int) -> None:
+        """Add the copies asked for that are not of the item's matrix, or have no place at its tables."""
+        entry = self.entries[item.name]
+        hosts = [(name, e) for name, e in self.entries.items() if name == item.paired or sits_around(item, name)]
+        placed = entry.count
+        for host, at in hosts:
+            for rest in self.rests.get(host, []):
+                share = math.ceil(entry.count * self.entries[rest].count / max(at.count, 1))
+                placed += self._rest(entry, share, host=rest)
+        missing = min(least, self._possible(entry.asset)) - placed
+        while missing > 0:
+            missing -= self._rest(entry, missing)
+
+    def _rest(self, entry: _Entry, count: int, host: str = "") -> int:
+        """Add up to `count` further copies of an entry, at `host` or on their own; return how many."""
+        item, asset = entry.item, entry.asset
+        structure: Structure = SingleStructure()
+        relative = [Relation(kind="around", target=host)] if host and not item.paired else []
+        if host and item.paired:
+            structure = PairedStructure(with_=host)
+        elif not host and count >= _MANY:
+            rows, cols = grid(count, (asset.size[0], asset.size[1]), _LOOSE, self.extent)
+            if rows * cols > 1:
+                count, structure = rows * cols, MatrixStructure(rows=rows, cols=cols)
+        taken = self.rests.setdefault(item.name, [])
+        name = f"more_{item.name}" if not taken else f"more_{item.name}_{len(taken) + 1}"
+        taken.append(name)
+        place: GlobalConstraint = "edge" if item.global_ == "edge" and count < _MANY else "unconstrained"
+        rest = Item(name=name, category=asset.category, global_=place, relative=relative)
+        self.left -= count * asset.footprint
+        self.entries[name] = _Entry(rest, asset, count, structure, [] if host else self._smaller(rest, asset))
+        return count
+
+    def _stray(self, item: Item) -> bool:
+        """Tell whether copies would stand at something that what the brief asks for leaves no floor for."""
+        tied = [relation.target for relation in item.relative if relation.kind in ("around", "in_front_of")]
+        return bool(self.asked.least and tied) and not any(target in self.entries for target in tied)
 
     def _places(self, item: Item, seat: Asset) -> int:
         """Return how many copies fit around the tables that they belong to."""
@@ -248,14 +366,18 @@ class _Draft:
                 total += other.count * (min(sizes) if sizes else 0.0)
         return total
 
-    def _grid(self, item: Item, asset: Asset, wanted: int) -> tuple[int, int]:
-        assert item.matrix is not None
+    def _grid(self, item: Item, asset: Asset, wanted: int, shape: MatrixShape) -> tuple[int, int]:
         depth = asset.size[1]
         for other in self.card.floor:
             if other.paired == item.name:
                 sizes = [a.size[1] for a in self.catalogue.choose_from(other.category, other.extent)]
                 depth += 0.8 * min(sizes) if sizes else 0.0
-        return grid(wanted, (asset.size[0], depth), item.matrix, self.extent)
+        rows, cols = grid(wanted, (asset.size[0], depth), shape, self.extent)
+        if item.name in self.asked.least and rows * cols < wanted:
+            return max(
+                (rows, cols), grid(wanted, (asset.size[0], depth), _LOOSE, self.extent), key=lambda g: g[0] * g[1]
+            )
+        return rows, cols
 
     def _asset(self, item: Item, wanted: int) -> Asset | None:
         """Draw an asset whose copies fit what is left of the share, the smallest ones where none does."""
@@ -265,12 +387,22 @@ class _Draft:
         if not assets:
             return None
         assets = self._for_seats(item, assets, wanted)
+        if item.name in self.asked.least:
+            return self._asked_asset(assets, wanted)
         free = max(self.left - self._reserved(item), 0.0)
         limit = 99.0 if item.paired else 0.7 * free / max(1, min(wanted, 3))
         fitting = [a for a in assets if a.footprint <= limit]
         if not fitting:
             fitting = sorted(assets, key=lambda a: a.footprint)[: max(1, len(assets) // 8)]
         return self.style.pick(fitting, self.rng)
+
+    def _asked_asset(self, assets: list[Asset], wanted: int) -> Asset:
+        """Draw an asset of which as many as are asked for leave enough floor free, one of the smallest at need."""
+        roomy = [a for a in assets if wanted * a.footprint <= _ASKED_SHARE * self.area]
+        if self.compact or not roomy:
+            least = min(a.footprint for a in assets)
+            roomy = [a for a in assets if a.footprint <= 1.05 * least]
+        return self.style.pick(roomy, self.rng)
 
     def _smaller(self, item: Item, asset: Asset) -> list[Asset]:
         """Return up to two assets of the same category that are smaller in plan, the largest of them first."""
@@ -296,6 +428,7 @@ class _Draft:
         """Return the placer's objects, without relations to items that were left out."""
         floor = []
         smaller = {name: self._enough_seats(name, entry) for name, entry in self.entries.items()}
+        first = self.first
         for name, entry in self.entries.items():
             relative = [r for r in entry.item.relative if r.target in self.entries and r.target != name]
             floor.append(
@@ -308,6 +441,7 @@ class _Draft:
                     structure=entry.structure,
                     relative=relative,
                     smaller=[a.size for a in smaller[name]],
+                    first=name in first,
                 )
             )
         assets = {name: entry.asset for name, entry in self.entries.items()}

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from mansion_assets.catalogue import Catalogue, RoomFurnishing
+from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.scene import Door, SceneObject, Window
 from mansion_msgs_py.shapes import Ring
@@ -27,6 +27,7 @@ def decorate_room(
     windows: Sequence[Window] = (),
     placed: Sequence[SceneObject] = (),
     seed: int,
+    asked: Sequence[Asset] = (),
 ) -> list[SceneObject]:
     """Return the objects that decorate a room, beyond its placed furniture.
 
@@ -44,6 +45,8 @@ def decorate_room(
         The placed furniture of the room.
     seed : int
         Seed of the building; with `room_id` it determines the result.
+    asked : sequence of Asset
+        Small things that must lie somewhere in the room.
 
     Returns
     -------
@@ -60,5 +63,5 @@ def decorate_room(
         catalogue, furnishing.ceiling, room, edges, ceiling_height, [*placed, *hung], ids, room_id, rng
     )
     carriers = [*placed, *(o for o in hung if o.receptacle)]
-    small = small_objects(catalogue, furnishing.small, carriers, ids, room_id, seed, [*hung, *lamps])
+    small = small_objects(catalogue, furnishing.small, carriers, ids, room_id, seed, [*hung, *lamps], asked)
     return [*carpets, *hung, *lamps, *small]

@@ -8,6 +8,7 @@ import numpy as np
 
 from mansion_assets.catalogue import Asset, Catalogue, Surface, Volume
 from mansion_assets.catalogue.records import Arrangement, Scatter, Slot
+from mansion_assets.catalogue.requested import laid_categories
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point, Size3
@@ -147,6 +148,12 @@ def shelves_of(surfaces: tuple[Surface, ...], volumes: tuple[Volume, ...]) -> li
     return [Shelf(s) for s in surfaces] + [Shelf(v, 0.75) for v in volumes]
 
 
+_OPEN = ("top", "shelf", "ledge")
+"""Kinds of surface on which anything may be put down."""
+
+_REACHED = (0.3, 1.6)
+"""Heights of such surfaces, metres."""
+
 _SEAT_REACH = 0.6
 """Greatest distance from a chair to the edge of its table, metres."""
 
@@ -162,6 +169,7 @@ def small_objects(
     room_id: str,
     seed: int,
     hung: Sequence[SceneObject] = (),
+    asked: Sequence[Asset] = (),
 ) -> list[SceneObject]:
     """Return the small objects of a room.
 
@@ -173,6 +181,8 @@ def small_objects(
         Receptacles and chairs, from the floor and from the walls.
     hung : sequence of SceneObject
         Wall and ceiling objects, below which less height is left.
+    asked : sequence of Asset
+        Things that the brief asks for; they are put down before the rest, each where such things usually are.
 
     Notes
     -----
@@ -180,27 +190,44 @@ def small_objects(
     """
     seats = [o for o in placed if "seat" in catalogue.asset(o.asset).tags]
     out: list[SceneObject] = []
+    tables: dict[str, _Filler] = {}
     for obj in placed:
         asset = catalogue.asset(obj.asset)
         arrangement = next((a for a in arrangements if obj.category in a.on), None)
-        if arrangement is None or not asset.receptacle:
-            continue
-        rng = item_generator(seed, "small", obj.id)
-        if rng.random() < arrangement.p:
-            filler = _Filler(catalogue, obj, asset, rng, ids, room_id)
-            filler.note_hung(hung)
-            filler.fill(arrangement, seats)
-            out += filler.objects
+        if asset.receptacle and (arrangement is not None or asked):
+            rng = item_generator(seed, "small", obj.id)
+            tables[obj.id] = table = _Filler(catalogue, obj, asset, rng, ids, room_id, arrangement)
+            table.note_hung(hung)
+    _put_down(asked, list(tables.values()), item_generator(seed, "asked", room_id))
+    for table in tables.values():
+        if table.arrangement is not None and table.rng.random() < table.arrangement.p:
+            table.fill(table.arrangement, seats)
+        out += table.objects
     return out
+
+
+def _put_down(asked: Sequence[Asset], tables: "Sequence[_Filler]", rng: np.random.Generator) -> None:
+    """Put each thing on the table that suits it best and has fewest of the others, where it fits."""
+    for asset in asked:
+        for table in sorted(tables, key=lambda table: (not table.suits(asset), len(table.objects), -table.top)):
+            if table.put_down(asset, rng):
+                break
 
 
 class _Filler:
     """One receptacle while it is filled."""
 
     def __init__(
-        self, catalogue: Catalogue, obj: SceneObject, asset: Asset, rng: np.random.Generator, ids: Ids, room_id: str
+        self,
+        catalogue: Catalogue,
+        obj: SceneObject,
+        asset: Asset,
+        rng: np.random.Generator,
+        ids: Ids,
+        room_id: str,
+        arrangement: Arrangement | None = None,
     ) -> None:
-        self.catalogue, self.obj, self.rng = catalogue, obj, rng
+        self.catalogue, self.obj, self.rng, self.arrangement = catalogue, obj, rng, arrangement
         self.ids, self.room_id = ids, room_id
         self.shelves = shelves_of(asset.surfaces, asset.volumes)
         self.objects: list[SceneObject] = []
@@ -220,6 +247,27 @@ class _Filler:
                 level = self.obj.position[2] + shelf.z
                 if not shelf.inside and other.position[2] + other.size[2] / 2 > level:
                     shelf.note_overhead(spot, foot - level)
+
+    @property
+    def top(self) -> float:
+        """Area of the largest surface, square metres."""
+        return max((4 * shelf.half_w * shelf.half_d for shelf in self.shelves if not shelf.inside), default=0.0)
+
+    def suits(self, asset: Asset) -> bool:
+        """Tell whether things of the asset's category usually lie here."""
+        return self.arrangement is not None and asset.category in laid_categories(self.arrangement)
+
+    def put_down(self, asset: Asset, rng: np.random.Generator) -> bool:
+        """Put a thing on an open surface at a fitting height; tell whether it fits."""
+        for shelf in self.shelves:
+            level = self.obj.position[2] + shelf.z
+            if shelf.inside or shelf.kind not in _OPEN or not _REACHED[0] <= level <= _REACHED[1]:
+                continue
+            spot = shelf.place_randomly(asset.size, rng, 8.0)
+            if spot is not None:
+                self._put(shelf, asset, spot)
+                return True
+        return False
 
     def fill(self, arrangement: Arrangement, seats: Sequence[SceneObject]) -> None:
         """Fill slots, then place settings before chairs, then scatter the rest."""

@@ -172,7 +172,7 @@ def construct(
     for group in groups:
         build.place_group(group)
     for strict in (True, False):
-        for spec in sorted(specs, key=lambda s: (-s.size[0] * s.size[1], s.index)):
+        for spec in sorted(specs, key=lambda s: (not s.first, -s.size[0] * s.size[1], s.index)):
             if build.missing(spec) > 0 and not spec.rows:
                 build.place_copies(spec, strict=strict)
     return build

@@ -31,6 +31,8 @@ class Spec:
         The relation that binds it to its host.
     relations : tuple of (kind, index)
         All relations to other objects, "paired" not among them.
+    first : bool
+        Whether it is placed before what is not.
     """
 
     index: int
@@ -45,6 +47,7 @@ class Spec:
     link: Link | None
     relations: tuple[tuple[RelationKind, int], ...]
     role: Role
+    first: bool = False
 
     @property
     def area(self) -> float:
@@ -68,7 +71,13 @@ class Group:
 
     @property
     def priority(self) -> int:
-        """0 edge+matrix, 1 edge, 2 matrix, 3 middle, 4 free (Algorithm 4, line 1)."""
+        """0 edge+matrix, 1 edge, 2 matrix, 3 middle, 4 free (Algorithm 4, line 1); below 0 for what comes first."""
+        if any(spec.first for spec in (self.anchor, *self.members)):
+            return self._kind - 10
+        return self._kind
+
+    @property
+    def _kind(self) -> int:
         if self.anchor.rows:
             return 0 if self.anchor.where == "edge" else 2
         return {"edge": 1, "middle": 3}.get(self.anchor.where, 4)
@@ -193,4 +202,5 @@ def _spec(i: int, obj: PlacementObject, index: dict[str, int], hosts: dict[int, 
         link=link,
         relations=tuple((r.kind, index[r.target]) for r in obj.relative),
         role=role_of(obj.name, obj.category),
+        first=obj.first,
     )

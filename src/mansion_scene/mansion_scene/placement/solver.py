@@ -18,7 +18,7 @@ from mansion_scene.placement.construct import Construction, construct
 from mansion_scene.placement.floor import Effort, Floor, Placed
 from mansion_scene.placement.groups import Group, Spec, make_groups
 from mansion_scene.placement.options import PlacementOptions
-from mansion_scene.placement.relations import Rating, rate, relation_count
+from mansion_scene.placement.relations import FIRST, Rating, rate, relation_count
 from mansion_scene.placement.room_model import RoomModel, build_room
 
 __all__ = ["improve", "solve_room"]
@@ -106,7 +106,10 @@ def _recreate(build: Construction, specs: Sequence[Spec]) -> None:
     missing = [spec for spec in specs if build.missing(spec) > 0 and not spec.rows]
     noise = build.rng.uniform(0.3, 1.7, len(missing))
     depth = {spec.index: _depth(spec, specs) for spec in missing}
-    ranked = sorted(zip(missing, noise), key=lambda m: (depth[m[0].index], -m[0].size[0] * m[0].size[1] * float(m[1])))
+    ranked = sorted(
+        zip(missing, noise),
+        key=lambda m: (not m[0].first, depth[m[0].index], -m[0].size[0] * m[0].size[1] * float(m[1])),
+    )
     for strict in (True, False):
         for spec, _ in ranked:
             if build.missing(spec) > 0:
@@ -135,7 +138,7 @@ def _search(
     The margins of comfort are given up only where something is missing with them.
     """
     asked = sum(spec.quantity for spec in specs)
-    goal = 3.0 * asked + sum(spec.quantity * relation_count(spec) for spec in specs)
+    goal = 3.0 * asked + sum(spec.quantity * (relation_count(spec) + FIRST * spec.first) for spec in specs)
     boost = dict.fromkeys((g.anchor.index for g in groups), 0)
     best: tuple[float, Construction] | None = None
     effort = Effort(options.effort)

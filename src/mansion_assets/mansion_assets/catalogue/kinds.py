@@ -1,0 +1,52 @@
+"""Which categories answer for which: a dining chair is a chair, a wall screen is a television."""
+
+from functools import cache
+from importlib.resources import files
+from typing import Final
+
+import msgspec
+
+from mansion_assets.catalogue.asset import Asset
+
+__all__ = ["added_for", "answers", "pieces", "stand_ins"]
+
+_FILE: Final = "kinds.json"
+
+
+class _Kinds(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    stand_ins: dict[str, list[str]]
+    added: dict[str, str]
+
+
+@cache
+def _kinds() -> _Kinds:
+    text = files("mansion_assets.catalogue").joinpath("data", _FILE).read_bytes()
+    return msgspec.json.decode(text, type=_Kinds)
+
+
+def stand_ins(category: str) -> list[str]:
+    """Return the categories that answer for one besides itself, the most usual first."""
+    return _kinds().stand_ins.get(category, [])
+
+
+def answers(requested: str, category: str) -> bool:
+    """Tell whether an object of a category is what a brief means by `requested`.
+
+    Examples
+    --------
+    >>> answers("chair", "office_chair"), answers("office_chair", "chair"), answers("bed", "bunk_bed")
+    (True, False, False)
+    """
+    return category == requested or category in stand_ins(requested)
+
+
+def pieces(requested: str, asset: Asset) -> int:
+    """Return how many of `requested` an asset is: the seats of a row, else one; 0 where it does not answer."""
+    if not answers(requested, asset.category):
+        return 0
+    return int(asset.parameters.get("seats", 1)) if asset.recipe == "seat_row" else 1
+
+
+def added_for(requested: str) -> str:
+    """Return the category that a room gets for `requested` where its program has none that answers."""
+    return _kinds().added.get(requested, requested)

@@ -1,0 +1,171 @@
+"""What the brief asks for in a room: what is short of it, how it is tried again, and what is told in the end."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+import msgspec
+
+from mansion_assets.catalogue import Asset, Catalogue, HangRequest, RoomFurnishing, RugRequest
+from mansion_assets.catalogue.kinds import added_for, answers, pieces
+from mansion_assets.catalogue.requested import is_rug
+from mansion_geometry.randomness import item_generator
+from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacementObject, SingleStructure
+from mansion_msgs_py.scene import Discard
+
+__all__ = [
+    "PART",
+    "Extra",
+    "asked_alone",
+    "extra_wishes",
+    "in_usual_order",
+    "not_met",
+    "placeable",
+    "shortage",
+    "with_extra",
+    "with_usual",
+]
+
+PART = "__part"
+"""Ends the name of the second half of a broken matrix."""
+
+_MOST_SMALL = 300
+"""Most small things of a kind that a room gets on request."""
+
+
+def shortage(counts: Mapping[str, int], assets: Sequence[Asset]) -> dict[str, int]:
+    """Return the pieces by category that are asked for and not there."""
+    short = {c: n - sum(pieces(c, asset) for asset in assets) for c, n in counts.items()}
+    return {category: number for category, number in short.items() if number > 0}
+
+
+def placeable(wishes: RoomFurnishing) -> list[Asset]:
+    """Return the assets of all copies that a room is to have on its floor."""
+    return [wishes.floor_assets[o.name] for o in wishes.floor for _ in range(o.quantity)]
+
+
+def in_usual_order(wishes: RoomFurnishing) -> RoomFurnishing:
+    """Return wishes in which what is asked for is placed in turn with the rest, as a room without requests is."""
+    floor = [msgspec.structs.replace(o, first=False) for o in wishes.floor]
+    return msgspec.structs.replace(wishes, floor=floor)
+
+
+def asked_alone(wishes: RoomFurnishing) -> Iterator[RoomFurnishing]:
+    """Yield ways to place what is asked for alone: as it is, with broken matrices, and each copy on its own."""
+    asked = [o for o in wishes.floor if o.name in wishes.asked]
+    yield _with_floor(wishes, asked)
+    yield _with_floor(wishes, [part for o in asked for part in _broken(o)])
+    yield _with_floor(wishes, [_single(o) for o in asked])
+
+
+def with_usual(trial: RoomFurnishing, wishes: RoomFurnishing, share: float) -> RoomFurnishing:
+    """Return a trial with the first `share` of the usual furniture of `wishes` added."""
+    usual = [o for o in wishes.floor if o.name not in wishes.asked]
+    return _with_floor(trial, [*trial.floor, *usual[: round(share * len(usual))]])
+
+
+def _with_floor(wishes: RoomFurnishing, objects: Sequence[PlacementObject]) -> RoomFurnishing:
+    """Return wishes for these floor objects, without relations to what is not among them."""
+    names = {o.name for o in objects}
+    floor = [
+        msgspec.structs.replace(o, relative=[r for r in o.relative if r.target in names])
+        for o in objects
+        if not (isinstance(o.structure, PairedStructure) and o.structure.with_ not in names)
+    ]
+    assets = {o.name: wishes.floor_assets[o.name.removesuffix(PART)] for o in objects}
+    return msgspec.structs.replace(wishes, floor=floor, floor_assets={**wishes.floor_assets, **assets})
+
+
+def _broken(obj: PlacementObject) -> list[PlacementObject]:
+    """Return a matrix as two of half as many rows each; anything else as it is."""
+    structure = obj.structure
+    if not isinstance(structure, MatrixStructure) or max(structure.rows, structure.cols) < 2:
+        return [obj]
+    long = max(structure.rows, structure.cols)
+    other = structure.rows * structure.cols // long
+    parts = []
+    for number, half in enumerate((long - long // 2, long // 2)):
+        parts.append(
+            msgspec.structs.replace(
+                obj,
+                name=f"{obj.name}{PART * number}",
+                quantity=half * other,
+                structure=MatrixStructure(rows=half, cols=other),
+            )
+        )
+    return parts
+
+
+def _single(obj: PlacementObject) -> PlacementObject:
+    if not isinstance(obj.structure, MatrixStructure):
+        return obj
+    return msgspec.structs.replace(obj, structure=SingleStructure(), global_="unconstrained")
+
+
+class Extra(msgspec.Struct, frozen=True, kw_only=True):
+    """What a room gets on its walls, ceiling, floor covering and tables beyond its usual wishes."""
+
+    hung: tuple[HangRequest, ...] = ()
+    rugs: tuple[RugRequest, ...] = ()
+    small: tuple[Asset, ...] = ()
+
+
+def extra_wishes(catalogue: Catalogue, short: Mapping[str, int], *, seed: int, room_id: str, smallest: bool) -> Extra:
+    """Return what would make up for a shortage; `smallest` takes the assets that need least space."""
+    hung, rugs, small = list[HangRequest](), list[RugRequest](), list[Asset]()
+    for requested, number in short.items():
+        category = added_for(requested)
+        assets = sorted(catalogue.by_category(category), key=lambda a: (a.size[0] * max(a.size[1], a.size[2]), a.key))
+        if not assets:
+            continue
+        drawn = item_generator(seed, "asked", room_id, category).permutation(len(assets))
+        order = assets if smallest else [assets[int(i)] for i in drawn]
+        first = order[0]
+        if is_rug(first):
+            rugs.append(RugRequest(assets=tuple(order), count=number))
+        elif first.mount == "surface":
+            several = order[:1] if smallest else order
+            small += [several[k % len(several)] for k in range(min(number, _MOST_SMALL))]
+        elif first.mount != "floor":
+            hung.append(HangRequest(asset=first, count=number, place="spread" if first.mount == "ceiling" else "free"))
+    return Extra(hung=tuple(hung), rugs=tuple(rugs), small=tuple(small))
+
+
+def with_extra(wishes: RoomFurnishing, extra: Extra, asked: Iterable[str], *, alone: bool) -> RoomFurnishing:
+    """Return wishes with further ones before the usual; `alone` leaves out what nobody asked for on the walls."""
+    names = list(asked)
+    usual = [w for w in wishes.wall if not alone or any(answers(c, w.asset.category) for c in names)]
+    return msgspec.structs.replace(
+        wishes,
+        wall=[*(w for w in extra.hung if w.asset.mount == "wall"), *usual],
+        ceiling=[*(w for w in extra.hung if w.asset.mount == "ceiling"), *wishes.ceiling],
+        rugs=[*extra.rugs, *wishes.rugs],
+    )
+
+
+_REASONS = {
+    "wall": "no stretch of wall is free for it",
+    "ceiling": "no part of the ceiling is free for it",
+    "surface": "nothing in the room has a free surface for it",
+    "floor": "no free place keeps it clear of others, doors clear and everything reachable",
+}
+
+
+def not_met(
+    catalogue: Catalogue, room_id: str, short: Mapping[str, int], lost: Sequence[Discard], categories: Mapping[str, str]
+) -> list[Discard]:
+    """Return a discard for what is short and none of `lost` tells yet.
+
+    Parameters
+    ----------
+    lost : sequence of Discard
+        What the placer could not place.
+    categories : mapping of str to str
+        From the placer's names to categories.
+    """
+    out = []
+    for category, number in short.items():
+        told = sum(d.count for d in lost if answers(category, categories.get(d.name, d.name)))
+        if told < number:
+            assets = catalogue.by_category(added_for(category))
+            reason = _REASONS.get(assets[0].mount, _REASONS["floor"]) if assets else "the catalogue has no such thing"
+            out.append(Discard(room=room_id, name=category, count=number - told, reason=reason))
+    return out
