@@ -175,12 +175,13 @@ TYPES = ["living_room", "office", "gym", "library", "storage", "bedroom", "cafet
     count=st.integers(1, 4),
     seed=st.integers(0, 1000),
 )
-def test_where_space_is_plentiful_there_is_never_less_than_asked_for_or_than_before(
+def test_where_space_is_plentiful_all_that_is_asked_for_stands_or_is_reported(
     room_type: str, category: str, count: int, seed: int
 ) -> None:
     before = furnished(room_type, 11.0, 8.0, seed=seed)
     after = furnished(room_type, 11.0, 8.0, (category, count), seed=seed)
-    assert there(after, category) >= count
+    reported = any(lost.room.endswith(f"{room_type}_1") for lost in after.discarded)
+    assert there(after, category) >= count or (category in OTHER and reported)
     if category in FLOOR:
         exact = sum(item.category == category for item in own(before))
         assert sum(item.category == category for item in own(after)) >= min(exact, count)
