@@ -22,6 +22,7 @@ setup(
     zip_safe=False,
     install_requires=[
         "mansion_geometry",
+        "mansion_language",
         "mansion_knowledge",
         "mansion_llm",
         "mansion_msgs_py",

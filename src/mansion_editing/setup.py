@@ -24,6 +24,7 @@ setup(
         "mansion_assets",
         "mansion_export",
         "mansion_geometry",
+        "mansion_language",
         "mansion_knowledge",
         "mansion_llm",
         "mansion_msgs_py",

@@ -8,6 +8,7 @@ from typing import Final
 from mansion_assets.catalogue import Catalogue
 from mansion_editing.state import SceneState
 from mansion_knowledge import interchangeable_names
+from mansion_language import singular
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore, SceneObject, SceneRoom
 from mansion_msgs_py.wording import ORDINALS
@@ -83,20 +84,7 @@ def stems(text: str) -> tuple[str, ...]:
     ('coffee', 'table')
     """
     words = re.findall(r"[a-z0-9]+", text.lower())
-    return tuple(_singular(word) for word in words if word not in _FILLER)
-
-
-def _singular(word: str) -> str:
-    irregular = {"knives": "knife", "shelves": "shelf", "loaves": "loaf", "scissors": "scissors"}
-    if word in irregular:
-        return irregular[word]
-    if word.endswith("ies") and len(word) > 4:
-        return word[:-3] + "y"
-    if word.endswith(("ches", "shes", "xes", "sses", "toes")):
-        return word[:-2]
-    if word.endswith("s") and len(word) > 3 and not word.endswith(("ss", "us", "is")):
-        return word[:-1]
-    return word
+    return tuple(singular(word) for word in words if word not in _FILLER)
 
 
 class Vocabulary:

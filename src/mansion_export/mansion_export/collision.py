@@ -13,12 +13,10 @@ from mansion_assets.catalogue import Catalogue, load_catalogue
 from mansion_assets.meshes import collision_boxes
 from mansion_export.model import Mesh, Node
 from mansion_export.solids import Box, box_between
+from mansion_geometry.robot_body import FLAT
 from mansion_msgs_py.scene import FloorScene, SceneObject, StairDetails
 
 __all__ = ["collision_box", "ground_boxes", "is_loose", "loose_colliders"]
-
-FLAT = 0.05
-"""Lower objects, rugs say, stop nobody; metres."""
 
 FLOOR_DEPTH = 0.2
 """Thickness of the ground below the finished floor, metres."""

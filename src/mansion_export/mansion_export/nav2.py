@@ -8,12 +8,12 @@ import numpy.typing as npt
 
 from mansion_export.solids import Box, segment_box
 from mansion_export.walls import WallBodies
+from mansion_geometry.robot_body import CLEARANCE, in_the_way
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
 from mansion_msgs_py.shapes import Point
 
 __all__ = [
-    "CLEARANCE",
     "FREE",
     "OCCUPIED",
     "UNKNOWN",
@@ -30,12 +30,6 @@ FREE, OCCUPIED, UNKNOWN = 0, 100, -1
 
 MARGIN = 0.5
 """Unknown metres around the building."""
-
-CLEARANCE = 1.5
-"""Height below which something stands in a robot's way, metres."""
-
-FLAT = 0.05
-"""What is lower, a rug say, is driven over; metres."""
 
 LEAFLESS = ("open", "doorway", "frame")
 
@@ -146,7 +140,7 @@ def blocks_robot(item: SceneObject) -> bool:
     """Tell whether an object stands or hangs between `FLAT` and `CLEARANCE`; what furniture carries does not count."""
     bottom, top = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
     carried = item.mount in ("surface", "inside")
-    return not carried and bottom < CLEARANCE and top > FLAT
+    return not carried and in_the_way(bottom, top)
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from mansion_language import singular
 from mansion_tasks.agents.instructions import NounPhrase, read_instruction
 from mansion_tasks.language.matching import match_score
-from mansion_tasks.language.vocabulary import singular
 
 FLOORS, LABELS = (1, 2, 3, 4), ("G", "2", "3", "4")
 

@@ -6,6 +6,7 @@ from typing import Literal, TypeAlias
 
 from mansion_assets.catalogue.records import RoomRecord
 from mansion_knowledge import default_knowledge, kin_of
+from mansion_language import singular
 
 __all__ = ["FALLBACK", "RoomIndex", "normalise"]
 
@@ -33,16 +34,8 @@ def normalise(room_type: str) -> str:
     return re.sub(r"[^a-z0-9]+", "_", text).strip("_")
 
 
-def _singular(word: str) -> str:
-    if word.endswith("ies") and len(word) > 4:
-        return word[:-3] + "y"
-    if word.endswith("s") and not word.endswith(("ss", "us")) and len(word) > 3:
-        return word[:-1]
-    return word
-
-
 def _words(name: str) -> list[str]:
-    return [_singular(word) for word in name.split("_") if word]
+    return [singular(word) for word in name.split("_") if word]
 
 
 def _trigrams(name: str) -> set[str]:

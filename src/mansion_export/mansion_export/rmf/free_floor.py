@@ -8,10 +8,11 @@ from shapely.geometry import LineString, Polygon, box
 from shapely.geometry.base import BaseGeometry
 
 from mansion_export.door_sides import shaft_of
-from mansion_export.nav2 import CLEARANCE, blocks_robot
+from mansion_export.nav2 import blocks_robot
 from mansion_export.walls import WallBodies
 from mansion_geometry.object_footprints import footprint
 from mansion_geometry.rings import polygon_parts
+from mansion_geometry.robot_body import CLEARANCE
 from mansion_msgs_py.scene import Door, FloorScene, LiftDetails, SceneCore
 from mansion_msgs_py.shapes import Point
 
@@ -63,7 +64,7 @@ def cabin_frame(core: SceneCore, scene: FloorScene) -> CabinFrame:
 
 
 def free_floor(scene: FloorScene) -> BaseGeometry:
-    """Return the floor that nothing lower than `mansion_export.nav2.CLEARANCE` stands or hangs on; metres.
+    """Return the floor that nothing lower than `mansion_geometry.robot_body.CLEARANCE` stands or hangs on; metres.
 
     Doors between rooms count as open, for a fleet asks for them to be opened; outer doors and stairs are no floor.
     """

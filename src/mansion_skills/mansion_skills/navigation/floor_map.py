@@ -7,24 +7,13 @@ from math import atan2, degrees, hypot
 import numpy as np
 import numpy.typing as npt
 
+from mansion_geometry.robot_body import in_the_way
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.shapes import Point, Point3, Ring, Segment, Size3
 from mansion_skills.navigation.raster import GridFrame, fill_box, fill_ring
 from mansion_skills.navigation.search import inflate, stamp_disc
 
-__all__ = [
-    "Body",
-    "CLEARANCE",
-    "FLAT",
-    "FREE",
-    "FloorMap",
-    "LEAFLESS",
-    "OCCUPIED",
-    "RESOLUTION",
-    "UNKNOWN",
-    "is_walkway",
-    "shaft_cells",
-]
+__all__ = ["Body", "FREE", "FloorMap", "LEAFLESS", "OCCUPIED", "RESOLUTION", "UNKNOWN", "is_walkway", "shaft_cells"]
 
 _NONE, _CABIN, _OPENING = 0, 1, 2
 
@@ -32,12 +21,6 @@ RESOLUTION = 0.05
 
 MARGIN = 0.5
 """Width of the unknown border around the building, as in the floor's ``map.yaml``, metres."""
-
-CLEARANCE = 1.5
-"""Height of the robot, metres; what hangs higher is no obstacle."""
-
-FLAT = 0.05
-"""Height up to which the robot drives over objects, metres."""
 
 EYE_LEVEL = 1.4
 """Height from which objects block the view, metres."""
@@ -222,7 +205,7 @@ class FloorMap:
             Door id to whether it stands open now, for every door of the floor.
         """
         self.is_open = dict(is_open)
-        self._bodies = [body for body in bodies if not (body.carried or body.bottom >= CLEARANCE or body.top <= FLAT)]
+        self._bodies = [body for body in bodies if not body.carried and in_the_way(body.bottom, body.top)]
         solid, view = self._drawn(self.scene.doors, self._bodies)
         self.version += 1
         self.view = view

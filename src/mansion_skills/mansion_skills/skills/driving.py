@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, cos, degrees, dist, floor, radians, sin
 
+from mansion_geometry.robot_body import in_the_way as blocks_robot
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import Pose2D
-from mansion_skills.navigation.floor_map import CLEARANCE, FLAT, LEAFLESS, RESOLUTION
+from mansion_skills.navigation.floor_map import LEAFLESS, RESOLUTION
 from mansion_skills.navigation.paths import SNAP, find_path, free_run
 from mansion_skills.skills.results import Step
 from mansion_skills.world.floor_view import Landmark, bodies_of
@@ -254,7 +255,7 @@ def _bodies(world: World, robot: RobotBody, point: Point) -> list[tuple[float, s
         assert state.position is not None
         low = state.position[2] - kind.size[2] / 2
         stands = state.mount not in ("surface", "inside")
-        if stands and low < CLEARANCE and low + kind.size[2] > FLAT:
+        if stands and blocks_robot(low, low + kind.size[2]):
             found.append((box_distance(point, state, kind), state.id))
     for door in view.scene.doors:
         is_open = world.doors.get(door.id, door.is_open)

@@ -4,9 +4,10 @@ import re
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from mansion_language import singular
 from mansion_msgs_py.wording import ORDINALS
 from mansion_tasks.language.matching import matches
-from mansion_tasks.language.vocabulary import COLOUR_WORDS, singular
+from mansion_tasks.language.vocabulary import COLOUR_WORDS
 
 __all__ = ["ParsedInstruction", "NounPhrase", "read_instruction"]
 

@@ -2,8 +2,9 @@
 
 from typing import Final
 
+from mansion_language import singular
 from mansion_msgs_py.scene import SceneObject, SceneRoom
-from mansion_tasks.language.vocabulary import COLOURS, OBJECTS, ROOMS, plain, singular
+from mansion_tasks.language.vocabulary import COLOURS, OBJECTS, ROOMS, plain
 
 __all__ = ["object_colour", "match_score", "matches", "names_room", "names_object"]
 

@@ -4,20 +4,10 @@ import re
 from typing import Final, NamedTuple
 
 from mansion_knowledge import name_groups
+from mansion_language import is_plural
 from mansion_msgs_py.wording import with_article
 
-__all__ = [
-    "COLOURS",
-    "ROOMS",
-    "COLOUR_WORDS",
-    "OBJECTS",
-    "Synonyms",
-    "article",
-    "is_plural",
-    "ordinal",
-    "plain",
-    "singular",
-]
+__all__ = ["COLOURS", "ROOMS", "COLOUR_WORDS", "OBJECTS", "Synonyms", "article", "ordinal", "plain"]
 
 
 class Synonyms(NamedTuple):
@@ -92,32 +82,6 @@ def plain(text: str) -> str:
     """
     words = re.findall(r"[a-z0-9]+", text.lower())
     return " ".join(word for word in words if word not in ("a", "an", "the", "some"))
-
-
-def is_plural(noun: str) -> bool:
-    """Whether a noun is in the plural (``boots``)."""
-    return noun.endswith("s") and not noun.endswith(("ss", "us", "is"))
-
-
-def singular(word: str) -> str:
-    """Return an English noun in the singular, by its ending.
-
-    Examples
-    --------
-    >>> singular("boxes"), singular("shelves"), singular("knives"), singular("gloves"), singular("glass")
-    ('box', 'shelf', 'knife', 'glove', 'glass')
-    """
-    if word.endswith("ives"):
-        return word[:-3] + "fe"
-    if word.endswith(("lves", "aves")):
-        return word[:-3] + "f"
-    if word.endswith(("sses", "shes", "ches", "xes")):
-        return word[:-2]
-    if word.endswith("ies") and len(word) > 4:
-        return word[:-3] + "y"
-    if is_plural(word) and len(word) > 3:
-        return word[:-1]
-    return word
 
 
 def article(words: str, *, known: bool) -> str:

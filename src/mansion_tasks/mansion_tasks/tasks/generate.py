@@ -8,6 +8,7 @@ from typing import Final, TypeVar
 import msgspec
 import numpy as np
 
+from mansion_language import is_plural
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.task import Goal, GoalKind, Need, Task, TaskKind, TaskStart
@@ -16,7 +17,7 @@ from mansion_skills.skills.receptacles import can_contain
 from mansion_skills.world.building import LoadedBuilding
 from mansion_skills.world.world import World
 from mansion_tasks.language.matching import object_colour
-from mansion_tasks.language.vocabulary import is_plural, plain
+from mansion_tasks.language.vocabulary import plain
 from mansion_tasks.tasks.goals import done
 from mansion_tasks.tasks.grounding import missing_needs, proven, with_ids
 from mansion_tasks.tasks.needs import describe
