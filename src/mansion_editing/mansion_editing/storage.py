@@ -24,11 +24,14 @@ from mansion_msgs_py.reading import decode_from
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.world import ObjectState, WorldState
 
-__all__ = ["BuildingStore", "Validator", "append_line", "locked", "refuse_touched"]
+__all__ = ["BuildingStore", "Records", "Validator", "append_line", "locked", "refuse_touched"]
 
 Scenes = Mapping[int, FloorScene]
 Validator = Callable[[Scenes, Scenes], Sequence[str]]
 """Gets the floors before and after, and returns the faults that are new."""
+
+Records = Callable[[Path, Scenes], Mapping[str, bytes]]
+"""Gets the folder and all its floors, and returns the files about the whole building that they make untrue."""
 
 
 class BuildingIndex(msgspec.Struct, frozen=True, kw_only=True):
@@ -46,6 +49,8 @@ class BuildingStore:
     folder : Path
     validator : callable, optional
         Judges each transaction before it lands.
+    records : callable, optional
+        Says anew what a building's own records state of it, each time that a transaction lands.
     clock : callable
         Returns the time for the log.
 
@@ -56,10 +61,16 @@ class BuildingStore:
     """
 
     def __init__(
-        self, folder: Path, *, validator: Validator | None = None, clock: Callable[[], str] = lambda: ""
+        self,
+        folder: Path,
+        *,
+        validator: Validator | None = None,
+        records: Records | None = None,
+        clock: Callable[[], str] = lambda: "",
     ) -> None:
         self.folder = folder
         self._validator = validator
+        self._records = records
         self._clock = clock
         self.index = decode_from(BuildingIndex, self._read(folder / "building.json"), folder / "building.json")
         self._edits = folder / "edits"
@@ -181,6 +192,8 @@ class BuildingStore:
             scene = msgspec.structs.replace(scene, revision=revision)
             write_atomic(self._file(floor), encode_bytes(scene, indent=1), durable=True)
         self._recount(int(name) for name in transaction.revisions)
+        for name, data in (self._records(self.folder, self.scenes()) if self._records else {}).items():
+            write_atomic(self.folder / name, data, durable=True)
         if len(self.log()) < transaction.number:
             append_line(self._edits / "log.jsonl", encode_bytes(transaction))
         (self._edits / "pending.json").unlink()
