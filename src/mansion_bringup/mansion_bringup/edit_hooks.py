@@ -1,22 +1,29 @@
-"""What the scene editor leaves to others: the independent check before an edit, the files made from scenes after."""
+"""What the scene editor leaves to others: the independent check before an edit; files and wishes after it."""
 
 import hashlib
 import math
 from collections import OrderedDict
 from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import TypeVar
 
 import msgspec
 
 from mansion_bringup.building.files import building_exports as building_files
 from mansion_bringup.building.files import floor_exports as floor_files
+from mansion_bringup.building.receipt import receipt
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.identity import check_identity
 from mansion_bringup.check.objects import check_objects
 from mansion_bringup.check.reach import check_reach
-from mansion_msgs_py.codec import encode_bytes
+from mansion_msgs_py.building import Building, BuildingReport
+from mansion_msgs_py.codec import decode, encode_bytes
+from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
-__all__ = ["building_files", "floor_files", "new_faults"]
+__all__ = ["building_files", "floor_files", "new_faults", "records"]
+
+T = TypeVar("T")
 
 _MOST_REMEMBERED = 64
 _NEAR = 0.05
@@ -108,3 +115,39 @@ def _obstacles(scene: FloorScene) -> dict[str, object]:
         for thing in scene.objects
         if thing.mount in ("floor", "wall")
     }
+
+
+def records(folder: Path, scenes: Mapping[int, FloorScene]) -> dict[str, bytes]:
+    """Return ``building.json`` and ``report.json`` with what became of each wish, as far as that changed.
+
+    Parameters
+    ----------
+    folder : Path
+        Of the building.
+    scenes : mapping of int to FloorScene
+        All floors as they are now.
+
+    Notes
+    -----
+    A file that is missing or does not decode is left as it is: ``mansion check`` names it.
+    """
+    building = _read(Building, folder / "building.json")
+    if building is None:
+        return {}
+    program = building.program
+    wishes = receipt(program.wishes, program, [scenes[floor] for floor in sorted(scenes)])
+    files = {}
+    if wishes != building.wishes:
+        files["building.json"] = encode_bytes(msgspec.structs.replace(building, wishes=wishes), indent=1)
+    name = building.files.get("report", "report.json")
+    report = _read(BuildingReport, folder / name)
+    if report is not None and wishes != report.wishes:
+        files[name] = encode_bytes(msgspec.structs.replace(report, wishes=wishes), indent=1)
+    return files
+
+
+def _read(kind: type[T], file: Path) -> T | None:
+    try:
+        return decode(kind, file.read_bytes())
+    except (OSError, MansionError):
+        return None

@@ -24,11 +24,14 @@ from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.world import ObjectState, WorldState
 
-__all__ = ["BuildingStore", "Validator", "append_line", "locked", "refuse_in_session"]
+__all__ = ["BuildingStore", "Records", "Validator", "append_line", "locked", "refuse_in_session"]
 
 Scenes = Mapping[int, FloorScene]
 Validator = Callable[[Scenes, Scenes], Sequence[str]]
 """Gets the floors before and after, and returns the faults that are new."""
+
+Records = Callable[[Path, Scenes], Mapping[str, bytes]]
+"""Gets the folder and all its floors, and returns the files about the whole building that they make untrue."""
 
 
 class BuildingStore:
@@ -39,6 +42,8 @@ class BuildingStore:
     folder : Path
     validator : callable, optional
         Judges each transaction before it lands.
+    records : callable, optional
+        Says anew what a building's own records state of it, each time that a transaction lands.
     clock : callable
         Returns the time for the log.
 
@@ -49,10 +54,16 @@ class BuildingStore:
     """
 
     def __init__(
-        self, folder: Path, *, validator: Validator | None = None, clock: Callable[[], str] = lambda: ""
+        self,
+        folder: Path,
+        *,
+        validator: Validator | None = None,
+        records: Records | None = None,
+        clock: Callable[[], str] = lambda: "",
     ) -> None:
         self.folder = folder
         self._validator = validator
+        self._records = records
         self._clock = clock
         self._reader = BuildingFolder(folder)
         self._edits = folder / "edits"
@@ -162,6 +173,8 @@ class BuildingStore:
                 self.folder / floor_directory(floor) / "scene.json", encode_bytes(scene, indent=1), durable=True
             )
         self._recount(int(name) for name in transaction.revisions)
+        for name, data in (self._records(self.folder, self.scenes()) if self._records else {}).items():
+            write_atomic(self.folder / name, data, durable=True)
         if len(self.log()) < transaction.number:
             append_line(self._edits / "log.jsonl", encode_bytes(transaction))
         (self._edits / "pending.json").unlink()

@@ -1,24 +1,50 @@
 """What became of every wish of a brief: derived from the plan, or from the finished floors where there are some."""
 
+import re
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import msgspec
-from shapely.geometry import Polygon
+from shapely.geometry import LineString, MultiLineString, Polygon
 
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.shapes import Ring
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.wishes import Wish, WishStatus
+from mansion_scene.structure.floor_structure import ceiling_height
 
 __all__ = ["receipt", "receipt_of_plan"]
 
 _AREA = 0.1
 """Share by which an area may miss the one that is asked for and still meet it."""
 
-_SHARED = 1.2
-"""Metres of wall that neighbours share at least: a door and its frame (the solver's least access wall)."""
+_SHARED = 1.1
+"""Metres of straight wall that neighbours share at least: a door and its frame, and a little."""
+
+_CEILING = 0.1
+"""Metres by which a ceiling may miss the height that is asked for and still meet it."""
+
+
+_SUBSTANCES = {
+    "wood": "wood wooden hardwood timber parquet plank planks laminate panelling deck decking herringbone"
+    " oak walnut pine maple birch bamboo cherry ash beech mahogany",
+    "carpet": "carpet carpeted carpeting",
+    "tiles": "tile tiles tiled ceramic porcelain terracotta",
+    "marble": "marble",
+    "granite": "granite",
+    "stone": "stone slate limestone",
+    "terrazzo": "terrazzo",
+    "concrete": "concrete cement",
+    "vinyl": "vinyl linoleum lino",
+    "rubber": "rubber",
+    "resin": "resin epoxy",
+    "brick": "brick bricks",
+    "plaster": "plaster plastered drywall",
+}
+"""What surfaces are made of, and the words that say so in a wish, a program or a scene."""
 
 
 @dataclass(frozen=True)
@@ -31,8 +57,9 @@ class _Room:
     names: frozenset[str]
     area: float
     height: float = 0.0
-    material: str = ""
+    surfaces: Mapping[str, str] = field(default_factory=dict)
     objects: Counter[str] = field(default_factory=Counter)
+    object_ids: Mapping[str, Sequence[str]] = field(default_factory=dict)
 
     @property
     def full_id(self) -> str:
@@ -46,7 +73,6 @@ class _State:
     program: BuildingProgram
     rooms: Sequence[_Room]
     touching: frozenset[tuple[str, str]]
-    built: bool
 
     def called(self, name: str, kind: str, floors: Sequence[int] = ()) -> list[_Room]:
         """Return the rooms of a name; where none has it, those of a type."""
@@ -72,7 +98,7 @@ def receipt(wishes: Iterable[Wish], program: BuildingProgram, scenes: Sequence[F
         All floors.
     """
     rooms = [_built_room(scene, number) for scene in scenes for number in range(len(scene.rooms))]
-    state = _State(program, rooms, frozenset(pair for scene in scenes for pair in _touching(scene)), True)
+    state = _State(program, rooms, frozenset(pair for scene in scenes for pair in _touching(scene)))
     return [_judged(wish, state) for wish in wishes]
 
 
@@ -85,8 +111,8 @@ def receipt_of_plan(program: BuildingProgram, topologies: Sequence[FloorTopology
             room.room_type,
             _names(room.id, room.name, room.aliases),
             room.area_estimate,
-            floor.height,
-            f"{room.floor_material} {room.wall_material}",
+            ceiling_height(floor.height),
+            {"floor": room.floor_material, "wall": room.wall_material},
             Counter({entry.category: entry.count for entry in room.objects}),
         )
         for floor in program.floors
@@ -97,7 +123,7 @@ def receipt_of_plan(program: BuildingProgram, topologies: Sequence[FloorTopology
         for graph in topologies
         for edge in graph.edges
     )
-    state = _State(program, rooms, edges, False)
+    state = _State(program, rooms, edges)
     return [_judged(wish, state) for wish in program.wishes]
 
 
@@ -110,16 +136,20 @@ def _names(identifier: str, name: str, aliases: Iterable[str]) -> frozenset[str]
 def _built_room(scene: FloorScene, number: int) -> _Room:
     room = scene.rooms[number]
     short = room.id.removeprefix(f"F{scene.floor}/")
-    objects = Counter(entry.category for entry in scene.objects if entry.room == room.id)
+    things: dict[str, list[str]] = {}
+    for entry in scene.objects:
+        if entry.room == room.id:
+            things.setdefault(entry.category, []).append(entry.id)
     return _Room(
         scene.floor,
         short,
         room.room_type,
-        _names(short, "", room.aliases) | _names(short, room.name, ()),
+        _names(short, room.name, room.aliases),
         room.area,
         room.ceiling_height,
-        f"{room.floor_material} {room.wall_material}",
-        objects,
+        {"floor": room.floor_material, "wall": room.wall_material},
+        Counter({category: len(ids) for category, ids in things.items()}),
+        things,
     )
 
 
@@ -128,11 +158,21 @@ def _touching(scene: FloorScene) -> Iterable[tuple[str, str]]:
     shapes = [(room.id, Polygon(room.polygon, room.holes)) for room in scene.rooms]
     for number, (first, shape) in enumerate(shapes):
         for second, other in shapes[number + 1 :]:
-            if (
-                shape.distance(other) < 0.05
-                and shape.buffer(0.02).intersection(other.buffer(0.02)).length / 2 > _SHARED - 0.1
-            ):
+            if shape.distance(other) < 0.05 and _straight(shape, other) > _SHARED:
                 yield first, second
+
+
+def _straight(shape: Polygon, other: Polygon) -> float:
+    """Return the length of the longest straight piece of a room's boundary that lies on another room."""
+    beside = other.buffer(0.02, join_style="mitre")
+    longest = 0.0
+    for ring in (shape.exterior, *shape.interiors):
+        corners = list(ring.simplify(0.001).coords)
+        for edge in pairwise(corners):
+            shared = LineString(edge).intersection(beside)
+            pieces = shared.geoms if isinstance(shared, MultiLineString) else [shared]
+            longest = max(longest, *(piece.length for piece in pieces))
+    return longest
 
 
 def _judged(wish: Wish, state: _State) -> Wish:
@@ -161,7 +201,8 @@ def _met(ok: bool, reason: str, *, partly: bool = False, rooms: Sequence[str] = 
 
 
 def _building_type(wish: Wish, state: _State) -> _Verdict:
-    return _met(state.program.building_type == wish.value.name, f"planned as {_words(state.program.building_type)}")
+    kind = wish.value.type or wish.value.name
+    return _met(state.program.building_type == kind, f"planned as {_words(state.program.building_type)}")
 
 
 def _floors(wish: Wish, state: _State) -> _Verdict:
@@ -190,21 +231,37 @@ def _floor_area(wish: Wish, state: _State) -> _Verdict:
     return _met(off <= _AREA, f"a storey has {have:.0f} m2", partly=off <= 2 * _AREA)
 
 
-_CORNERS = {"L": 6, "U": 8, "T": 8, "H": 12, "rectangle": 4, "square": 4, "courtyard": 8}
+_TURNS = {"L": "LLLLLR", "U": "LLLLLLRR", "T": "LLLLLRLR", "H": "LLLLRRLLLLRR"}
+"""Left and right turns of an outline that is walked counter-clockwise, from any corner."""
 
 
 def _outline(wish: Wish, state: _State) -> _Verdict:
     ground = next((floor for floor in state.program.floors if floor.index == 1), state.program.floors[0])
-    corners, name = len(ground.outline), wish.value.name
+    turns, name = _turns(ground.outline), wish.value.name
     if name == "courtyard":
         return _met(
-            bool(ground.holes) or corners == _CORNERS[name], f"the outline has {corners} corners and no courtyard"
+            bool(ground.holes) or _same_turns(turns, _TURNS["U"]),
+            f"the outline has {len(turns)} corners and no courtyard",
         )
-    ok = corners == _CORNERS.get(name, 4) and not ground.holes
+    ok = not ground.holes and _same_turns(turns, _TURNS.get(name, "LLLL"))
     if name == "square" and ok:
         xs, ys = [x for x, _ in ground.outline], [y for _, y in ground.outline]
         ok = 0.9 <= (max(xs) - min(xs)) / max(max(ys) - min(ys), 0.1) <= 1.1
-    return _met(ok, f"the outline has {corners} corners")
+    others = [form for form, word in _TURNS.items() if _same_turns(turns, word)]
+    return _met(ok, f"the outline is {others[0]}-shaped" if others else f"the outline has {len(turns)} corners")
+
+
+def _turns(ring: Ring) -> str:
+    """Return how an outline turns at each corner; points on a straight line are no corners."""
+    crosses = [
+        (bx - ax) * (cy - by) - (by - ay) * (cx - bx)
+        for (ax, ay), (bx, by), (cx, cy) in zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
+    ]
+    return "".join("L" if cross > 0 else "R" for cross in crosses if abs(cross) > 1e-6)
+
+
+def _same_turns(turns: str, word: str) -> bool:
+    return len(turns) == len(word) and turns in word * 2
 
 
 def _style(wish: Wish, state: _State) -> _Verdict:
@@ -212,21 +269,19 @@ def _style(wish: Wish, state: _State) -> _Verdict:
 
 
 def _use(wish: Wish, state: _State) -> _Verdict:
-    words = _words(wish.value.name)
-    missing = [
-        floor.index
-        for floor in state.program.floors
-        if floor.index in wish.scope.floors and words not in floor.requirement
-    ]
-    return _met(not missing, f"storey {_listed(missing)} has another use", partly=len(missing) < len(wish.scope.floors))
+    words = rf"\b{re.escape(_words(wish.value.name))}\b"
+    uses = {floor.index: floor.requirement.split(":")[0] for floor in state.program.floors}
+    missing = [floor for floor in wish.scope.floors if not re.search(words, uses.get(floor, ""))]
+    ok = bool(wish.scope.floors) and not missing
+    return _met(ok, f"storey {_listed(missing)} has another use", partly=0 < len(missing) < len(wish.scope.floors))
 
 
 def _copy(wish: Wish, state: _State) -> _Verdict:
-    group = set(wish.scope.floors)
-    originals = {
-        floor.copy if floor.copy is not None else floor.index for floor in state.program.floors if floor.index in group
-    }
-    return _met(len(originals) <= 1 and len(group) > 1, "the storeys differ", partly=len(originals) < len(group))
+    group = [floor for floor in state.program.floors if floor.index in wish.scope.floors]
+    originals = {floor.index if floor.copy is None else floor.copy for floor in group}
+    if len(group) < 2:
+        return _Verdict("not_met", "there are not two such storeys")
+    return _met(len(originals) == 1, "the storeys differ", partly=len(originals) < len(group))
 
 
 def _core(wish: Wish, state: _State) -> _Verdict:
@@ -262,7 +317,7 @@ def _room(wish: Wish, state: _State) -> _Verdict:
         return _Verdict("partly", f"{len(rooms)} of {wanted}", ids)
     if value.area is not None:
         close = [room for room in rooms if abs(room.area - value.area) <= _AREA * 1.5 * value.area]
-        if 2 * len(close) < len(rooms) and not (wanted or 0) > (value.count or 1) <= len(close):
+        if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
             sizes = ", ".join(f"{room.area:.0f}" for room in rooms[:4])
             return _Verdict("partly", f"{sizes} m2 instead of {value.area:.0f} m2", ids)
     return _Verdict("met", "", ids)
@@ -270,13 +325,24 @@ def _room(wish: Wish, state: _State) -> _Verdict:
 
 def _wanted(wish: Wish, state: _State) -> int | None:
     """How many rooms of the name the brief wants in the wish's scope, over all wishes that share both."""
-    same = [
-        w
-        for w in state.program.wishes
-        if w.kind == "room" and w.value.name == wish.value.name and w.scope.floors == wish.scope.floors
-    ]
-    counts = [w.value.count for w in same]
+    counts = [other.value.count for other in _alike(wish, state)]
     return None if any(count is None for count in counts) else sum(count or 0 for count in counts)
+
+
+def _of_that_area(wish: Wish, state: _State, there: int) -> int:
+    """How many rooms are to have the wish's area: all of the name, or its share where several wishes ask for some."""
+    if len(_alike(wish, state)) < 2:
+        return there
+    storeys = len(wish.scope.floors) if wish.scope.each and wish.scope.floors else 1
+    return (wish.value.count or 1) * storeys
+
+
+def _alike(wish: Wish, state: _State) -> list[Wish]:
+    return [
+        other
+        for other in state.program.wishes
+        if other.kind == "room" and other.value.name == wish.value.name and other.scope.floors == wish.scope.floors
+    ]
 
 
 def _no_room(wish: Wish, state: _State) -> _Verdict:
@@ -319,18 +385,35 @@ def _object(wish: Wish, state: _State) -> _Verdict:
     rooms = _object_rooms(wish, state)
     if not rooms:
         return _Verdict("not_met", f"there is no {_words(wish.scope.room)}")
-    counts = [room.objects[wish.value.type] for room in rooms]
-    found = [f"{room.full_id}/{wish.value.type}" for room in rooms if room.objects[wish.value.type]]
+    counts: Counter[object] = Counter()
+    for room in rooms:
+        counts[room.full_id if wish.scope.room else room.floor] += _count(wish, room)
+    having = [room for room in rooms if _count(wish, room)]
+    found = [name for room in having for kind, names in room.object_ids.items() if _is(kind, wish) for name in names]
     wanted = wish.value.count if wish.value.count is not None else 2
-    least = min(counts) if wish.scope.each else sum(counts)
-    status: WishStatus = "met" if least >= wanted else "partly" if sum(counts) else "not_met"
-    reason = "" if status == "met" else f"{least} of {wanted} found a place" + (" in a room" if wish.scope.each else "")
-    return _Verdict(status, reason, [room.full_id for room in rooms if room.objects[wish.value.type]], found)
+    least = min(counts.values()) if wish.scope.each else counts.total()
+    status: WishStatus = "met" if least >= wanted else "partly" if having else "not_met"
+    where = f" in a {'room' if wish.scope.room else 'storey'}" if wish.scope.each else ""
+    reason = "" if status == "met" else f"{least} of {wanted} found a place{where}"
+    return _Verdict(status, reason, [room.full_id for room in having], found)
 
 
 def _no_object(wish: Wish, state: _State) -> _Verdict:
-    rooms = [room for room in _object_rooms(wish, state) if room.objects[wish.value.type]]
+    rooms = [room for room in _object_rooms(wish, state) if _count(wish, room)]
     return _met(not rooms, f"{rooms[0].full_id if rooms else ''} has one", rooms=[room.full_id for room in rooms])
+
+
+def _count(wish: Wish, room: _Room) -> int:
+    return sum(count for category, count in room.objects.items() if _is(category, wish))
+
+
+def _is(category: str, wish: Wish) -> bool:
+    """Whether objects of a category are what a wish calls so: an office desk is a desk, a reading table a table."""
+    kind, name = wish.value.type, wish.value.name
+    if not kind:
+        return False
+    last = category.rpartition("_")[2]
+    return category == kind or category.endswith(f"_{kind}") or name in (last, f"{last}s", f"{last}es")
 
 
 def _object_rooms(wish: Wish, state: _State) -> list[_Room]:
@@ -341,17 +424,43 @@ def _object_rooms(wish: Wish, state: _State) -> list[_Room]:
 
 def _height(wish: Wish, state: _State) -> _Verdict:
     wanted = wish.value.height or 0.0
-    rooms = [room for room in state.rooms if not wish.scope.room_type or room.type == wish.scope.room_type]
-    have = max((room.height for room in rooms), default=0.0)
-    slack = 0.1 if state.built else 0.7
-    return _met(abs(have - wanted) <= slack, f"ceilings are {have:.1f} m high")
+    heights = [room.height for room in _of_type(wish, state)]
+    if not heights:
+        return _Verdict("not_met", f"there is no {_words(wish.scope.room_type) or 'room'}")
+    good = [height for height in heights if abs(height - wanted) <= _CEILING + 1e-6]
+    low, high = f"{min(heights):.2f}", f"{max(heights):.2f}"
+    have = low if low == high else f"{low} to {high}"
+    return _met(len(good) == len(heights), f"ceilings are {have} m high", partly=bool(good))
 
 
 def _material(wish: Wish, state: _State) -> _Verdict:
-    rooms = [room for room in state.rooms if not wish.scope.room_type or room.type == wish.scope.room_type]
-    words = wish.value.name.split()
-    have = [room for room in rooms if any(word in room.material.replace("_", " ").lower() for word in words)]
+    rooms = _of_type(wish, state)
+    surface = "wall" if wish.value.type == "wall" else "floor"
+    have = [room for room in rooms if _is_of(room.surfaces[surface], wish.value.name)]
     return _met(2 * len(have) > len(rooms), "most rooms have another material", partly=bool(have))
+
+
+def _is_of(surface: str, wanted: str) -> bool:
+    """Whether a surface is of the substance that is wanted; where only colours are, whether it has one of them."""
+    substances = _substances(wanted)
+    if substances:
+        return not substances.isdisjoint(_substances(surface))
+    return not _material_words(wanted).isdisjoint(_material_words(surface))
+
+
+def _substances(text: str) -> set[str]:
+    words = _material_words(text)
+    return {name for name, known in _SUBSTANCES.items() if not words.isdisjoint(known.split())}
+
+
+def _material_words(text: str) -> set[str]:
+    return set(re.findall("[a-z]+", _words(text.lower()).replace("gray", "grey")))
+
+
+def _of_type(wish: Wish, state: _State) -> list[_Room]:
+    """Return the rooms of the wish's storeys that have its room type; all where it names none."""
+    kind, floors = wish.scope.room_type, wish.scope.floors
+    return [room for room in state.rooms if kind in ("", room.type) and (not floors or room.floor in floors)]
 
 
 def _occupants(wish: Wish, state: _State) -> _Verdict:

@@ -13,11 +13,14 @@ from mansion_bringup.check.partition import check_partition
 from mansion_bringup.check.reach import check_reach
 from mansion_bringup.check.request import check_request
 from mansion_bringup.check.walls import check_walls
-from mansion_msgs_py.building import Building
+from mansion_bringup.check.wishes import check_wishes
+from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import BuildingFolder
+from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
+from mansion_msgs_py.wishes import Wish
 
 __all__ = ["FileCheck", "check_building", "check_floors"]
 
@@ -57,9 +60,18 @@ def check_building(path: Path | str, further: Sequence[FileCheck] = ()) -> list[
         *check_maps(folder, read.building, scenes),
         *(fault for further_check in further for fault in further_check(folder, read.building)),
         *check_request(read.building, layouts, scenes),
+        *check_wishes(read.building, _reported(folder, read.building), layouts, scenes),
         *check_floors(read.building.building_id, scenes, topologies),
     ]
     return sorted(set(faults), key=lambda fault: (fault.kind, fault.where, fault.message))
+
+
+def _reported(folder: Path, building: Building) -> list[Wish] | None:
+    """Return the wishes of the report; ``None`` where it cannot be read, which is a fault of files."""
+    try:
+        return decode(BuildingReport, (folder / building.files["report"]).read_bytes()).wishes
+    except (KeyError, OSError, MansionError):
+        return None
 
 
 def check_floors(

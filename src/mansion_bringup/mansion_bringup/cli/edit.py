@@ -91,14 +91,14 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "S
     """
     from mansion_assets.catalogue import load_catalogue
     from mansion_assets.retrieval.configured import configured_retriever
-    from mansion_bringup.edit_hooks import new_faults
+    from mansion_bringup.edit_hooks import new_faults, records
     from mansion_editing.editor import SceneEditor
     from mansion_editing.physics.engine import engine_named
     from mansion_editing.storage import BuildingStore
 
     if physics in _EXTRAS:
         ensure_extra(_EXTRAS[physics])
-    store = BuildingStore(building, validator=new_faults, clock=_now)
+    store = BuildingStore(building, validator=new_faults, records=records, clock=_now)
     return SceneEditor(
         store, load_catalogue(), engine_named(physics), who=who or getpass.getuser(), retriever=configured_retriever()
     )

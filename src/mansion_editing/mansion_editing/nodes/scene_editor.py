@@ -65,7 +65,8 @@ class SceneEditorNode(MansionNode):
     def open(self, args: OpenEditorArgs) -> EditorInfo:
         """Open a building under a name."""
         validator = getattr(self._hooks, "new_faults", None)
-        store = BuildingStore(Path(args.path), validator=validator, clock=_time)
+        records = getattr(self._hooks, "records", None)
+        store = BuildingStore(Path(args.path), validator=validator, records=records, clock=_time)
         editor = SceneEditor(
             store,
             load_catalogue(),

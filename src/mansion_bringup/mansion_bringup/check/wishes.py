@@ -1,0 +1,392 @@
+"""Did the building become what its description asks for: the status of every wish, from geometry and furniture.
+
+The words of a wish are not read: its kind, value and scope are, and the finished floors. The code is apart from that
+which gives a wish its status when a building is built.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from statistics import median_high
+
+from shapely import Polygon
+
+from mansion_bringup.check.fault import Fault
+from mansion_bringup.check.measures import outline_forms, shared_wall
+from mansion_msgs_py.building import Building
+from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.scene import FloorScene, SceneRoom
+from mansion_msgs_py.wishes import Wish, WishValue
+
+__all__ = ["check_wishes"]
+
+MOST_WORDS = 12
+"""Words that the text of a wish has at most."""
+
+AREA_TOLERANCE = 0.10
+"""Share by which the area of a storey or of the building may differ from the one asked for."""
+
+ROOM_TOLERANCE = 0.15
+"""Share by which the area of a room may differ from the one asked for."""
+
+CEILING_TOLERANCE = 0.10
+"""Metres by which a ceiling may differ from the height asked for."""
+
+NEIGHBOURS = 1.1
+"""Metres of straight wall that rooms side by side share: a door and a little on either side."""
+
+PERSON = 2.0
+"""Square metres of rooms that one person needs at the least."""
+
+SUBSTANCES = (
+    r"\b(hard)?wood(en)?\b|timber|parquet|\bplanks?\b|laminate|panelling|\bdeck(ing)?\b|herringbone|\b(oak|walnut|pine|maple"
+    r"|birch|bamboo|cherry|ash|beech|mahogany)\b",
+    r"carpet",
+    r"\btile[sd]?\b|ceramic|porcelain|terracotta",
+    r"marble",
+    r"granite",
+    r"\bstone\b|slate|limestone",
+    r"terrazzo",
+    r"concrete|cement",
+    r"vinyl|\blino(leum)?\b",
+    r"rubber",
+    r"resin|epoxy",
+    r"brick",
+    r"plaster|drywall",
+)
+"""Patterns of the words for one substance each."""
+
+PASSAGES = frozenset({"corridor", "hallway", "lobby", "stair", "elevator"})
+"""Rooms that a building needs whatever is asked for."""
+
+
+@dataclass(frozen=True)
+class _Finished:
+    """A finished building, and what its ledger asked for."""
+
+    building: Building
+    layouts: Mapping[int, FloorLayout]
+    scenes: Sequence[FloorScene]
+
+    @property
+    def above(self) -> list[FloorScene]:
+        return [scene for scene in self.scenes if scene.floor >= 1]
+
+    @property
+    def ledger(self) -> list[Wish]:
+        return self.building.program.wishes
+
+    def rooms(self, floors: Sequence[int] = ()) -> list[tuple[int, SceneRoom]]:
+        """Return the rooms of some floors, or of all, each with its floor."""
+        return [(scene.floor, room) for scene in self.scenes if _on(scene.floor, floors) for room in scene.rooms]
+
+    def meant(self, name: str, kind: str, floors: Sequence[int] = ()) -> list[tuple[int, SceneRoom]]:
+        """Return the rooms that people call so; where there are none, those of the type."""
+        there = self.rooms(floors)
+        called = [(floor, room) for floor, room in there if name in _labels(room)]
+        return called or [(floor, room) for floor, room in there if kind and room.room_type == kind]
+
+
+Judge = Callable[[Wish, _Finished], str]
+"""Says what the building has instead of what a wish asks for; empty when it is met."""
+
+
+def check_wishes(
+    building: Building, reported: Sequence[Wish] | None, layouts: Sequence[FloorLayout], scenes: Sequence[FloorScene]
+) -> Iterator[Fault]:
+    """Yield what is wrong with the ledger of a building, and each wish whose status the building does not bear out.
+
+    Parameters
+    ----------
+    building : Building
+    reported : sequence of Wish, optional
+        Those of the report; ``None`` where it cannot be read.
+    layouts, scenes : sequence
+        All floors.
+    """
+    finished = _Finished(building, {layout.floor: layout for layout in layouts}, scenes)
+    yield from _ledger(building, reported)
+    known_rooms = {room.id for _, room in finished.rooms()}
+    known_objects = {thing.id for scene in scenes for thing in scene.objects}
+    for wish in building.wishes:
+        yield from _words(wish, building.request.description)
+        for name in wish.rooms:
+            if name not in known_rooms:
+                yield Fault("WISH_ROOM", wish.id, f"names room {name!r}, which no floor has")
+        for name in wish.objects:
+            if name not in known_objects:
+                yield Fault("WISH_OBJECT", wish.id, f"names object {name!r}, which no floor has")
+        yield from _status(wish, finished)
+
+
+def _ledger(building: Building, reported: Sequence[Wish] | None) -> Iterator[Fault]:
+    asked = [(wish.id, wish.text, wish.span, wish.kind, wish.value, wish.scope) for wish in building.program.wishes]
+    told = [(wish.id, wish.text, wish.span, wish.kind, wish.value, wish.scope) for wish in building.wishes]
+    if asked != told:
+        yield Fault(
+            "WISH_LEDGER", "building", f"states {len(told)} wishes that are not the {len(asked)} of the program"
+        )
+    if reported is not None and list(reported) != list(building.wishes):
+        yield Fault("WISH_LEDGER", "report", "states other wishes than the building")
+
+
+def _words(wish: Wish, description: str) -> Iterator[Fault]:
+    count = len(wish.text.split())
+    if count > MOST_WORDS:
+        yield Fault("WISH_TEXT", wish.id, f"its text has {count} words, at most {MOST_WORDS} are allowed")
+    start, end = wish.span
+    if not 0 <= start <= end <= len(description):
+        yield Fault("WISH_TEXT", wish.id, f"characters {start} to {end} are not in the description")
+
+
+def _status(wish: Wish, finished: _Finished) -> Iterator[Fault]:
+    if wish.kind == "unread" or wish.status == "not_understood":
+        if wish.kind != "unread" or wish.status != "not_understood":
+            yield Fault("WISH_STATUS", wish.id, f"{wish.kind} is {wish.status or 'open'}")
+        return
+    instead = _JUDGES[wish.kind](wish, finished) or _taken_for(wish, finished)
+    if not wish.status:
+        yield Fault("WISH_STATUS", wish.id, "has no status")
+    elif wish.status == "met" and instead:
+        yield Fault("WISH_STATUS", wish.id, f"is said to be met; {instead}")
+    elif wish.status != "met" and not instead:
+        yield Fault("WISH_STATUS", wish.id, f"is said to be {wish.status}; the building meets it")
+
+
+def _taken_for(wish: Wish, finished: _Finished) -> str:
+    """Say that something known stands for what is not: such a wish is met in part at best."""
+    stands_in = any(entry.id == wish.id and entry.reason for entry in finished.ledger)
+    return "something else stands for it" if stands_in and wish.kind in ("room", "building_type") else ""
+
+
+def _building_type(wish: Wish, finished: _Finished) -> str:
+    kind = finished.building.program.building_type
+    return "" if kind == (wish.value.type or wish.value.name) else f"it is a {kind}"
+
+
+def _floors(wish: Wish, finished: _Finished) -> str:
+    count = len(finished.above)
+    return "" if count == wish.value.count else f"{count} storeys stand above ground"
+
+
+def _basements(wish: Wish, finished: _Finished) -> str:
+    count = len(finished.scenes) - len(finished.above)
+    return "" if count == wish.value.count else f"{count} storeys lie below ground"
+
+
+def _total_area(wish: Wish, finished: _Finished) -> str:
+    totals = [sum(_gross(scene) for scene in scenes) for scenes in (finished.above, finished.scenes)]
+    return "" if any(_near(total, wish.value.area) for total in totals) else f"it has {totals[1]:.1f} m2"
+
+
+def _floor_area(wish: Wish, finished: _Finished) -> str:
+    area = median_high([_gross(scene) for scene in finished.above or finished.scenes])
+    return "" if _near(area, wish.value.area) else f"a storey has {area:.1f} m2"
+
+
+def _gross(scene: FloorScene) -> float:
+    return float(Polygon(scene.outline, scene.holes).area)
+
+
+def _near(area: float, wanted: float | None) -> bool:
+    return wanted is not None and abs(area - wanted) <= AREA_TOLERANCE * wanted + 0.05
+
+
+def _outline(wish: Wish, finished: _Finished) -> str:
+    ground = next((scene for scene in finished.scenes if scene.floor == 1), finished.scenes[0])
+    forms = outline_forms(ground.outline, ground.holes)
+    return "" if wish.value.name in forms else f"its form is {' or '.join(sorted(forms)) or 'another'}"
+
+
+def _style(wish: Wish, finished: _Finished) -> str:
+    styles = {scene.style for scene in finished.scenes}
+    return "" if styles == {wish.value.name} else f"its style is {', '.join(sorted(styles))}"
+
+
+def _use(wish: Wish, finished: _Finished) -> str:
+    words = wish.value.name.replace("_", " ")
+    uses = {floor.index: floor.requirement.partition(":")[0] for floor in finished.building.program.floors}
+    other = [floor for floor in wish.scope.floors if not re.search(rf"\b{re.escape(words)}\b", uses.get(floor, ""))]
+    return f"storeys {other} are for something else" if other or not wish.scope.floors else ""
+
+
+def _copy(wish: Wish, finished: _Finished) -> str:
+    group = [finished.layouts[floor].rooms for floor in wish.scope.floors if floor in finished.layouts]
+    if len(group) < 2:
+        return "there are not two such storeys"
+    return "" if all(rooms == group[0] for rooms in group[1:]) else "the storeys differ"
+
+
+def _core(wish: Wish, finished: _Finished) -> str:
+    count = len({core.id for scene in finished.scenes for core in scene.cores if core.type == wish.kind})
+    if wish.value.unwanted:
+        return f"it has {count}" if count else ""
+    return "" if count >= max(wish.value.count or 1, 1) else f"it has {count}"
+
+
+def _room(wish: Wish, finished: _Finished) -> str:
+    value, floors = wish.value, wish.scope.floors
+    rooms = finished.meant(value.name, value.type, floors)
+    if not rooms:
+        return "there is no such room where it is wanted"
+    alike = [
+        entry.value.count
+        for entry in finished.ledger
+        if entry.kind == "room" and entry.value.name == value.name and entry.scope.floors == floors
+    ]
+    if wish.scope.each and floors:
+        there = Counter(floor for floor, _ in rooms)
+        if any(there[floor] == 0 or value.count not in (None, there[floor]) for floor in floors):
+            return f"the storeys have {[there[floor] for floor in floors]} of them"
+    else:
+        numbers = [count for count in alike if count is not None]
+        if len(numbers) < len(alike) and len(rooms) < 2:
+            return "there is one"
+        if len(numbers) == len(alike) and len(rooms) != sum(numbers):
+            return f"there are {len(rooms)}"
+    if value.area is None:
+        return ""
+    wanted = value.area
+    fitting = sum(abs(room.area - wanted) <= ROOM_TOLERANCE * wanted + 0.005 for _, room in rooms)
+    needed = (value.count or 1) * (len(floors) if wish.scope.each and floors else 1) if len(alike) > 1 else len(rooms)
+    return "" if fitting >= min(needed, len(rooms)) else f"{fitting} of {len(rooms)} have that area"
+
+
+def _no_room(wish: Wish, finished: _Finished) -> str:
+    if wish.value.type == "basement":
+        return "" if len(finished.above) == len(finished.scenes) else "it has a basement"
+    there = [room.id for _, room in finished.rooms(wish.scope.floors) if room.room_type == wish.value.type]
+    return f"{there[0]} is one" if there else ""
+
+
+def _adjacent(wish: Wish, finished: _Finished) -> str:
+    return "" if _sides(wish, finished) else "no two such rooms share a wall"
+
+
+def _apart(wish: Wish, finished: _Finished) -> str:
+    return "two such rooms share a wall" if _sides(wish, finished) else ""
+
+
+def _sides(wish: Wish, finished: _Finished) -> list[str]:
+    """Return the rooms of a relation that lie side by side."""
+    value = wish.value
+    return [
+        first.id
+        for floor, first in finished.meant(value.name, value.type)
+        for other_floor, second in finished.meant(value.other, value.other_type)
+        if floor == other_floor and first.id != second.id and shared_wall(first, second) >= NEIGHBOURS
+    ]
+
+
+def _object(wish: Wish, finished: _Finished) -> str:
+    counts = _things(wish, finished)
+    wanted = 2 if wish.value.count is None else wish.value.count
+    have = min(counts.values(), default=0) if wish.scope.each else sum(counts.values())
+    return "" if wish.value.type and counts and have >= wanted else f"{have} of {wanted} are there"
+
+
+def _no_object(wish: Wish, finished: _Finished) -> str:
+    places = [place for place, count in _things(wish, finished).items() if count]
+    return f"{places[0]} has one" if places else ""
+
+
+def _things(wish: Wish, finished: _Finished) -> dict[str, int]:
+    """Return how many objects of the wish's category each place has: a room where one is named, a storey elsewhere."""
+    scope = wish.scope
+    placed = Counter(
+        thing.room
+        for scene in finished.scenes
+        for thing in scene.objects
+        if wish.value.type and _called_so(thing.category, wish.value)
+    )
+    if scope.room:
+        return {room.id: placed[room.id] for _, room in finished.meant(scope.room, scope.room_type, scope.floors)}
+    return {
+        f"storey {scene.floor}": sum(placed[room.id] for room in scene.rooms)
+        for scene in finished.scenes
+        if _on(scene.floor, scope.floors)
+    }
+
+
+def _called_so(category: str, value: WishValue) -> bool:
+    """Whether the words or the kind of a wish are the last ones of a category."""
+    words, kind = category.split("_"), value.type.split("_")
+    return words[-len(kind) :] == kind or re.fullmatch(rf"{re.escape(words[-1])}(e?s)?", value.name) is not None
+
+
+def _height(wish: Wish, finished: _Finished) -> str:
+    heights = [room.ceiling_height for room in _of_type(wish, finished)]
+    wanted = wish.value.height or 0.0
+    if heights and all(abs(height - wanted) <= CEILING_TOLERANCE + 1e-6 for height in heights):
+        return ""
+    return f"ceilings are {min(heights):.2f} to {max(heights):.2f} m high" if heights else "there is no such room"
+
+
+def _material(wish: Wish, finished: _Finished) -> str:
+    surfaces = [
+        room.wall_material if wish.value.type == "wall" else room.floor_material for room in _of_type(wish, finished)
+    ]
+    fitting = sum(_made_of(surface, wish.value.name) for surface in surfaces)
+    return "" if 2 * fitting > len(surfaces) else f"{fitting} of {len(surfaces)} rooms have it"
+
+
+def _made_of(surface: str, wanted: str) -> bool:
+    """Whether one substance, or where no substance is wanted one colour, is in both texts."""
+    here, there = (text.lower().replace("_", " ").replace("gray", "grey") for text in (surface, wanted))
+    named = [pattern for pattern in SUBSTANCES if re.search(pattern, there)]
+    if named:
+        return any(re.search(pattern, here) for pattern in named)
+    return any(re.search(rf"\b{re.escape(word)}\b", here) for word in there.split())
+
+
+def _of_type(wish: Wish, finished: _Finished) -> list[SceneRoom]:
+    kind = wish.scope.room_type
+    return [room for _, room in finished.rooms(wish.scope.floors) if not kind or room.room_type == kind]
+
+
+def _occupants(wish: Wish, finished: _Finished) -> str:
+    area = sum(room.area for _, room in finished.rooms())
+    return "" if area >= PERSON * (wish.value.count or 1) else f"its rooms have {area:.0f} m2"
+
+
+def _only(wish: Wish, finished: _Finished) -> str:
+    named = {entry.value.type for entry in finished.ledger if entry.kind == "room"} | PASSAGES
+    further = [room.id for _, room in finished.rooms() if room.room_type not in named]
+    return f"{further[0]} was not asked for" if further else ""
+
+
+_JUDGES: Mapping[str, Judge] = {
+    "building_type": _building_type,
+    "floors": _floors,
+    "basements": _basements,
+    "total_area": _total_area,
+    "floor_area": _floor_area,
+    "outline": _outline,
+    "style": _style,
+    "use": _use,
+    "copy": _copy,
+    "stair": _core,
+    "elevator": _core,
+    "room": _room,
+    "no_room": _no_room,
+    "adjacent": _adjacent,
+    "apart": _apart,
+    "object": _object,
+    "no_object": _no_object,
+    "height": _height,
+    "material": _material,
+    "occupants": _occupants,
+    "only": _only,
+}
+
+
+def _labels(room: SceneRoom) -> set[str]:
+    """Return what a room is called: its id, the same without a number, its name, its other names."""
+    short = room.id.partition("/")[2]
+    spoken = [text.lower().replace(" ", "_") for text in (room.name, *room.aliases) if text]
+    return {short, re.sub(r"_\d+$", "", short), *spoken}
+
+
+def _on(floor: int, floors: Sequence[int]) -> bool:
+    return not floors or floor in floors
