@@ -33,3 +33,12 @@ def test_every_page_is_found_from_the_index() -> None:
     index = (ROOT / "docs" / "README.md").read_text()
     linked = set(re.findall(r"\]\((\w+\.md)\)", index))
     assert linked == {path.name for path in (ROOT / "docs").glob("*.md")} - {"README.md"}
+
+
+def test_every_place_to_change_something_exists() -> None:
+    section = ARCHITECTURE.split("## Where do I change")[1].split("\n## ")[0]
+    rows = [line for line in section.splitlines() if line.startswith("| ") and "`" in line]
+    places = [name for row in rows for name in re.findall(r"`(mansion_[^`]+)`", row)]
+    assert len(rows) >= 15
+    missing = [place for place in places if not (ROOT / "src" / place.split("/")[0] / place).exists()]
+    assert missing == []
