@@ -192,9 +192,8 @@ def main() -> None:
     total = sum(kinds.values(), Counter())
     count = sum(total.values())
     for kind, verdicts in sorted(kinds.items()):
-        print(
-            f"{kind:15} {verdicts['met']:4} of {sum(verdicts.values()):4}, told {verdicts['told']}, silent {verdicts['silent']}"
-        )
+        share = f"{verdicts['met']:4} of {sum(verdicts.values()):4}"
+        print(f"{kind:15} {share}, told {verdicts['told']}, silent {verdicts['silent']}")
     print(
         f"{'all':15} {total['met']:4} of {count:4} = {total['met'] / count:.1%}, silent {total['silent'] / count:.1%}"
     )
