@@ -3,7 +3,6 @@
 from collections import Counter
 from collections.abc import Iterable
 from types import ModuleType
-from typing import ClassVar
 
 import msgspec
 import pytest
@@ -141,8 +140,9 @@ def test_requests_leave_other_rooms_as_they_are(sample_floors: ModuleType) -> No
 
 def test_what_is_asked_for_holds_where_a_model_chooses_the_rest(monkeypatch: pytest.MonkeyPatch) -> None:
     class Chooser:
-        sources: ClassVar[dict[str, str]] = {}
-        usage = None
+        def __init__(self) -> None:
+            self.sources: dict[str, str] = {}
+            self.usage = None
 
         def __call__(self, *_: object) -> list[Item]:
             return [Item(name="plant", category="house_plant", count=2, global_="edge")]
