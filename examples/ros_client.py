@@ -6,7 +6,7 @@
 import argparse
 from pathlib import Path
 
-from mansion_bringup.graph.session import graph_client
+from mansion_bringup.graph.processes import graph_client
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.skills import Loaded, WhereAmI
 

@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 from statistics import median
 
-from mansion_bringup.graph.timing import compare_builds
+from mansion_bringup.graph.build_timing import compare_builds
 
 BRIEF = "A four-storey office with a cafeteria on the ground floor"
 

@@ -16,14 +16,13 @@ from pathlib import Path
 
 import msgspec
 
-from mansion_bringup.building.houses import check_houses
 from mansion_bringup.building.report import building_index
 from mansion_bringup.check import Fault, check_floors
 from mansion_bringup.check.request import check_request
 from mansion_bringup.pipeline import floors as steps
 from mansion_bringup.pipeline.build import build_building
 from mansion_bringup.pipeline.stages import LocalStages
-from mansion_bringup.verify import verify_building
+from mansion_bringup.verify import check_houses, verify_building
 from mansion_export.thor import house
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import MansionError

@@ -5,9 +5,7 @@ import statistics
 import time
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.domain import free_domain
-from mansion_bringup.graph.nodes import NodeProcess
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
 
 
 def main() -> None:

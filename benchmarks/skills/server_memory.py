@@ -14,9 +14,7 @@ from typing import Any
 from soak import PAGE_MB
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.domain import free_domain
-from mansion_bringup.graph.nodes import NodeProcess
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
 from mansion_msgs_py.errors import MansionError
 
 

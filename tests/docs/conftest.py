@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from mansion_bringup.pipeline.build import build_building
-from mansion_bringup.pipeline.floors import solve
+from mansion_bringup.pipeline.build import build_building, solve
 from mansion_bringup.pipeline.stages import LocalStages
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.request import BuildRequest, identified

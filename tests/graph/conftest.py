@@ -5,8 +5,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from mansion_bringup.graph.domain import free_domain
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, free_domain
 
 os.environ.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
 

@@ -53,14 +53,14 @@ def test_equal_values_have_equal_bytes() -> None:
 def test_a_failed_reply_becomes_the_error_that_the_server_raised() -> None:
     sent = MansionError("CONFLICT", "busy", path="$.output", details={"stage": "export"})
     with pytest.raises(MansionError) as caught:
-        decode_reply(False, encode(sent.reply()), dict)
+        decode_reply(dict, encode(sent.reply()), success=False)
     assert caught.value.info == sent.info
     assert caught.value.stage == "export"
 
 
 def test_a_failed_reply_that_is_no_error_object_still_becomes_an_error() -> None:
     with pytest.raises(MansionError, match="out of paper"):
-        decode_reply(False, "out of paper", dict)
+        decode_reply(dict, "out of paper", success=False)
 
 
 def test_floats_of_numpy_are_floats() -> None:

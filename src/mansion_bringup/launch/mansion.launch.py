@@ -8,7 +8,7 @@ from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 
 from launch import LaunchDescription
-from mansion_bringup.graph.nodes import GRAPH_NODES
+from mansion_bringup.graph.processes import GRAPH_NODES
 from mansion_skills.nodes.robot_names import robot_namespace
 
 SWITCH = ["true", "false"]

@@ -149,7 +149,7 @@ class MansionClient(Closing):
         if client.srv_type is JsonCall:
             request.load_namespace = encode({} if arguments is None else arguments)
         response = self._answer(client, request, self.timeout if timeout is None else timeout)
-        return decode_reply(response.success, response.message, reply)
+        return decode_reply(reply, response.message, success=response.success)
 
     def is_served(self, name: str) -> bool:
         """Whether a node serves `name` now."""
@@ -179,7 +179,7 @@ class MansionClient(Closing):
             gone = missing_since is not None and now - missing_since > 1.0
             if gone or now >= deadline:
                 client.remove_pending_request(future)
-                raise self._lost(client, timeout, gone)
+                raise self._lost(client, timeout, gone=gone)
         return future.result()
 
     def _unserved(self, name: str) -> MansionError:
@@ -194,7 +194,7 @@ class MansionClient(Closing):
             hint = choices(name, callable_here, "services")
         return MansionError(ErrorCode.UNAVAILABLE, f"no node serves {name}; {hint}", details={"service": name})
 
-    def _lost(self, client: Client, timeout: float, gone: bool) -> MansionError:
+    def _lost(self, client: Client, timeout: float, *, gone: bool) -> MansionError:
         details = {"service": client.service_name}
         if gone:
             return MansionError(

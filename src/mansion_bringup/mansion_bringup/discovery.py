@@ -1,4 +1,4 @@
-"""How far Mansion's own commands and clients look for nodes: this machine, unless the user says otherwise.
+"""The range in which Mansion's commands and clients look for nodes: this machine, unless the user chooses another.
 
 ``ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST`` limits whom a node looks for, not who reaches it: Fast DDS still listens on
 every interface, and a peer that names this host's address can call its services. Where nobody chose a range, Mansion's

@@ -1,24 +1,24 @@
-"""What the scene editor leaves to others: the independent check before an edit, the files made from scenes after."""
+"""Hooks of the scene editor: the independent check before an edit lands, and files made from scenes after it."""
 
 import hashlib
 import math
 from collections import OrderedDict
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 import msgspec
 
 from mansion_bringup.building.files import building_exports as building_files
 from mansion_bringup.building.files import floor_exports as floor_files
 from mansion_bringup.check.fault import Fault
-from mansion_bringup.check.identity import check_identity
-from mansion_bringup.check.objects import check_objects
+from mansion_bringup.check.integrity import check_identity
+from mansion_bringup.check.objects import carriers, check_objects
 from mansion_bringup.check.reach import check_reach
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
 __all__ = ["building_files", "floor_files", "new_faults"]
 
-_MOST_REMEMBERED = 64
+_MAX_REMEMBERED = 64
 _NEAR = 0.05
 """Slack of the circles that say which objects could touch, metres."""
 
@@ -52,18 +52,16 @@ def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]
 
 def _concerned(before: FloorScene, after: FloorScene) -> set[str]:
     """Return the ids of objects whose faults an edit can change, with all that carry them."""
-    old = {thing.id: thing for thing in before.objects}
-    new = {thing.id: thing for thing in after.objects}
+    old = {item.id: item for item in before.objects}
+    new = {item.id: item for item in after.objects}
     touched = {name for name in {*old, *new} if old.get(name) != new.get(name)}
-    spots = [thing for side in (old, new) for name in touched if (thing := side.get(name))]
+    spots = [item for side in (old, new) for name in touched if (item := side.get(name))]
     names = set(touched)
     for side in (old, new):
-        near = [
-            thing for thing in side.values() if thing.parent in touched or any(_meet(thing, spot) for spot in spots)
-        ]
-        for thing in near:
-            names.add(thing.id)
-            names.update(_carriers(thing, side))
+        near = [item for item in side.values() if item.parent in touched or any(_meet(item, spot) for spot in spots)]
+        for item in near:
+            names.add(item.id)
+            names.update(carriers(item, side))
     return names
 
 
@@ -72,16 +70,8 @@ def _meet(one: SceneObject, other: SceneObject) -> bool:
     return math.dist(one.position[:2], other.position[:2]) <= reach
 
 
-def _carriers(thing: SceneObject, things: Mapping[str, SceneObject]) -> Iterator[str]:
-    seen = {thing.id}
-    while thing.parent is not None and thing.parent in things and thing.parent not in seen:
-        seen.add(thing.parent)
-        thing = things[thing.parent]
-        yield thing.id
-
-
 def _object_faults(scene: FloorScene, names: set[str]) -> list[Fault]:
-    few = [thing for thing in scene.objects if thing.id in names]
+    few = [item for item in scene.objects if item.id in names]
     part = msgspec.structs.replace(scene, objects=few)
     return [*check_identity(scene.building_id, [part]), *check_objects(part)]
 
@@ -97,14 +87,12 @@ def _reach_faults(scenes: Mapping[int, FloorScene]) -> list[Fault]:
     key = digest.digest()
     if key not in _memory:
         _memory[key] = list(check_reach([scenes[floor] for floor in sorted(scenes)]))
-        if len(_memory) > _MOST_REMEMBERED:
+        if len(_memory) > _MAX_REMEMBERED:
             _memory.popitem(last=False)
     return _memory[key]
 
 
 def _obstacles(scene: FloorScene) -> dict[str, object]:
     return {
-        thing.id: (thing.position, thing.rotation, thing.size)
-        for thing in scene.objects
-        if thing.mount in ("floor", "wall")
+        item.id: (item.position, item.rotation, item.size) for item in scene.objects if item.mount in ("floor", "wall")
     }

@@ -1,11 +1,62 @@
-"""All checks of a building folder: of the building itself, and of the files in other programs' formats."""
+"""All checks of a building folder: of the building itself, and of its houses for AI2-THOR.
 
+The export's own validator checks the houses, because they are a file format and not the building. Whether rooms and
+objects can be reached is the question of `mansion_bringup.check.reach`, which answers it by exact geometry.
+"""
+
+import json
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
-from mansion_bringup.building.houses import check_house_files
 from mansion_bringup.check import Fault, check_building
+from mansion_msgs_py.building import Building
 
-__all__ = ["verify_building"]
+__all__ = ["check_house_files", "check_houses", "verify_building"]
+
+
+def check_house_files(folder: Path, building: Building) -> Iterator[Fault]:
+    """Yield the faults of every floor's ``house.json``; a missing file is `check_files`'s."""
+    for floor in building.floors:
+        name = floor.files.get("house", "")
+        try:
+            house = json.loads((folder / name).read_bytes())
+        except OSError:
+            continue
+        except ValueError as error:
+            yield Fault("HOUSE", name, f"is no JSON: {error}")
+            continue
+        if not isinstance(house, dict):
+            yield Fault("HOUSE", name, "is no JSON object")
+            continue
+        yield from check_houses(name, house)
+
+
+def check_houses(
+    where: str, house: dict[str, Any], note: Callable[[str], object] = lambda text: None
+) -> Iterator[Fault]:
+    """Yield what ``CreateHouse`` would not read, or would build wrongly.
+
+    Rooms with less than five positions on AI2-THOR's grid of 0.25 m are told to `note` and are no fault of the
+    building: ``House.validate`` asks them of a house made for a task in that simulator, and a store of 1.5 m2 has no
+    place for five wherever its shelf stands.
+
+    Parameters
+    ----------
+    where : str
+        The file, or the floor.
+    note : callable
+        Gets a line for each such room.
+    """
+    from mansion_assets.catalogue import load_catalogue
+    from mansion_export.thor import validate_house
+
+    known = {asset.asset_id for asset in load_catalogue().assets.values() if asset.asset_id}
+    for fault in validate_house(house, known):
+        if fault.kind == "reach":
+            note(f"AI2-THOR, {where}: {fault.where}: {fault.message}")
+        else:
+            yield Fault("HOUSE", where, str(fault))
 
 
 def verify_building(path: Path | str) -> list[Fault]:

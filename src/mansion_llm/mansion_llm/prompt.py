@@ -1,4 +1,4 @@
-"""What is asked: the words and pictures of one request, and the digest that names its answer."""
+"""A prompt: the words and pictures of one request, and the digest that names its answer."""
 
 import hashlib
 import json

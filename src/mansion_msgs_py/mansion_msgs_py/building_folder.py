@@ -1,17 +1,21 @@
 """A building folder: where its files are, and how they are read."""
 
 from pathlib import Path
-from typing import TypeVar
+from typing import Final, TypeVar
 
-from mansion_msgs_py.building import Building
+from mansion_msgs_py.building import Building, FloorEntry
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import read_payload
 from mansion_msgs_py.layout import FloorLayout
-from mansion_msgs_py.reading import read_payload
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
 
-__all__ = ["BuildingFolder", "floor_directory"]
+__all__ = ["INDEX", "BuildingFolder", "check_building_folder", "floor_directory", "is_building_folder"]
 
 T = TypeVar("T")
+
+INDEX: Final = "building.json"
+"""The file that makes a folder a building folder; it names all the others."""
 
 
 def floor_directory(floor: int) -> str:
@@ -19,23 +23,57 @@ def floor_directory(floor: int) -> str:
     return f"floors/floor_{floor}"
 
 
-class BuildingFolder:
-    """The payloads of a building on disk.
+def is_building_folder(path: Path) -> bool:
+    """Whether a folder holds a building."""
+    return (path / INDEX).is_file()
+
+
+def check_building_folder(path: Path) -> None:
+    """Refuse a path that is no building folder.
 
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` when a file is missing, ``INVALID_PAYLOAD`` when one does not fit its type; both name the file.
+        ``NOT_FOUND``.
+    """
+    if not is_building_folder(path):
+        raise MansionError(ErrorCode.NOT_FOUND, f"{path} has no {INDEX}; name a folder that `mansion build` wrote")
+
+
+class BuildingFolder:
+    """The payloads of a building on disk, read when they are asked for.
+
+    Parameters
+    ----------
+    path : Path or str
+        The folder that ``mansion build`` wrote.
+
+    Attributes
+    ----------
+    building : Building
+        The content of ``building.json``.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for what is no building folder. The methods raise ``NOT_FOUND`` when a file is missing and
+        ``INVALID_PAYLOAD`` when one does not fit its type; both name the file.
     """
 
     def __init__(self, path: Path | str) -> None:
         self.path = Path(path)
-        self.building = self._read(Building, "building.json")
+        check_building_folder(self.path)
+        self.building = self._read(Building, INDEX)
+        self._entries = {entry.floor: entry for entry in self.building.floors}
 
     @property
     def floors(self) -> list[int]:
         """Floor numbers, ascending."""
-        return [entry.floor for entry in self.building.floors]
+        return list(self._entries)
+
+    def entry(self, floor: int) -> FloorEntry:
+        """Return what ``building.json`` says of a floor."""
+        return self._entries[floor]
 
     def scene(self, floor: int) -> FloorScene:
         """Return the scene of a floor."""

@@ -1,4 +1,4 @@
-"""What is closed at the end of a ``with`` block."""
+"""A base class for context managers that close themselves at the end of a ``with`` block."""
 
 from abc import ABC, abstractmethod
 from typing import Self

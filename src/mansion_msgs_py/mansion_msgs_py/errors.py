@@ -17,7 +17,7 @@ class ErrorCode:
     CONTRADICTION: Final = "CONTRADICTION"
     """Two statements of the request exclude each other; `details` names both."""
     NOT_FOUND: Final = "NOT_FOUND"
-    """A named thing (file, floor, room, service) does not exist."""
+    """A named object (file, floor, room, service) does not exist."""
     NOT_LOADED: Final = "NOT_LOADED"
     """No building is loaded."""
     CONFLICT: Final = "CONFLICT"
@@ -79,6 +79,10 @@ class MansionError(Exception):
     def with_message(self, message: str) -> "MansionError":
         """Return the same error with another message."""
         return MansionError.from_info(msgspec.structs.replace(self.info, message=message))
+
+    def with_details(self, **details: Any) -> "MansionError":
+        """Return the same error with further, or other, details."""
+        return MansionError.from_info(msgspec.structs.replace(self.info, details={**self.info.details, **details}))
 
     @property
     def code(self) -> str:

@@ -1,4 +1,4 @@
-"""What a row of the interface table says, and the QoS profiles that rows use, without a ROS import."""
+"""The rows of the interface table and the QoS profiles that they use, without a ROS import."""
 
 from dataclasses import dataclass
 from typing import Any, Final, Literal

@@ -1,14 +1,21 @@
-"""What a user asks for: the input of Algorithm 1 of the MANSION paper (arXiv 2603.11554)."""
+"""The request for a building: the input of Algorithm 1 of the MANSION paper (arXiv 2603.11554)."""
 
 import hashlib
 import re
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
 
+from mansion_msgs_py.codec import encode
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import decode_from
 from mansion_msgs_py.shapes import Area, Ring
 
-__all__ = ["BuildRequest", "Footprint", "identified"]
+__all__ = ["BuildRequest", "BuildingId", "Footprint", "building_id_of", "footprint_from_json", "identified"]
+
+
+BuildingId: TypeAlias = Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,63}$")]
+"""A building's id, which is also the name of its folder where none is given."""
 
 
 class Footprint(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -56,21 +63,75 @@ class BuildRequest(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     footprint: Footprint | None = None
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**53)] = 0
     planner: Literal["rules", "llm"] = "rules"
-    building_id: Annotated[str, msgspec.Meta(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,63}$")] | None = None
+    building_id: BuildingId | None = None
     schema_version: Literal[1] = 1
 
 
-def identified(request: BuildRequest) -> BuildRequest:
-    """Return the request with a ``building_id``: its own, else one made from its words and its hash.
+def building_id_of(request: BuildRequest) -> str:
+    """Return the id of the building that a request asks for: its own, or one made from its words and a hash.
 
     Examples
     --------
-    >>> identified(BuildRequest(description="A small flat", seed=3)).building_id
+    >>> building_id_of(BuildRequest(description="A small flat", seed=3))
     'a-small-flat-0ebd0d5d'
     """
     if request.building_id is not None:
-        return request
+        return request.building_id
     words = re.findall(r"[a-z0-9]+", request.description.lower())
     slug = "-".join(words)[:40].strip("-") or "building"
     digest = hashlib.sha256(msgspec.json.encode(request)).hexdigest()[:8]
-    return msgspec.structs.replace(request, building_id=f"{slug}-{digest}")
+    return f"{slug}-{digest}"
+
+
+def identified(request: BuildRequest) -> BuildRequest:
+    """Return the request with its ``building_id`` filled in."""
+    return msgspec.structs.replace(request, building_id=building_id_of(request))
+
+
+def footprint_from_json(data: bytes, source: str) -> Footprint:
+    """Read a footprint.
+
+    Parameters
+    ----------
+    data : bytes
+        ``{"boundary": ring, "holes": [ring]}``, or a GeoJSON Polygon, Feature or FeatureCollection of one.
+    source : str
+        Named in errors.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD``.
+    """
+    value = decode_from(dict[str, Any], data, source)
+    if "type" not in value:
+        return decode_from(Footprint, data, source)
+    rings = _polygon(value, source)
+    if not rings:
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{source}: the polygon has no ring")
+    open_rings = [_without_repeated_end(ring) for ring in rings]
+    fields = {"boundary": open_rings[0], "holes": open_rings[1:]}
+    return decode_from(Footprint, encode(fields), source)
+
+
+def _polygon(value: dict[str, Any], source: str) -> list[Any]:
+    kind = value.get("type")
+    if kind == "Polygon":
+        return list(value.get("coordinates") or [])
+    if kind == "Feature" and isinstance(value.get("geometry"), dict):
+        return _polygon(value["geometry"], source)
+    if kind == "FeatureCollection":
+        features = value.get("features")
+        if isinstance(features, list) and len(features) == 1 and isinstance(features[0], dict):
+            return _polygon(features[0], source)
+    raise MansionError(
+        ErrorCode.INVALID_PAYLOAD,
+        f"{source}: GeoJSON of type {kind!r}; expected one Polygon, a Feature or a FeatureCollection of one",
+        path="$.type",
+    )
+
+
+def _without_repeated_end(ring: Any) -> Any:
+    if isinstance(ring, list) and len(ring) > 1 and ring[0] == ring[-1]:
+        return ring[:-1]
+    return ring

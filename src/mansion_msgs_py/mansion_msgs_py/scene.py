@@ -47,7 +47,7 @@ class SceneRoom(msgspec.Struct, frozen=True, kw_only=True):
     polygon, holes : Ring, list of Ring
         On wall centre lines inside, on the outer wall's inner face outside.
     net_polygon, net_holes : Ring, list of Ring
-        Between the faces of the walls: where things may stand.
+        Between the faces of the walls: where objects may stand.
     area : float
         Of the polygon, square metres.
     ceiling_height : float

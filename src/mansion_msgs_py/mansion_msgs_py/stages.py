@@ -72,6 +72,11 @@ class BuildJob(BuildRequest, kw_only=True, forbid_unknown_fields=True, frozen=Tr
     output: str | None = None
     force: bool = False
 
+    @classmethod
+    def of(cls, request: BuildRequest, *, output: str | None = None, force: bool = False) -> "BuildJob":
+        """Return the job of a request."""
+        return cls(**msgspec.structs.asdict(request), output=output, force=force)
+
     def request(self) -> BuildRequest:
         """Return the request alone."""
         fields = {name: getattr(self, name) for name in BuildRequest.__struct_fields__}

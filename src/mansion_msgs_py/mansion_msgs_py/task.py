@@ -52,7 +52,7 @@ class GoalKind(StrEnum):
 
 
 class Difficulty(StrEnum):
-    """How hard a task is, from the floors it spans, the way and the things alike."""
+    """How hard a task is, from the floors it spans, the way and the objects alike."""
 
     EASY = "easy"
     MEDIUM = "medium"
@@ -60,7 +60,7 @@ class Difficulty(StrEnum):
 
 
 class Goal(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A statement that must hold at the end, of any one of the things named.
+    """A statement that must hold at the end, of any one of the objects named.
 
     Attributes
     ----------
@@ -83,7 +83,7 @@ class Need(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     Attributes
     ----------
     noun, color : str
-        The thing ("toolbox", "orange"); no noun where the room or the floor itself is meant.
+        The object ("toolbox", "orange"); no noun where the room or the floor itself is meant.
     relation : str
         How it lies with its `receptacle`; ``room`` when only the room or the floor counts.
     receptacle, receptacle_color, room : str

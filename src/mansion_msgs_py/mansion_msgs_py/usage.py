@@ -1,4 +1,4 @@
-"""What the answers of a language model took: the account that reports carry."""
+"""The account of a language model's answers, as reports carry it: tokens, time and cost."""
 
 import msgspec
 

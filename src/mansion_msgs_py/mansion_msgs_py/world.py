@@ -184,7 +184,7 @@ class ObjectState(msgspec.Struct, frozen=True, kw_only=True):
     Attributes
     ----------
     position : Point3, optional
-        Centre of its box in the floor's frame; of what a held thing carries, in the frame of its `parent`.
+        Centre of its box in the floor's frame; of what a held object carries, in the frame of its `parent`.
     mount : str, optional
         What carries it (see `SceneObject.mount`); as in the scene when absent.
     """

@@ -3,26 +3,16 @@
 Lines 1 to 7 of Algorithm 1 (section C.1): by rules, or with a language model where the request says so.
 """
 
-import hashlib
-
 from mansion_geometry.randomness import item_generator
 from mansion_knowledge import KnowledgeBase, default_knowledge
-from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_msgs_py.stages import PlanReply
 from mansion_planner.brief import BriefFacts, read_brief
 from mansion_planner.program.building import plan_program
 from mansion_planner.topology import floor_problem, floor_topology
 
-__all__ = ["building_id_of", "plan_building"]
-
-
-def building_id_of(request: BuildRequest) -> str:
-    """Return the request's building id, or one made of a hash of the request."""
-    if request.building_id is not None:
-        return request.building_id
-    return "b" + hashlib.sha256(encode_bytes(request)).hexdigest()[:12]
+__all__ = ["plan_building"]
 
 
 MOST_CHARACTERS = 20_000

@@ -5,7 +5,7 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mansion_bringup.check.identity import check_identity
+from mansion_bringup.check.integrity import check_identity
 from mansion_bringup.check.objects import check_objects
 from mansion_bringup.check.reach import check_reach
 from mansion_bringup.edit_hooks import new_faults
@@ -42,7 +42,7 @@ def test_what_leaves_its_room_is_refused() -> None:
     assert any("extend beyond F1/hall" in fault for fault in new_faults({1: inside}, {1: outside}))
 
 
-def test_what_lies_in_a_bowl_in_a_box_stands_in_neither() -> None:
+def test_what_lies_in_a_bowl_in_a_box_overlaps_neither() -> None:
     box = _box("F1/hall/box_1", 2.0)
     bowl = msgspec.structs.replace(_box("F1/hall/bowl_1", 2.0), size=(0.4, 0.4, 0.3), mount="inside", parent=box.id)
     apple = msgspec.structs.replace(_box("F1/hall/apple_1", 2.0), size=(0.1, 0.1, 0.1), mount="inside", parent=bowl.id)

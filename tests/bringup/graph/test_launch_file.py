@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from mansion_bringup.graph.nodes import GRAPH_NODES
+from mansion_bringup.graph.processes import GRAPH_NODES
 
 PACKAGE = Path(__file__).resolve().parents[3] / "src" / "mansion_bringup"
 

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import yaml
 
-from mansion_bringup.graph.nodes import GRAPH_NODES, NodeProcess
+from mansion_bringup.graph.processes import GRAPH_NODES, NodeProcess
 
 rclpy = pytest.importorskip("rclpy")
 pytestmark = pytest.mark.graph

@@ -12,9 +12,7 @@ pytest.importorskip("rclpy")
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.domain import free_domain
-from mansion_bringup.graph.nodes import NodeProcess
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
 from mansion_editing.editor import SceneEditor
 from mansion_editing.physics.engine import StaticEngine
 from mansion_editing.storage import BuildingStore

@@ -13,9 +13,7 @@ from sample_building import write_building
 pytest.importorskip("rclpy")
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.domain import free_domain
-from mansion_bringup.graph.nodes import NodeProcess
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
 from mansion_skills.skills.driving import SPEED
 
 pytestmark = pytest.mark.graph

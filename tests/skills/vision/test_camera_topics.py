@@ -10,9 +10,7 @@ import numpy as np
 import pytest
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.domain import free_domain
-from mansion_bringup.graph.nodes import NodeProcess
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.interfaces import topic
 from mansion_msgs_py.nodes.shell import qos_profile

@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Any, TypeVar
 
 from mansion_bringup import __version__
-from mansion_msgs_py.building_folder import floor_directory
+from mansion_msgs_py.building_folder import INDEX, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
@@ -129,7 +129,7 @@ def _check_target(target: Path, *, force: bool) -> None:
     if not target.is_dir():
         raise MansionError(ErrorCode.CONFLICT, f"{target} is a file; name a folder")
     entries = {entry.name for entry in target.iterdir()}
-    if entries and "building.json" not in entries:
+    if entries and INDEX not in entries:
         raise MansionError(
             ErrorCode.CONFLICT, f"{target} holds other files; name a new or empty folder, or one that holds a building"
         )

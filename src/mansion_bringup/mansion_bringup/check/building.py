@@ -5,17 +5,15 @@ from pathlib import Path
 
 from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault
-from mansion_bringup.check.files import check_files, check_maps
-from mansion_bringup.check.identity import check_identity
+from mansion_bringup.check.integrity import check_files, check_identity, check_maps
 from mansion_bringup.check.objects import check_objects
 from mansion_bringup.check.openings import check_openings
-from mansion_bringup.check.partition import check_partition
 from mansion_bringup.check.reach import check_reach
 from mansion_bringup.check.request import check_request
-from mansion_bringup.check.walls import check_walls
+from mansion_bringup.check.rooms import check_partition, check_walls
 from mansion_msgs_py.building import Building
-from mansion_msgs_py.building_folder import BuildingFolder
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.building_folder import BuildingFolder, check_building_folder
+from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.topology import FloorTopology
 
@@ -33,7 +31,7 @@ def check_building(path: Path | str, further: Sequence[FileCheck] = ()) -> list[
     ----------
     path : Path or str
     further : sequence of callable
-        Checks of formats that this package knows nothing of.
+        Further checks, of files in other programs' formats.
 
     Raises
     ------
@@ -41,10 +39,7 @@ def check_building(path: Path | str, further: Sequence[FileCheck] = ()) -> list[
         ``NOT_FOUND`` when `path` is no building folder.
     """
     folder = Path(path)
-    if not (folder / "building.json").is_file():
-        raise MansionError(
-            ErrorCode.NOT_FOUND, f"{folder} has no building.json; name a folder that `mansion build` wrote"
-        )
+    check_building_folder(folder)
     try:
         read = BuildingFolder(folder)
         scenes = read.scenes()

@@ -1,4 +1,4 @@
-"""Do stairs and lifts stand one above the other, with a door on every floor, and join all floors."""
+"""Checks that stairs and lifts are aligned over all floors, have a door on each, and floors rest on one another."""
 
 import itertools
 import math
@@ -45,7 +45,7 @@ def _on_floor(scene: FloorScene, core: SceneCore) -> Iterator[Fault]:
     if shape.contains(ShapelyPoint(x, y)):
         yield Fault("CORE_ENTRANCE", where, "its entrance pose lies inside the shaft")
     if scene.floor not in core.floors:
-        yield Fault("CORE_FLOORS", where, f"says that it serves {core.floors} only")
+        yield Fault("CORE_FLOORS", where, f"states that it serves only {core.floors}")
     details = core.details
     riser = getattr(details, "riser", None)
     if core.type == "stair" and riser is not None and not (RISERS[0] - 1e-6 <= riser <= RISERS[1] + 1e-6):
@@ -57,15 +57,15 @@ def _stack(name: str, stack: list[tuple[FloorScene, SceneCore]]) -> Iterator[Fau
     for scene, core in stack[1:]:
         if first.symmetric_difference(Polygon(core.polygon)).area > ROUNDING:
             where = f"{name} on floor {scene.floor}"
-            yield Fault("CORE_SHIFTED", where, "is not above the one below")
+            yield Fault("CORE_SHIFTED", where, "is not aligned with the one below")
     served = sorted({floor for _, core in stack for floor in core.floors})
     there = sorted(scene.floor for scene, _ in stack)
     if served != there:
-        yield Fault("CORE_FLOORS", name, f"serves {served} but stands on {there}")
+        yield Fault("CORE_FLOORS", name, f"serves {served} but exists on {there}")
 
 
 def _elevations(scenes: Sequence[FloorScene]) -> Iterator[Fault]:
     for below, above in itertools.pairwise(scenes):
         if not math.isclose(below.elevation + below.height, above.elevation, abs_tol=1e-3):
             where = f"floor {above.floor}"
-            yield Fault("ELEVATION", where, f"{above.elevation:.2f} m is not on the floor below")
+            yield Fault("ELEVATION", where, f"{above.elevation:.2f} m is not the top of the floor below")

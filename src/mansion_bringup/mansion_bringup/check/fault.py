@@ -1,4 +1,4 @@
-"""One thing that is wrong with a building."""
+"""A fault of a building."""
 
 import msgspec
 

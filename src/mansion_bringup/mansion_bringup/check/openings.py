@@ -1,4 +1,4 @@
-"""Is every door in a wall between its two rooms, and every window in an outer wall."""
+"""Checks that every door is in a wall between its two rooms, and every window in an outer wall."""
 
 import itertools
 import math
@@ -44,7 +44,7 @@ def check_openings(scene: FloorScene, edges: list[tuple[str, str]]) -> Iterator[
     joined = {frozenset(name for name in door.rooms if name) for door in scene.doors}
     for source, target in edges:
         if frozenset((source, target)) not in joined:
-            yield Fault("DOOR_MISSING", f"{source} and {target}", "are to be joined and have no door")
+            yield Fault("DOOR_MISSING", f"{source} and {target}", "should be connected but have no door")
 
 
 def _places(scene: FloorScene) -> dict[str, BaseGeometry]:
@@ -57,11 +57,11 @@ def _door(door: Door, places: dict[str, BaseGeometry], walls: dict[str, Wall]) -
     length = segment_length(door.segment)
     least = GARAGE_WIDTH if door.kind == "garage" else CLEAR_WIDTH
     if length < least - ROUNDING:
-        yield Fault("DOOR_NARROW", door.id, f"{length:.2f} m clear; {least} m at least")
+        yield Fault("DOOR_NARROW", door.id, f"{length:.2f} m clear; at least {least} m are needed")
     if door.kind == "garage" and None not in door.rooms:
-        yield Fault("DOOR_ROOMS", door.id, "is a garage door and does not lead outside")
+        yield Fault("DOOR_ROOMS", door.id, "is a garage door but does not lead outside")
     if abs(length - door.width) > 0.02:
-        yield Fault("DOOR_WIDTH", door.id, f"states {door.width:.2f} m, its opening has {length:.2f}")
+        yield Fault("DOOR_WIDTH", door.id, f"states a width of {door.width:.2f} m, its opening has {length:.2f} m")
     if door.kind != "open":
         yield from _in_wall(door, walls)
     line = LineString(door.segment)
@@ -69,7 +69,7 @@ def _door(door: Door, places: dict[str, BaseGeometry], walls: dict[str, Wall]) -
         if name is None:
             continue
         if name not in places:
-            yield Fault("DOOR_ROOMS", door.id, f"leads to {name}, which is not there")
+            yield Fault("DOOR_ROOMS", door.id, f"leads to {name}, which does not exist")
         elif line.difference(places[name].boundary.buffer(ASIDE)).length > ROUNDING:
             yield Fault("DOOR_ROOMS", door.id, f"is not on the boundary of {name}")
 
@@ -78,7 +78,7 @@ def _in_wall(opening: Door | Window, walls: dict[str, Wall]) -> Iterator[Fault]:
     kind = "DOOR_WALL" if isinstance(opening, Door) else "WINDOW_WALL"
     wall = walls.get(opening.wall)
     if wall is None:
-        yield Fault(kind, opening.id, f"is in wall {opening.wall!r}, which is not there")
+        yield Fault(kind, opening.id, f"is in wall {opening.wall!r}, which does not exist")
         return
     length = segment_length(wall.segment)
     for point in opening.segment:

@@ -1,4 +1,4 @@
-"""Can a robot get everywhere: the walkable region eroded by its radius, by exact polygons instead of a grid."""
+"""Checks that a robot can get everywhere: the walkable region eroded by its radius, as exact polygons, not a grid."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -72,7 +72,7 @@ def _walkable(scene: FloorScene) -> _Walk:
         for door in inner
         if None not in door.rooms and not cores.intersection(str(name) for name in door.rooms)
     ]
-    obstacles = [_body(thing) for thing in scene.objects if _obstructs(thing)]
+    obstacles = [_body(item) for item in scene.objects if _obstructs(item)]
     region = union_all([*rooms, *passages]).difference(union_all(obstacles))
     eroded = region.buffer(-BODY_RADIUS, quad_segs=16)
     parts = eroded.geoms if isinstance(eroded, MultiPolygon) else [eroded]
@@ -80,15 +80,15 @@ def _walkable(scene: FloorScene) -> _Walk:
     return _Walk(pieces, STRtree(pieces))
 
 
-def _body(thing: SceneObject) -> Polygon:
-    """Return the floor that a thing takes from the robot."""
-    margin = oblique_margin(thing)
-    return footprint(thing).buffer(margin) if margin else footprint(thing)
+def _body(item: SceneObject) -> Polygon:
+    """Return the floor that an object takes from the robot."""
+    margin = oblique_margin(item)
+    return footprint(item).buffer(margin) if margin else footprint(item)
 
 
-def _obstructs(thing: SceneObject) -> bool:
-    low, high = vertical(thing)
-    return thing.mount in ("floor", "wall") and low < ROBOT_HEIGHT and high > WALKABLE_HEIGHT
+def _obstructs(item: SceneObject) -> bool:
+    low, high = vertical(item)
+    return item.mount in ("floor", "wall") and low < ROBOT_HEIGHT and high > WALKABLE_HEIGHT
 
 
 def _floor(scene: FloorScene, walk: _Walk, reached: set[int]) -> Iterator[Fault]:
@@ -101,11 +101,11 @@ def _floor(scene: FloorScene, walk: _Walk, reached: set[int]) -> Iterator[Fault]
         inside = walk.near(net_area(room).buffer(-0.15), 0.0)
         if not inside & reached:
             yield Fault("ROOM_UNREACHABLE", room.id, "a robot cannot get in from the entrance")
-    for thing in scene.objects:
-        if thing.mount != "floor" or thing.size[2] <= WALKABLE_HEIGHT:
+    for item in scene.objects:
+        if item.mount != "floor" or item.size[2] <= WALKABLE_HEIGHT:
             continue
-        if not walk.near(footprint(thing), ROBOT_RADIUS + ARM + SLACK) & reached:
-            yield Fault("OBJECT_UNREACHABLE", thing.id, "a robot cannot get near it")
+        if not walk.near(footprint(item), ROBOT_RADIUS + ARM + SLACK) & reached:
+            yield Fault("OBJECT_UNREACHABLE", item.id, "a robot cannot get near it")
     yield from _spawn(scene, walk, reached)
 
 

@@ -1,4 +1,4 @@
-"""Is this the building that was asked for: floors, areas, footprint, rooms, copies."""
+"""Checks that this is the building asked for: floors, areas, footprint, rooms, copies."""
 
 from collections.abc import Iterator, Sequence
 
@@ -65,7 +65,7 @@ def _rooms(building: Building, scenes: Sequence[FloorScene]) -> Iterator[Fault]:
         for room in floor.rooms:
             name = f"F{scene.floor}/{room.id}"
             if name not in there:
-                yield Fault("ROOM_MISSING", name, "is in the program and not on the floor")
+                yield Fault("ROOM_MISSING", name, "is in the program but not on the floor")
         fitted = sum(room.area_estimate for room in floor.rooms) <= floor.gross_floor_area
         if not fitted or not floor.area_summary.fits_within_gfa:
             yield Fault("AREA", f"floor {scene.floor}", "rooms exceed the gross floor area")
@@ -77,6 +77,6 @@ def _copies(building: Building, layouts: Sequence[FloorLayout]) -> Iterator[Faul
         if floor.copy is None:
             continue
         if floor.copy not in by_floor:
-            yield Fault("COPY", f"floor {floor.index}", f"copies floor {floor.copy}, not there")
+            yield Fault("COPY", f"floor {floor.index}", f"copies floor {floor.copy}, which does not exist")
         elif by_floor[floor.index].rooms != by_floor[floor.copy].rooms:
             yield Fault("COPY", f"floor {floor.index}", f"differs from floor {floor.copy}")

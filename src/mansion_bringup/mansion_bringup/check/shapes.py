@@ -28,9 +28,9 @@ def free_region(outline: Ring, holes: Sequence[Ring], cores: Sequence[Ring]) -> 
     return Polygon(outline, holes).difference(unary_union([Polygon(core) for core in cores]))
 
 
-def vertical(thing: SceneObject) -> tuple[float, float]:
+def vertical(item: SceneObject) -> tuple[float, float]:
     """Lower and upper height of the object above the finished floor."""
-    return thing.position[2] - thing.size[2] / 2, thing.position[2] + thing.size[2] / 2
+    return item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
 
 
 def segment_length(segment: Segment) -> float:

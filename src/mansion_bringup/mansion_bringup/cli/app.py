@@ -2,7 +2,7 @@
 
 import typer
 
-from mansion_bringup.cli import bench, build, edit, export, files, graph, look, plan, quality, schema, skill, task
+from mansion_bringup.cli import bench, build, edit, export, graph, look, plan, quality, schema, skill, solve, task
 
 __all__ = ["app"]
 
@@ -16,5 +16,5 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for module in (build, bench, plan, edit, export, graph, files, schema, quality, skill, look, task):
+for module in (build, bench, plan, edit, export, graph, solve, schema, quality, skill, look, task):
     module.register(app)

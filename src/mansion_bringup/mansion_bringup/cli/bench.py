@@ -1,16 +1,21 @@
 """``mansion bench``: the benchmarks that users run on their own problems and machines."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+from msgspec.structs import replace
 
 from mansion_bringup.cli.bench_agents import agents
-from mansion_bringup.cli.console import progress_bar
-from mansion_bringup.cli.gallery import gallery
-from mansion_msgs_py.reading import read_payload
+from mansion_bringup.cli.console import check_output_folder, err, progress_bar
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import read_payload, write_atomic
+from mansion_msgs_py.placement import PlacementResult
 
-__all__ = ["register"]
+if TYPE_CHECKING:
+    from mansion_planner.solver.evaluation import TrueProblem
+
+__all__ = ["gallery", "register"]
 
 
 def register(app: typer.Typer) -> None:
@@ -41,12 +46,14 @@ def floorplans(
 
     read = read_payload(list[TrueProblem], problems, "a JSON list of floor problems")
     if not seeds:
-        for problem in read:
-            problem.seeds = None
-            for node in problem.nodes:
-                node.seed = node.seed_box = None
+        read = [_without_seeds(problem) for problem in read]
     scores, _ = run_protocol(read, seed=seed)
     typer.echo(table(scores))
+
+
+def _without_seeds(problem: "TrueProblem") -> "TrueProblem":
+    nodes = [replace(node, seed=None, seed_box=None) for node in problem.nodes]
+    return replace(problem, seeds=None, nodes=nodes)
 
 
 def placement(
@@ -76,8 +83,51 @@ def graph(
 
       mansion bench graph --brief "a four-storey office" --repeat 5
     """
-    from mansion_bringup.graph.timing import compare_builds
+    from mansion_bringup.graph.build_timing import compare_builds
 
     with progress_bar() as report:
         result = compare_builds(brief, repeat, report)
     typer.echo(str(result))
+
+
+def gallery(
+    rooms: Annotated[Path, typer.Argument(help="JSON list of rooms with their objects.")],
+    systems: Annotated[list[str], typer.Argument(help="NAME=PLACEMENTS.json for each system; may be repeated.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="Folder for pages, form and key.")],
+    seed: Annotated[int, typer.Option(min=0, help="Decides the order of panels.")] = 0,
+    runs: Annotated[int, typer.Option(min=1, help="Runs of a room shown for a system.")] = 2,
+    answers: Annotated[list[Path] | None, typer.Option(help="Saved answers: print their tally instead.")] = None,
+) -> None:
+    """Lay the same rooms of several systems side by side, unlabelled, with a key file.
+
+    A system's files may hold several runs of a room, or be given several times.
+
+    Examples:
+
+      mansion bench gallery rooms.json ours=a.json ours=b.json other=c.json -o gallery
+
+      mansion bench gallery rooms.json ours=a.json other=c.json -o gallery --answers answers.json
+    """
+    from mansion_export.gallery import Answer, GalleryKey, gallery_files, tally
+    from mansion_scene.placement.files import load_rooms
+
+    if answers:
+        key = read_payload(GalleryKey, output / "key.json")
+        given = [entry for file in answers for entry in read_payload(list[Answer], file)]
+        for question, shares in tally(given, key).items():
+            line = ", ".join(f"{name} {share:.0%}" for name, share in shares.items())
+            typer.echo(f"{question:10} {line}")
+        return
+    check_output_folder(output)
+    results: dict[str, list[PlacementResult]] = {}
+    for entry in systems:
+        name, separator, file = entry.partition("=")
+        if not name or not separator:
+            raise MansionError(
+                ErrorCode.INVALID_PAYLOAD, f"{entry!r} does not read NAME=PLACEMENTS.json", path="$.systems"
+            )
+        results.setdefault(name, []).extend(read_payload(list[PlacementResult], Path(file)))
+    files = gallery_files(load_rooms(rooms), results, seed=seed, runs=runs)
+    for file_name, data in files.items():
+        write_atomic(output / file_name, data)
+    err.print(f"wrote {len(files) - 2} pages, form.html and key.json to {output}", highlight=False)

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from msgspec.structs import replace
 
-from mansion_bringup.cli.console import EXIT_INTERRUPTED, err, progress_bar
-from mansion_bringup.cli.outputs import check_output_folder
+from mansion_bringup.cli.console import EXIT_INTERRUPTED, check_output_folder, err, progress_bar
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wording import counted
@@ -49,7 +48,7 @@ def agents(
       mansion bench agents --replay out/agents/episodes/oracle/office_tasks/deliver_1.jsonl
     """
     if replay is not None:
-        _repeat(replay, building, graph, output)
+        _repeat(replay, building, output, graph=graph)
         return
     if not tasks or output is None:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, "--tasks and --output are needed (or --replay LOG)")
@@ -147,7 +146,7 @@ def _task_files(given: list[Path]) -> list[Path]:
     return files
 
 
-def _repeat(log_file: Path, building: Path | None, graph: bool, output: Path | None) -> None:
+def _repeat(log_file: Path, building: Path | None, output: Path | None, *, graph: bool) -> None:
     """Run a log's skills again; exit status 1 when something else comes of them."""
     from mansion_tasks.episodes.bench import local_port
     from mansion_tasks.episodes.log import read_log

@@ -9,9 +9,10 @@ import typer
 from mansion_bringup.cli.console import EXIT_INTERRUPTED, err, out, progress_bar
 from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
 from mansion_msgs_py.building import Building, BuildingReport
+from mansion_msgs_py.building_folder import is_building_folder
 from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.reading import read_bytes
+from mansion_msgs_py.files import read_bytes
 from mansion_msgs_py.request import BuildRequest, Footprint
 from mansion_msgs_py.wording import counted
 
@@ -58,7 +59,7 @@ def read_footprint(path: Path) -> Footprint:
     MansionError
         ``NOT_FOUND``, or ``INVALID_PAYLOAD`` with what would be accepted.
     """
-    from mansion_bringup.building.footprint import footprint_from_json
+    from mansion_msgs_py.request import footprint_from_json
 
     expected = 'a file of {"boundary": [[x, y], ...]} or GeoJSON'
     return footprint_from_json(read_bytes(path, expected), str(path))
@@ -96,13 +97,13 @@ def build(
     request = request_from_options(description, floors, area, floor_area, footprint, seed, planner_name(planner))
     if strict:
         _refuse_unmet_plan(request)
-    if (output / "building.json").is_file():
+    if is_building_folder(output):
         err.print(f"{output} holds a building: it is replaced when this one is done")
     try:
         if graph:
-            result = _through_graph(request, output, timeout, force)
+            result = _through_graph(request, output, timeout, force=force)
         else:
-            result = _in_processes(request, output, jobs, force)
+            result = _in_processes(request, output, jobs, force=force)
     except KeyboardInterrupt:
         err.print("interrupted; the same command goes on from the floors that are done")
         raise typer.Exit(EXIT_INTERRUPTED) from None
@@ -122,7 +123,7 @@ def _refuse_unmet_plan(request: BuildRequest) -> None:
     refuse_unmet(receipt_of_plan(reply.program, reply.topologies))
 
 
-def _in_processes(request: BuildRequest, output: Path, jobs: int, force: bool) -> "BuildResult":
+def _in_processes(request: BuildRequest, output: Path, jobs: int, *, force: bool) -> "BuildResult":
     from mansion_bringup.pipeline.build import build_building
 
     prepare_planner(request)
@@ -159,8 +160,8 @@ def prepare_planner(request: BuildRequest) -> None:
         ensure_extra("llm")
 
 
-def _through_graph(request: BuildRequest, output: Path, timeout: float, force: bool) -> "BuildResult":
-    from mansion_bringup.graph.session import graph_client
+def _through_graph(request: BuildRequest, output: Path, timeout: float, *, force: bool) -> "BuildResult":
+    from mansion_bringup.graph.processes import graph_client
     from mansion_bringup.pipeline.build import BuildResult
     from mansion_msgs_py.stages import BuildJob, BuildReply
 
@@ -176,11 +177,7 @@ def _through_graph(request: BuildRequest, output: Path, timeout: float, force: b
                 report(progress)
 
         client.listen("progress", show)
-        job = BuildJob(
-            **{name: getattr(request, name) for name in BuildRequest.__struct_fields__},
-            output=str(output.absolute()),
-            force=force,
-        )
+        job = BuildJob.of(request, output=str(output.absolute()), force=force)
         reply = client.call("build_building", job, reply=BuildReply, timeout=timeout)
     path = Path(reply.path)
     summary = decode(BuildingReport, (path / "report.json").read_bytes())

@@ -1,16 +1,19 @@
-"""What commands print: results to standard output, progress to standard error."""
+"""Output of commands: results to standard output, progress to standard error; checks that a file can be written."""
 
+import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 from rich.console import Console
 
 from mansion_msgs_py.codec import encode
+from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.world import Progress as ProgressPayload
 
-__all__ = ["EXIT_INTERRUPTED", "err", "out", "print_json", "progress_bar"]
+__all__ = ["EXIT_INTERRUPTED", "check_output_file", "check_output_folder", "err", "out", "print_json", "progress_bar"]
 
 EXIT_INTERRUPTED = 130
 """Exit status after Ctrl-C, as shells have it: 128 and the signal's number."""
@@ -56,3 +59,36 @@ def progress_bar() -> Iterator[Callable[[ProgressPayload], None]]:
         yield show
     finally:
         bar.stop()
+
+
+def check_output_folder(folder: Path) -> None:
+    """Refuse a folder that is a file, or that cannot be made or written.
+
+    Raises
+    ------
+    MansionError
+        ``UNAVAILABLE`` naming the folder that is in the way.
+    """
+    nearest = folder.absolute()
+    while not nearest.exists() and nearest != nearest.parent:
+        nearest = nearest.parent
+    if not nearest.is_dir():
+        raise _refusal(folder, f"{nearest} is a file, no folder")
+    if not os.access(nearest, os.W_OK | os.X_OK):
+        raise _refusal(folder, f"{nearest} is read-only for you")
+
+
+def check_output_file(file: Path) -> None:
+    """Refuse a file that is a folder, or whose folder cannot be made or written."""
+    if file.is_dir():
+        raise _refusal(file, "it is a folder; name a file in it")
+    check_output_folder(file.parent)
+
+
+def _refusal(path: Path, why: str) -> MansionError:
+    return MansionError(
+        ErrorCode.UNAVAILABLE,
+        f"cannot write {path}: {why}; name another place with --output",
+        path="$.output",
+        details={"file": str(path)},
+    )

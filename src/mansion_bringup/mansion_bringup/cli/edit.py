@@ -11,7 +11,7 @@ from mansion_bringup.cli.console import err, print_json
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.editing import AgentReport
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.reading import decode_from, read_bytes
+from mansion_msgs_py.files import decode_from, read_bytes
 from mansion_msgs_py.task import Task, TaskSet
 
 if TYPE_CHECKING:

@@ -6,8 +6,7 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.cli.console import err
-from mansion_bringup.cli.outputs import check_output_file, check_output_folder
+from mansion_bringup.cli.console import check_output_file, check_output_folder, err
 from mansion_bringup.extras import ensure_extra
 from mansion_export.formats import export_formats
 from mansion_msgs_py.building_folder import BuildingFolder

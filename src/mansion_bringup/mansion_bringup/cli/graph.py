@@ -152,7 +152,7 @@ def echo(
     import queue
 
     from mansion_bringup.client import MansionClient
-    from mansion_bringup.graph.echoing import silence
+    from mansion_bringup.graph.topic_echo import silence
 
     received: queue.Queue[str] = queue.Queue()
     with MansionClient(namespace=_namespace(namespace)) as client:
@@ -182,8 +182,7 @@ def echo(
 
 def _listen(node: Any, topic: str, received: Any) -> bool:
     """Subscribe to a topic as soon as its type is known, and say whether it is."""
-    from mansion_bringup.graph.echoing import find_topic, message_class
-    from mansion_bringup.graph.message_yaml import message_yaml
+    from mansion_bringup.graph.topic_echo import find_topic, message_class, message_yaml
     from mansion_msgs_py.interfaces import STRING
     from mansion_msgs_py.nodes.shell import qos_profile
 

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from mansion_bringup.cli.console import out
-from mansion_bringup.cli.outputs import check_output_file
+from mansion_bringup.cli.console import check_output_file, out
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import Pose2D
@@ -22,7 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["register"]
 
 
-class Sight(StrEnum):
+class Picture(StrEnum):
     """What is drawn."""
 
     VIEW = "view"
@@ -42,7 +41,7 @@ def register(app: typer.Typer) -> None:
 def look(
     building: Annotated[Path, typer.Argument(help="Building folder.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="PNG file.")] = Path("look.png"),
-    what: Annotated[Sight, typer.Option(help="What to draw.")] = Sight.VIEW,
+    what: Annotated[Picture, typer.Option(help="What to draw.")] = Picture.VIEW,
     room: Annotated[str, typer.Option(help="Look from this room, stair or lift, of any floor.")] = "",
     floor: Annotated[int | None, typer.Option(help="Of the landmarks, or of the place to look from.")] = None,
     turn: Annotated[float, typer.Option(help="Degrees to the left of where it looks.")] = 0.0,
@@ -111,22 +110,24 @@ def _place(world: "World", body: "RobotBody", room: str, floors: list[int]) -> "
     raise MansionError(ErrorCode.NOT_FOUND, f"there is no {room!r} {where}; {near}")
 
 
-def _pictures(robot: "Robot", camera: "Camera", what: Sight, room: str, floor: int | None, per_page: int) -> list[Any]:
+def _pictures(
+    robot: "Robot", camera: "Camera", what: Picture, room: str, floor: int | None, per_page: int
+) -> list[Any]:
     import numpy as np
 
-    if what is Sight.PANORAMA:
+    if what is Picture.PANORAMA:
         return [camera.panorama(room or str(robot.where_am_i().room))]
-    if what is Sight.LANDMARKS:
+    if what is Picture.LANDMARKS:
         return list(camera.landmark_pages(per_page, floor))
-    if what is Sight.LIFT:
+    if what is Picture.LIFT:
         return [camera.lift_panel()]
-    if what is Sight.STAIRS:
+    if what is Picture.STAIRS:
         return [camera.stairs_view()]
     frame = camera.render()
-    if what is Sight.DEPTH:
+    if what is Picture.DEPTH:
         # Near is bright: half of the grey levels belong to the first three metres.
         return [np.round(255.0 * 3.0 / (3.0 + frame.depth)).astype(np.uint8)]
-    if what is Sight.SEGMENTATION:
+    if what is Picture.SEGMENTATION:
         # Knuth's multiplicative hash spreads neighbouring labels over the colours.
         code = (frame.segmentation.astype(np.int64) + 1) * 2654435761 % 2**24
         return [np.stack([code >> 16, code >> 8 & 255, code & 255], axis=-1).astype(np.uint8)]

@@ -53,12 +53,12 @@ def skill(
     if session:
         fields["session"] = session
     if building is not None:
-        _finish(_in_process(building, found.name, fields, reset))
+        _finish(_in_process(building, found.name, fields, reset=reset))
     else:
         _finish(_through_graph(namespace, found.interface, fields))
 
 
-def _in_process(building: Path, name: str, fields: dict[str, Any], reset: bool) -> Any:
+def _in_process(building: Path, name: str, fields: dict[str, Any], *, reset: bool) -> Any:
     from mansion_skills import Robot
 
     robot = Robot(building, fields.pop("session", ""), reset=reset)

@@ -7,12 +7,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.table import Table
 
-from mansion_bringup.cli.console import err, out, print_json
-from mansion_bringup.cli.outputs import check_output_file
+from mansion_bringup.cli.console import check_output_file, err, out, print_json
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.files import write_atomic
-from mansion_msgs_py.reading import decode_from, read_bytes
+from mansion_msgs_py.files import decode_from, read_bytes, write_atomic
 from mansion_msgs_py.task import Task, TaskKind, TaskSet
 from mansion_msgs_py.wording import choices, counted
 

@@ -1,23 +1,86 @@
-"""Start the nodes as processes, watch them, and end them by their ids."""
+"""The node graph as processes: which nodes it has, started in a domain, watched, and ended by their ids."""
 
 import contextlib
 import os
 import signal
+import socket
 import subprocess
 import sys
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
+from typing import TYPE_CHECKING
 
-from mansion_bringup.graph.nodes import GRAPH_NODES, NodeProcess
+from mansion_bringup.discovery import kept_to_this_machine
 from mansion_bringup.graph.rclpy_available import check_rclpy
 from mansion_bringup.graph.shared_memory import SegmentLedger, remove_left_behind
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import DEFAULT_NAMESPACE
 
-__all__ = ["GraphOptions", "GraphProcesses"]
+if TYPE_CHECKING:
+    from mansion_bringup.client import MansionClient
+
+__all__ = ["GRAPH_NODES", "GraphOptions", "GraphProcesses", "NodeProcess", "free_domain", "graph_client"]
+
+PORT_BASE = 7400
+DOMAIN_GAIN = 250
+FIRST_UNICAST = 10
+LAST_DOMAIN = 101
+"""Above it, the ports of a domain fall into Linux's ephemeral range."""
+
+
+def free_domain(start: int | None = None) -> int:
+    """Return a domain whose first participant's discovery port (RTPS 2.2, 9.6.1.1) is free on loopback.
+
+    Parameters
+    ----------
+    start : int, optional
+        Where to begin looking; depends on the process id when absent, so that neighbours rarely try the same.
+    """
+    first = os.getpid() if start is None else start
+    for step in range(LAST_DOMAIN):
+        domain = 1 + (first + step) % LAST_DOMAIN
+        if str(domain) != os.environ.get("ROS_DOMAIN_ID") and _is_free(domain):
+            return domain
+    raise MansionError(ErrorCode.UNAVAILABLE, "every ROS domain of this machine is in use")
+
+
+def _is_free(domain: int) -> bool:
+    port = PORT_BASE + DOMAIN_GAIN * domain + FIRST_UNICAST
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.bind(("127.0.0.1", port))
+        except OSError:
+            return False
+    return True
+
+
+@dataclass(frozen=True)
+class NodeProcess:
+    """A node of the graph: `package` and `executable` are those of ``ros2 run``."""
+
+    package: str
+    executable: str
+    service: str
+
+    @property
+    def module(self) -> str:
+        """The Python module that ``python -m`` runs."""
+        return f"{self.package}.nodes.{self.executable}"
+
+
+GRAPH_NODES: tuple[NodeProcess, ...] = (
+    NodeProcess("mansion_planner", "program_planner", "plan_program"),
+    NodeProcess("mansion_planner", "floor_solver", "solve_floor"),
+    NodeProcess("mansion_scene", "object_placer", "furnish_floor"),
+    NodeProcess("mansion_editing", "scene_editor", "scene/open"),
+    NodeProcess("mansion_skills", "skill_server", "load_building"),
+    NodeProcess("mansion_bringup", "building_director", "build_building"),
+)
+
 
 GRACE = 3.0
 """Seconds that a node has to end after SIGTERM before it is killed."""
@@ -166,3 +229,39 @@ def _signal(process: subprocess.Popen[bytes], number: signal.Signals) -> None:
     if process.poll() is None:
         with contextlib.suppress(ProcessLookupError):
             os.kill(process.pid, number)
+
+
+LOOK_FOR_GRAPH = 1.0
+"""Seconds to look for a running graph."""
+
+
+@contextmanager
+def graph_client(
+    *,
+    namespace: str = DEFAULT_NAMESPACE,
+    service: str = "build_building",
+    notice: Callable[[str], None] = lambda text: None,
+) -> Iterator["MansionClient"]:
+    """Yield a client of the graph of this domain; without one, start a private graph and end it afterwards.
+
+    Parameters
+    ----------
+    namespace : str
+    service : str
+        What must be served for a graph to count as running.
+    notice : callable
+        Gets a line when a private graph is started.
+    """
+    from mansion_bringup.client import MansionClient
+
+    with MansionClient(namespace=namespace) as client:
+        if client.wait_served(service, LOOK_FOR_GRAPH):
+            yield client
+            return
+    options = GraphOptions(namespace=namespace, domain_id=free_domain(), quiet=True)
+    notice("no graph is running here: starting a private one")
+    with kept_to_this_machine(), GraphProcesses(options) as graph:
+        graph.wait_ready()
+        with MansionClient(domain_id=options.domain_id, namespace=namespace) as client:
+            graph.note_segments()
+            yield client

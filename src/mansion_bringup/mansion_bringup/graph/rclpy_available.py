@@ -1,4 +1,4 @@
-"""Whether there is an rclpy to run the node graph on, and what to do where there is none."""
+"""The check for rclpy, without which there is no node graph, and advice where it is missing."""
 
 import importlib.util
 import os

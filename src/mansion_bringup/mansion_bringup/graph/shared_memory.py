@@ -349,7 +349,7 @@ def _start_time(pid: int) -> int | None:
     return None if fields[0] in ("Z", "X") else int(fields[19])
 
 
-def _is_private(folder: Path, make: bool = False) -> bool:
+def _is_private(folder: Path, *, make: bool = False) -> bool:
     """Whether only this user can read and write the folder."""
     if make:
         with contextlib.suppress(OSError):

@@ -7,9 +7,7 @@ from typing import Any
 
 from mansion_bringup.client import MansionClient
 from mansion_bringup.discovery import kept_to_this_machine
-from mansion_bringup.graph.domain import free_domain
-from mansion_bringup.graph.nodes import NodeProcess
-from mansion_bringup.graph.processes import GraphOptions, GraphProcesses
+from mansion_bringup.graph.processes import GraphOptions, GraphProcesses, NodeProcess, free_domain
 from mansion_msgs_py.building import LoadBuilding
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -64,10 +62,10 @@ class GraphPort(SkillPort):
             if skill.interface.type == TRIGGER:
                 if call.arguments:
                     return invalid_call(skill.name, f"{skill.name} takes no arguments")
-                answer = self._client.call(f"{SESSION}/{name}", reply=_reply(skill))
+                answer = self._client.call(f"{SESSION}/{name}", reply=_reply_type(skill))
             else:
                 arguments = {**call.arguments, "session": SESSION}
-                answer = self._client.call(name, arguments, reply=_reply(skill))
+                answer = self._client.call(name, arguments, reply=_reply_type(skill))
             return as_result(skill, answer)
         except MansionError as error:
             if error.code in LOST:
@@ -96,7 +94,7 @@ class GraphPort(SkillPort):
         return self._replica.world, self._replica.robot
 
 
-def _reply(skill: Skill) -> Any:
+def _reply_type(skill: Skill) -> Any:
     return Any if skill.query else SkillResult
 
 

@@ -90,7 +90,7 @@ for name in sys.argv[2:]:
 
 @dataclass(frozen=True)
 class _Places:
-    """Where things are during a build.
+    """Where objects are during a build.
 
     Attributes
     ----------

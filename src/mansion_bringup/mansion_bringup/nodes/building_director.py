@@ -10,8 +10,8 @@ from rclpy.callback_groups import ReentrantCallbackGroup
 
 from mansion_bringup.client import MansionClient
 from mansion_bringup.pipeline.build import build_building
-from mansion_bringup.pipeline.crew import export_pool
-from mansion_bringup.pipeline.remote import RemoteStages
+from mansion_bringup.pipeline.executors import export_pool
+from mansion_bringup.pipeline.stages import RemoteStages
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.node import MansionNode
@@ -85,8 +85,7 @@ class BuildingDirector(MansionNode):
         return root / (request.building_id or "building")
 
     def _build_from_topic(self, request: BuildRequest) -> None:
-        job = BuildJob(**{f: getattr(request, f) for f in BuildRequest.__struct_fields__})
-        run_handler(self, "build_requests", lambda: self.build(job))
+        run_handler(self, "build_requests", lambda: self.build(BuildJob.of(request)))
 
     def destroy_node(self) -> None:
         """End the client of the stages and the export processes, then the node."""

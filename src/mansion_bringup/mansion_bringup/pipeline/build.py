@@ -1,6 +1,7 @@
 """Algorithm 1: a request becomes a building folder, floor by floor, resumable and repeatable."""
 
 import time
+import traceback
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from dataclasses import dataclass, field
@@ -12,21 +13,20 @@ import msgspec
 from mansion_bringup.building.files import floor_files
 from mansion_bringup.building.report import building_index, building_report
 from mansion_bringup.building.workspace import Workspace
-from mansion_bringup.pipeline import floors as steps
-from mansion_bringup.pipeline.crew import Crew, local_crew, remote_crew
+from mansion_bringup.pipeline.executors import BuildExecutors, local_executors, service_executors
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_export.formats import built_building_outputs
 from mansion_msgs_py.building import Building, BuildingReport
-from mansion_msgs_py.building_folder import floor_directory
+from mansion_msgs_py.building_folder import INDEX, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.scene import FloorScene
-from mansion_msgs_py.stages import PlanReply
+from mansion_msgs_py.stages import FurnishRequest, PlanReply
 from mansion_msgs_py.world import Progress
 
-__all__ = ["BuildResult", "build_building"]
+__all__ = ["BuildResult", "at_stage", "build_building", "distinct_floors", "furnish", "solve", "source_floor"]
 
 T = TypeVar("T")
 
@@ -44,6 +44,8 @@ class BuildResult:
 
 @dataclass
 class _Job:
+    """The state of a running build."""
+
     request: BuildRequest
     stages: Stages
     report: Report
@@ -54,7 +56,7 @@ class _Job:
 
     def step(self, stage: str, message: str, floor: int | None = None, *, done: int = 0) -> None:
         if self.cancelled():
-            raise MansionError(ErrorCode.CANCELED, "the build was ended at the caller's wish")
+            raise MansionError(ErrorCode.CANCELED, "the build was cancelled")
         self.done += done
         self.report(
             Progress(
@@ -110,13 +112,13 @@ def build_building(
     request = identified(request)
     job = _Job(request, stages or LocalStages(), report, cancelled)
     started = time.perf_counter()
-    crew = local_crew(jobs) if stages is None else remote_crew(stages, jobs, exporter)
-    with Workspace(output, request, force=force) as workspace, crew:
+    executors = local_executors(jobs) if stages is None else service_executors(stages, jobs, exporter)
+    with Workspace(output, request, force=force) as workspace, executors:
         plan = _plan(job, workspace)
-        layouts = _solve(job, workspace, crew, plan)
-        scenes = _furnish(job, workspace, crew, plan, layouts)
+        layouts = _solve(job, workspace, executors, plan)
+        scenes = _furnish(job, workspace, executors, plan, layouts)
         index = building_index(request, plan, scenes)
-        _write_building(job, workspace, crew, index, scenes)
+        _write_building(job, workspace, executors, index, scenes)
         job.timed("total", time.perf_counter() - started)
         summary = building_report(plan, layouts, scenes, job.seconds)
         workspace.write({"report.json": encode_bytes(summary, indent=1)})
@@ -130,55 +132,55 @@ def _plan(job: _Job, workspace: Workspace) -> PlanReply:
     started = time.perf_counter()
     plan = workspace.load(PlanReply, "plan.json")
     if plan is None:
-        plan = steps.at_stage("plan_program", lambda: job.stages.plan(job.request))
+        plan = at_stage("plan_program", lambda: job.stages.plan(job.request))
         workspace.save("plan.json", plan)
     job.timed("plan_program", time.perf_counter() - started)
     floors = plan.program.floors
-    job.total = 2 + len(steps.distinct_floors(plan)) + len(floors)
+    job.total = 2 + len(distinct_floors(plan)) + len(floors)
     rooms = sum(node.type in ("main", "Entities") for graph in plan.topologies for node in graph.nodes)
     storeys = f"{len(floors)} floor{'s' if len(floors) != 1 else ''}"
     job.step("plan_program", f"{storeys}, {rooms} rooms", done=1)
     return plan
 
 
-def _solve(job: _Job, workspace: Workspace, crew: Crew, plan: PlanReply) -> list[FloorLayout]:
-    found: dict[int, FloorLayout] = {}
-    waiting: dict[int, Future[tuple[bytes, float]]] = {}
-    for index in steps.distinct_floors(plan):
+def _solve(job: _Job, workspace: Workspace, executors: BuildExecutors, plan: PlanReply) -> list[FloorLayout]:
+    layouts: dict[int, FloorLayout] = {}
+    futures: dict[int, Future[tuple[bytes, float]]] = {}
+    for index in distinct_floors(plan):
         floor = plan.program.floors[index].index
         earlier = workspace.load(FloorLayout, f"{floor_directory(floor)}/layout.json")
         if earlier is not None:
-            found[index] = earlier
+            layouts[index] = earlier
         else:
-            waiting[index] = crew.pool.submit(_solve_task, crew.remote, plan, index)
-    for index in steps.distinct_floors(plan):
+            futures[index] = executors.pool.submit(_solve_task, executors.remote, plan, index)
+    for index in distinct_floors(plan):
         floor = plan.program.floors[index].index
-        if index in waiting:
-            data, seconds = _result(waiting, index)
-            found[index] = decode(FloorLayout, data)
+        if index in futures:
+            data, seconds = _result(futures, index)
+            layouts[index] = decode(FloorLayout, data)
             workspace.write({f"{floor_directory(floor)}/layout.json": data})
             job.timed("solve_floor", seconds)
         job.step("solve_floor", f"floor {floor} laid out", floor, done=1)
-    return [found[steps.source_floor(plan, index)] for index in range(len(plan.program.floors))]
+    return [layouts[source_floor(plan, index)] for index in range(len(plan.program.floors))]
 
 
 def _solve_task(stages: Stages | None, plan: PlanReply, index: int) -> tuple[bytes, float]:
     started = time.perf_counter()
-    layout = steps.solve(stages or LocalStages(), plan, index)
+    layout = solve(stages or LocalStages(), plan, index)
     return encode_bytes(layout, indent=1), time.perf_counter() - started
 
 
 def _furnish(
-    job: _Job, workspace: Workspace, crew: Crew, plan: PlanReply, layouts: list[FloorLayout]
+    job: _Job, workspace: Workspace, executors: BuildExecutors, plan: PlanReply, layouts: list[FloorLayout]
 ) -> list[FloorScene]:
-    waiting: dict[int, Future[tuple[dict[str, bytes], float, float]]] = {}
+    futures: dict[int, Future[tuple[dict[str, bytes], float, float]]] = {}
     for index, floor in enumerate(plan.program.floors):
         if not workspace.floor_done(floor.index):
-            waiting[index] = crew.furnish(_furnish_task, plan, layouts[index], index)
+            futures[index] = executors.furnish(_furnish_task, plan, layouts[index], index)
     scenes = []
     for index, floor in enumerate(plan.program.floors):
-        if index in waiting:
-            files, furnishing, exporting = _result(waiting, index)
+        if index in futures:
+            files, furnishing, exporting = _result(futures, index)
             workspace.write(files)
             workspace.mark_floor(floor.index)
             job.timed("furnish_floor", furnishing)
@@ -195,9 +197,9 @@ def _furnish_task(
 ) -> tuple[dict[str, bytes], float, float]:
     started = time.perf_counter()
     layout = msgspec.structs.replace(layout, floor=plan.program.floors[index].index)
-    scene = steps.furnish(stages or LocalStages(), plan, layout, index)
+    scene = furnish(stages or LocalStages(), plan, layout, index)
     furnished = time.perf_counter()
-    files = steps.at_stage(
+    files = at_stage(
         f"export (floor {scene.floor})", lambda: _call(exporter, floor_files, plan.topologies[index], layout, scene)
     )
     return files, furnished - started, time.perf_counter() - furnished
@@ -209,20 +211,78 @@ def _call(exporter: Executor | None, export: Callable[..., dict[str, bytes]], *a
     return exporter.submit(export, *arguments).result()
 
 
-def _result(waiting: dict[int, Future[T]], index: int) -> T:
+def _result(futures: dict[int, Future[T]], index: int) -> T:
     try:
-        return waiting[index].result()
+        return futures[index].result()
     except BaseException:
-        for future in waiting.values():
+        for future in futures.values():
             future.cancel()
         raise
 
 
-def _write_building(job: _Job, workspace: Workspace, crew: Crew, index: Building, scenes: list[FloorScene]) -> None:
+def _write_building(
+    job: _Job, workspace: Workspace, executors: BuildExecutors, index: Building, scenes: list[FloorScene]
+) -> None:
     job.step("export", "writing the 3D building")
     started = time.perf_counter()
-    waiting = [crew.exporter.submit(output.make, scenes) for output in built_building_outputs()]
-    for made in waiting:
-        workspace.write(steps.at_stage("export", made.result))
-    workspace.write({"building.json": encode_bytes(index, indent=1)})
+    futures = [executors.exporter.submit(output.make, scenes) for output in built_building_outputs()]
+    for made in futures:
+        workspace.write(at_stage("export", made.result))
+    workspace.write({INDEX: encode_bytes(index, indent=1)})
     job.timed("export_building", time.perf_counter() - started)
+
+
+def at_stage(stage: str, call: Callable[[], T]) -> T:
+    """Run one stage; any failure becomes a `MansionError` that names the stage."""
+    try:
+        return call()
+    except MansionError as error:
+        part = {"part": error.stage} if error.stage not in ("", stage) else {}
+        raise error.with_details(**part, stage=stage) from error
+    except Exception as error:
+        raise MansionError(
+            ErrorCode.INTERNAL,
+            f"{type(error).__name__}: {error}",
+            details={"stage": stage, "traceback": traceback.format_exc(limit=8)},
+        ) from error
+
+
+def source_floor(plan: PlanReply, index: int) -> int:
+    """Return the position of the floor whose layout the floor at position `index` shares."""
+    copied = plan.program.floors[index].copy
+    if copied is None:
+        return index
+    numbers = [floor.index for floor in plan.program.floors]
+    return source_floor(plan, numbers.index(copied))
+
+
+def distinct_floors(plan: PlanReply) -> list[int]:
+    """Return the positions of the floors that have a layout of their own."""
+    return sorted({source_floor(plan, index) for index in range(len(plan.program.floors))})
+
+
+def solve(stages: Stages, plan: PlanReply, index: int) -> FloorLayout:
+    """Lay out the floor at position `index` (Algorithm 1, line 8)."""
+    floor = plan.program.floors[index].index
+    return at_stage(f"solve_floor (floor {floor})", lambda: stages.solve(plan.problems[index]))
+
+
+def furnish(stages: Stages, plan: PlanReply, layout: FloorLayout, index: int) -> FloorScene:
+    """Furnish the floor at position `index` (Algorithm 1, lines 9 to 17)."""
+    program = plan.program
+    floor = program.floors[index]
+    request = FurnishRequest(
+        building_id=program.building_id,
+        floor=floor,
+        floors=[entry.index for entry in program.floors],
+        labels=[entry.label for entry in program.floors],
+        connectivity=program.vertical_connectivity,
+        topology=plan.topologies[index],
+        layout=layout,
+        building_type=program.building_type,
+        style=program.style,
+        seed=program.seed,
+        planner="llm" if plan.llm is not None else "rules",
+        description=program.description if plan.llm is not None else "",
+    )
+    return at_stage(f"furnish_floor (floor {floor.index})", lambda: stages.furnish(request))

@@ -1,13 +1,18 @@
-"""The three stages of Algorithm 1 behind one interface, and their in-process form."""
+"""The three stages of Algorithm 1 behind one interface: function calls in this process, or services of a node graph."""
 
-from typing import Protocol
+import time
+from typing import TYPE_CHECKING, Any, Final, Protocol, TypeVar
 
+from mansion_msgs_py.interfaces import service
 from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import FurnishRequest, PlanReply
 
-__all__ = ["LocalStages", "Stages"]
+if TYPE_CHECKING:
+    from mansion_bringup.client import MansionClient
+
+__all__ = ["LocalStages", "RemoteStages", "Stages"]
 
 
 class Stages(Protocol):
@@ -43,3 +48,55 @@ class LocalStages:
         from mansion_scene.assembly import furnish_floor
 
         return furnish_floor(request)
+
+
+T = TypeVar("T")
+LOOK: Final = 1.0
+"""Seconds between two looks at a node that does not serve yet."""
+
+
+class RemoteStages:
+    """`Stages` by service calls.
+
+    A node that runs but does not serve yet (after an installation the floor solver first compiles its kernels, for a
+    minute) is waited for as long as a stage may take.
+
+    Parameters
+    ----------
+    client : MansionClient
+    timeout : float
+        Seconds that one stage of one floor may take; ``TIMEOUT`` after that.
+    discovery : float
+        Seconds for a running node to be found; ``UNAVAILABLE`` after that.
+    """
+
+    def __init__(self, client: "MansionClient", timeout: float, discovery: float = 5.0) -> None:
+        self._client = client
+        self._timeout = timeout
+        self._discovery = discovery
+
+    def plan(self, request: BuildRequest) -> PlanReply:
+        """See `Stages.plan`."""
+        return self._call("plan_program", request, PlanReply)
+
+    def solve(self, problem: FloorProblem) -> FloorLayout:
+        """See `Stages.solve`."""
+        return self._call("solve_floor", problem, FloorLayout)
+
+    def furnish(self, request: FurnishRequest) -> FloorScene:
+        """See `Stages.furnish`."""
+        return self._call("furnish_floor", request, FloorScene)
+
+    def _call(self, name: str, request: Any, reply: type[T]) -> T:
+        self._await_loading(name)
+        answer: T = self._client.call(name, request, reply=reply, timeout=self._timeout, wait=0.0)
+        return answer
+
+    def _await_loading(self, name: str) -> None:
+        """Wait for a service whose node is up; the call itself reports one that is not."""
+        if self._client.wait_served(name, self._discovery):
+            return
+        deadline = time.monotonic() + self._timeout
+        while self._client.sees_node(service(name).node) and time.monotonic() < deadline:
+            if self._client.wait_served(name, LOOK):
+                return

@@ -1,4 +1,4 @@
-"""What all of Mansion's nodes have in common: a steady timer, and diagnostics of the calls that they serve."""
+"""The base class of Mansion's nodes: timers on a steady clock, and diagnostics of the calls that they serve."""
 
 import threading
 from collections.abc import Callable, Iterable, Iterator

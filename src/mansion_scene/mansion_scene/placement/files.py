@@ -11,9 +11,8 @@ import msgspec
 
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
-from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.files import read_payload, write_atomic
 from mansion_msgs_py.placement import Discarded, PlacementResult, PlacementRoom
-from mansion_msgs_py.reading import read_payload
 from mansion_msgs_py.world import Progress
 from mansion_scene.placement import PlacementOptions, place_room, warm
 

@@ -3,7 +3,6 @@
 from functools import lru_cache
 from pathlib import Path
 
-from mansion_msgs_py.building import FloorEntry
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
@@ -32,17 +31,12 @@ class LoadedBuilding(BuildingFolder):
                 path="$.path",
             )
         super().__init__(path)
-        self._entries = {entry.floor: entry for entry in self.building.floors}
         self.scene = lru_cache(maxsize=None)(super().scene)  # type: ignore[method-assign]
 
     @property
     def building_id(self) -> str:
         """The building's id."""
         return self.building.building_id
-
-    def entry(self, floor: int) -> FloorEntry:
-        """Return the index entry of a floor."""
-        return self._entries[floor]
 
     def label(self, floor: int) -> str:
         """Return what a lift button says for the floor."""

@@ -82,7 +82,7 @@ class Explorer(Agent):
             found = yield from self._search(errand.target, pickupable=carried, rest=DELIVERY_STEPS if carried else 2)
             if found is None:
                 return Stop(f"found no {errand.target.noun}")
-            if (yield from self._fetch(found, carried)):
+            if (yield from self._fetch(found, carried=carried)):
                 break
             self._failed[found.item.ref] = None
         if errand.destination is None:
@@ -97,20 +97,20 @@ class Explorer(Agent):
         """Look for an object until one is certain, everything is searched, or `rest` steps are left."""
         for floor in self._floor_order(phrase):
             while True:
-                best = self._best(phrase, pickupable, certain=True)
+                best = self._best(phrase, pickupable=pickupable, certain=True)
                 if best is not None:
                     return best
                 if self._now.max_steps - self._now.step <= rest:
-                    return self._best(phrase, pickupable, certain=False)
+                    return self._best(phrase, pickupable=pickupable, certain=False)
                 if self._now.floor != floor and not (yield from self._go_to_floor(floor)):
                     break
                 rooms = self._memory.rooms_to_search(self._now, phrase)
                 if not rooms:
                     break
-                yield from self._look_around(rooms[0], phrase, pickupable)
-        return self._best(phrase, pickupable, certain=False)
+                yield from self._look_around(rooms[0], phrase, pickupable=pickupable)
+        return self._best(phrase, pickupable=pickupable, certain=False)
 
-    def _best(self, phrase: NounPhrase, pickupable: bool, *, certain: bool) -> Sighting | None:
+    def _best(self, phrase: NounPhrase, *, pickupable: bool, certain: bool) -> Sighting | None:
         for score, sighting in self._memory.candidates(phrase, pickupable=pickupable):
             if sighting.item.ref not in self._failed and sighting.item.ref != self._now.held:
                 sure = self._memory.is_certain(phrase, score)
@@ -123,20 +123,20 @@ class Explorer(Agent):
         here = self._now.floor
         return sorted(self._now.floors, key=lambda floor: (floor != self._first_floor, abs(floor - here)))
 
-    def _look_around(self, room: str, phrase: NounPhrase, pickupable: bool) -> SkillSequence:
+    def _look_around(self, room: str, phrase: NounPhrase, *, pickupable: bool) -> SkillSequence:
         """Go to a room and turn round in it, unless what is sought comes into view before."""
         if not (yield from self._go_to(room)):
             self._memory.unreachable[room] = None
             return False
         yield from self._look_level()
         for turn in range(4):
-            if self._best(phrase, pickupable, certain=True) is not None:
+            if self._best(phrase, pickupable=pickupable, certain=True) is not None:
                 return True
             if turn < 3:
                 yield SkillCall(skill="Rotate", arguments={"degrees": 90.0})
         self._memory.searched[room] = None
         yield from self._open_what_is_named(phrase)
-        yield from self._look_closer(phrase, pickupable)
+        yield from self._look_closer(phrase, pickupable=pickupable)
         return True
 
     def _look_level(self) -> SkillSequence:
@@ -146,13 +146,13 @@ class Explorer(Agent):
             return True
         return (yield from self._do("LookUp" if pitch < 0 else "LookDown", degrees=abs(pitch)))
 
-    def _look_closer(self, phrase: NounPhrase, pickupable: bool) -> SkillSequence:
+    def _look_closer(self, phrase: NounPhrase, *, pickupable: bool) -> SkillSequence:
         """In a room that the phrase names, go to the furniture that it names: one place does not show it all."""
         room = self._now.room
         if not any(match_score(word, plain_name(room)) for word in phrase.places):
             return False
         for name in self._memory.furniture(phrase, self._now.floor, room)[:MAX_CLOSE_LOOKS]:
-            if self._best(phrase, pickupable, certain=True) is not None or self._hurried():
+            if self._best(phrase, pickupable=pickupable, certain=True) is not None or self._hurried():
                 return True
             yield from self._do("GoNearObject", object=name)
         return True
@@ -201,7 +201,7 @@ class Explorer(Agent):
                 return True
         return False
 
-    def _fetch(self, sighting: Sighting, carried: bool) -> SkillSequence:
+    def _fetch(self, sighting: Sighting, *, carried: bool) -> SkillSequence:
         item = sighting.item
         if not (yield from self._go_near(sighting)):
             return False

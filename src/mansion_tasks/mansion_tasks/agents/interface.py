@@ -1,4 +1,4 @@
-"""What an agent is told, what it answers, and what each kind is allowed to know."""
+"""The interface of agents: what an agent is told, what it answers, and what each kind may know."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""What the explorer has seen so far, and where it searches next: named rooms, likely rooms, near rooms."""
+"""The explorer's memory: what it has seen, and which rooms it searches next."""
 
 from dataclasses import dataclass, field
 from math import dist

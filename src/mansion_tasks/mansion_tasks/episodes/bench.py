@@ -5,6 +5,7 @@ from contextlib import AbstractContextManager, ExitStack, closing, contextmanage
 from dataclasses import dataclass
 from pathlib import Path
 
+from mansion_msgs_py.building_folder import is_building_folder
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
@@ -144,7 +145,7 @@ def run_unit(unit: Unit) -> Iterator[tuple[EpisodeRow, bool]]:
 
 
 def _check_building(file: Path, building: Path) -> None:
-    if not (building / "building.json").is_file():
+    if not is_building_folder(building):
         raise MansionError(
             ErrorCode.NOT_FOUND,
             f"{building} holds no building.json, but {file} names it as its building; put both back, or make the "

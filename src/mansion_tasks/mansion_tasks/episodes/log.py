@@ -7,8 +7,7 @@ import msgspec
 
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.files import write_atomic
-from mansion_msgs_py.reading import decode_from, read_bytes
+from mansion_msgs_py.files import decode_from, read_bytes, write_atomic
 from mansion_msgs_py.task import SkillCall, Task
 from mansion_msgs_py.world import Pose2D, SkillStatus
 

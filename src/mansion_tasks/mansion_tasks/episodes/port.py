@@ -1,4 +1,4 @@
-"""How an episode reaches the robot: in this process here; over services where a graph runs."""
+"""The way from an episode to the robot's skills: in this process here, over services where a graph runs."""
 
 from pathlib import Path
 from typing import Any, Protocol

@@ -1,4 +1,4 @@
-"""Whether the goals of a task hold in a world."""
+"""The goals of a task: whether they hold in a world."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator
 from math import dist

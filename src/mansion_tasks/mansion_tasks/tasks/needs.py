@@ -1,4 +1,4 @@
-"""What a need means in a building: the objects or the rooms that meet it, and how to say it."""
+"""The needs of a task: the objects or rooms of a building that meet one, and its description in English."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""How far a task is: retrieval and navigation apart (supplement, F.2)."""
+"""The progress of a task: scores of retrieval and of navigation (supplement, F.2)."""
 
 from collections.abc import Iterator, Mapping
 

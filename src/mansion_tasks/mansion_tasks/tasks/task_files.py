@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.reading import decode_from, read_bytes
+from mansion_msgs_py.files import decode_from, read_bytes
 from mansion_msgs_py.task import TaskSet
 
 __all__ = ["read_task_set"]

@@ -5,8 +5,7 @@ from typing import Annotated
 
 import typer
 
-from mansion_bringup.cli.console import err, progress_bar
-from mansion_bringup.cli.outputs import check_output_file
+from mansion_bringup.cli.console import check_output_file, err, progress_bar
 from mansion_msgs_py.wording import counted
 
 __all__ = ["register"]

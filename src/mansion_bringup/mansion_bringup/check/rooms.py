@@ -1,15 +1,15 @@
-"""Do the rooms partition the floor: valid, in one piece, no gap, no overlap, within the outline."""
+"""Checks that the rooms partition their floor, and that every boundary of a room is walled or a declared opening."""
 
 from collections.abc import Iterator
 
-from shapely import STRtree
+from shapely import LineString, STRtree
 from shapely.ops import unary_union
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import free_region, net_area, room_area
 from mansion_msgs_py.scene import FloorScene
 
-__all__ = ["check_partition"]
+__all__ = ["check_partition", "check_walls"]
 
 COVERAGE = 0.999
 AREA_SLACK = 0.01
@@ -26,7 +26,7 @@ def check_partition(scene: FloorScene) -> Iterator[Fault]:
             sound = False
             yield Fault("ROOM_SHAPE", room.id, "its polygon crosses itself")
         elif abs(shape.area - room.area) > 0.02 * shape.area + AREA_SLACK:
-            yield Fault("ROOM_AREA", room.id, f"states {room.area:.2f} m2, has {shape.area:.2f}")
+            yield Fault("ROOM_AREA", room.id, f"states an area of {room.area:.2f} m2, but has {shape.area:.2f} m2")
     if not sound:
         return
     region = free_region(scene.outline, scene.holes, [core.polygon for core in scene.cores])
@@ -36,13 +36,36 @@ def check_partition(scene: FloorScene) -> Iterator[Fault]:
             yield Fault("ROOM_NET", room.id, "its net interior is not within the room")
         beyond = shape.difference(region).area
         if beyond > AREA_SLACK:
-            yield Fault("ROOM_OUTSIDE", room.id, f"{beyond:.2f} m2 lie outside or in a core")
+            yield Fault("ROOM_OUTSIDE", room.id, f"{beyond:.2f} m2 lie outside the floor or in a core")
     tree = STRtree(shapes)
     for index, shape in enumerate(shapes):
         for other in sorted(tree.query(shape)):
             if other > index and (shared := shape.intersection(shapes[other]).area) > AREA_SLACK:
                 where = f"{rooms[index].id} and {rooms[other].id}"
-                yield Fault("ROOM_OVERLAP", where, f"share {shared:.2f} m2")
+                yield Fault("ROOM_OVERLAP", where, f"overlap by {shared:.2f} m2")
     covered = unary_union(shapes).intersection(region).area / region.area
     if covered < COVERAGE:
         yield Fault("COVERAGE", f"floor {scene.floor}", f"rooms cover {covered:.1%} of the floor")
+
+
+REACH = 0.26
+"""Half the thickness of the thickest outer wall and a little: a room's boundary lies this near to a wall's line."""
+
+GAP = 0.10
+"""Metres of boundary without a wall that count as rounding."""
+
+
+def check_walls(scene: FloorScene) -> Iterator[Fault]:
+    """Yield a fault for each room whose boundary has a gap in its walls."""
+    lines = [LineString(wall.segment) for wall in scene.walls]
+    lines += [LineString(door.segment) for door in scene.doors if door.kind == "open"]
+    for wall in scene.walls:
+        if LineString(wall.segment).length < 1e-3:
+            yield Fault("WALL", wall.id, "has no length")
+    walled = unary_union([line.buffer(REACH) for line in lines])
+    for room in scene.rooms:
+        if room.kind in ("stair", "elevator"):
+            continue
+        bare = room_area(room).boundary.difference(walled).length
+        if bare > GAP:
+            yield Fault("WALL_GAP", room.id, f"{bare:.2f} m of its boundary have no wall")

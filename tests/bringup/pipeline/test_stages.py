@@ -11,8 +11,8 @@ from rclpy.context import Context
 from rclpy.node import Node
 
 from mansion_bringup.client import MansionClient
-from mansion_bringup.graph.domain import free_domain
-from mansion_bringup.pipeline.remote import RemoteStages
+from mansion_bringup.graph.processes import free_domain
+from mansion_bringup.pipeline.stages import RemoteStages
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import service
 from mansion_msgs_py.layout import FloorLayout, FloorProblem

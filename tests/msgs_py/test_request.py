@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from mansion_bringup.building.footprint import footprint_from_json
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.request import footprint_from_json
 
 SQUARE = [[0, 0], [12, 0], [12, 9], [0, 9]]
 COURT = [[4, 3], [8, 3], [8, 6], [4, 6]]

@@ -1,4 +1,4 @@
-"""Who does the work of a build: processes of its own, or threads that wait for services beside an export pool.
+"""Executors of a build: processes that run the stages, or threads that wait for services beside an export pool.
 
 A process that runs nodes has threads, so it must not fork: its exports go to a pool that a fork server made.
 """
@@ -17,13 +17,13 @@ from mansion_bringup.graph.child import end_with_parent
 from mansion_bringup.pipeline.stages import LocalStages, Stages
 from mansion_export.formats import built_building_outputs, built_floor_outputs
 
-__all__ = ["Crew", "export_pool", "local_crew", "remote_crew"]
+__all__ = ["BuildExecutors", "export_pool", "local_executors", "service_executors"]
 
 T = TypeVar("T")
 
 
 @dataclass(frozen=True)
-class Crew:
+class BuildExecutors:
     """Executors of one build.
 
     Attributes
@@ -45,7 +45,7 @@ class Crew:
         """The stages, for a task that is not sent to another process."""
         return self.remote or LocalStages()
 
-    def __enter__(self) -> "Crew":
+    def __enter__(self) -> "BuildExecutors":
         return self
 
     def __exit__(
@@ -57,26 +57,26 @@ class Crew:
         self.pool.shutdown(wait=True, cancel_futures=error is not None)
 
     def furnish(self, task: Callable[..., T], *arguments: Any) -> "Future[T]":
-        """Run a floor's task, which gets the crew's remote stages first and its exporter second."""
+        """Run a floor's task, which gets the remote stages first and the exporter second."""
         inside = isinstance(self.pool, ProcessPoolExecutor)
         exporter = None if inside else self.exporter
         return self.pool.submit(task, self.remote, exporter, *arguments)
 
 
-def local_crew(jobs: int) -> Crew:
+def local_executors(jobs: int) -> BuildExecutors:
     """Return `jobs` forked processes (or this thread's helper thread for one) that run stages and exports."""
     if jobs > 1:
         _import_stages()
         pool = ProcessPoolExecutor(jobs, mp_context=get_context("fork"))
-        return Crew(pool, pool)
+        return BuildExecutors(pool, pool)
     thread = ThreadPoolExecutor(1)
-    return Crew(thread, thread)
+    return BuildExecutors(thread, thread)
 
 
-def remote_crew(stages: Stages, jobs: int, exporter: Executor | None) -> Crew:
+def service_executors(stages: Stages, jobs: int, exporter: Executor | None) -> BuildExecutors:
     """Return `jobs` threads that ask `stages`, with `exporter` for the files."""
     pool = ThreadPoolExecutor(max(1, jobs))
-    return Crew(pool, exporter or pool, stages)
+    return BuildExecutors(pool, exporter or pool, stages)
 
 
 def export_pool(workers: int) -> ProcessPoolExecutor:

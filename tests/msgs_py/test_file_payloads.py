@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.reading import decode_from, read_bytes, read_payload
+from mansion_msgs_py.files import decode_from, read_bytes, read_payload
 from mansion_msgs_py.request import BuildRequest
 
 
