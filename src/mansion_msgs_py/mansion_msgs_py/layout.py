@@ -50,7 +50,7 @@ class SeedRange(msgspec.Struct, frozen=True, kw_only=True):
     y: Point
 
 
-class ProblemNode(msgspec.Struct, kw_only=True):
+class ProblemNode(msgspec.Struct, frozen=True, kw_only=True):
     """A node of the problem's room graph, with an optional seed point or box."""
 
     id: Identifier
@@ -63,7 +63,7 @@ class ProblemNode(msgspec.Struct, kw_only=True):
     min_width: Length | None = None
 
 
-class FloorProblem(msgspec.Struct, kw_only=True):
+class FloorProblem(msgspec.Struct, frozen=True, kw_only=True):
     """What the floor solver is asked (Algorithm 2): free region, cores, room graph, areas.
 
     Attributes
@@ -104,7 +104,7 @@ class LayoutRoom(msgspec.Struct, frozen=True, kw_only=True):
     holes: list[Ring] = []
 
 
-class RealisedEdge(msgspec.Struct, kw_only=True):
+class RealisedEdge(msgspec.Struct, frozen=True, kw_only=True):
     """An edge of the room graph on the finished polygons.
 
     Attributes
@@ -141,7 +141,7 @@ class CutRoundRecord(msgspec.Struct, frozen=True, kw_only=True):
     candidates: int = 0
 
 
-class FloorLayout(msgspec.Struct, kw_only=True):
+class FloorLayout(msgspec.Struct, frozen=True, kw_only=True):
     """A partition of the floor's free region into rooms (cores left out), ``L_f`` of Algorithm 2.
 
     Attributes

@@ -124,7 +124,7 @@ class Discarded(msgspec.Struct, frozen=True, kw_only=True):
     reason: str
 
 
-class PlacementResult(msgspec.Struct, kw_only=True):
+class PlacementResult(msgspec.Struct, frozen=True, kw_only=True):
     """Where every object of a room went."""
 
     room_id: Identifier

@@ -41,7 +41,7 @@ class CorePlan(msgspec.Struct, frozen=True, kw_only=True):
     door_side: Literal["north", "south", "east", "west"] | None = None
 
 
-class VerticalConnectivity(msgspec.Struct, kw_only=True):
+class VerticalConnectivity(msgspec.Struct, frozen=True, kw_only=True):
     """How floors connect; `method` is ``none`` for one storey."""
 
     method: Literal["none", "stair", "elevator", "stair_and_elevator"]
@@ -57,7 +57,7 @@ class RequestedObject(msgspec.Struct, frozen=True, kw_only=True):
     words: str = ""
 
 
-class RoomProgram(msgspec.Struct, kw_only=True):
+class RoomProgram(msgspec.Struct, frozen=True, kw_only=True):
     """A room that a floor is to have.
 
     Attributes
@@ -105,7 +105,7 @@ class AreaSummary(msgspec.Struct, frozen=True, kw_only=True):
     notes: str = ""
 
 
-class FloorProgram(msgspec.Struct, kw_only=True):
+class FloorProgram(msgspec.Struct, frozen=True, kw_only=True):
     """One floor: what it is for, its outline and its rooms.
 
     Attributes
@@ -157,7 +157,7 @@ class Downgrade(msgspec.Struct, frozen=True, kw_only=True):
     floor: int | None = None
 
 
-class BuildingProgram(msgspec.Struct, kw_only=True):
+class BuildingProgram(msgspec.Struct, frozen=True, kw_only=True):
     """The program of a whole building, ``B_plan`` of Algorithm 1, line 3."""
 
     building_id: Identifier

@@ -324,7 +324,7 @@ class Discard(msgspec.Struct, frozen=True, kw_only=True):
     reason: str
 
 
-class FloorScene(msgspec.Struct, kw_only=True):
+class FloorScene(msgspec.Struct, frozen=True, kw_only=True):
     """One furnished floor, ``S_i`` of Algorithm 1; the truth that every export is made from.
 
     Attributes

@@ -1,5 +1,6 @@
 """Seed boxes that tile the floor are the layout; boxes that nearly do are moved until every edge holds."""
 
+import msgspec
 import pytest
 
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, ProblemCore, ProblemNode, SeedRange
@@ -58,10 +59,9 @@ def test_boxes_that_miss_an_edge_are_moved_until_it_holds() -> None:
     problem.nodes[0] = node("hall", 10.0, (0.0, 5.0), (0.0, 2.0))
     problem.nodes[1] = node("west", 36.0, (0.0, 6.0), (2.0, 8.0))
     problem.nodes[2] = node("east", 30.0, (5.0, 10.0), (0.0, 8.0))
-    problem.edges = [Edge(source="hall", target=name) for name in ("west", "east")]
-    problem.edges.append(Edge(source="west", target="east"))
-    problem.edges.append(Edge(source="east", target="lift"))
-    layout = solve_floor(problem)
+    pairs = (("hall", "west"), ("hall", "east"), ("west", "east"), ("east", "lift"))
+    edges = [Edge(source=source, target=target) for source, target in pairs]
+    layout = solve_floor(msgspec.structs.replace(problem, edges=edges))
     assert layout.topology_satisfied
 
 

@@ -135,9 +135,9 @@ def test_a_floor_whose_rooms_are_all_usable_says_so() -> None:
 
 def test_fixed_rooms_come_back_unchanged_and_count_for_edges() -> None:
     problem = flat()
-    problem.fixed_rooms = [FixedRoom(id="shop", polygon=box(6, 6, 8, 8))]
-    problem.edges = [*problem.edges, Edge(source="living", target="shop")]
-    layout = solve_floor(problem)
+    shop = FixedRoom(id="shop", polygon=box(6, 6, 8, 8))
+    edges = [*problem.edges, Edge(source="living", target="shop")]
+    layout = solve_floor(msgspec.structs.replace(problem, fixed_rooms=[shop], edges=edges))
     rooms = shapes(layout)
     assert layout.topology_satisfied
     assert rooms["shop"].equals(shapely.box(6, 6, 8, 8))
@@ -161,8 +161,8 @@ def test_a_graph_that_is_not_planar_is_relaxed_adjacent_edges_first() -> None:
 def test_a_core_that_cannot_be_entered_is_named() -> None:
     problem = flat()
     core = ProblemCore(id="s", type="stair", polygon=box(0, 5, 2, 8), door_side="north")
-    problem.cores, problem.edges = [core], [*problem.edges, Edge(source="living", target="s")]
-    layout = solve_floor(problem)
+    edges = [*problem.edges, Edge(source="living", target="s")]
+    layout = solve_floor(msgspec.structs.replace(problem, cores=[core], edges=edges))
     (unmet,) = layout.unmet_edges
     assert {unmet.source, unmet.target} == {"living", "s"}
     assert "north" in unmet.reason
@@ -188,15 +188,15 @@ def test_senseless_problems_are_refused_with_the_place(change: dict[str, object]
 
 def test_seed_boxes_decide_where_rooms_lie() -> None:
     def centre(x: float) -> float:
-        problem = flat()
         rooms = (("bed", x), ("kitchen", 8 - x), ("study", 8 - x))
-        problem.seeds = SeedPlan(
+        seeds = SeedPlan(
             boxes=[
                 SeedBox(room_id=name, x=(at - 1.0, at + 1.0), y=(y - 1.0, y + 1.0))
                 for (name, at), y in zip(rooms, (6.0, 6.0, 2.0))
             ]
         )
-        return float(shapes(solve_floor(problem))["bed"].centroid.x)
+        layout = solve_floor(msgspec.structs.replace(flat(), seeds=seeds))
+        return float(shapes(layout)["bed"].centroid.x)
 
     assert centre(1.5) < 3.5
     assert centre(6.5) > 4.5

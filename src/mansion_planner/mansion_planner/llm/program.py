@@ -2,6 +2,7 @@
 
 import dataclasses
 
+import msgspec
 import numpy as np
 import shapely
 from shapely.geometry import Polygon
@@ -99,7 +100,8 @@ def plan_model_program(context: Context, reference: PlannedBuilding, palette: Pa
             moved = True
     fitted = refit(planned, floors, palette, placed=not moved)
     if len(reader.replaced) < len(floors):
-        fitted.program.reasoning = clean_text(answer.value.reasoning) or fitted.program.reasoning
+        reasoning = clean_text(answer.value.reasoning) or fitted.program.reasoning
+        fitted = dataclasses.replace(fitted, program=msgspec.structs.replace(fitted.program, reasoning=reasoning))
     return fitted, moved
 
 

@@ -3,6 +3,8 @@
 import copy
 from dataclasses import dataclass, replace
 
+import msgspec
+
 from mansion_knowledge import RoomType
 from mansion_msgs_py.program import AreaSummary, CorePlan, FloorProgram, RoomProgram
 from mansion_planner.llm.palette import Palette
@@ -65,10 +67,10 @@ def chosen_of_storey(storey: Storey, hub_area: float) -> ChosenFloor:
 def with_cores(planned: PlannedBuilding, cores: list[CorePlan], method: str, why: str) -> PlannedBuilding:
     """Return the plan with other cores; its sketches then have areas and a graph, but no places."""
     out = copy.copy(planned)
-    out.program = copy.deepcopy(planned.program)
-    out.program.vertical_connectivity.cores = list(cores)
-    out.program.vertical_connectivity.method = method  # type: ignore[assignment]
-    out.program.vertical_connectivity.justification = why
+    connectivity = msgspec.structs.replace(
+        planned.program.vertical_connectivity, cores=list(cores), method=method, justification=why
+    )
+    out.program = msgspec.structs.replace(copy.deepcopy(planned.program), vertical_connectivity=connectivity)
     boxes = tuple(CoreBox(c.id, c.type, (c.x[0], c.y[0], c.x[1], c.y[1])) for c in cores)
     out.massing = replace(planned.massing, cores=boxes)
     return out
@@ -92,7 +94,6 @@ def refit(
     out.decisions = copy.copy(planned.decisions)
     out.decisions.trace = list(planned.decisions.trace)
     out.decisions.downgrades = list(planned.decisions.downgrades)
-    out.program = copy.deepcopy(planned.program)
     out.storeys = [_storey(s, f) for s, f in zip(planned.storeys, floors)]
     out.sketches = {}
     by_index = {storey.index: storey for storey in out.storeys}
@@ -105,10 +106,12 @@ def refit(
             out.sketches[storey.index] = out.sketches[storey.copy]
     walls = bearing_walls([out.sketches[s.index] for s in out.storeys], out.frame)
     chosen = {floor.index: floor for floor in floors}
-    for floor, storey in zip(out.program.floors, out.storeys):
+    filled, program = [], copy.deepcopy(planned.program)
+    for floor, storey in zip(program.floors, out.storeys):
         source = chosen[storey.copy if storey.copy is not None else storey.index]
-        _fill(floor, storey, out, source, palette)
-        floor.structural_walls = list(walls)
+        made = _filled(floor, storey, out, source, palette)
+        filled.append(msgspec.structs.replace(made, structural_walls=list(walls)))
+    out.program = msgspec.structs.replace(program, floors=filled)
     return out
 
 
@@ -150,29 +153,30 @@ def _sketch(planned: PlannedBuilding, storey: Storey, *, placed: bool) -> Sketch
     return sketch_storey(massing, storey, hub, wanted_pairs(decisions))
 
 
-def _fill(floor: FloorProgram, storey: Storey, planned: PlannedBuilding, chosen: ChosenFloor, palette: Palette) -> None:
-    """Write the rooms, with the areas that they have in the sketch, and what that leaves in reserve."""
+def _filled(
+    floor: FloorProgram, storey: Storey, planned: PlannedBuilding, chosen: ChosenFloor, palette: Palette
+) -> FloorProgram:
+    """Return the floor with its rooms, their areas in the sketch, and what that leaves in reserve."""
     sketch, gross = planned.sketches[storey.index], floor.gross_floor_area
     left = gross - sum(placement.area for placement in sketch.rooms)
     reserve = min(max(0.12 * gross, min(0.25 * gross, left - 0.5 * storey.hub.least)), left - 1.0)
     given = {room.id: room for room in chosen.rooms}
     beside = _wished(planned, storey, sketch)
-    floor.rooms = [_room(chosen.hub, storey.hub.name, max(left - reserve, 1.0), palette, "circulation hub")]
-    floor.rooms[0].open_relation = "open"
+    hub = _room(chosen.hub, storey.hub.name, max(left - reserve, 1.0), palette, "circulation hub")
+    rooms = [msgspec.structs.replace(hub, open_relation="open")]
     for placement in sketch.rooms:
         room = given[placement.room.id]
         entry = _room(room, room.id, placement.area, palette, room.notes)
-        entry.adjacent_to = beside.get(room.id, [])
-        floor.rooms.append(entry)
-    total = sum(room.area_estimate for room in floor.rooms)
-    floor.area_summary = AreaSummary(
+        rooms.append(msgspec.structs.replace(entry, adjacent_to=beside.get(room.id, [])))
+    total = sum(room.area_estimate for room in rooms)
+    summary = AreaSummary(
         sum_rooms=round(total, 2),
         reserve_ratio=round(1.0 - total / gross, 4),
         fits_within_gfa=total <= gross,
         notes="the reserve holds cores, corridors and the rest of the hub",
     )
-    floor.copy = storey.copy
-    floor.requirement = chosen.requirement or floor.requirement
+    requirement = chosen.requirement or floor.requirement
+    return msgspec.structs.replace(floor, rooms=rooms, area_summary=summary, copy=storey.copy, requirement=requirement)
 
 
 def _room(room: ChosenRoom, name: str, area: float, palette: Palette, notes: str) -> RoomProgram:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+import msgspec
 import numpy as np
 
 from mansion_knowledge import KnowledgeBase, RoomType
@@ -63,14 +64,15 @@ def plan_program(
     massing, frame, sketches, envelopes = best_arrangement(decisions, wish, storeys, allocation, knowledge)
     assign_furniture(decisions, storeys)
     walls = bearing_walls([sketches[storey.index] for storey in storeys], frame)
+    floors = [
+        floor_program(decisions, storey, sketches[storey.index], envelopes[storey.index], knowledge)
+        for storey in storeys
+    ]
     program = BuildingProgram(
         building_id=building_id,
         reasoning=_reasoning(decisions, area),
         vertical_connectivity=VerticalConnectivity(method=method, cores=_cores(massing, frame), justification=why),
-        floors=[
-            floor_program(decisions, storey, sketches[storey.index], envelopes[storey.index], knowledge)
-            for storey in storeys
-        ],
+        floors=_with_elevations([msgspec.structs.replace(floor, structural_walls=list(walls)) for floor in floors]),
         description=request.description,
         building_type=decisions.building.name,
         style=decisions.style,
@@ -79,9 +81,6 @@ def plan_program(
         downgrades=decisions.downgrades,
         wishes=wishes_of(decisions, knowledge),
     )
-    for floor in program.floors:
-        floor.structural_walls = list(walls)
-    _set_elevations(program)
     note(decisions.trace, None, f"{why}")
     return PlannedBuilding(program, decisions, massing, frame, storeys, sketches, envelopes)
 
@@ -214,14 +213,17 @@ def _cores(massing: Massing, frame: Frame) -> list[CorePlan]:
     return cores
 
 
-def _set_elevations(program: BuildingProgram) -> None:
+def _with_elevations(floors: list[FloorProgram]) -> list[FloorProgram]:
+    """Return the floors with their elevations, upwards and downwards from the ground."""
+    elevations = {}
     level = 0.0
-    for floor in program.floors:
+    for floor in floors:
         if floor.index >= 1:
-            floor.elevation = round(level, 3)
+            elevations[floor.index] = round(level, 3)
             level += floor.height
     level = 0.0
-    for floor in reversed(program.floors):
+    for floor in reversed(floors):
         if floor.index < 1:
             level -= floor.height
-            floor.elevation = round(level, 3)
+            elevations[floor.index] = round(level, 3)
+    return [msgspec.structs.replace(floor, elevation=elevations[floor.index]) for floor in floors]

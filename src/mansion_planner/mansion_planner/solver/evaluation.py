@@ -24,7 +24,7 @@ __all__ = ["TrueProblem", "figures", "run_protocol", "score_plan", "table"]
 SLACK = 1e-3
 
 
-class TrueProblem(FloorProblem, kw_only=True):
+class TrueProblem(FloorProblem, frozen=True, kw_only=True):
     """A floor problem with the plan that it was taken from."""
 
     truth: list[LayoutRoom] = msgspec.field(default_factory=list)
