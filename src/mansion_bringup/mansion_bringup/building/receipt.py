@@ -231,7 +231,7 @@ def _floor_area(wish: Wish, state: _State) -> _Verdict:
     return _met(off <= _AREA, f"a storey has {have:.0f} m2", partly=off <= 2 * _AREA)
 
 
-_TURNS = {"L": "LLLLLR", "U": "LLLLLLRR", "T": "LLLLLRLR", "H": "LLLLRRLLLLRR"}
+_TURNS = {"L": "LLLLLR", "U": "LLLLLLRR", "T": "LLLLRLLR", "H": "LLLLRRLLLLRR"}
 """Left and right turns of an outline that is walked counter-clockwise, from any corner."""
 
 
