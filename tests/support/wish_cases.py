@@ -61,6 +61,8 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("larger bedrooms", _room("bedroom", 2, 25.0), "partly"),
     ("hallway on each storey", _room("hallway", 1, floors=[1, 2], each=True), "met"),
     ("kitchen on each storey", _room("kitchen", 1, floors=[1, 2], each=True), "partly"),
+    ("bedroom with a hallway", _room("hallway", 2, room="bedroom_1", room_type="bedroom"), "met"),
+    ("bedrooms with a hallway", _room("hallway", 2, room="bedroom", room_type="bedroom"), "partly"),
     ("no gym", wish("no_room", WishValue(name="gym", type="gym", unwanted=True)), "met"),
     ("no kitchen", wish("no_room", WishValue(name="kitchen", type="kitchen", unwanted=True)), "not_met"),
     ("no kitchen above", wish("no_room", WishValue(type="kitchen", unwanted=True), Scope(floors=[2])), "met"),

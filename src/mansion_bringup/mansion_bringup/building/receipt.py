@@ -315,6 +315,10 @@ def _room(wish: Wish, state: _State) -> _Verdict:
         return _Verdict("partly", "one room where several are asked for", ids)
     elif wanted is not None and len(rooms) != wanted:
         return _Verdict("partly", f"{len(rooms)} of {wanted}", ids)
+    owners = state.called(wish.scope.room, wish.scope.room_type, floors) if wish.scope.room else []
+    bare = [owner.full_id for owner in owners if not any(state.near(owner, room) for room in rooms)]
+    if bare:
+        return _Verdict("partly", f"{_listed(bare[:3])} has none beside it", ids)
     if value.area is not None:
         close = [room for room in rooms if abs(room.area - value.area) <= _AREA * 1.5 * value.area]
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
