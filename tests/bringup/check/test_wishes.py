@@ -12,6 +12,7 @@ import pytest
 from mansion_bringup.building.receipt import receipt
 from mansion_bringup.check.measures import outline_forms
 from mansion_bringup.check.wishes import check_wishes
+from mansion_bringup.cli.edit import open_editor
 from mansion_bringup.edit_hooks import records
 from mansion_bringup.pipeline.build import build_building
 from mansion_bringup.verify import verify_building
@@ -127,6 +128,17 @@ def test_records_are_derived_anew_after_an_edit(house: Path) -> None:
     for kind, name in ((Building, "building.json"), (BuildingReport, "report.json")):
         wishes = msgspec.json.decode((house / name).read_bytes(), type=kind).wishes
         assert statuses(wishes)["a sofa"] == "not_met"
+    assert of_wishes(house) == set()
+
+
+def test_an_edit_and_its_undoing_settle_the_wishes_anew(house: Path) -> None:
+    (sofa,) = [wish.objects[0] for wish in BuildingFolder(house).building.wishes if wish.text == "a sofa"]
+    editor = open_editor(house, physics="static", who="ann")
+    editor.call("RemoveObject", {"object_id": sofa})
+    assert statuses(BuildingFolder(house).building.wishes)["a sofa"] != "met"
+    assert of_wishes(house) == set()
+    editor.store.undo("ann")
+    assert statuses(BuildingFolder(house).building.wishes)["a sofa"] == "met"
     assert of_wishes(house) == set()
 
 
