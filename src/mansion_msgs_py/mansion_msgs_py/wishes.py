@@ -49,9 +49,9 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     other : str
         The second room of a relation.
     count : int, optional
-        How many; at least one where absent.
+        How many; where absent, several rooms or objects, and at least one stair or lift.
     area, height : float, optional
-        Square metres of each; metres.
+        Square metres, of each where there are several; metres.
     unwanted : bool
         None of it is wanted.
     """

@@ -231,7 +231,7 @@ def _floor_area(wish: Wish, state: _State) -> _Verdict:
     return _met(off <= _AREA, f"a storey has {have:.0f} m2", partly=off <= 2 * _AREA)
 
 
-_TURNS = {"L": "LLLLLR", "U": "LLLLLLRR", "T": "LLLLLRLR", "H": "LLLLRRLLLLRR"}
+_TURNS = {"L": "LLLLLR", "U": "LLLLLLRR", "T": "LLLLRLLR", "H": "LLLLRRLLLLRR"}
 """Left and right turns of an outline that is walked counter-clockwise, from any corner."""
 
 
@@ -315,6 +315,10 @@ def _room(wish: Wish, state: _State) -> _Verdict:
         return _Verdict("partly", "one room where several are asked for", ids)
     elif wanted is not None and len(rooms) != wanted:
         return _Verdict("partly", f"{len(rooms)} of {wanted}", ids)
+    owners = state.called(wish.scope.room, wish.scope.room_type, floors) if wish.scope.room else []
+    bare = [owner.full_id for owner in owners if not any(state.near(owner, room) for room in rooms)]
+    if bare:
+        return _Verdict("partly", f"{_listed(bare[:3])} has none beside it", ids)
     if value.area is not None:
         close = [room for room in rooms if abs(room.area - value.area) <= _AREA * 1.5 * value.area]
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):

@@ -190,7 +190,7 @@ def _gross(scene: FloorScene) -> float:
 
 
 def _near(area: float, wanted: float | None) -> bool:
-    return wanted is not None and abs(area - wanted) <= AREA_TOLERANCE * wanted + 0.05
+    return wanted is not None and abs(area - wanted) <= AREA_TOLERANCE * wanted + 1e-6
 
 
 def _outline(wish: Wish, finished: _Finished) -> str:
@@ -245,10 +245,14 @@ def _room(wish: Wish, finished: _Finished) -> str:
             return "there is one"
         if len(numbers) == len(alike) and len(rooms) != sum(numbers):
             return f"there are {len(rooms)}"
+    if wish.scope.room:
+        for owner_floor, owner in finished.meant(wish.scope.room, wish.scope.room_type, floors):
+            if not any(owner_floor == floor and _side_by_side(owner, room) for floor, room in rooms):
+                return f"{owner.id} has none of its own"
     if value.area is None:
         return ""
     wanted = value.area
-    fitting = sum(abs(room.area - wanted) <= ROOM_TOLERANCE * wanted + 0.005 for _, room in rooms)
+    fitting = sum(abs(room.area - wanted) <= ROOM_TOLERANCE * wanted + 1e-6 for _, room in rooms)
     needed = (value.count or 1) * (len(floors) if wish.scope.each and floors else 1) if len(alike) > 1 else len(rooms)
     return "" if fitting >= min(needed, len(rooms)) else f"{fitting} of {len(rooms)} have that area"
 
@@ -275,8 +279,12 @@ def _sides(wish: Wish, finished: _Finished) -> list[str]:
         first.id
         for floor, first in finished.meant(value.name, value.type)
         for other_floor, second in finished.meant(value.other, value.other_type)
-        if floor == other_floor and first.id != second.id and shared_wall(first, second) >= NEIGHBOURS
+        if floor == other_floor and _side_by_side(first, second)
     ]
+
+
+def _side_by_side(first: SceneRoom, second: SceneRoom) -> bool:
+    return first.id != second.id and shared_wall(first, second) >= NEIGHBOURS
 
 
 def _object(wish: Wish, finished: _Finished) -> str:
