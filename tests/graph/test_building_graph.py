@@ -17,7 +17,7 @@ from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.interfaces import topic
 from mansion_msgs_py.nodes.shell import JsonPublisher
-from mansion_msgs_py.request import BuildRequest
+from mansion_msgs_py.request import BuildRequest, Footprint
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import Progress
 
@@ -162,6 +162,10 @@ def test_the_robot_rides_the_lift_through_services(client: MansionClient, tmp_pa
 
 
 def test_a_large_payload_crosses_whole(client: MansionClient) -> None:
-    description = "a small flat " + "with white walls " * 6000
-    reply = client.call("plan_program", BuildRequest(description=description))
+    # Points on the edges of a rectangle: a hundred thousand characters that say no more than its corners.
+    sides = [(x / 1000, 0.0) for x in range(0, 12000, 2)] + [(12.0, y / 1000) for y in range(0, 8000, 2)]
+    footprint = Footprint(boundary=[*sides, (12.0, 8.0), (0.0, 8.0)])
+    request = BuildRequest(description="a small flat", footprint=footprint)
+    assert len(encode(request)) > 100_000
+    reply = client.call("plan_program", request)
     assert len(encode(reply)) > 1000

@@ -162,11 +162,27 @@ def floor_program(
         rooms=rooms,
         area_summary=summary,
         label="G" if storey.index == 1 and decisions.floors > 1 else _label(storey.index),
-        height=min(max(storey.use.height, 3.0), 4.2),
+        height=_storey_height(decisions, storey),
         outline=envelope.outline,
         holes=envelope.holes,
         copy=storey.copy,
     )
+
+
+_SLAB = 0.25
+"""Metres of a storey's height that the slab takes; the rest is the clear height."""
+
+_HEIGHTS = (2.65, 4.2)
+"""Least and greatest height of a storey that stairs of one flight pair reach, metres."""
+
+
+def _storey_height(decisions: Decisions, storey: Storey) -> float:
+    """Return the height of a storey: for the ceilings that the brief wants there, or as is usual for its use."""
+    kinds = {room.kind.name for top in storey.rooms for room in top.each()}
+    wished = [fact.height for fact in decisions.facts.heights if not fact.room_type or fact.room_type in kinds]
+    if wished:
+        return round(min(max(max(wished) + _SLAB, _HEIGHTS[0]), _HEIGHTS[1]), 3)
+    return min(max(storey.use.height, 3.0), _HEIGHTS[1])
 
 
 def _reserve_notes(ratio: float) -> str:
