@@ -106,3 +106,12 @@ def test_the_table_has_a_row_for_each_node_and_the_trace_quotes_the_brief() -> N
     assert len(table.rows) == sum(len(topology.nodes) for topology in reply.topologies)
     assert any(line.startswith('"two-storey" -> 2 storeys') for line in table.trace)
     assert any('"sauna"' in line for line in table.trace)
+
+
+def test_a_floor_whose_wishes_the_sketch_misses_has_a_problem_to_fall_back_to() -> None:
+    brief = "A depot on two floors. Ground floor: a maintenance hall of 450 m2, a wash bay and a store next to the hall."
+    reply = plan_building(BuildRequest(description=brief))
+    fallbacks = [problem for problem in reply.fallbacks if problem is not None]
+    assert fallbacks
+    for problem in fallbacks:
+        assert all(edge.kind != "access" for edge in solve_floor(problem).unmet_edges)

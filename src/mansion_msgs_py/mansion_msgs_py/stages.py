@@ -24,6 +24,9 @@ class PlanReply(msgspec.Struct, frozen=True, kw_only=True):
         empty for the offline planner.
     llm : LlmUsage, optional
         What the language model took.
+    fallbacks : list of FloorProblem or None
+        By floor, a problem that is known to be solvable, for a floor whose own one keeps rooms from being reached;
+        empty where no floor has one.
     """
 
     program: BuildingProgram
@@ -31,6 +34,7 @@ class PlanReply(msgspec.Struct, frozen=True, kw_only=True):
     problems: list[FloorProblem]
     sources: dict[str, str] = {}
     llm: LlmUsage | None = None
+    fallbacks: list[FloorProblem | None] = []
 
 
 class FurnishRequest(msgspec.Struct, frozen=True, kw_only=True):

@@ -10,7 +10,7 @@ from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_msgs_py.stages import PlanReply
 from mansion_planner.brief import BriefFacts, read_brief
 from mansion_planner.program.building import plan_program
-from mansion_planner.topology import floor_problem, floor_topology
+from mansion_planner.topology import fallback_problem, floor_problem, floor_topology
 
 __all__ = ["plan_building"]
 
@@ -106,4 +106,7 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
     problems = [
         floor_problem(planned, storey, topology, request.seed) for storey, topology in zip(planned.storeys, topologies)
     ]
-    return PlanReply(program=planned.program, topologies=topologies, problems=problems)
+    fallbacks = [fallback_problem(problem, planned, storey) for problem, storey in zip(problems, planned.storeys)]
+    return PlanReply(
+        program=planned.program, topologies=topologies, problems=problems, fallbacks=fallbacks if any(fallbacks) else []
+    )

@@ -1,12 +1,14 @@
 """From the program of a floor to its room graph (schema of Fig. 24) and its solver problem."""
 
+import msgspec
+
 from mansion_knowledge import KnowledgeBase
 from mansion_msgs_py.layout import FloorProblem, ProblemCore, ProblemNode, SeedRange
 from mansion_msgs_py.topology import Edge, FloorTopology, TopologyNode
 from mansion_planner.program.building import PlannedBuilding, materials_of
 from mansion_planner.program.model import Box, Storey, box_area
 
-__all__ = ["ACCESS_WALL", "floor_problem", "floor_topology"]
+__all__ = ["ACCESS_WALL", "fallback_problem", "floor_problem", "floor_topology"]
 
 
 def floor_topology(planned: PlannedBuilding, storey: Storey, knowledge: KnowledgeBase) -> FloorTopology:
@@ -98,6 +100,27 @@ def floor_problem(planned: PlannedBuilding, storey: Storey, topology: FloorTopol
         structural_walls=floor.structural_walls, plan_id=f"{planned.program.building_id}/F{storey.index}",
         min_access_wall=ACCESS_WALL, building_id=planned.program.building_id, floor=storey.index, seed=seed,
     )  # fmt: skip
+
+
+def fallback_problem(problem: FloorProblem, planned: PlannedBuilding, storey: Storey) -> FloorProblem | None:
+    """Return the problem of a loose sketch with the places that it was made from; none where the sketch has places.
+
+    It misses stated areas or wished neighbours, but its access edges are known to hold.
+    """
+    sketch = planned.sketches[storey.index].placed
+    if sketch is None:
+        return None
+    boxes: dict[str, list[Box]] = {corridor.id: corridor.boxes for corridor in sketch.corridors}
+    boxes |= {placement.room.id: placement.boxes for placement in sketch.rooms}
+    areas = {corridor.id: corridor.area for corridor in sketch.corridors}
+    areas |= {placement.room.id: placement.area for placement in sketch.rooms}
+    nodes = []
+    for node in problem.nodes:
+        shape = [planned.frame.area_box(box) for box in boxes.get(node.id, [])]
+        area = round(areas.get(node.id, node.area or 1.0), 3)
+        nodes.append(msgspec.structs.replace(node, area=area, seed=_centroid(shape), seed_box=_bounds(shape)))
+    edges = [edge for edge in problem.edges if edge.kind == "access"]
+    return msgspec.structs.replace(problem, nodes=nodes, edges=edges)
 
 
 def _centroid(boxes: list[Box]) -> tuple[float, float] | None:

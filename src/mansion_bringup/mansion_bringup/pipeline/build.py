@@ -264,7 +264,11 @@ def distinct_floors(plan: PlanReply) -> list[int]:
 def solve(stages: Stages, plan: PlanReply, index: int) -> FloorLayout:
     """Lay out the floor at position `index` (Algorithm 1, line 8)."""
     floor = plan.program.floors[index].index
-    return at_stage(f"solve_floor (floor {floor})", lambda: stages.solve(plan.problems[index]))
+    layout = at_stage(f"solve_floor (floor {floor})", lambda: stages.solve(plan.problems[index]))
+    fallback = plan.fallbacks[index] if plan.fallbacks else None
+    if fallback is None or all(edge.kind != "access" for edge in layout.unmet_edges):
+        return layout
+    return at_stage(f"solve_floor (floor {floor})", lambda: stages.solve(fallback))
 
 
 def furnish(stages: Stages, plan: PlanReply, layout: FloorLayout, index: int) -> FloorScene:

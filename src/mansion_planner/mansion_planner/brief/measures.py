@@ -96,6 +96,19 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
         if target is not None:
             result[target] = replace(result[target], areas=result[target].areas + measure.values)
             continue
+        if len(measure.values) > 1:
+            several = [
+                n
+                for n, p in enumerate(result)
+                if p.last <= measure.first
+                and p.head == "room"
+                and p.plural
+                and reading.sentence[p.first] == reading.sentence[measure.first]
+                and not p.areas
+            ]
+            if several:
+                result[several[-1]] = replace(result[several[-1]], areas=measure.values)
+            continue
         fact = Quantity(measure.values[0], reading.span(measure.first, measure.last))
         if _of_storey(reading, measure):
             reading.facts.floor_area.append(fact)

@@ -67,7 +67,10 @@ _PEOPLE = frozenset(
     people person resident occupant pupil student child employee worker guest patient adult inhabitant staff teacher
     kid user visitor elderly tenant inmate firefighter officer diner roommate friend colleague developer lodger
     brother sister member player nun monk soldier crew engineer worshipper customer client artist family household
-    passenger traveller commuter donor drummer dancer musician nurse doctor
+    passenger traveller commuter donor drummer dancer musician nurse doctor consultant lawyer architect agent
+    analyst programmer designer journalist trader operator researcher scientist professor lecturer cleaner waiter
+    midwife therapist pilot driver clerk trainee apprentice intern volunteer swimmer climber viewer spectator
+    delegate
     """.split()
 )
 _STAIRS = frozenset({"stair", "staircase", "stairwell", "stairway", "stairs"})
@@ -326,6 +329,8 @@ def _listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: l
         if not opens or not (joined or begin - 1 in reading.taken) or reading.word(end) not in _LIST_ENDS:
             continue
         words = reading.words(begin, end)
+        if counted and reading.plural(end - 1) and words[-1].endswith(("er", "or", "ist", "ant", "ian", "eer")):
+            continue  # "30 consultants" are people
         if any(word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS for word in words[-1:]):
             continue
         bare = before in (",", "and", "&", "|") and not counted

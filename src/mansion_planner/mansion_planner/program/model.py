@@ -241,6 +241,8 @@ class Sketch:
     ----------
     loose : bool
         Rooms have areas and a room graph, and no places: the floor solver finds them.
+    placed : Sketch, optional
+        Of a loose sketch, the one with places that it was made from: a layout that certainly exists.
     bearing : dict of float to list of (float, float)
         Stretches along x, by their y, where both sides of the main corridor are walls.
     """
@@ -249,6 +251,7 @@ class Sketch:
     rooms: list[Placement]
     core_parent: dict[str, str] = field(default_factory=dict)
     loose: bool = False
+    placed: "Sketch | None" = None
     bearing: dict[float, list[tuple[float, float]]] = field(default_factory=dict)
 
 
@@ -273,6 +276,7 @@ def loosened(sketch: Sketch) -> Sketch:
         [Placement(p.room, [], p.parent, given=_given(p.room, scale)) for p in sketch.rooms],
         dict(sketch.core_parent),
         loose=True,
+        placed=sketch,
     )
 
 
