@@ -66,7 +66,8 @@ def test_a_kind_of_building_that_something_known_stands_in_for_is_met_in_part() 
 def test_one_high_room_does_not_make_high_ceilings() -> None:
     floors = scenes()
     rooms = floors[0].rooms
-    floors[0].rooms = [msgspec.structs.replace(rooms[0], ceiling_height=3.5), *rooms[1:]]
+    high = [msgspec.structs.replace(rooms[0], ceiling_height=3.5), *rooms[1:]]
+    floors[0] = msgspec.structs.replace(floors[0], rooms=high)
     assert settled(wish("height", WishValue(height=3.5)), floors).status == "partly"
 
 
@@ -77,7 +78,7 @@ def test_rooms_around_a_corner_share_no_wall_for_a_door() -> None:
     by_id = {room.id: room for room in floors[0].rooms}
     by_id["F1/kitchen"] = msgspec.structs.replace(by_id["F1/kitchen"], polygon=bent)
     larder = msgspec.structs.replace(by_id["F1/kitchen"], id="F1/larder", room_type="larder", polygon=small)
-    floors[0].rooms = [*by_id.values(), larder]
+    floors[0] = msgspec.structs.replace(floors[0], rooms=[*by_id.values(), larder])
     asked = wish("adjacent", WishValue(name="larder", type="larder", other="kitchen", other_type="kitchen"))
     assert settled(asked, floors).status == "not_met"
 
@@ -85,7 +86,7 @@ def test_rooms_around_a_corner_share_no_wall_for_a_door() -> None:
 def test_storeys_that_repeat_each_other_are_copies() -> None:
     asked = wish("copy", WishValue(), Scope(floors=[1, 2]))
     plan = program([asked])
-    plan.floors[1].copy = 1
+    plan.floors[1] = msgspec.structs.replace(plan.floors[1], copy=1)
     assert receipt([asked], plan, scenes())[0].status == "met"
 
 

@@ -22,7 +22,7 @@ def facts(world: World, robot: RobotBody) -> list[object]:
 
 
 @pytest.mark.parametrize("task", [mug_task(), apple_task()], ids=lambda task: task.id)
-def test_a_mirror_follows_the_oracle(building: Path, task: Task) -> None:
+def test_a_replica_follows_the_oracle(building: Path, task: Task) -> None:
     with episode_folder(building, task.start) as folder:
         port = LocalPort()
         port.load(folder)
@@ -35,7 +35,7 @@ def test_a_mirror_follows_the_oracle(building: Path, task: Task) -> None:
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_a_mirror_follows_chance(building: Path, seed: int) -> None:
+def test_a_replica_follows_chance(building: Path, seed: int) -> None:
     with episode_folder(building) as folder:
         port, agent = LocalPort(), RandomAgent()
         port.load(folder)
