@@ -1,11 +1,12 @@
 """What the brief asks for in a room: what is short of it, how it is tried again, and what is told in the end."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Literal
 
 import msgspec
 
 from mansion_assets.catalogue import Asset, Catalogue, HangRequest, RoomFurnishing, RugRequest
-from mansion_assets.catalogue.kinds import added_for, answers, pieces
+from mansion_assets.catalogue.kinds import added_for, answers, pieces, stand_ins
 from mansion_assets.catalogue.requested import is_rug
 from mansion_geometry.randomness import item_generator
 from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacementObject, SingleStructure
@@ -20,12 +21,16 @@ __all__ = [
     "not_met",
     "placeable",
     "shortage",
+    "with_displaced",
     "with_extra",
     "with_usual",
 ]
 
 PART = "__part"
 """Ends the name of the second half of a broken matrix."""
+
+_HIGH = 2.3
+"""Upper edge of what is hung over furniture because no lower stretch of wall is free, metres."""
 
 _MOST_SMALL = 300
 """Most small things of a kind that a room gets on request."""
@@ -108,25 +113,57 @@ class Extra(msgspec.Struct, frozen=True, kw_only=True):
     small: tuple[Asset, ...] = ()
 
 
-def extra_wishes(catalogue: Catalogue, short: Mapping[str, int], *, seed: int, room_id: str, smallest: bool) -> Extra:
-    """Return what would make up for a shortage; `smallest` takes the assets that need least space."""
+def extra_wishes(
+    catalogue: Catalogue, short: Mapping[str, int], left: Mapping[str, int], *, seed: int, room_id: str, trial: int
+) -> Extra:
+    """Return what would make up for a shortage.
+
+    Parameters
+    ----------
+    left : mapping of str to int
+        What the trial before could not place.
+    trial : int
+        0 draws the assets; 1 takes those that need least space, of stand-ins too for small things; 2 hangs what is
+        left high.
+    """
     hung, rugs, small = list[HangRequest](), list[RugRequest](), list[Asset]()
     for requested, number in short.items():
-        category = added_for(requested)
-        assets = sorted(catalogue.by_category(category), key=lambda a: (a.size[0] * max(a.size[1], a.size[2]), a.key))
-        if not assets:
+        order = _assets_for(catalogue, requested, seed=seed, room_id=room_id, trial=trial)
+        if not order:
             continue
-        drawn = item_generator(seed, "asked", room_id, category).permutation(len(assets))
-        order = assets if smallest else [assets[int(i)] for i in drawn]
         first = order[0]
         if is_rug(first):
             rugs.append(RugRequest(assets=tuple(order), count=number))
         elif first.mount == "surface":
-            several = order[:1] if smallest else order
+            several = order[:1] if trial else order
             small += [several[k % len(several)] for k in range(min(number, _MOST_SMALL))]
         elif first.mount != "floor":
-            hung.append(HangRequest(asset=first, count=number, place="spread" if first.mount == "ceiling" else "free"))
+            place: Literal["spread", "free"] = "spread" if first.mount == "ceiling" else "free"
+            high = min(left.get(requested, 0), number) if trial == 2 else 0
+            levels = ((number - high, None), (high, _HIGH - first.size[2] / 2))
+            hung += [HangRequest(asset=first, count=n, place=place, height=height) for n, height in levels if n]
     return Extra(hung=tuple(hung), rugs=tuple(rugs), small=tuple(small))
+
+
+def with_displaced(catalogue: Catalogue, wanted: Mapping[str, int], left: Mapping[str, int]) -> dict[str, int]:
+    """Return what to put down next: what was wanted, with the small things that took the places of like ones."""
+
+    def small(category: str) -> bool:
+        return any(asset.mount == "surface" for asset in catalogue.by_category(added_for(category))[:1])
+
+    return {category: n + (left.get(category, 0) if small(category) else 0) for category, n in wanted.items()}
+
+
+def _assets_for(catalogue: Catalogue, requested: str, *, seed: int, room_id: str, trial: int) -> list[Asset]:
+    """Return assets that answer a request, in the order in which they are tried."""
+    category = added_for(requested)
+    assets = list(catalogue.by_category(category))
+    if not trial:
+        drawn = item_generator(seed, "asked", room_id, category).permutation(len(assets))
+        return [assets[int(i)] for i in drawn]
+    if assets and assets[0].mount == "surface":
+        assets += [a for a in catalogue.choose_from(stand_ins(requested)) if a.mount == "surface"]
+    return sorted(assets, key=lambda a: (a.size[0] * max(a.size[1], a.size[2]), a.key))
 
 
 def with_extra(wishes: RoomFurnishing, extra: Extra, asked: Iterable[str], *, alone: bool) -> RoomFurnishing:

@@ -25,6 +25,7 @@ from mansion_scene.requested_objects import (
     not_met,
     placeable,
     shortage,
+    with_displaced,
     with_extra,
     with_usual,
 )
@@ -218,17 +219,17 @@ class RoomFurnisher:
         standing = [self._catalogue.asset(o.asset) for o in placed]
         small = self._decorated(room, net, wishes, placed)
         short = shortage(counts, [*standing, *(self._catalogue.asset(o.asset) for o in small)])
-        wanted = dict(short)
-        for last in (False, True):
+        wanted = short
+        for trial in range(3):
             if not short:
                 break
-            extra = extra_wishes(self._catalogue, wanted, seed=self._seed, room_id=room.id, smallest=last)
-            further = with_extra(wishes, extra, counts, alone=last)
+            extra = extra_wishes(self._catalogue, wanted, short, seed=self._seed, room_id=room.id, trial=trial)
+            further = with_extra(wishes, extra, counts, alone=trial == 2)
             again = self._decorated(room, net, further, placed, extra.small)
             left = shortage(counts, [*standing, *(self._catalogue.asset(o.asset) for o in again)])
             if sum(left.values()) < sum(short.values()):
                 small, short = again, left
-            wanted = {category: wanted.get(category, 0) + number for category, number in left.items()}
+            wanted = with_displaced(self._catalogue, wanted, left)
         unwanted = [category for category, number in counts.items() if not number]
         return [o for o in small if not any(answers(category, o.category) for category in unwanted)], short
 

@@ -159,13 +159,20 @@ class _Program:
             if item is not None:
                 self._raise(item, category, count)
                 return
-            if self._hang(names, category, count) or self._laid(names):
+            if self._hang(names, category, count):
+                return
+            small = self._laid(names)
+            if small:
+                self._support(small)
                 return
         self._add(added_for(category), category, count)
 
     def finished(self) -> AskedProgram:
-        first = [item for name, item in self._floor.items() if name in self._first]
-        rest = [item for name, item in self._floor.items() if name not in self._first]
+        early = set(self._first)
+        for _ in self._floor:
+            early |= {_counted_by(self._floor[name]) for name in early} & self._floor.keys()
+        first = [item for name, item in self._floor.items() if name in early]
+        rest = [item for name, item in self._floor.items() if name not in early]
         card = msgspec.structs.replace(
             self._card,
             floor=(*_hosts_first(first), *rest),
@@ -258,16 +265,12 @@ class _Program:
                 return True
         return False
 
-    def _laid(self, names: Sequence[str]) -> bool:
-        """Tell whether such small things lie on furniture that every such room has."""
-        certain = {
-            c for i in self._floor.values() if i.p >= 1.0 and i.min_area <= self._area for c in _names(i.category)
-        }
-        return any(
-            not certain.isdisjoint(arrangement.on)
-            for arrangement in self._catalogue.arrangements.values()
-            if not set(names).isdisjoint(laid_categories(arrangement))
-        )
+    def _laid(self, names: Sequence[str]) -> str:
+        """Return the category of `names` that usually lies on furniture that every such room has; empty for none."""
+        floor = [i for i in self._floor.values() if i.p >= 1.0 and i.min_area <= self._area]
+        certain = {name for item in floor for name in _names(item.category)}
+        near = [a for a in self._catalogue.arrangements.values() if not certain.isdisjoint(a.on)]
+        return next((name for name in names if any(name in laid_categories(a) for a in near)), "")
 
     def _add(self, added: str, category: str, count: int) -> None:
         """Give the room what its type does not have."""
@@ -359,8 +362,12 @@ def _hosts_first(items: Sequence[Item]) -> list[Item]:
 
 
 def _needs(item: Item) -> set[str]:
-    each = "" if isinstance(item.count, int) else item.count.each
-    return {item.paired, each, *(relation.target for relation in item.relative)} - {""}
+    return {item.paired, _counted_by(item), *(relation.target for relation in item.relative)} - {""}
+
+
+def _counted_by(item: Item) -> str:
+    """Return the item whose copies decide how many this one has; empty where none does."""
+    return "" if isinstance(item.count, int) else item.count.each
 
 
 def _model_item(catalogue: Catalogue, category: str) -> Item:
