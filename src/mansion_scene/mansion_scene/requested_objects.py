@@ -124,7 +124,7 @@ def extra_wishes(
         What the trial before could not place.
     trial : int
         0 draws the assets; 1 takes those that need least space, of stand-ins too for small things; 2 hangs what is
-        left high.
+        left high, and lays rugs below furniture.
     """
     hung, rugs, small = list[HangRequest](), list[RugRequest](), list[Asset]()
     for requested, number in short.items():
@@ -133,7 +133,7 @@ def extra_wishes(
             continue
         first = order[0]
         if is_rug(first):
-            rugs.append(RugRequest(assets=tuple(order), count=number))
+            rugs.append(RugRequest(assets=tuple(order), count=number, free=trial < 2))
         elif first.mount == "surface":
             several = order[:1] if trial else order
             small += [several[k % len(several)] for k in range(min(number, _MOST_SMALL))]

@@ -47,12 +47,19 @@ class HangRequest(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class RugRequest(msgspec.Struct, frozen=True, kw_only=True):
-    """A rug below the floor object named (or of the category) `under`; the first asset that fits."""
+    """A rug below the floor object named (or of the category) `under`; the first asset that fits.
+
+    Attributes
+    ----------
+    free : bool
+        Whether a rug below nothing takes only floor on which nothing stands.
+    """
 
     assets: tuple[Asset, ...]
     under: str = ""
     margin: float = 0.4
     count: int = 1
+    free: bool = True
 
 
 class RoomFurnishing(msgspec.Struct, frozen=True, kw_only=True):

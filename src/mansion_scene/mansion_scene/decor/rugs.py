@@ -46,7 +46,7 @@ def rugs(
                 shape = footprint_at(center, asset.size, rotation)
                 if not room.contains(shape) or any(shape.intersects(other) for other in shapes):
                     continue
-                if free and len(tree.query(shape, predicate="intersects")):
+                if free and request.free and len(tree.query(shape, predicate="intersects")):
                     continue
                 shapes.append(shape)
                 position = (center[0], center[1], asset.size[2] / 2)
