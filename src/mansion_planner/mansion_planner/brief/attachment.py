@@ -8,9 +8,8 @@ noun ("a ground-floor cafeteria") to that noun alone.
 from dataclasses import dataclass
 
 from mansion_planner.brief.facts import FloorRef
-from mansion_planner.brief.noun_phrases import Phrase
-from mansion_planner.brief.reading import Reading
-from mansion_planner.brief.storeys import Place
+from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.reading import Place, Reading
 
 __all__ = ["Attachment", "attach_storeys"]
 
@@ -25,12 +24,6 @@ _GLUE = frozenset(
 _OPENERS = frozenset(
     """
     , and while but : ( where then - – | with plus whereas also finally
-    """.split()
-)
-_VERBS = frozenset(
-    """
-    has have contain hold house include : host feature is are comprise offer should must provide accommodate consist
-    there will – = housing containing get need want carry also itself take serve share for being
     """.split()
 )
 _JOINTS = frozenset(

@@ -1,8 +1,7 @@
 """Find which noun phrase of a brief names the building itself."""
 
-from mansion_planner.brief.noun_phrases import Phrase
-from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.storeys import Place
+from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
 __all__ = ["building_phrase", "unknown_building"]
 
@@ -22,7 +21,6 @@ _WISHES = frozenset(
     needing buy get
     """.split()
 )
-_ALWAYS_ROOMS = frozenset({"private_office"})
 
 
 def building_phrase(reading: Reading, phrases: list[Phrase], places: list[Place]) -> int | None:

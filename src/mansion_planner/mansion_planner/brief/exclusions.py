@@ -1,9 +1,9 @@
 """Read what a brief does not want, and how far a negation reaches: "no gym or sauna", "no bedroom downstairs"."""
 
-from mansion_planner.brief.noun_phrases import FUNCTION_WORDS, Phrase
+from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["negated_phrases"]
+__all__ = ["negated_phrases", "read_completeness"]
 
 _BEFORE = frozenset(
     """
@@ -178,3 +178,19 @@ def _goes_on(reading: Reading, phrases: list[Phrase], starts: dict[int, int], in
         return False
     after = phrases[number].last
     return phrases[number].first == phrases[number].begin and reading.word(after) in ("or", "nor", ",")
+
+
+def read_completeness(reading: Reading) -> None:
+    """Read "nothing else", "no other rooms", "are the only other spaces"."""
+    for index in range(len(reading.tokens) - 1):
+        pair = reading.words(index, index + 2)
+        only = pair == ("nothing", "else") or (
+            pair == ("only", "other") and reading.word(index + 2) in ("room", "space")
+        )
+        if (
+            only
+            or (pair == ("no", "other") and reading.word(index + 2) in ("room", "space"))
+            or pair == ("nothing", "besides")
+        ):
+            reading.facts.only.append(reading.span(index, index + 2))
+            reading.take(index, index + 3)

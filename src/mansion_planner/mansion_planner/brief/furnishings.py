@@ -2,7 +2,7 @@
 
 from mansion_planner.brief.attachment import Attachment
 from mansion_planner.brief.facts import ObjectFact
-from mansion_planner.brief.noun_phrases import Phrase
+from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
 __all__ = ["read_furnishings"]

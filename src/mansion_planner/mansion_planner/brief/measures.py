@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from mansion_language.units import AREA, LENGTH
 from mansion_planner.brief.facts import HeightFact, Quantity
-from mansion_planner.brief.noun_phrases import Phrase
+from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 
 __all__ = ["Measure", "find_measures", "give_measures", "read_heights"]

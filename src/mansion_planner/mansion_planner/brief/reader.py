@@ -11,16 +11,18 @@ from dataclasses import replace
 from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.attachment import Attachment, attach_storeys
 from mansion_planner.brief.building import building_phrase, unknown_building
-from mansion_planner.brief.exclusions import negated_phrases
+from mansion_planner.brief.coreference import coreferences
+from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity, RoomFact, Span, UseFact
 from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.furnishings import read_furnishings
 from mansion_planner.brief.measures import Measure, find_measures, give_measures, read_heights
-from mansion_planner.brief.noun_phrases import FUNCTION_WORDS, PLAIN, Phrase, noun_phrases
-from mansion_planner.brief.reading import FLOOR_WORDS, Reading, start_reading
+from mansion_planner.brief.noun_phrases import noun_phrases
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
+from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.stacking import read_stacking
-from mansion_planner.brief.storeys import Place, read_storeys
+from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.wishes import read_copies, read_massing, read_shape, read_sizes
 
 __all__ = ["read_brief"]
@@ -70,7 +72,6 @@ class _Reader:
         """Read everything that noun phrases are part of."""
         reading = self.reading
         self.shared: set[int] = set()
-        self.groups: dict[int, list[int]] = {}
         self._bedrooms_of_adverts()
         phrases = noun_phrases(reading)
         stacked = read_stacking(reading, phrases)
@@ -86,7 +87,7 @@ class _Reader:
         for number, phrase in enumerate(self.phrases):
             if phrase.first in self.shared and number in self.attached:
                 self.attached[number] = Attachment(self.attached[number].refs)
-        self.same = self._coreferences()
+        self.same, self.groups = coreferences(reading, self.phrases, self._wanted_rooms(), self.relations)
         self._multiply()
         self.suites = self._suites()
         self._occupants()
@@ -94,7 +95,7 @@ class _Reader:
         self.facts.objects += read_furnishings(reading, self.phrases, self.attached, self.negated, self.same)
         self._rooms()
         self._relations()
-        self._only()
+        read_completeness(reading)
         self.facts.excluded.sort(key=lambda entry: entry[1].end)
         for index, token in enumerate(reading.tokens):
             if (
@@ -287,96 +288,13 @@ class _Reader:
                     self.phrases[number] = replace(phrase, count=counts[subject], counted=True)
             reading.take(index, index + 2)
 
-    def _coreferences(self) -> dict[int, int]:
-        """Return the phrases that only speak of a room named elsewhere, and which one they mean."""
-        same: dict[int, int] = {}
-        rooms = [
+    def _wanted_rooms(self) -> list[int]:
+        """Return the phrases that name rooms of the building."""
+        return [
             n
             for n, p in enumerate(self.phrases)
             if p.head in ("room", "building") and n != self.building and n not in self.negated
         ]
-        operands = {n for r in self.relations for n in (*r.rights,)}
-        lefts = {n for r in self.relations for n in r.lefts}
-        for number in rooms:
-            phrase = self.phrases[number]
-            definite = phrase.determiner in (
-                "per",
-                "the",
-                "this",
-                "that",
-                "each",
-                "every",
-                "both",
-                "either",
-                "any",
-                "these",
-                "those",
-                "its",
-                "all",
-            )
-            topical = (
-                self.reading.word(phrase.last) in ("should", "must", "is", "are", "shall", "has", "need")
-                and not phrase.counted
-            )
-            if phrase.counted and phrase.determiner not in ("the", "both", "these", "those", "all"):
-                continue
-            group = self._group(number, rooms)
-            if group:
-                self.groups[number] = group
-                same[number] = group[-1]
-                continue
-            if not (
-                definite
-                or number in operands
-                or ((number in lefts or topical) and phrase.determiner not in ("a", "an"))
-            ):
-                continue
-            others = [n for n in rooms if n != number and n not in same and self._names_same(phrase, self.phrases[n])]
-            earlier = [n for n in others if n < number]
-            later = [
-                n
-                for n in others
-                if n > number
-                and self.phrases[n].determiner not in ("the", "this", "that", "its")
-                and number in operands
-            ]
-            if earlier:
-                same[number] = self._best(phrase, earlier[::-1])
-            elif later and phrase.determiner not in ("a", "an"):
-                same[number] = self._best(phrase, later)
-        return same
-
-    def _group(self, number: int, rooms: list[int]) -> list[int]:
-        """Return the rooms that "the two dormitories" speaks of, where so many of the name stand before."""
-        phrase = self.phrases[number]
-        if not phrase.plural or phrase.determiner not in ("the", "these", "both", "all"):
-            return []
-        before = [
-            n for n in rooms if n < number and self._names_same(phrase, self.phrases[n]) and self.phrases[n].count == 1
-        ]
-        wanted = phrase.count if phrase.counted and phrase.count else len(before)
-        return before[-wanted:] if 2 <= wanted <= len(before) else []
-
-    def _best(self, phrase: Phrase, others: list[int]) -> int:
-        exact = [n for n in others if self.phrases[n].name == phrase.name]
-        return exact[0] if exact else others[0]
-
-    def _names_same(self, phrase: Phrase, other: Phrase) -> bool:
-        if phrase.head == "unknown" or other.head == "unknown":
-            return False
-        if phrase.name == other.name:
-            return True
-        if other.name.endswith("_" + phrase.name):
-            return True
-        if phrase.determiner == "the" and (other.count or 2) > 1 and phrase.name.endswith("_" + other.name):
-            return True
-        bare = phrase.name == phrase.room_type or phrase.known
-        return (
-            bare
-            and phrase.room_type == other.room_type
-            and phrase.determiner in ("the", "each", "every", "both")
-            and "_" not in phrase.name
-        )
 
     def _suites(self) -> dict[int, int]:
         """Return the rooms that others have for themselves ("bedrooms, each with a bathroom"), and of which."""
@@ -615,22 +533,6 @@ class _Reader:
         if len(relation.lefts) == len(relation.rights) and len(relation.lefts) > 1:
             return list(zip(relation.lefts, relation.rights))
         return [(left, right) for left in relation.lefts for right in relation.rights]
-
-    def _only(self) -> None:
-        """Read "nothing else", "no other rooms", "are the only other spaces"."""
-        reading = self.reading
-        for index in range(len(reading.tokens) - 1):
-            pair = reading.words(index, index + 2)
-            only = pair == ("nothing", "else") or (
-                pair == ("only", "other") and reading.word(index + 2) in ("room", "space")
-            )
-            if (
-                only
-                or (pair == ("no", "other") and reading.word(index + 2) in ("room", "space"))
-                or pair == ("nothing", "besides")
-            ):
-                self.facts.only.append(reading.span(index, index + 2))
-                reading.take(index, index + 3)
 
 
 _PLAIN = {

@@ -4,11 +4,11 @@ from dataclasses import dataclass, field, replace
 
 from mansion_knowledge import KnowledgeBase
 from mansion_language import Token, tokenize
-from mansion_planner.brief.facts import BriefFacts, Span
+from mansion_planner.brief.facts import BriefFacts, FloorRef, Span
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.spelling import corrected
 
-__all__ = ["FLOOR_WORDS", "Reading", "start_reading"]
+__all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
 
 FLOOR_WORDS = frozenset(
     """
@@ -21,6 +21,26 @@ _ABBREVIATIONS = frozenset(
     approx ca incl max min no nr sq etc st vs eg resp
     """.split()
 )
+
+
+@dataclass(frozen=True)
+class Place:
+    """A reference to storeys: tokens `first` to `last` (exclusive).
+
+    Attributes
+    ----------
+    refs : tuple of FloorRef
+    led : bool
+        A preposition leads it ("on the top floor"), so it may belong to what stands before it.
+    heading : bool
+        It stands alone before a colon or a line break: all that follows belongs to it.
+    """
+
+    first: int
+    last: int
+    refs: tuple[FloorRef, ...]
+    led: bool
+    heading: bool = False
 
 
 @dataclass

@@ -6,7 +6,7 @@ A relation joins the room named last before it and the rooms named right after i
 import itertools
 from dataclasses import dataclass
 
-from mansion_planner.brief.noun_phrases import Phrase
+from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
 __all__ = ["Relation", "read_relations"]

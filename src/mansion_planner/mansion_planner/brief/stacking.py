@@ -1,7 +1,7 @@
 """Read what stands below another use: "a museum and a shop under a block of flats"."""
 
 from mansion_planner.brief.facts import FloorRef, RoomFact, UseFact
-from mansion_planner.brief.noun_phrases import Phrase
+from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import Reading
 
 __all__ = ["read_stacking"]

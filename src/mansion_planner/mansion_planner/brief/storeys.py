@@ -1,16 +1,17 @@
-"""Read which storeys a brief speaks of, and how many there are to be.
+"""Read which storeys a brief speaks of.
 
 A storey is named absolutely ("the third floor", "L3", "levels 2 to 6"), from above ("the top floor", "two below the
 top"), as a set ("every floor", "all but the last") or from the storey named before ("the seven storeys above").
 """
 
 import itertools
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-from mansion_planner.brief.facts import FloorRef, Quantity
-from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
+from mansion_planner.brief.storey_counts import CLOSERS, DEFINITE, STOREY_ADJECTIVES, StoreyCounts, settle_counts
 
-__all__ = ["Place", "read_storeys"]
+__all__ = ["read_storeys"]
 
 _PREPOSITIONS = frozenset(
     """
@@ -23,22 +24,6 @@ _STREET = frozenset(
     """.split()
 )
 _TOPS = frozenset({"top", "uppermost", "topmost", "highest", "last", "final"})
-_NEGATIONS = frozenset({"no", "without", "not", "neither", "nor", "never"})
-_DEFINITE = frozenset(
-    """
-    the these those both all other remaining top upper first last bottom lower lowest uppermost middle following
-    next every each
-    """.split()
-)
-_ADJECTIVES = frozenset(
-    """
-    full whole habitable residential office guest typical additional more storied underground basement parking
-    subterranean identical main equal different separate small large big classroom hotel retail working usable
-    living successive consecutive more
-    """.split()
-)
-_BELOW = frozenset({"underground", "basement", "subterranean", "below"})
-_CLOSERS = frozenset({"", ".", ",", ";", ":", "\n", ")", "!", "?", "=", "-"})
 _COPULAS = frozenset(
     """
     is are be has have hold contain house carry belong will stay
@@ -46,31 +31,11 @@ _COPULAS = frozenset(
 )
 
 
-@dataclass(frozen=True)
-class Place:
-    """A reference to storeys: tokens `first` to `last` (exclusive).
-
-    Attributes
-    ----------
-    refs : tuple of FloorRef
-    led : bool
-        A preposition leads it ("on the top floor"), so it may belong to what stands before it.
-    heading : bool
-        It stands alone before a colon or a line break: all that follows belongs to it.
-    """
-
-    first: int
-    last: int
-    refs: tuple[FloorRef, ...]
-    led: bool
-    heading: bool = False
-
-
 def read_storeys(reading: Reading) -> list[Place]:
     """Record the numbers of storeys and basements; return the references to storeys from left to right."""
     scanner = _Scanner(reading)
     scanner.scan()
-    _settle_counts(reading)
+    settle_counts(reading)
     return [_with_edges(reading, place) for place in scanner.places]
 
 
@@ -98,6 +63,7 @@ class _Scanner:
     def __init__(self, reading: Reading) -> None:
         self.reading = reading
         self.places: list[Place] = []
+        self.counts = StoreyCounts(reading, self.places)
         self.british = _counts_from_ground(reading)
         self.previous: FloorRef | None = None
         texts = [token.text for token in reading.tokens]
@@ -113,7 +79,7 @@ class _Scanner:
             if index in self.reading.taken:
                 index += 1
                 continue
-            last = self._unwanted_basement(index) or self._count(index)
+            last = self.counts.read(index, self.previous)
             if last > index:
                 self.reading.take(index, last)
                 index = last
@@ -126,245 +92,6 @@ class _Scanner:
                 index = last
                 continue
             index += 1
-
-    def _unwanted_basement(self, index: int) -> int:
-        """Read "no garage or basement" and "a cellar is not needed"; return where it ends, or 0."""
-        reading = self.reading
-        if reading.word(index) not in ("basement", "cellar") or reading.word(index + 1) in ("room", "store"):
-            return 0
-        before = index - 1
-        while before > index - 8 and reading.word(before) not in _NEGATIONS:
-            if (
-                reading.breaks(before)
-                or reading.word(before) in ("but", "with", ":")
-                or reading.kind(before) == "number"
-            ):
-                before = index - 8
-            before -= 1
-        last = index + 1
-        last += reading.word(last) in ("is", "level", "floor")
-        after = reading.words(last, last + 2) in (
-            ("not", "needed"),
-            ("not", "wanted"),
-            ("not", "required"),
-            ("not", "necessary"),
-        )
-        if before <= index - 8 and not after:
-            return 0
-        first = before if before > index - 8 else index
-        last = last + 2 if after else index + 1
-        reading.facts.excluded.append(("basement", reading.span(first, last)))
-        return last
-
-    # Counts ---------------------------------------------------------------------------------------------------------
-
-    def _count(self, index: int) -> int:
-        """Read a number of storeys at `index`; return where it ends, or `index`."""
-        reading = self.reading
-        for read in (
-            self._labelled_count,
-            self._ground_and_more,
-            self._everything_on_one,
-            self._plain_count,
-            self._basement_count,
-        ):
-            last = read(index)
-            if last > index:
-                return last
-        word = reading.word(index)
-        if (
-            word in ("nothing", "none")
-            and reading.words(index + 1, index + 3) in (("above", "that"), ("over", "it"), ("above", "it"))
-            and self.previous is not None
-            and self.previous.kind in ("number", "range")
-        ):
-            self._state(self.previous.last, index, index + 3)
-            return index + 3
-        return index
-
-    def _state(self, value: float, first: int, last: int, *, below: bool = False) -> None:
-        facts = self.reading.facts
-        (facts.basements if below else facts.floors).append(Quantity(float(value), self.reading.span(first, last)))
-
-    def _labelled_count(self, index: int) -> int:
-        """Read "floors: 3", "Storeys = 3", "number of floors: 3", "basement: none"."""
-        reading = self.reading
-        if reading.word(index) in FLOOR_WORDS | {"basement"} and reading.word(index + 1) in (":", "="):
-            below = reading.word(index) == "basement"
-            if reading.kind(index + 2) == "number" and reading.word(index + 3) in _CLOSERS | {"and"}:
-                self._state(reading.value(index + 2), index, index + 3, below=below)
-                return index + 3
-            if below and reading.word(index + 2) in ("no", "none", "without"):
-                reading.facts.excluded.append(("basement", reading.span(index, index + 3)))
-                return index + 3
-        return index
-
-    def _ground_and_more(self, index: int) -> int:
-        """Read "G+3", "ground plus two", "street level and one upper floor"."""
-        reading = self.reading
-        word, last = reading.word(index), index + 1
-        if word not in ("g", "ground", "street", "entrance"):
-            return index
-        last += reading.word(last) in FLOOR_WORDS
-        if reading.word(last) not in ("+", "plus", "and") or reading.kind(last + 1) != "number":
-            return index
-        joint, value = reading.word(last), int(reading.value(last + 1))
-        last += 2
-        storeyed = False
-        while (
-            reading.word(last) in ("upper", "more", "further", "additional", "other")
-            or reading.word(last) in FLOOR_WORDS
-        ):
-            storeyed = storeyed or reading.word(last) in FLOOR_WORDS
-            last += 1
-        if joint == "and" and not storeyed:
-            return index
-        if joint == "plus" and not storeyed and reading.word(last) not in _CLOSERS | {"with", "and", "in"}:
-            return index
-        self._state(value + 1, index, last)
-        return last
-
-    def _everything_on_one(self, index: int) -> int:
-        """Read "everything on one level", "all at grade", "ground floor only", "no other floors"."""
-        reading = self.reading
-        word = reading.word(index)
-        if (
-            word == "no"
-            and reading.word(index + 1) in ("other", "upper", "further")
-            and reading.word(index + 2) in FLOOR_WORDS
-        ):
-            self._state(1, index, index + 3)
-            return index + 3
-        if (
-            word in ("ground", "street")
-            and reading.word(index + 1) in FLOOR_WORDS
-            and reading.word(index + 2) in ("only", "alone")
-        ):
-            self._state(1, index, index + 3)
-            return index + 3
-        if word not in ("everything", "all", "wholly", "entirely") or reading.word(index + 1) not in ("on", "at", "in"):
-            return index
-        last = index + 2
-        last += reading.word(last) in ("the", "a")
-        grade = reading.word(last) == "grade"
-        ground = reading.word(last) == "ground" and (
-            reading.word(last + 1) in _CLOSERS or reading.word(last + 1) in ("floor", "level")
-        )
-        one = reading.kind(last) == "number" and reading.value(last) == 1 and reading.word(last + 1) in FLOOR_WORDS
-        if not (grade or ground or one):
-            return index
-        last += 1 + (reading.word(last + 1) in FLOOR_WORDS)
-        self._state(1, index, last)
-        return last
-
-    def _plain_count(self, index: int) -> int:
-        """Read "four storeys", "3-storey", "between two and three floors", "two more floors below ground"."""
-        reading = self.reading
-        if (
-            reading.words(index, index + 1) == ("tree",)
-            and reading.word(index + 1) in FLOOR_WORDS
-            and reading.plural(index + 1)
-        ):
-            self._state(3, index, index + 2)  # the commonest misspelling of "three"
-            return index + 2
-        if reading.kind(index) != "number" or (
-            reading.word(index - 1) in FLOOR_WORDS and reading.word(index - 1) != "story"
-        ):
-            return index
-        value, last = reading.value(index), index + 1
-        ranged = reading.word(last) in ("and", "to", "or", "–", "-") and reading.kind(last + 1) == "number"
-        if ranged and reading.word(last + 2) in FLOOR_WORDS and value < reading.value(last + 1) <= value + 3:
-            value, last = float(int((value + reading.value(last + 1)) / 2)), last + 2
-        if reading.word(last) in ("of", "or") and reading.word(last + 1) in ("those", "these", "the"):
-            return index
-        adjectives: list[str] = []
-        while reading.word(last) in _ADJECTIVES | {"upper"} and len(adjectives) < 2:
-            adjectives.append(reading.word(last))
-            last += 1
-        if reading.word(last) not in FLOOR_WORDS or value != int(value) or not 0 < value < 10_000:
-            return index
-        if reading.word(index - 1) in _DEFINITE and not (
-            reading.word(index - 1) == "all" and value > 1 and not self.places
-        ):
-            return index
-        last += 1
-        last += reading.word(last) in ("high", "height", "tall")
-        above = reading.word(last) in ("over", "above") and reading.word(last + 1) in ("it", "that", "them", "this")
-        ground = reading.word(last) in ("over", "above") and reading.words(last + 1, last + 3) in (
-            ("the", "street"),
-            ("the", "ground"),
-            ("ground", "level"),
-        )
-        if ground or (reading.word(last) == "above" and reading.word(last + 1) in ("ground", "grade")):
-            self._state(value, index, last)
-            return last
-        if above and self.previous is None and not reading.facts.floors:
-            self._state(value + 1, index, last + 2)
-            low = 2
-            self.places.append(
-                Place(
-                    index,
-                    last + 2,
-                    (FloorRef("range", low, low + int(value) - 1, reading.span(index, last + 2)),),
-                    False,
-                )
-            )
-            return last + 2
-        below = bool(_BELOW & set(adjectives)) or (
-            reading.word(last) in ("below", "underground", "under")
-            and reading.word(last + 1) in ("ground", "grade", *_CLOSERS)
-        )
-        if below:
-            last += reading.word(last) in ("below", "underground", "under")
-            last += reading.word(last) in ("ground", "grade")
-            self._state(value, index, last, below=True)
-            return last
-        if "upper" in adjectives or "additional" in adjectives or "more" in adjectives:
-            value += 1
-        if reading.word(last) == "of" and self._storeys_of_a_use(last):
-            return index
-        self._state(value, index, last)
-        return last
-
-    def _storeys_of_a_use(self, last: int) -> bool:
-        """Whether "of" leads on to a use of the storeys ("three floors of apartments"), not to their size."""
-        mention = next((self.reading.mention_at[i] for i in (last + 1, last + 2) if i in self.reading.mention_at), None)
-        return mention is not None and (mention.plural or bool(mention.building))
-
-    def _basement_count(self, index: int) -> int:
-        reading = self.reading
-        if (
-            reading.word(index) not in ("over", "above", "on", "with")
-            or reading.word(index + 2) not in ("basement", "cellar")
-        ) and not (
-            reading.words(index, index + 2) in (("and", "a"), ("plus", "a"), ("with", "cellar"), ("with", "basement"))
-            and (reading.word(index + 2) in ("basement", "cellar") or reading.word(index + 1) in ("basement", "cellar"))
-        ):
-            if (
-                reading.word(index) in ("over", "above")
-                and reading.word(index + 3) in ("basement", "cellar")
-                and reading.word(index + 1) == "a"
-            ):
-                self._state(1, index, index + 4, below=True)
-                if reading.word(index + 4) == "with":
-                    ref = FloorRef("basement", span=reading.span(index + 3, index + 4))
-                    self.places.append(Place(index + 3, index + 4, (ref,), led=False))
-                return index + 4
-            return index
-        last = index + (2 if reading.word(index + 1) in ("basement", "cellar") else 3)
-        if reading.word(index) in ("on", "above") and reading.word(index + 1) == "the":
-            return index
-        if reading.word(last) in ("level", "floor", "storey"):
-            last += 1
-        if reading.word(index + 1) in ("the", "each", "no"):
-            return index
-        self._state(1, index, last, below=True)
-        if reading.word(last) == "with":
-            ref = FloorRef("basement", span=reading.span(last - 1, last))
-            self.places.append(Place(last - 1, last, (ref,), led=False))
-        return last
-
-    # References -----------------------------------------------------------------------------------------------------
 
     def _reference(self, index: int) -> tuple[tuple[FloorRef, ...], int]:
         """Read a reference at `index`: what it means, and where it ends."""
@@ -429,7 +156,7 @@ class _Scanner:
         """Read "top two floors", "first 3 floors", "the seven storeys above", "the other four levels"."""
         reading = self.reading
         word = reading.word(index)
-        lead = word if word in _DEFINITE - {"the", "these", "those", "both", "all"} else ""
+        lead = word if word in DEFINITE - {"the", "these", "those", "both", "all"} else ""
         at = index + bool(lead)
         while reading.word(at) in ("upper", "top", "other", "first") and not lead:
             lead, at = reading.word(at), at + 1
@@ -437,7 +164,7 @@ class _Scanner:
             return None
         many, last = int(reading.value(at)), at + 1
         after = ""
-        while reading.word(last) in _ADJECTIVES | {"upper", "lower", "top", "middle", "other"}:
+        while reading.word(last) in STOREY_ADJECTIVES | {"upper", "lower", "top", "middle", "other"}:
             after, last = reading.word(last), last + 1
         if reading.word(last) not in FLOOR_WORDS:
             return None
@@ -501,7 +228,7 @@ class _Scanner:
         if (
             word in ("next",)
             and reading.word(index + 1) in FLOOR_WORDS
-            and reading.word(index + 2) in ("up", *_CLOSERS, "above")
+            and reading.word(index + 2) in ("up", *CLOSERS, "above")
         ):
             return [FloorRef("number", base.last + 1, base.last + 1)], index + 2 + (
                 reading.word(index + 2) in ("up", "above")
@@ -536,13 +263,13 @@ class _Scanner:
             return ground, index + 2
         if (
             word == "ground"
-            and (following in _CLOSERS or following in ("and", "there", "has", "is"))
+            and (following in CLOSERS or following in ("and", "there", "has", "is"))
             and (reading.word(index - 1) in ("the", "on", "at") or reading.starts(index))
         ):
             return ground, index + 1
         if (
             word == "bottom"
-            and following in _CLOSERS | _COPULAS | {"with", "and"}
+            and following in CLOSERS | _COPULAS | {"with", "and"}
             and reading.word(index - 1) in ("the", "at", "from")
         ):
             return None if reading.word(index - 2) == "from" else (ground, index + 1)
@@ -550,13 +277,13 @@ class _Scanner:
             return ground, index + 1
         if word == "below" and (
             (reading.starts(index) and following in (":", "is", "are", "there", ",", "the"))
-            or (following in _CLOSERS and self._is_storeyed_adverb(index))
+            or (following in CLOSERS and self._is_storeyed_adverb(index))
         ):
             return ground, index + 1
         if (
             word == "down"
             and self.has_floors
-            and following in _CLOSERS
+            and following in CLOSERS
             and reading.word(index - 1) in ("stay", "is", "are", "go")
         ):
             return ground, index + 1
@@ -591,7 +318,7 @@ class _Scanner:
         if (
             word in ("top", "topp")
             and led
-            and (following in _CLOSERS | _COPULAS | {"with", "and", "there", "nothing", "only", "two", "one"})
+            and (following in CLOSERS | _COPULAS | {"with", "and", "there", "nothing", "only", "two", "one"})
         ):
             return [FloorRef("top")], index + 1
         if word in ("attic", "loft") and following == ":":
@@ -614,9 +341,7 @@ class _Scanner:
             return upper, index + 2
         if word == "above" and (
             (reading.starts(index) and following in (":", ",", "are", "is", "there"))
-            or (
-                following in _CLOSERS | {"with"} and (self._is_storeyed_adverb(index) or reading.word(index - 1) == ",")
-            )
+            or (following in CLOSERS | {"with"} and (self._is_storeyed_adverb(index) or reading.word(index - 1) == ","))
         ):
             return upper, index + 1
         if word == "up" and reading.starts(index) and following == ":":
@@ -626,7 +351,7 @@ class _Scanner:
         if (
             word == "middle"
             and reading.words(index - 2, index) == ("in", "the")
-            and following in _CLOSERS | {"with"}
+            and following in CLOSERS | {"with"}
             and self.has_floors
         ):
             return [FloorRef("middle")], index + 1
@@ -639,7 +364,7 @@ class _Scanner:
             return [FloorRef("odd" if word == "odd" else "even")], last + 1 + (reading.word(last) == "numbered")
         if (
             word in ("both", "each", "all")
-            and reading.word(last) in _CLOSERS
+            and reading.word(last) in CLOSERS
             and reading.word(index - 1) == "on"
             and self.has_floors
         ):
@@ -753,7 +478,7 @@ class _Scanner:
             return False
         if reading.word(index - 2) in ("on", "to", "and", "in", "at") or reading.starts(index - 1):
             led = reading.word(index - 2) in ("on", "to", "and", "in", "at")
-            return (following in _CLOSERS | {"and", "with", "is", "has", "are"}) or (
+            return (following in CLOSERS | {"and", "with", "is", "has", "are"}) or (
                 led and reading.word(index - 2) == "on"
             )
         return False
@@ -803,16 +528,3 @@ def _counts_from_ground(reading: Reading) -> bool:
         int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
     ]
     return not (stated and max(stated) == highest)
-
-
-def _settle_counts(reading: Reading) -> None:
-    """Put the largest number of storeys first: the others count parts of the building, or do not agree."""
-    facts = reading.facts
-    if len({quantity.value for quantity in facts.floors}) > 1:
-        best = max(facts.floors, key=lambda quantity: quantity.value)
-        facts.floors = [best, *(quantity for quantity in facts.floors if quantity.value != best.value)]
-    facts.basements = (
-        facts.basements[:1]
-        if len({q.value for q in facts.basements}) < 2
-        else [max(facts.basements, key=lambda q: q.value)]
-    )

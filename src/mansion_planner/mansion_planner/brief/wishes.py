@@ -1,8 +1,7 @@
 """Read what a brief wishes of the building's shape: outline, setbacks, size, and equal storeys."""
 
 from mansion_planner.brief.facts import CopyFact, FloorRef, Shape
-from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.storeys import Place
+from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
 __all__ = ["read_copies", "read_massing", "read_shape", "read_sizes"]
 

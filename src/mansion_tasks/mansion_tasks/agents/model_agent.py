@@ -1,5 +1,6 @@
 """Agents that ask a language model: their memory of steps and failures, and when they give up (section E)."""
 
+from abc import abstractmethod
 from dataclasses import dataclass, field
 from typing import Any, Final
 
@@ -97,9 +98,9 @@ class ModelAgent(Agent):
             return way_out
         return self._choose_skill(observation)
 
+    @abstractmethod
     def _choose_skill(self, observation: Observation) -> SkillCall | Stop:
         """Ask the model for the next skill."""
-        raise NotImplementedError
 
     def _forget_plan(self) -> None:
         """Drop what was planned for the place from which the robot was just led away."""

@@ -1,0 +1,76 @@
+"""Tell which noun phrases only speak of a room that is named elsewhere: "the kitchen", "both dormitories"."""
+
+from collections.abc import Sequence
+
+from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.relations import Relation
+
+__all__ = ["coreferences"]
+
+_DEFINITE = frozenset("per the this that each every both either any these those its all".split())
+_VERBS = frozenset({"should", "must", "is", "are", "shall", "has", "need"})
+
+
+def coreferences(
+    reading: Reading, phrases: Sequence[Phrase], rooms: Sequence[int], relations: Sequence[Relation]
+) -> tuple[dict[int, int], dict[int, list[int]]]:
+    """Return which room each such phrase means, and the rooms that a plural one means together.
+
+    Parameters
+    ----------
+    rooms : sequence of int
+        Numbers of the phrases that name rooms of the building.
+    relations : sequence of Relation
+        What is named on the right of "next to" is as a rule a room that stands elsewhere in the brief.
+    """
+    same: dict[int, int] = {}
+    groups: dict[int, list[int]] = {}
+    operands = {n for relation in relations for n in relation.rights}
+    lefts = {n for relation in relations for n in relation.lefts}
+    for number in rooms:
+        phrase = phrases[number]
+        if phrase.counted and phrase.determiner not in ("the", "both", "these", "those", "all"):
+            continue
+        group = _group(phrases, number, rooms)
+        if group:
+            groups[number], same[number] = group, group[-1]
+            continue
+        topical = reading.word(phrase.last) in _VERBS and not phrase.counted
+        known = (number in lefts or topical) and phrase.determiner not in ("a", "an")
+        if not (phrase.determiner in _DEFINITE or number in operands or known):
+            continue
+        others = [n for n in rooms if n != number and n not in same and _same_name(phrase, phrases[n])]
+        earlier = [n for n in others if n < number]
+        later = [n for n in others if n > number and phrases[n].determiner not in ("the", "this", "that", "its")]
+        if earlier:
+            same[number] = _best(phrases, phrase, earlier[::-1])
+        elif later and number in operands and phrase.determiner not in ("a", "an"):
+            same[number] = _best(phrases, phrase, later)
+    return same, groups
+
+
+def _group(phrases: Sequence[Phrase], number: int, rooms: Sequence[int]) -> list[int]:
+    """Return the rooms that "the two dormitories" speaks of, where so many of the name stand before."""
+    phrase = phrases[number]
+    if not phrase.plural or phrase.determiner not in ("the", "these", "both", "all"):
+        return []
+    before = [n for n in rooms if n < number and _same_name(phrase, phrases[n]) and phrases[n].count == 1]
+    wanted = phrase.count if phrase.counted and phrase.count else len(before)
+    return before[-wanted:] if 2 <= wanted <= len(before) else []
+
+
+def _best(phrases: Sequence[Phrase], phrase: Phrase, others: Sequence[int]) -> int:
+    exact = [n for n in others if phrases[n].name == phrase.name]
+    return exact[0] if exact else others[0]
+
+
+def _same_name(phrase: Phrase, other: Phrase) -> bool:
+    if phrase.head == "unknown" or other.head == "unknown":
+        return False
+    if phrase.name == other.name or other.name.endswith("_" + phrase.name):
+        return True
+    if phrase.determiner == "the" and (other.count or 2) > 1 and phrase.name.endswith("_" + other.name):
+        return True
+    bare = (phrase.name == phrase.room_type or phrase.known) and "_" not in phrase.name
+    return bare and phrase.room_type == other.room_type and phrase.determiner in ("the", "each", "every", "both")

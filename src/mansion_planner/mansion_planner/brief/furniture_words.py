@@ -1,0 +1,88 @@
+"""Which furniture of the asset catalogue a phrase of a brief names."""
+
+from functools import cache
+
+from mansion_language import singular
+
+__all__ = ["furniture_of"]
+
+
+def furniture_of(words: tuple[str, ...]) -> tuple[str, int]:
+    """Return the category of the asset catalogue that a phrase ends with, and of how many words; empty for none.
+
+    Examples
+    --------
+    >>> furniture_of(("grand", "piano")), furniture_of(("big", "sofa")), furniture_of(("dream",))
+    (('grand_piano', 2), ('sofa', 1), ('', 0))
+    """
+    table = _furniture()
+    for size in range(min(4, len(words)), 0, -1):
+        category = table.get(words[-size:])
+        if category:
+            return category, size
+    return "", 0
+
+
+_SEATS = {
+    "seat": "chair",
+    "place": "",
+    "book": "",
+    "cover": "",
+    "box": "",
+    "watch": "",
+    "badge": "",
+    "key": "",
+    "light": "",
+    "stage": "",
+    "sign": "",
+    "pump": "",
+    "cart": "",
+    "paper": "",
+    "board": "",
+    "stand": "",
+    "case": "",
+    "computer": "computer_tower",
+    "counter": "service_counter",
+    "screen": "",
+    "window": "",
+    "table": "dining_table",
+    "tub": "bathtub",
+    "telly": "television",
+    "tv": "television",
+    "bike": "bicycle",
+    "press": "",
+    "fan": "",
+    "scale": "",
+    "rack": "shelving_unit",
+    "plant": "house_plant",
+    "couch": "sofa",
+    "settee": "sofa",
+    "cooker": "stove",
+    "oven": "stove",
+    "shelf": "bookshelf",
+    "bookcase": "bookshelf",
+    "locker": "locker",
+    "workstation": "office_desk",
+    "bunk": "bunk_bed",
+    "berth": "single_bed",
+    "cot": "crib",
+}
+
+
+@cache
+def _furniture() -> dict[tuple[str, ...], str]:
+    """Phrases of the asset catalogue, by their words in the singular; names win over synonyms."""
+    from mansion_assets.catalogue import load_catalogue
+
+    catalogue = load_catalogue()
+    table: dict[tuple[str, ...], str] = {}
+    for names in (True, False):
+        for category in catalogue.categories:
+            asset = catalogue.by_category(category)[0]
+            for phrase in (category.replace("_", " "), asset.name) if names else asset.synonyms:
+                key = tuple(singular(word) for word in phrase.lower().replace("-", " ").replace("_", " ").split())
+                table.setdefault(key, category)
+    for word, category in _SEATS.items():
+        if category in catalogue.categories or not category:
+            table[(word,)] = category
+    return table

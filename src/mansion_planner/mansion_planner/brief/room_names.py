@@ -1,0 +1,231 @@
+"""Read what rooms are called beyond their kind: own names, what they are for, and kinds that nobody knows."""
+
+import re
+from dataclasses import replace
+
+from mansion_language import singular
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase, finished_phrase, name_of
+from mansion_planner.brief.reading import Reading
+from mansion_planner.brief.similarity import similar_room_type
+
+__all__ = ["listed_unknowns", "with_own_names", "with_purpose"]
+
+
+def with_own_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
+    """Read the names that rooms are given: the party room "Typhoon"; private rooms called Sapporo, Kobe and Nagoya."""
+    if phrase.head != "room":
+        return [phrase]
+    last = phrase.last
+    listed = _listed_names(reading, phrase)
+    if listed:
+        return listed
+    called = reading.word(last) in ("called", "named") or (reading.word(last) == "(" and reading.word(last + 1) == '"')
+    if reading.word(last) == '"' or (called and reading.word(last + 1) == '"'):
+        begin = last + 1 + called
+        end = next((i for i in range(begin, min(begin + 6, len(reading.tokens))) if reading.word(i) == '"'), begin)
+        if end > begin:
+            own = reading.text[reading.tokens[begin].start : reading.tokens[end - 1].end]
+            reading.take(last, end + 1)
+            return [_named(reading, phrase, own, phrase.first, end + 1)]
+    if not called:
+        return [phrase]
+    names, index = [], last + 1
+    while reading.kind(index) == "word" and reading.tokens[index].capital:
+        names.append(index)
+        index += 1
+        step = 2 if reading.words(index, index + 2) == (",", "and") else 1 if reading.word(index) in (",", "and") else 0
+        if not step:
+            break
+        index += step
+    if not names:
+        return [phrase]
+    reading.take(last, names[-1] + 1)
+    many = len(names) > 1
+    return [
+        replace(
+            _named(
+                reading,
+                phrase,
+                reading.text[reading.tokens[n].start : reading.tokens[n].end],
+                n if many else phrase.first,
+                n + 1,
+            ),
+            count=1,
+            counted=many or phrase.counted,
+            plural=False,
+            noun_end=n + 1 if many else phrase.noun_end,
+            begin=n if many else phrase.begin,
+        )
+        for n in names
+    ]
+
+
+def _listed_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
+    """Read "three science labs (physics, chemistry, biology)": as many names as rooms."""
+    last, count = phrase.last, phrase.count or 0
+    if reading.word(last) not in ("(", "-", ":", "–") or not phrase.counted or not 2 <= count <= 12:
+        return []
+    closers = (")",) if reading.word(last) == "(" else ("\n", ".", ";")
+    items: list[tuple[int, int]] = []
+    begin = index = last + 1
+    while index < len(reading.tokens) and index - last < 40:
+        ends = reading.word(index) in closers
+        if ends or reading.word(index) in (",", "and"):
+            if index > begin:
+                items.append((begin, index))
+            begin = index + 1
+            if ends:
+                break
+        elif reading.kind(index) != "word" or index in reading.taken:
+            return []
+        index += 1
+    if len(items) != count or any(b - a > 3 for a, b in items):
+        return []
+    reading.take(last, index + (reading.word(index) == ")"))
+    found = []
+    for a, b in items:
+        own = reading.text[reading.tokens[a].start : reading.tokens[b - 1].end]
+        name = "_".join(re.findall(r"[a-z0-9]+", own.lower().replace("'s", "").replace("’s", "")))
+        found.append(
+            replace(
+                phrase,
+                name=f"{name}_{phrase.name}"[:60],
+                label=f"{own} {singular(phrase.label.lower())}",
+                count=1,
+                counted=True,
+                plural=False,
+                first=a,
+                begin=a,
+                noun_end=b,
+                last=b,
+            )
+        )
+    return found
+
+
+def _named(reading: Reading, phrase: Phrase, own: str, first: int, last: int) -> Phrase:
+    words = "_".join(re.findall(r"[a-z0-9]+", own.lower()))
+    return replace(
+        phrase, name=words or phrase.name, label=f"{own} ({singular(phrase.label.lower())})", first=first, last=last
+    )
+
+
+_LIST_STARTS = frozenset({":", ",", "and", "a", "an", "the", "one", "*", "-", "|", "plus", "&", "\n", "="})
+_LIST_ENDS = frozenset(
+    {
+        ",",
+        ".",
+        ";",
+        "and",
+        "|",
+        "\n",
+        "",
+        "(",
+        "next",
+        "beside",
+        "plus",
+        "&",
+        "with",
+        "on",
+        "in",
+        "adjacent",
+        "adjoining",
+    }
+)
+
+
+def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: list[Phrase]) -> list[Phrase]:
+    """Return the entries of lists of rooms that nobody knows ("vivarium and cage wash"), as rooms of the nearest kind.
+
+    Only where rooms stand in the same sentence, or a storey's heading opens it: other unknown words are no rooms.
+    """
+    rooms_in = {reading.sentence[phrase.first] for phrase in phrases if phrase.head == "room"}
+    found: list[Phrase] = []
+    ends = {phrase.last - 1 for phrase in phrases if phrase.head == "room"}
+    for begin, end in chunks:
+        if not reading.free(begin, end) or end - begin > 3:
+            continue
+        sentence = reading.sentence[begin]
+        start = next(i for i in range(begin, -1, -1) if i == 0 or reading.sentence[i - 1] != sentence)
+        headed = any(i in reading.taken and reading.word(i) == ":" for i in range(start, begin)) or (
+            start in reading.taken and reading.word(start) not in _LIST_STARTS
+        )
+        if sentence not in rooms_in and not headed:
+            continue
+        before = reading.word(begin - 1)
+        counted = reading.kind(begin - 1) == "number" and begin - 1 not in reading.taken
+        opens = before in _LIST_STARTS or counted or begin - 1 in reading.taken
+        joined = (
+            before in (":", ",", "and", "|", "-", "*", "&", "\n")
+            or counted
+            or (
+                before in ("a", "an", "the", "one")
+                and reading.word(begin - 2) in (",", "and", ":", "a", "|", "with", "has")
+            )
+        )
+        if not opens or not (joined or begin - 1 in reading.taken) or reading.word(end) not in _LIST_ENDS:
+            continue
+        words = reading.words(begin, end)
+        if counted and reading.plural(end - 1) and words[-1].endswith(("er", "or", "ist", "ant", "ian", "eer")):
+            continue  # "30 consultants" are people
+        if any(word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS for word in words[-1:]):
+            continue
+        bare = before in (",", "and", "&", "|") and not counted
+        if bare and begin - 2 not in ends and (begin - 3 not in ends or reading.word(begin - 2) != ","):
+            continue
+        name = name_of(reading, begin, end)
+        phrase = finished_phrase(
+            reading, "room", begin, end, room=similar_room_type(name, reading.knowledge), known=False
+        )
+        reading.take(phrase.first, phrase.last)
+        ends.add(phrase.last - 1)
+        found.append(phrase)
+    return found
+
+
+_NO_ROOMS = frozenset(
+    """
+    style look feel window door wall ceiling roof floor view light noise smell garden outside street visitor guest
+    material colour color area interior facade terrace steps step ramp way time year day night week money budget lot
+    plenty kind sort type size shape plan layout entrance access room place part one none whole wood oak brick stone
+    glass steel concrete marble gold silver white black green blue red furniture gross net total rectangle footprint
+    square thing stuff number escape dust water power heating cooling air sun daylight privacy quiet peace m metre
+    meter roof
+    """.split()
+)
+
+_PURPOSEFUL = frozenset(
+    """
+    room store storage workshop hall area space shop studio office lab cellar storeroom
+    """.split()
+)
+
+
+def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
+    """Add what a room is for to its name: "a room for the bicycles" is a bicycle room."""
+    last = phrase.last
+    if (
+        phrase.head != "room"
+        or reading.word(phrase.noun_end - 1) not in _PURPOSEFUL
+        or reading.word(last) not in ("for", "of")
+    ):
+        return phrase
+    if reading.word(last) == "of" and phrase.noun_end - phrase.begin > 1:
+        return phrase
+    begin = last + 1 + (reading.word(last + 1) in ("the", "our", "all", "my", "a"))
+    end = begin
+    while end < begin + 3 and reading.kind(end) == "word" and reading.word(end) not in FUNCTION_WORDS:
+        end += 1
+    if end == begin:
+        return phrase
+    purpose = "_".join(reading.words(begin, end))
+    name = f"{purpose}_{phrase.name}"[:60]
+    generic = phrase.name in _PURPOSEFUL
+    room = (
+        similar_room_type(name, reading.knowledge)
+        if generic and phrase.name in ("room", "space", "area")
+        else phrase.room_type
+    )
+    label = reading.text[reading.tokens[phrase.begin].start : reading.tokens[end - 1].end]
+    reading.take(last, end)
+    return replace(phrase, name=name, label=label, last=end, room_type=room or phrase.room_type)
