@@ -39,7 +39,7 @@ def _check_understood(facts: BriefFacts, description: str) -> None:
     stated = [
         name
         for name, value in vars(facts).items()
-        if value and name not in ("unread", "building_name", "building_span", "size")
+        if value and name not in ("unread", "building_name", "building_like", "building_span", "size")
     ]
     unread = sum(len(span.words.split()) for span in facts.unread)
     words = len(description.split())

@@ -344,7 +344,7 @@ def _building(facts: BriefFacts, knowledge: KnowledgeBase, trace: list[TraceEntr
         name, span = facts.building[0]
         note(trace, span, f"building type {name}")
         return knowledge.buildings[name]
-    name = _infer_building(facts, knowledge)
+    name = facts.building_like or _infer_building(facts, knowledge)
     building = knowledge.buildings.get(name) or next(iter(knowledge.buildings.values()))
     note(trace, None, f"no building type is named: {building.name} suits the rooms best")
     return building
