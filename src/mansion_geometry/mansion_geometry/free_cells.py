@@ -122,8 +122,11 @@ def stamp(counts: Counts, x0: float, y0: float, cell: float, boxes: Floats, radi
 
 
 @kernel
-def flood_fill(counts: Counts, seeds: Labels, reached: Bools) -> int:
-    """Mark in `reached` the free cells 4-connected to free `seeds` (flat indices); return how many there are."""
+def flood_fill(counts: Counts | Bools, seeds: Labels, reached: Bools) -> int:
+    """Mark in `reached` the free cells 4-connected to free `seeds` (flat indices); return how many there are.
+
+    `counts` may as well be what is blocked.
+    """
     rows, cols = counts.shape
     reached[:, :] = False
     stack = np.empty(rows * cols, dtype=np.int32)
