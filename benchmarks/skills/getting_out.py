@@ -9,7 +9,7 @@ from random import Random
 
 import numpy as np
 
-from mansion_geometry.floor_grid import region_of
+from mansion_geometry.disc_cells import region_of
 from mansion_msgs_py.world import Pose2D, SkillStatus
 from mansion_skills import Robot
 

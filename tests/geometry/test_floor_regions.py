@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 from shapely.geometry import Polygon, box
 
 from mansion_geometry.boxes import box_corners, unit_vector
-from mansion_geometry.floor_grid import GridFrame, near_boxes, segment_boxes
+from mansion_geometry.disc_cells import near_boxes, segment_boxes
+from mansion_geometry.floor_grid import GridFrame
 from mansion_geometry.floor_regions import disc_positions, largest_first, open_floor, strip
 
 RADIUS = 0.2

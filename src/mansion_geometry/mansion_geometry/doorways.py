@@ -5,10 +5,13 @@ from typing import Final
 
 from mansion_msgs_py.scene import Door, FloorScene
 
-__all__ = ["LEAFLESS", "depth_of_doors", "is_passable", "is_walkway"]
+__all__ = ["LEAFLESS", "PASSAGE_DEPTH", "depth_of_doors", "is_passable", "is_walkway"]
 
 LEAFLESS: Final = ("open", "doorway", "frame")
 """Kinds of doors that cannot be closed."""
+
+PASSAGE_DEPTH: Final = 0.28
+"""Depth of the floor in a door between rooms that joins them through any wall, metres."""
 
 LANDING_DEPTH: Final = 0.12
 """Depth of a door that is in no wall of the floor, a lift's landing door say; metres."""

@@ -1,22 +1,22 @@
-"""The floor grid: a storey as square cells, what is drawn into it, and where a disc robot gets in it.
+"""The floor grid: a storey as square cells, and what is drawn into them.
 
 Nav2's map, the map that robots drive on and AI2-THOR's positions are such grids. Each chooses its resolution, what it
 draws and how it grows that by the robot's radius; a `GridFrame` says where the cells lie, and arrays of shape (rows,
 columns) say what is in them, indexed ``[row (y), column (x)]``, row 0 at the lowest y. A cell belongs to what holds its
-centre. Open-RMF's lanes and the check need no cells: for them `mansion_geometry.floor_regions` has the same floor as
-exact polygons.
+centre. `mansion_geometry.disc_cells` tells where a disc robot gets in them. Open-RMF's lanes and the check need no
+cells: for them `mansion_geometry.floor_regions` has the same floor as exact polygons.
 """
 
-from collections.abc import Sequence
+import sys
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import atan2, cos, degrees, floor, hypot, radians, sin
+from functools import cache
+from math import atan2, ceil, cos, degrees, floor, hypot, radians, sin
 from typing import Final
 
 import numpy as np
 import numpy.typing as npt
 
-from mansion_geometry.compiled import kernel
-from mansion_geometry.free_cells import flood_fill, stamp
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.shapes import Point, Ring, Segment
 
@@ -29,17 +29,11 @@ __all__ = [
     "fill_box",
     "fill_rings",
     "fill_strip",
-    "inflate",
     "map_frame",
-    "near_boxes",
-    "region_of",
-    "segment_boxes",
-    "stamp_disc",
 ]
 
 Cells = npt.NDArray[np.int16]
 Floats = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 
 FREE, OCCUPIED, UNKNOWN = 0, 100, -1
 """Values of ``nav_msgs/OccupancyGrid``."""
@@ -158,32 +152,50 @@ def map_frame(scene: FloorScene, resolution: float = RESOLUTION) -> GridFrame:
     return GridFrame.around(points, MARGIN, resolution)
 
 
-# Compiled: numpy would test every cell of a window against every edge, where one row's crossings tell all its cells.
-@kernel
-def _fill(
-    grid: Cells, x0: float, y0: float, resolution: float, edges: Floats, value: int, only: int, whatever: bool
-) -> None:
-    """Set the cells whose centres lie between edges (even-odd rule): `whatever` they are, or those that are `only`."""
-    rows, columns = grid.shape
-    low = max(0, int(np.floor((edges[:, 1].min() - y0) / resolution)) - 1)
-    high = min(rows, int(np.ceil((edges[:, 1].max() - y0) / resolution)) + 1)
-    crossings = np.empty(edges.shape[0], dtype=np.float64)
-    for row in range(low, high):
-        y = y0 + (row + 0.5) * resolution
-        count = 0
-        for k in range(edges.shape[0]):
-            ax, ay, bx, by = edges[k]
-            # Half-open, so that a vertex on the row counts for one of its edges only.
-            if (ay > y) != (by > y):
-                crossings[count] = ax + (y - ay) * (bx - ax) / (by - ay)
-                count += 1
-        inside = np.sort(crossings[:count])
-        for k in range(0, count - 1, 2):
-            first = max(0, int(np.ceil((inside[k] - x0) / resolution - 0.5)))
-            last = min(columns - 1, int(np.ceil((inside[k + 1] - x0) / resolution - 0.5)) - 1)
-            for column in range(first, last + 1):
-                if whatever or grid[row, column] == only:
-                    grid[row, column] = value
+def _fill(grid: Cells, frame: GridFrame, edges: Floats, value: int, only: int | None) -> None:
+    """Set the cells whose centres lie between edges (ax, ay, bx, by), by the even-odd rule.
+
+    Importing numba takes longer than drawing all maps of a building without it. So an export draws with numpy; what
+    has loaded numba anyway, as a robot has, draws the same cells with the kernel, which is several times as fast.
+    """
+    if "numba" in sys.modules:
+        _compiled()(grid, frame.x0, frame.y0, frame.resolution, edges, value, only or 0, only is None)
+    else:
+        _fill_by_numpy(grid, frame, edges, value, only)
+
+
+@cache
+def _compiled() -> Callable[[Cells, float, float, float, Floats, int, int, bool], None]:
+    from mansion_geometry.free_cells import fill
+
+    return fill
+
+
+def _fill_by_numpy(grid: Cells, frame: GridFrame, edges: Floats, value: int, only: int | None) -> None:
+    """Do as `mansion_geometry.free_cells.fill`: each crossing of a row toggles the cells to its right."""
+    low, high = _span(frame.y0, frame.resolution, edges[:, 1], frame.rows)
+    left, right = _span(frame.x0, frame.resolution, edges[:, 0], frame.columns)
+    if low >= high or left >= right:
+        return
+    ax, ay, bx, by = edges.T
+    y = frame.y0 + (np.arange(low, high) + 0.5) * frame.resolution
+    # Half-open, so that a vertex on the row counts for one of its edges only.
+    row, edge = np.nonzero((ay > y[:, None]) != (by > y[:, None]))
+    ax, ay, bx, by = ax[edge], ay[edge], bx[edge], by[edge]
+    crossing = ax + (y[row] - ay) * (bx - ax) / (by - ay)
+    first = np.ceil((crossing - frame.x0) / frame.resolution - 0.5).astype(np.int64)
+    width = right - left + 1
+    places = row * width + np.minimum(np.maximum(first - left, 0), width - 1)
+    toggles = np.bincount(places, minlength=(high - low) * width).astype(np.uint8).reshape(-1, width)
+    inside = np.add.accumulate(toggles[:, :-1], axis=1, dtype=np.uint8) % 2 == 1
+    there = grid[low:high, left:right]
+    there[inside if only is None else inside & (there == only)] = value
+
+
+def _span(origin: float, resolution: float, values: Floats, count: int) -> tuple[int, int]:
+    """Return the first row or column that values can touch, and the one after the last."""
+    low, high = floor((values.min() - origin) / resolution), ceil((values.max() - origin) / resolution)
+    return max(0, low - 1), min(count, high + 1)
 
 
 def fill_rings(
@@ -204,7 +216,7 @@ def fill_rings(
     loops = [np.asarray(ring, dtype=np.float64) for ring in rings if len(ring) >= 3]
     if loops:
         edges = np.concatenate([np.hstack([loop, np.concatenate([loop[1:], loop[:1]])]) for loop in loops])
-        _fill(grid, frame.x0, frame.y0, frame.resolution, edges, value, only or 0, only is None)
+        _fill(grid, frame, edges, value, only)
 
 
 def fill_box(
@@ -236,7 +248,7 @@ def fill_box(
     x, y = center[0], center[1]
     corners = [(x + c * u - s * v, y + s * u + c * v) for u, v in ((-a, -b), (a, -b), (a, b), (-a, b))]
     edges = np.array([(*p, *q) for p, q in zip(corners, (*corners[1:], corners[0]))])
-    _fill(grid, frame.x0, frame.y0, frame.resolution, edges, value, only or 0, only is None)
+    _fill(grid, frame, edges, value, only)
 
 
 def fill_strip(
@@ -254,72 +266,3 @@ def fill_strip(
     size = (hypot(bx - ax, by - ay) + longer, depth)
     middle = ((ax + bx) / 2, (ay + by) / 2)
     fill_box(grid, frame, middle, size, degrees(atan2(by - ay, bx - ax)), value, only)
-
-
-def near_boxes(frame: GridFrame, boxes: Floats, radius: float) -> Mask:
-    """Return the cells whose centres are nearer to a box than `radius`: where the centre of a disc robot cannot be.
-
-    This is the exact distance. `inflate` grows what is drawn already, by half a cell more or less.
-
-    Parameters
-    ----------
-    frame : GridFrame
-    boxes : (n, 6) array
-        Turned rectangles as in `mansion_geometry.boxes`.
-    radius : float
-        Metres.
-    """
-    counts = np.zeros(frame.shape, dtype=np.int16)
-    stamp(counts, frame.x0, frame.y0, frame.resolution, boxes, radius, 1)
-    near: Mask = counts > 0
-    return near
-
-
-def segment_boxes(segments: Sequence[Segment]) -> Floats:
-    """Return segments as boxes without depth, shape (n, 6) (see `mansion_geometry.boxes`)."""
-    rows = []
-    for (ax, ay), (bx, by) in segments:
-        length = hypot(bx - ax, by - ay)
-        ux, uy = ((bx - ax) / length, (by - ay) / length) if length else (1.0, 0.0)
-        rows.append(((ax + bx) / 2, (ay + by) / 2, ux, uy, length / 2, 0.0))
-    return np.array(rows, dtype=np.float64).reshape(-1, 6)
-
-
-# Compiled, as `inflate` is, for a disc is stamped at each cell along the edge of what is occupied.
-@kernel
-def stamp_disc(mask: Mask, row: float, column: float, radius: float) -> None:
-    """Set the cells whose centres are nearer than `radius` to a point; all in cells, centres at integers."""
-    rows, columns = mask.shape
-    limit = radius * radius - 1e-9
-    for r in range(max(0, int(row - radius)), min(rows, int(row + radius) + 2)):
-        for c in range(max(0, int(column - radius)), min(columns, int(column + radius) + 2)):
-            if (r - row) ** 2 + (c - column) ** 2 < limit:
-                mask[r, c] = True
-
-
-@kernel
-def inflate(occupied: Mask, radius: float) -> Mask:
-    """Return the cells whose centres are nearer than `radius` (in cells) to the centre of an occupied one."""
-    rows, columns = occupied.shape
-    blocked = occupied.copy()
-    for r in range(rows):
-        for c in range(columns):
-            if not occupied[r, c]:
-                continue
-            # Discs of interior cells lie within those of the cells at the edge.
-            edge = (
-                (r > 0 and not occupied[r - 1, c])
-                or (r + 1 < rows and not occupied[r + 1, c])
-                or (c > 0 and not occupied[r, c - 1])
-                or (c + 1 < columns and not occupied[r, c + 1])
-            )
-            if edge:
-                stamp_disc(blocked, float(r), float(c), radius)
-    return blocked
-
-
-def region_of(blocked: Mask, row: int, column: int) -> Mask:
-    """Return the 4-connected free region that holds a cell; empty where that is blocked."""
-    reached = np.zeros_like(blocked)
-    flood_fill(blocked, np.array([row * blocked.shape[1] + column], dtype=np.int32), reached)
-    return reached

@@ -9,24 +9,19 @@ from shapely.geometry.base import BaseGeometry
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, vertical
-from mansion_geometry.doorways import is_walkway
+from mansion_geometry.doorways import PASSAGE_DEPTH, is_walkway
 from mansion_geometry.floor_regions import disc_positions, open_floor, strip
 from mansion_geometry.object_footprints import footprint, oblique_margin
-from mansion_geometry.robot_body import BODY_RADIUS, ROBOT_RADIUS
+from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
 __all__ = ["check_reach"]
-
-ROBOT_HEIGHT = 1.5
-ARM = 0.30
-"""Metres that the robot reaches beyond its body."""
 
 SLACK = 0.03
 """Metres by which what is near may lie off, for the grid of 0.05 m on which furniture is placed."""
 
 WALKABLE_HEIGHT = 0.03
-PASSAGE_DEPTH = 0.28
-"""How deep a door's way through its wall is, metres."""
+"""Height up to which an object counts as floor, metres: below `FLAT`, to be on the safe side."""
 
 ENTRANCE_REACH = 0.8
 """How near to a core's entrance pose the robot must get, metres."""
@@ -86,7 +81,7 @@ def _body(item: SceneObject) -> Polygon:
 
 def _obstructs(item: SceneObject) -> bool:
     low, high = vertical(item)
-    return item.mount in ("floor", "wall") and low < ROBOT_HEIGHT and high > WALKABLE_HEIGHT
+    return item.mount in ("floor", "wall") and low < CLEARANCE and high > WALKABLE_HEIGHT
 
 
 def _floor(scene: FloorScene, walk: _Walk, reached: set[int]) -> Iterator[Fault]:
@@ -102,7 +97,7 @@ def _floor(scene: FloorScene, walk: _Walk, reached: set[int]) -> Iterator[Fault]
     for item in scene.objects:
         if item.mount != "floor" or item.size[2] <= WALKABLE_HEIGHT:
             continue
-        if not walk.near(footprint(item), ROBOT_RADIUS + ARM + SLACK) & reached:
+        if not walk.near(footprint(item), ROBOT_RADIUS + ROBOT_REACH + SLACK) & reached:
             yield Fault("OBJECT_UNREACHABLE", item.id, "a robot cannot get near it")
     yield from _spawn(scene, walk, reached)
 

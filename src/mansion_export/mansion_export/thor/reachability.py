@@ -6,7 +6,8 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_geometry.boxes import TOUCH, unit_vector
-from mansion_geometry.floor_grid import GridFrame, fill_rings, near_boxes, segment_boxes
+from mansion_geometry.disc_cells import near_boxes, segment_boxes
+from mansion_geometry.floor_grid import GridFrame, fill_rings
 from mansion_geometry.free_cells import connected_components
 from mansion_geometry.thor.house_format import object_nodes
 from mansion_msgs_py.shapes import Point, Segment

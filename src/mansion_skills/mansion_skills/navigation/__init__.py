@@ -7,7 +7,7 @@ def warm() -> None:
     """Compile and cache the navigation kernels, so that a first robot need not wait."""
     import numpy as np
 
-    from mansion_geometry.floor_grid import region_of
+    from mansion_geometry.disc_cells import region_of
     from mansion_msgs_py.scene import FloorScene, SceneRoom
     from mansion_skills.navigation.floor_map import Body, FloorMap
     from mansion_skills.navigation.paths import find_path, free_run

@@ -7,7 +7,8 @@ from math import hypot
 import numpy as np
 import numpy.typing as npt
 
-from mansion_geometry.doorways import LEAFLESS, depth_of_doors, is_passable, is_walkway
+from mansion_geometry.disc_cells import inflate, stamp_disc
+from mansion_geometry.doorways import LEAFLESS, PASSAGE_DEPTH, depth_of_doors, is_passable, is_walkway
 from mansion_geometry.floor_grid import (
     FREE,
     OCCUPIED,
@@ -17,9 +18,7 @@ from mansion_geometry.floor_grid import (
     fill_box,
     fill_rings,
     fill_strip,
-    inflate,
     map_frame,
-    stamp_disc,
 )
 from mansion_geometry.robot_body import in_the_way
 from mansion_msgs_py.scene import Door, FloorScene
@@ -39,9 +38,6 @@ _INSIDE, _OUTSIDE = 0, -1
 _WALL = -1
 
 _CLEAR = 0
-
-_PASSAGE_DEPTH = 0.14
-"""Half depth of a passage through a wall without a thickness of its own, metres."""
 
 
 def shaft_cells(scene: FloorScene, frame: GridFrame) -> npt.NDArray[np.bool_]:
@@ -193,7 +189,7 @@ class FloorMap:
             return
         (ax, ay), (bx, by) = door.segment
         middle = ((ax + bx) / 2, (ay + by) / 2)
-        depth = self._thickness.get(door.wall, 0.0) + _PASSAGE_DEPTH
+        depth = self._thickness.get(door.wall, 0.0) + PASSAGE_DEPTH / 2
         half = hypot(bx - ax, by - ay) / 2 + depth + 2 * RESOLUTION
         near = [other for other in self.scene.doors if _may_touch(other, middle, half)]
         bodies = [body for body in self._bodies if _stands_near(body, middle, half)]
@@ -227,7 +223,7 @@ class FloorMap:
         if not is_walkway(door, self._cores):
             return
         passable = is_open or door.kind in LEAFLESS
-        depth = 2 * max(self._thickness.get(door.wall, 0.0) / 2 + RESOLUTION, _PASSAGE_DEPTH)
+        depth = max(self._thickness.get(door.wall, 0.0) + 2 * RESOLUTION, PASSAGE_DEPTH)
         if passable:
             fill_strip(solid, self.frame, door.segment, depth, _CLEAR)
         if passable or door.kind in SEE_THROUGH:

@@ -16,7 +16,8 @@ from sensor_msgs.msg import Imu, LaserScan
 from std_msgs.msg import ColorRGBA
 from visualization_msgs.msg import Marker, MarkerArray
 
-from mansion_geometry.floor_grid import RESOLUTION, stamp_disc
+from mansion_geometry.disc_cells import stamp_disc
+from mansion_geometry.floor_grid import RESOLUTION
 from mansion_msgs_py.nodes.shell import qos_profile
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.engine.motion import MotionState, VelocityCommand

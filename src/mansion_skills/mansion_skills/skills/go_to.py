@@ -5,7 +5,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from mansion_geometry.floor_grid import region_of
+from mansion_geometry.disc_cells import region_of
 from mansion_msgs_py.scene import Door
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.skills import SessionArgs

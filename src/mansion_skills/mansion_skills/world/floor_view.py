@@ -6,7 +6,7 @@ from math import dist
 
 import numpy as np
 
-from mansion_geometry.floor_grid import region_of
+from mansion_geometry.disc_cells import region_of
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.world import ObjectState, Pose2D
 from mansion_skills.navigation.floor_map import Body, FloorMap
