@@ -58,7 +58,7 @@ def plan_reference(context: Context, request: BuildRequest, facts: BriefFacts, b
     Raises
     ------
     MansionError
-        See `mansion_planner.plan.plan_building`; before anything is asked.
+        See `mansion_planner.plan.plan_building`.
     """
 
     def plan(using: BriefFacts) -> PlannedBuilding:
