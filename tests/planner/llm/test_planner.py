@@ -325,6 +325,38 @@ def test_statements_that_exclude_each_other_do_not_keep_the_model_from_planning(
     assert (given_way.wish, given_way.reason) == ("three floors", '"two-storey" was read first')
 
 
+def test_the_models_rooms_are_not_overruled_by_what_the_rules_misread(run: Run) -> None:
+    trap = "and the house of our neighbours has five bedrooms and a sauna"
+    brief = f"{BRIEF}; {trap}"
+    by_rules = plan_building(BuildRequest(description=brief)).program
+    assert any(wish.value.name == "sauna" for wish in by_rules.wishes)
+
+    def spoil(piece: str, answer: Any, count: int) -> Any:
+        if piece == "reading":
+            aside = {"kind": "aside", "quote": trap[:-12]}
+            answer["statements"] += [aside, {"kind": "aside", "quote": "and a sauna"}]
+        return answer
+
+    reply = run(spoil, brief=brief, pieces=("reading", "program"))
+    assert_sound(reply)
+    assert (reply.sources["program/F1"], reply.sources["program/F2"]) == ("llm", "llm")
+    assert {wish.value.name for wish in reply.program.wishes if wish.kind == "room"} == {
+        "bedroom", "kitchen", "dining_room",
+    }  # fmt: skip
+    assert not any(room.room_type == "sauna" for floor in reply.program.floors for room in floor.rooms)
+
+
+def test_the_models_rooms_keep_the_words_and_the_furniture_of_the_brief(
+    chat: ModuleType, architect: ModuleType, tmp_path: Path
+) -> None:
+    brief = "a two-storey house with a music den, a piano in the music den, and three bedrooms"
+    run = Run(chat, architect, plan_building(BuildRequest(description=brief)), tmp_path)
+    reply = run(brief=brief, pieces=("reading", "program"))
+    assert reply.sources["program/F1"] == "llm"
+    asked = [room for floor in reply.program.floors for room in floor.rooms if room.objects]
+    assert [(room.name, [entry.category for entry in room.objects]) for room in asked] == [("music den", ["piano"])]
+
+
 @pytest.mark.parametrize(
     "brief", ["a small flat", "a three-storey hotel", "an L-shaped clinic", "a four-storey office", "a supermarket"]
 )

@@ -44,6 +44,7 @@ aside (it asks for nothing: greetings, reasons)."""
 _RULES = f"""\
 Rules:
 1. One statement for each single thing that is asked for, in the order of the text; say nothing that the text does not.
+   A room that stands in a relation or holds furniture has a statement of its own as well.
 2. quote repeats the words that state it, letter by letter in the language of the brief: as few as possible, at most
    {MOST_WORDS}. Statements may share words, and together the quotes cover all that the text asks for.
 3. Names are English, snake_case and singular, whatever the language of the brief; use the same name for the same room.
