@@ -214,6 +214,35 @@ def test_what_is_wrong_with_a_statement_is_told_and_the_rest_is_used(
     assert len(rooms(reply, "bedroom")) == 3
 
 
+def test_a_reading_that_cannot_be_planned_is_asked_for_again(read: Reader) -> None:
+    brief = "A house of 500 feet squared and two bedrooms"
+    wrong = said("total_area", "500 feet squared", area=5.0)
+    right = said("total_area", "500 feet squared", area=46.5)
+    house = said("building_type", "house", type="house")
+    reply = read(brief, answer([house, wrong]), answer([house, right]))
+    assert "cannot be planned" in read.requests[1]["messages"][-1]["content"]
+    assert sum(floor.gross_floor_area for floor in reply.program.floors) > 40.0
+    with pytest.raises(MansionError) as error:
+        read(brief, answer([house, wrong]))
+    assert error.value.code == ErrorCode.INFEASIBLE and len(read.requests) == 2
+
+
+def test_what_weak_models_write_beside_the_schema_is_understood(read: Reader) -> None:
+    brief = "A two-storey house with a piano, bedrooms upstairs and a study on the ground floor"
+    statements = [
+        said("building_type", "A two-storey house", name="two_storey_house", type="house"),
+        said("floors", "two-storey", count=2),
+        said("object", "a piano", name="piano", scope={"room": "house"}),
+        said("room", "bedrooms upstairs", name="bedrooms", scope={"floors": ["upper floors"]}),
+        said("room", "a study", name="study", scope={"floors": ["Ground Floor"]}),
+    ]
+    reply = read(brief, answer(statements))
+    told = {w.value.name: w for w in reply.program.wishes}
+    assert reply.sources["reading"] == "llm" and set(readers(reply).values()) == {"model"}
+    assert (told["piano"].scope.room, told["study"].scope.floors) == ("", [1])
+    assert (told["bedroom"].value.count, told["bedroom"].scope.floors) == (None, [2])
+
+
 def test_a_model_reads_other_languages(read: Reader) -> None:
     with pytest.raises(MansionError, match="next to nothing"):
         read(GERMAN, "Das verstehe ich nicht.")

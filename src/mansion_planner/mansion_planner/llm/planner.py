@@ -11,8 +11,9 @@ from mansion_msgs_py.layout import FloorLayout, FloorProblem, SeedRange
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_msgs_py.topology import FloorTopology, SeedBox, SeedPlan
+from mansion_planner.brief import BriefFacts
 from mansion_planner.llm.context import Context
-from mansion_planner.llm.numbers import plan_reference
+from mansion_planner.llm.numbers import plan_reference, planned_from
 from mansion_planner.llm.palette import Palette, choose_palette
 from mansion_planner.llm.program import plan_model_program
 from mansion_planner.llm.reading import read_with_model, signed
@@ -60,7 +61,7 @@ def plan_with_model(
     try:
         if request.footprint is not None:
             check_footprint(request.footprint)
-        reading = read_with_model(context)
+        reading = read_with_model(context, lambda facts: _refusal(context, request, facts))
         reference = signed(plan_reference(context, request, reading.facts, building_id), reading)
     except MansionError as error:
         raise error.at_stage("program") from None
@@ -87,6 +88,15 @@ def plan_with_model(
         sources=context.sources,
         llm=client.usage,
     )
+
+
+def _refusal(context: Context, request: BuildRequest, facts: BriefFacts) -> str:
+    """Return why no building of such facts can be planned, or an empty string."""
+    try:
+        planned_from(facts, request, context, "trial")
+    except MansionError as error:
+        return error.info.message
+    return ""
 
 
 def _put_hubs_first(planned: PlannedBuilding, topologies: dict[int, FloorTopology]) -> None:

@@ -4,6 +4,7 @@ Each statement comes with the words that it was read from. A quote that is not i
 its statement left out where it stays wrong.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import get_args
 
@@ -69,8 +70,13 @@ class JointReading:
     by_model: tuple[Span, ...] = ()
 
 
-def read_with_model(context: Context) -> JointReading:
+def read_with_model(context: Context, refusal: Callable[[BriefFacts], str] = lambda facts: "") -> JointReading:
     """Return what the brief states: the model's reading, with the rules' where that is silent.
+
+    Parameters
+    ----------
+    refusal : callable
+        Returns why facts cannot be planned, or an empty string; a reading that cannot is asked for again.
 
     Raises
     ------
@@ -83,7 +89,9 @@ def read_with_model(context: Context) -> JointReading:
         return JointReading(read_brief(text, context.knowledge))
 
     def check(answer: ReadingAnswer) -> list[Fault]:
-        return list(facts_of_statements(answer, text, context.knowledge).faults)
+        model = facts_of_statements(answer, text, context.knowledge)
+        why = "" if model.faults else refusal(_joined(context, model, answer.language))
+        return [*model.faults, *([Fault(f"what you read cannot be planned: {why}")] if why else [])]
 
     answer = context.client.ask(_question(context), ReadingAnswer, check, array_field="statements", repairs=REPAIRS)
     if answer.value is None or not answer.value.statements:
@@ -92,14 +100,18 @@ def read_with_model(context: Context) -> JointReading:
         check_understood(facts, text)
         return JointReading(facts)
     model = facts_of_statements(answer.value, text, context.knowledge)
-    if _is_english(answer.value.language):
-        facts = joined_facts(model, read_brief(text, context.knowledge), text)
-    else:
-        facts = without_rules(model, text)
+    facts = _joined(context, model, answer.value.language)
     if not states_something(facts):
         raise nothing_understood(facts, text)
     _tell_source(context, model, len(answer.value.statements), answer.reason)
     return JointReading(facts, (*model.spans, *model.facts.unread))
+
+
+def _joined(context: Context, model: StatementFacts, language: str) -> BriefFacts:
+    """Return the model's facts, and in an English brief what the rules read besides."""
+    if language.strip().lower()[:2] in ("", "en"):
+        return joined_facts(model, read_brief(context.description, context.knowledge), context.description)
+    return without_rules(model, context.description)
 
 
 def signed(planned: PlannedBuilding, reading: JointReading) -> PlannedBuilding:
@@ -114,11 +126,6 @@ def _signed(wish: Wish, by_model: tuple[Span, ...]) -> Wish:
     start, end = wish.span
     model = any(span.start <= start and end <= span.end for span in by_model)
     return msgspec.structs.replace(wish, read_by="model" if model else "rules")
-
-
-def _is_english(language: str) -> bool:
-    """Whether the name or code of a language means English, or none is given."""
-    return language.strip().lower()[:2] in ("", "en")
 
 
 def _tell_source(context: Context, model: StatementFacts, count: int, reason: str) -> None:

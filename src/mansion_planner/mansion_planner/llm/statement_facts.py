@@ -119,7 +119,7 @@ class _StatementReader:
         self.spans: list[Span] = []
         self.relations: list[Span] = []
         self.faults: list[Fault] = []
-        self.private: list[tuple[str, RoomFact]] = []
+        self.private: list[tuple[_Named, RoomFact]] = []
         self.taken: dict[str, set[tuple[int, int]]] = {}
         self.readers: dict[str, Callable[[StatementAnswer, Span], None]] = {
             "building_type": self._building_type, "floors": self._floors, "basements": self._basements,
@@ -196,7 +196,8 @@ class _StatementReader:
     def _places(self, entry: StatementAnswer, span: Span) -> tuple[FloorRef, ...]:
         refs = []
         for place in entry.scope.floors:
-            word = str(place).strip().lower().replace(" ", "_")
+            word = re.sub(r"[ _-]+", "_", str(place).strip().lower())
+            word = re.sub(r"_(floor|storey|story|level)s?$", "", word)
             if re.fullmatch(r"-?\d{1,3}", word):
                 number = int(word)
                 refs.append(
@@ -215,10 +216,12 @@ class _StatementReader:
             raise _UnusableError(f"value.count must be a number from {least} to {most}")
         return count
 
-    def _some(self, entry: StatementAnswer) -> int | None:
-        """Return how many are meant; ``None`` for a plural without a number."""
+    def _some(self, entry: StatementAnswer, span: Span, name: str) -> int | None:
+        """Return how many are meant; ``None`` for a plural without a number, which English quotes show themselves."""
         if entry.value.count is None:
-            return None if entry.value.several else 1
+            head = name.rpartition("_")[2]
+            plural = any(token.plural and token.text == head for token in tokenize(span.words))
+            return None if entry.value.several or plural else 1
         return self._count(entry, _MOST_ROOMS)
 
     # One method for each kind ---------------------------------------------------------------------------------------
@@ -296,15 +299,15 @@ class _StatementReader:
             room_type=room.type,
             name=room.name,
             span=span,
-            count=self._some(entry),
+            count=self._some(entry, span, room.name),
             area=None if entry.value.area is None else self._area(entry),
             floors=self._places(entry, span),
             each=entry.scope.each and not entry.scope.room,
             label=room.label,
             known=room.known,
         )
-        owner = _snake(entry.scope.room)
-        if owner and owner != fact.name:
+        owner = self._scope_room(entry)
+        if owner is not None and owner.name != fact.name:
             self.private.append((owner, fact))
         else:
             self.facts.rooms.append(fact)
@@ -312,11 +315,10 @@ class _StatementReader:
     def attach_private_rooms(self) -> None:
         """Hang rooms that others have for themselves on these; those without an owner are rooms like any other."""
         for owner, fact in self.private:
-            kind = self._named_room(owner, "").type
             rooms = self.facts.rooms
-            at = next((n for n, r in enumerate(rooms) if r.name == owner), None)
+            at = next((n for n, r in enumerate(rooms) if r.name == owner.name), None)
             if at is None:
-                at = next((n for n, r in enumerate(rooms) if r.room_type == kind), None)
+                at = next((n for n, r in enumerate(rooms) if r.room_type == owner.type), None)
             if at is None:
                 rooms.append(fact)
             else:
@@ -344,13 +346,13 @@ class _StatementReader:
         category, size = furniture_of(stated)
         if not category or size != len(stated):
             category = furniture_of(tuple(words.split("_")))[0]
-        room = self._named_room(entry.scope.room, "") if _snake(entry.scope.room) else None
+        room = self._scope_room(entry)
         self.facts.objects.append(
             ObjectFact(
                 words=words.replace("_", " "),
                 category=category,
                 span=span,
-                count=self._some(entry),
+                count=self._some(entry, span, words),
                 room=room.name if room else "",
                 room_type=room.type if room else "",
                 each=entry.scope.each,
@@ -359,8 +361,17 @@ class _StatementReader:
             )
         )
 
+    def _scope_room(self, entry: StatementAnswer) -> _Named | None:
+        """Return the room that a statement is about; ``None`` for none, or for the building itself."""
+        own = _snake(entry.scope.room)
+        mention = self._last_mention(own) if own else None
+        if not own or own == "building" or (mention is not None and mention.building and not mention.room):
+            return None
+        return self._named_room(own, "")
+
     def _room_type(self, entry: StatementAnswer) -> str:
-        return self._named_room(entry.scope.room, "").type if _snake(entry.scope.room) else ""
+        room = self._scope_room(entry)
+        return room.type if room is not None else ""
 
     def _height(self, entry: StatementAnswer, span: Span) -> None:
         height = entry.value.height
