@@ -20,6 +20,12 @@ _UNSPOKEN = frozenset({"size", "setback", "protruding"})
 _APART = frozenset({"building_name", "building_span", "rooms", "unread"})
 """What is joined in a way of its own."""
 
+_RIVALS = {"adjacent": ("adjacent", "apart"), "apart": ("adjacent", "apart"), "building": ("building_type",)}
+"""What runs across words of other statements, and the kinds that say the same.
+
+"kitchen next to the dining room" has the rooms in it, "modern art gallery" the style.
+"""
+
 _MOST_TOKENS = 12
 """Tokens of a piece that is reported as not understood."""
 
@@ -35,8 +41,8 @@ def _overlap(first: Span, second: Span) -> bool:
 def joined_facts(model: StatementFacts, rules: BriefFacts, text: str) -> BriefFacts:
     """Return the model's facts, and those of the rules whose words no statement of the model has.
 
-    A relation between rooms is the rules' also where the model quotes the rooms alone and not what joins them. Words
-    that neither made a statement of are `unread`.
+    A relation between rooms is the rules' also where the model quotes the rooms alone and not what joins them, and the
+    kind of the building where it quotes the style alone. Words that neither made a statement of are `unread`.
 
     Parameters
     ----------
@@ -114,11 +120,14 @@ def _names(*, without: Iterable[str] = ("building_name", "unread")) -> list[str]
 
 
 def _fills_in(name: str, span: Span, model: StatementFacts) -> bool:
-    if name not in ("adjacent", "apart"):
+    """Whether a statement of the rules stands beside the model's."""
+    rivals = _RIVALS.get(name)
+    if rivals is None:
         return not any(_overlap(span, other) for other in model.spans)
-    if any(_overlap(span, other) for other in model.relations):
+    if any(kind in rivals and _overlap(span, other) for kind, other in zip(model.kinds, model.spans)):
         return False
     words = [token for token in tokenize(span.words) if token.kind == "word"]
+    words = words if "adjacent" in rivals else [token for token in words if _content(token)]
     return not all(_touched(span.start + w.start, span.start + w.end, model.spans) for w in words)
 
 

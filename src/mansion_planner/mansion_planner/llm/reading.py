@@ -33,7 +33,8 @@ floors and basements (value.count), total_area and floor_area (value.area, gross
 outline (value.name: {shapes}), use (value.type: what the building's floors scope.floors are for),
 copy (scope.floors are identical), stair and elevator (value.count, or value.unwanted),
 room (value.name as the client calls it, value.type of the list, value.count, value.area of each; scope.floors;
- scope.each where the count is for each of these floors; scope.room where each such room has it for itself),
+ scope.each where the count is for each of these floors; scope.room where each such room has it for itself, the count
+ then being for each),
 no_room (value.name, value.type; scope.floors where it is unwanted there only),
 adjacent and apart (value.name and value.other: the two rooms),
 object and no_object (furniture: value.name, value.count; scope.room; scope.each where it is for each such room),
@@ -46,8 +47,9 @@ _RULES = f"""\
 Rules:
 1. One statement for each single thing that is asked for, in the order of the text; say nothing that the text does not.
    A room that stands in a relation or holds furniture has a statement of its own as well.
-2. quote repeats the words that state it, letter by letter in the language of the brief: as few as possible, at most
-   {MOST_WORDS}. Statements may share words, and together the quotes cover all that the text asks for.
+2. quote repeats the words that state it, letter by letter in the language of the brief: with its number, size and
+   floor, and no more, at most {MOST_WORDS} words. Statements may share words, and together the quotes cover all that
+   the text asks for.
 3. Names are English, snake_case and singular, whatever the language of the brief; use the same name for the same room.
 4. value.count is a number; null and value.several true for a plural without one. Fields that say nothing stay empty.
 5. scope.floors has numbers (1 is the ground floor) or ground, top, roof, basement, every, upper, lower, middle, odd,

@@ -64,15 +64,15 @@ class StatementFacts:
         `unread` has the words that the model itself calls not understood.
     spans : tuple of Span
         Of the usable statements that are understood, asides included.
-    relations : tuple of Span
-        Those of them that say which rooms lie side by side or apart.
+    kinds : tuple of str
+        Their kinds.
     faults : tuple of Fault
         What is wrong with the other statements.
     """
 
     facts: BriefFacts
     spans: tuple[Span, ...]
-    relations: tuple[Span, ...]
+    kinds: tuple[str, ...]
     faults: tuple[Fault, ...]
 
 
@@ -101,23 +101,23 @@ def facts_of_statements(answer: ReadingAnswer, text: str, knowledge: KnowledgeBa
     text : str
         The brief; a statement whose quote is not in it is not usable.
     """
-    reader = _StatementReader(text, knowledge)
+    reader = _StatementReader(text, knowledge, _building_names(answer))
     for number, entry in enumerate(answer.statements, 1):
         reader.read(number, entry)
     if len(answer.statements) > _MOST_STATEMENTS:
         reader.faults.append(Fault(f"{len(answer.statements)} statements are too many; at most {_MOST_STATEMENTS}"))
     reader.attach_private_rooms()
-    return StatementFacts(reader.facts, tuple(reader.spans), tuple(reader.relations), tuple(reader.faults))
+    return StatementFacts(reader.facts, tuple(reader.spans), tuple(reader.kinds), tuple(reader.faults))
 
 
 class _StatementReader:
     """Collects the facts of one answer."""
 
-    def __init__(self, text: str, knowledge: KnowledgeBase) -> None:
-        self.text, self.knowledge = text, knowledge
+    def __init__(self, text: str, knowledge: KnowledgeBase, whole: frozenset[str]) -> None:
+        self.text, self.knowledge, self.whole = text, knowledge, whole
         self.facts = BriefFacts()
         self.spans: list[Span] = []
-        self.relations: list[Span] = []
+        self.kinds: list[str] = []
         self.faults: list[Fault] = []
         self.private: list[tuple[_Named, RoomFact]] = []
         self.taken: dict[str, set[tuple[int, int]]] = {}
@@ -145,8 +145,7 @@ class _StatementReader:
         self.taken.setdefault(f"{entry.kind} {entry.quote}", set()).add((span.start, span.end))
         if entry.kind != "unread":
             self.spans.append(span)
-        if entry.kind in ("adjacent", "apart"):
-            self.relations.append(span)
+            self.kinds.append(entry.kind)
 
     def _quoted(self, entry: StatementAnswer) -> Span:
         if entry.kind not in self.readers:
@@ -177,7 +176,7 @@ class _StatementReader:
         if mention is not None:
             found = mention.room or room_of_building(mention.building, self.knowledge)
         if stated in self.knowledge.rooms:
-            return _Named(own, stated, bool(found) or own == stated)
+            return _Named(own, stated, bool(found) or own in (stated, "room"))
         if found:
             return _Named(own, found, known=True)
         return _Named(own, similar_room_type(own, self.knowledge), known=False)
@@ -302,7 +301,7 @@ class _StatementReader:
             count=self._some(entry, span, room.name),
             area=None if entry.value.area is None else self._area(entry),
             floors=self._places(entry, span),
-            each=entry.scope.each and not entry.scope.room,
+            each=entry.scope.each,
             label=room.label,
             known=room.known,
         )
@@ -320,9 +319,9 @@ class _StatementReader:
             if at is None:
                 at = next((n for n, r in enumerate(rooms) if r.room_type == owner.type), None)
             if at is None:
-                rooms.append(fact)
+                rooms.append(replace(fact, each=fact.each and bool(fact.floors)))
             else:
-                rooms[at] = replace(rooms[at], suite=(*rooms[at].suite, replace(fact, floors=())))
+                rooms[at] = replace(rooms[at], suite=(*rooms[at].suite, _of_each(fact, rooms[at])))
 
     def _no_room(self, entry: StatementAnswer, span: Span) -> None:
         name = _snake(entry.value.name) or _snake(entry.value.type)
@@ -364,10 +363,7 @@ class _StatementReader:
     def _scope_room(self, entry: StatementAnswer) -> _Named | None:
         """Return the room that a statement is about; ``None`` for none, or for the building itself."""
         own = _snake(entry.scope.room)
-        mention = self._last_mention(own) if own else None
-        if not own or own == "building" or (mention is not None and mention.building and not mention.room):
-            return None
-        return self._named_room(own, "")
+        return self._named_room(own, "") if own and own not in self.whole else None
 
     def _room_type(self, entry: StatementAnswer) -> str:
         room = self._scope_room(entry)
@@ -395,6 +391,25 @@ class _StatementReader:
 
     def _unread(self, entry: StatementAnswer, span: Span) -> None:
         self.facts.unread.append(span)
+
+
+def _of_each(fact: RoomFact, owner: RoomFact) -> RoomFact:
+    """Return a private room with its number for each owner, where the model counts all of them: three bathrooms."""
+    owners, count = owner.count or 1, fact.count or 1
+    whole = owners > 1 and (count == owners or (not fact.each and count % owners == 0))
+    return replace(fact, count=count // owners if whole else count, each=False, floors=())
+
+
+def _building_names(answer: ReadingAnswer) -> frozenset[str]:
+    """Return the names of the building itself, which a weak model takes for that of a room."""
+    building = {
+        _snake(name)
+        for entry in answer.statements
+        if entry.kind == "building_type"
+        for name in (entry.value.name, entry.value.type)
+    }
+    rooms = {_snake(entry.value.name) for entry in answer.statements if entry.kind == "room"}
+    return frozenset((building | {"building"}) - rooms)
 
 
 def _snake(text: str) -> str:
