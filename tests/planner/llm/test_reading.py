@@ -197,6 +197,14 @@ def test_an_invented_quote_is_asked_for_again_once_and_then_left_out(read: Reade
     assert mended.sources["reading"] == "llm"
 
 
+def test_a_model_that_invents_every_quote_leaves_the_reading_to_the_rules(read: Reader) -> None:
+    invented = said("room", "a swimming pool", name="pool", type="indoor_pool", count=1)
+    reply = read(BRIEF, answer([invented]))
+    assert reply.sources["reading"].startswith("rules: ") and set(readers(reply).values()) == {"rules"}
+    with pytest.raises(MansionError, match="next to nothing"):
+        read(GERMAN, answer([invented], "German"))
+
+
 @pytest.mark.parametrize("quote", ["THREE  bedrooms", "“three bedrooms”", "three\nbedrooms."])
 def test_a_quote_may_differ_in_case_white_space_and_marks(read: Reader, quote: str) -> None:
     reply = read(BRIEF, answer([*without("three bedrooms"), said("room", quote, name="bedroom", count=3)]))

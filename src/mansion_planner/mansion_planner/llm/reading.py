@@ -96,12 +96,12 @@ def read_with_model(context: Context, refusal: Callable[[BriefFacts], str] = lam
         return [*model.faults, *([Fault(f"what you read cannot be planned: {why}")] if why else [])]
 
     answer = context.client.ask(_question(context), ReadingAnswer, check, array_field="statements", repairs=REPAIRS)
-    if answer.value is None or not answer.value.statements:
+    model = facts_of_statements(answer.value or ReadingAnswer([]), text, context.knowledge)
+    if answer.value is None or not (model.spans or model.facts.unread):
         context.from_rules("reading", answer.reason or "the model made no statement")
         facts = read_brief(text, context.knowledge)
         check_understood(facts, text)
         return JointReading(facts)
-    model = facts_of_statements(answer.value, text, context.knowledge)
     facts = _joined(context, model, answer.value.language)
     if not states_something(facts):
         raise nothing_understood(facts, text)
