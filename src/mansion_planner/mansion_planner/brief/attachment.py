@@ -5,6 +5,7 @@ follows it; one right after a list ("a gym and a sauna on the top floor") belong
 noun ("a ground-floor cafeteria") to that noun alone.
 """
 
+import itertools
 from dataclasses import dataclass
 
 from mansion_planner.brief.facts import FloorRef
@@ -226,11 +227,8 @@ class _Walk:
         return chosen
 
     def _asyndetic(self, left: list[int]) -> bool:
-        """Whether commas alone part a list, so that what follows its last entry is of that one: "shop, cafe upstairs"."""
-        joints = [
-            self.reading.words(self.phrases[a].last, self.phrases[b].first)
-            for a, b in zip(left, left[1:], strict=False)
-        ]
+        """Whether commas alone part a list, so that what follows is of its last entry: "shop, cafe upstairs"."""
+        joints = [self.reading.words(self.phrases[a].last, self.phrases[b].first) for a, b in itertools.pairwise(left)]
         return len(left) > 2 and not any("and" in words or "&" in words for words in joints)
 
     def _suits(self, number: int, place: Place) -> bool:

@@ -114,7 +114,7 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
 
 
 def _refused(reading: Reading, phrases: list[Phrase], index: int) -> tuple[int, int] | None:
-    """Read "a lift was suggested, but we do not want one", "my wife vetoes the cinema"; return what, and where it ends."""
+    """Read "a lift was suggested, but we do not want one"; return which phrase it refuses, and where it ends."""
     if reading.word(index) in _REFUSALS and index not in reading.taken:
         number = next((n for n, p in enumerate(phrases) if 0 <= p.begin - index - 1 <= 2 and p.first > index), None)
         return None if number is None else (number, phrases[number].last)

@@ -27,7 +27,8 @@ FUNCTION_WORDS = frozenset(
     straight also only just even still again very quite too rather really maybe perhaps possibly ideally mainly
     mostly partly nearly about around approximately roughly circa ca approx almost least most more less many few
     several multiple various numerous much enough same identical alike altogether together total overall exactly
-    precisely apart away together someone everybody everyone anyone nobody nothing everything something anything one's live sleep eat
+    precisely apart away someone everybody everyone anyone nobody nothing everything something anything one's
+    live sleep eat
     cook meet walk carry gather believe afford love find see look say tell ask think know located situated placed
     spread divided split equipped furnished fitted surrounded arranged organised organized reserved dedicated called
     named known planned needed wanted required preferred desired expected apiece respectively etc ie eg namely such

@@ -151,7 +151,7 @@ class _Reader:
         return replace(phrase, head="unknown") if phrase.name == "room" else phrase
 
     def _late_counts(self) -> None:
-        """Read "offices of 14 m2 each, six of them" and "four bedrooms, no sorry, five": counts away from their noun."""
+        """Read counts away from their noun: "offices of 14 m2 each, six of them", "four bedrooms, no sorry, five"."""
         reading = self.reading
         for index, token in enumerate(reading.tokens):
             if token.kind != "number" or index in reading.taken or token.value < 1 or token.value != int(token.value):

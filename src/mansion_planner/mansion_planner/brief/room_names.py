@@ -149,7 +149,7 @@ def coordinated(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase)
 
 
 def designated_nouns(reading: Reading) -> frozenset[str]:
-    """Return the nouns that a brief tells apart by numbers or letters: "Bedroom 1 ... Bedroom 2", "Studio A, Studio B"."""
+    """Return the nouns that a brief tells apart by numbers or letters: "Bedroom 1 ... Bedroom 2", "Studio A"."""
     found: dict[str, set[str]] = {}
     for index in range(1, len(reading.tokens)):
         length = _designator(reading, index)
@@ -213,7 +213,7 @@ def with_designators(reading: Reading, phrase: Phrase, nouns: frozenset[str]) ->
                 last=end,
                 count=1,
                 plural=False,
-            )  # fmt: skip
+            )
         )
         index = first = _next_designator(reading, end)
     return found or [phrase]

@@ -616,7 +616,7 @@ def _counts_from_ground(reading: Reading) -> bool:
 
 
 def _lists_ground_and_first(reading: Reading) -> bool:
-    """Whether "Ground: ... 1st: ..." or "GF: ... 1F: ..." number the storeys of a list from the one above the ground."""
+    """Whether "Ground: ... 1st: ..." or "GF: ... 1F: ..." count the storeys of a list from the one above the ground."""
     marks = (":", "=", "-", "–", "\n", "&", "and", ",")
     ground = first = False
     for index in range(len(reading.tokens)):

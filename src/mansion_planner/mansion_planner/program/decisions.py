@@ -376,8 +376,9 @@ def _floors(
     elif stated is not None:
         count = int(stated.value)
         note(trace, stated.span, f"{count} storeys")
-        reason = f'"{stated.span.words}" is the larger number'
-        given_way += [conflict(other.span.words, f"{count} storeys", reason) for other in facts.floors[1:]]
+        for other in facts.floors[1:]:
+            why = "is the larger number" if stated.value >= other.value else "was read first"
+            given_way.append(conflict(other.span.words, f"{count} storeys", f'"{stated.span.words}" {why}'))
     else:
         return _infer_floors(facts, building, needed, trace, generator), facts
     if place is not None and needed > count:
