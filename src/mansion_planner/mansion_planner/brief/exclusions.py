@@ -97,6 +97,10 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
         if after is not None:
             found[number] = (phrase.first, phrase.last + len(after))
             reading.take(phrase.last, phrase.last + len(after))
+            while number and reading.words(phrases[number - 1].last, phrase.first) in (("or",), ("nor",)):
+                number -= 1  # "a television or a dining room are not wanted"
+                phrase = phrases[number]
+                found[number] = (phrase.first, phrase.last)
     for index in range(len(reading.tokens)):
         refused = _refused(reading, phrases, index)
         if refused is not None:

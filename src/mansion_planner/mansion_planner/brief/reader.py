@@ -16,6 +16,7 @@ from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity, RoomFact, Span, UseFact
 from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.furnishings import read_furnishings
+from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.measures import Measure, find_measures, give_measures, read_heights
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
@@ -81,6 +82,7 @@ class _Reader:
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
         self._late_counts()
         self._containers()
+        self._fittings()
         self._elliptical()
         self.relations = read_relations(reading, self.phrases, set() if self.building is None else {self.building})
         self.negated = negated_phrases(reading, self.phrases)
@@ -182,6 +184,21 @@ class _Reader:
             ):
                 self.phrases[number] = replace(phrase, head="unknown")
 
+    def _fittings(self) -> None:
+        """Read "every cell fitted with bunk, toilet and desk" as furniture, though a toilet can be a room as well."""
+        reading = self.reading
+        for number, phrase in enumerate(self.phrases):
+            if phrase.head != "room" or phrase.areas:
+                continue
+            start = phrase.first
+            while start > 0 and reading.sentence[start - 1] == reading.sentence[phrase.first]:
+                start -= 1
+                if reading.word(start) in ("fitted", "equipped", "furnished") and reading.word(start + 1) == "with":
+                    category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
+                    if category:
+                        self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
+                    break
+
     def _bedrooms_of_building(self, phrase: Phrase) -> None:
         """Read "three-bedroom" before the building's name."""
         reading = self.reading
@@ -200,16 +217,17 @@ class _Reader:
             word = reading.word(index + 1)
             if reading.kind(index) != "number" or index in reading.taken:
                 continue
-            if word == "br" or (
-                word == "bed" and reading.word(index + 2) in ("/", ",") and reading.kind(index + 3) == "number"
-            ):
+            singular = not reading.plural(index + 1)
+            several = reading.value(index) > 1 or index + 2 in reading.mention_at
+            if word in ("br", "bhk") or (word == "bed" and singular and several and index not in reading.taken):
                 self._advert("bedroom", index, index + 2)
-            elif (
-                word in ("bath", "ba")
-                and reading.word(index - 1) in ("/", ",")
-                and reading.word(index - 2) in ("bed", "br", "bedroom")
-            ):
+            elif word in ("bath", "ba") and singular and self._follows_advert(index):
                 self._advert("bathroom", index, index + 2)
+
+    def _follows_advert(self, index: int) -> bool:
+        """Whether "2 bath" stands right after "3 bed"."""
+        before = index - 1 - (self.reading.word(index - 1) in ("/", ",", "+", "and", "&"))
+        return self.reading.word(before) in ("bed", "br", "bedroom", "bhk")
 
     def _advert(self, room_type: str, first: int, last: int, *, inside: bool = False) -> None:
         span = self.reading.span(first, last)
@@ -416,7 +434,9 @@ class _Reader:
             owner = self.same.get(owner, owner)
             several = (self.phrases[owner].count or 2) > 1 or distributed
             if owner in suites:
-                joined = gap <= {"and", "a", "an", "its", "own", ",", "the", "one"} and "and" in gap
+                joined = (
+                    _outside_brackets(gap_words) <= {"and", "a", "an", "its", "own", ",", "the", "one"} and "and" in gap
+                )
                 if joined:
                     suites[number] = suites[owner]
                 continue
@@ -658,6 +678,16 @@ _SLEEPING = frozenset(
 _PRIVATE = frozenset(
     {"bathroom", "ensuite_bathroom", "toilet", "walk_in_closet", "dressing_room", "shower_area", "restroom", "pantry"}
 )
+
+
+def _outside_brackets(words: tuple[str, ...]) -> set[str]:
+    """Return the words that do not stand in brackets."""
+    found, depth = set(), 0
+    for word in words:
+        depth += (word == "(") - (word == ")")
+        if depth == 0 and word != ")":
+            found.add(word)
+    return found
 
 
 def _identifier(name: str) -> str:

@@ -122,7 +122,8 @@ class _Ledger:
         """Go through all facts."""
         facts = self.facts
         for name, span in facts.building[:1]:
-            self.add("building_type", span, WishValue(name=facts.building_name or name, type=name))
+            if span.words:
+                self.add("building_type", span, WishValue(name=facts.building_name or name, type=name))
         for span in facts.building_span[:1]:
             kind = self.decisions.building.name
             reason = f"no such kind of building is known; planned like {kind.replace('_', ' ')}"
