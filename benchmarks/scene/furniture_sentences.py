@@ -15,13 +15,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from requested_objects import room_request
+
 from mansion_language import singular
 from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.scene import SceneObject
 from mansion_planner.plan import plan_building
 from mansion_scene.assembly import furnish_floor
-from requested_objects import room_request
 
 SENTENCES = Path(__file__).with_name("furniture_sentences.json")
 

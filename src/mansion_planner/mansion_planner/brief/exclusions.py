@@ -95,6 +95,8 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
         if after is not None:
             found[number] = (phrase.first, phrase.last + len(after))
             reading.take(phrase.last, phrase.last + len(after))
+            for earlier in _joined_before(reading, phrases, number):
+                found[earlier] = (phrases[earlier].first, phrase.last + len(after))
     for index in range(len(reading.tokens)):
         length = _negation(reading, index)
         if length:
@@ -103,6 +105,15 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             if length and any(first == index for first, _ in found.values()):
                 reading.take(index, index + length)
     return found
+
+
+def _joined_before(reading: Reading, phrases: list[Phrase], number: int) -> list[int]:
+    """Return the phrases that share what is said after the last of them: "a television or a gym are not wanted"."""
+    joined = []
+    while number > 0 and reading.words(phrases[number - 1].last, phrases[number].first) in (("or",), ("nor",)):
+        number -= 1
+        joined.append(number)
+    return joined
 
 
 def _negation(reading: Reading, index: int) -> int:

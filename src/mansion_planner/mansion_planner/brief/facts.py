@@ -149,6 +149,8 @@ class ObjectFact:
     ----------
     words : str
         As written.
+    noun : str
+        What the text calls it, without numbers: "steel tanks".
     category : str
         Of the asset catalogue; empty where it has nothing like it.
     count : int, optional
@@ -170,6 +172,7 @@ class ObjectFact:
     each: bool = False
     excluded: bool = False
     floors: tuple[FloorRef, ...] = ()
+    noun: str = ""
 
 
 @dataclass(frozen=True)

@@ -127,7 +127,8 @@ def _phrases_of(reading: Reading, begin: int, end: int) -> list[Phrase]:
 def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | None:
     """Return the phrase of tokens `begin` to `end` if the last of them can be its head."""
     last = reading.word(end - 1)
-    if last in _STAIRS | _LIFTS:
+    category, size = furniture_of(reading.words(begin, end))
+    if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
     mention = _mention_ending(reading, begin, end)
     if mention is not None and (mention.room or mention.building):
@@ -156,7 +157,6 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
             return finished_phrase(reading, "room", begin, end, room=kind, known=False)
     if last in _PEOPLE:
         return finished_phrase(reading, "people", begin, end)
-    category, _ = furniture_of(reading.words(begin, end))
     if category:
         return finished_phrase(reading, "object", begin, end, category=category)
     return None

@@ -133,6 +133,7 @@ def floor_program(
         RoomProgram(
             id=storey.hub.name, area_estimate=round(hub_area, 2), room_type=storey.hub.name,
             floor_material=floor, wall_material=wall, open_relation="open", notes="circulation hub",
+            objects=requested_objects(decisions, storey.hub.name, storey),
         )
     ]  # fmt: skip
     beside = neighbours(decisions, storey, sketch)
@@ -145,7 +146,7 @@ def floor_program(
                 floor_material=floor, wall_material=wall,
                 open_relation="open" if room.kind.open else "door", notes=room.notes,
                 adjacent_to=beside.get(room.id, []), name=room.label, aliases=aliases_of(room),
-                objects=requested_objects(decisions, room, storey),
+                objects=requested_objects(decisions, room.id, storey),
             )
         )  # fmt: skip
     total = sum(room.area_estimate for room in rooms)
