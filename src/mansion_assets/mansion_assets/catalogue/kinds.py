@@ -8,7 +8,7 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 
-__all__ = ["added_for", "answers", "pieces", "stand_ins"]
+__all__ = ["added_for", "answers", "pieces", "single_seat", "single_seat_categories", "stand_ins"]
 
 _FILE: Final = "kinds.json"
 
@@ -16,6 +16,7 @@ _FILE: Final = "kinds.json"
 class _Kinds(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     stand_ins: dict[str, list[str]]
     added: dict[str, str]
+    single_seats: dict[str, str]
 
 
 @cache
@@ -50,3 +51,13 @@ def pieces(requested: str, asset: Asset) -> int:
 def added_for(requested: str) -> str:
     """Return the category that a room gets for `requested` where its program has none that answers."""
     return _kinds().added.get(requested, requested)
+
+
+def single_seat(category: str) -> str:
+    """Return the category of one seat of a row of seats; `category` itself where it is no such row."""
+    return _kinds().single_seats.get(category, category)
+
+
+def single_seat_categories() -> frozenset[str]:
+    """Return the categories of single seats of rows."""
+    return frozenset(_kinds().single_seats.values())
