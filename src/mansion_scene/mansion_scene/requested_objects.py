@@ -221,7 +221,7 @@ def named_as_asked(objects: Sequence[SceneObject], requested: Iterable[Requested
 
     Notes
     -----
-    No more are renamed than are asked for; a special request ("armchair") has its pieces before a general one ("chair").
+    No more are renamed than are asked for; a special request ("armchair") has its pieces before a general one.
     """
     out, taken = list(objects), set[int]()
     for request in sorted(requested, key=lambda r: (len(stand_ins(r.category)), r.words)):

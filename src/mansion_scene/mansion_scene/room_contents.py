@@ -8,7 +8,7 @@ from shapely.geometry import LineString, Polygon
 from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing, furnish_request, load_catalogue
 from mansion_assets.catalogue.kinds import answers
 from mansion_assets.catalogue.records import Item
-from mansion_assets.catalogue.requested import asked_counts
+from mansion_assets.catalogue.requested import asked_counts, is_a
 from mansion_geometry.randomness import item_seed
 from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementResult, PlacementRoom
 from mansion_msgs_py.program import RequestedObject
@@ -258,7 +258,7 @@ class RoomFurnisher:
                 small, short = again, left
             wanted = with_displaced(self._catalogue, wanted, left)
         unwanted = [category for category, number in counts.items() if not number]
-        return [o for o in small if not any(answers(category, o.category) for category in unwanted)], short
+        return [o for o in small if not any(is_a(o.category, category) for category in unwanted)], short
 
 
 def _extent(net: Polygon) -> tuple[float, float]:

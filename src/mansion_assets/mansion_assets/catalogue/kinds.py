@@ -8,7 +8,7 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 
-__all__ = ["added_for", "answers", "pieces", "single_seat", "single_seat_categories", "stand_ins"]
+__all__ = ["added_for", "answers", "idle_without", "pieces", "single_seat", "single_seat_categories", "stand_ins"]
 
 _FILE: Final = "kinds.json"
 
@@ -17,6 +17,7 @@ class _Kinds(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     stand_ins: dict[str, list[str]]
     added: dict[str, str]
     single_seats: dict[str, str]
+    idle_without: dict[str, list[str]]
 
 
 @cache
@@ -46,6 +47,11 @@ def pieces(requested: str, asset: Asset) -> int:
     if not answers(requested, asset.category):
         return 0
     return int(asset.parameters.get("seats", 1)) if asset.recipe == "seat_row" else 1
+
+
+def idle_without(category: str) -> list[str]:
+    """Return the categories that a room has no use for without one: a television stand without a television."""
+    return _kinds().idle_without.get(category, [])
 
 
 def added_for(requested: str) -> str:

@@ -8,13 +8,13 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
-from mansion_assets.catalogue.kinds import added_for, answers, pieces, stand_ins
+from mansion_assets.catalogue.kinds import added_for, answers, idle_without, pieces, stand_ins
 from mansion_assets.catalogue.quantities import sits_around
 from mansion_assets.catalogue.records import Arrangement, Count, HangItem, Item, RugItem, Scatter, Slot
 from mansion_msgs_py.placement import Relation
 from mansion_msgs_py.program import RequestedObject
 
-__all__ = ["AskedProgram", "asked_counts", "is_rug", "laid_categories", "with_requested", "without_small"]
+__all__ = ["AskedProgram", "asked_counts", "is_a", "is_rug", "laid_categories", "with_requested", "without_small"]
 
 _ALWAYS = 1e9
 _LOW, _HIGH = 0.3, 1.35
@@ -85,7 +85,8 @@ def with_requested(catalogue: Catalogue, card: RoomProgramCard, counts: dict[str
     ceilings and rugs is made certain in the program; small things lie on what the room has, or on a table added here.
     """
     unwanted = [category for category, count in counts.items() if not count]
-    draft = _Program(catalogue, without_categories(card, unwanted), area)
+    idle = [name for category in unwanted for name in idle_without(category) if not counts.get(name)]
+    draft = _Program(catalogue, without_categories(card, [*unwanted, *idle]), area)
     wanted = [(category, count) for category, count in counts.items() if count and catalogue.by_category(category)]
     for category, count in sorted(wanted, key=lambda pair: (answers("chair", pair[0]), pair[0] != "chair")):
         draft.ask(category, count)
@@ -133,10 +134,15 @@ def without_small(arrangements: Iterable[Arrangement], unwanted: Collection[str]
     ]
 
 
+def is_a(category: str, unwanted: str) -> bool:
+    """Tell whether a category is what nobody wants: it answers for it, or has its name ("high_chair", "chair")."""
+    return answers(unwanted, category) or category.endswith(f"_{unwanted}")
+
+
 def _without(items: Iterable[_Listed], unwanted: Collection[str]) -> tuple[_Listed, ...]:
     out = []
     for item in items:
-        names = [name for name in _names(item.category) if not any(answers(u, name) for u in unwanted)]
+        names = [name for name in _names(item.category) if not any(is_a(name, kind) for kind in unwanted)]
         if names:
             out.append(msgspec.structs.replace(item, category=names))
     return tuple(out)

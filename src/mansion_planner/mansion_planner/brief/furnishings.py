@@ -38,7 +38,7 @@ def read_furnishings(
     rooms = [
         n
         for n, phrase in enumerate(phrases)
-        if phrase.head == "room" or (phrase.head == "building" and phrase.room_type)
+        if phrase.head == "room" or (phrase.head == "building" and phrase.room_type and not _whole(reading, phrase))
     ]
     for number in reversed(range(len(phrases))):
         if phrases[number].head == "object":
@@ -132,6 +132,11 @@ def _replaced(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[
     """Whether furniture is not wanted because the phrase before takes its place: "a shower instead of a bathtub"."""
     first = negated[number][0]
     return number > 0 and reading.words(first, first + 2) in (("instead", "of"), ("rather", "than"))
+
+
+def _whole(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase names the building that the brief is about."""
+    return any(span == reading.span(phrase.begin, phrase.noun_end) for _, span in reading.facts.building)
 
 
 def _shared_owner(

@@ -4,7 +4,7 @@ from functools import cache
 
 from mansion_language import singular
 
-__all__ = ["furniture_of"]
+__all__ = ["furniture_of", "furniture_vocabulary"]
 
 
 def furniture_of(words: tuple[str, ...]) -> tuple[str, int]:
@@ -88,6 +88,12 @@ _MEANT = {
     "cot": "crib",
 }
 """Category that a phrase means here, before the catalogue's own names and synonyms; empty for none."""
+
+
+@cache
+def furniture_vocabulary() -> frozenset[str]:
+    """Return the words of all names of furniture, in the singular."""
+    return frozenset(word for phrase, category in _furniture().items() if category for word in phrase)
 
 
 @cache

@@ -35,6 +35,9 @@ _PEOPLE = frozenset(
 )
 _STAIRS = frozenset({"stair", "staircase", "stairwell", "stairway", "stairs"})
 _LIFTS = frozenset({"lift", "elevator"})
+_FURNITURE_TOO = frozenset({"locker", "stall"})
+"""Nouns that name a room, and furniture after certain words: a bedside locker, a milking stall."""
+
 _NO_HEADS = frozenset({"area", "space", "section", "zone", "corner", "place", "center", "centre"})
 
 
@@ -131,6 +134,10 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
     mention = _mention_ending(reading, begin, end)
+    if last in _FURNITURE_TOO and size > 1 and (mention is None or mention.last - mention.first < size):
+        return finished_phrase(reading, "object", begin, end, category=category)
+    if last == "counter" and mention is not None and reading.word(count_before(reading, begin, end)[0] - 1) == "with":
+        return finished_phrase(reading, "object", begin, end, category=category)
     if mention is not None and (mention.room or mention.building):
         room = mention.room or room_of_building(mention.building, reading.knowledge)
         if (

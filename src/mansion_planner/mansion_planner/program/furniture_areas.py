@@ -12,10 +12,13 @@ _BESIDE, _BEFORE = 0.5, 0.9
 _PACKED = 0.75
 """Share of a room's floor that its furniture covers with the free floor around it."""
 
-_ROW, _TABLE, _PAIRED, _LOOSE = 1.0, 1.8, 2.6, 1.3
-"""Floor of a seat in a row, at a table, at a desk of its own, and free in a room, square metres."""
+_ROW, _TABLE, _PAIRED = 1.0, 1.8, 2.6
+"""Floor of a seat in a row, at a table, and at a desk of its own, square metres."""
 
-_AT_ASKED_TABLE = 0.7
+_ABREAST, _LEGS = 0.15, 0.6
+"""Free floor beside and before a seat that stands among others, metres."""
+
+_AT_ASKED_TABLE = 1.1
 """Floor of a seat besides that of the table that is asked for with it, square metres."""
 
 _REST = 4.0
@@ -47,19 +50,37 @@ def _share(wanted: ObjectFact, rooms: int) -> float:
 
 def _piece(wanted: ObjectFact, room_type: str, others: Sequence[ObjectFact]) -> float:
     """Return the floor that one piece needs in a room of a type."""
-    from mansion_assets.catalogue import load_catalogue
-    from mansion_assets.catalogue.kinds import added_for, answers
+    from mansion_assets.catalogue.kinds import answers
 
-    catalogue = load_catalogue()
     if answers("chair", wanted.category):
         if any(answers(table, o.category) for o in others for table in ("dining_table", "desk")):
             return _AT_ASKED_TABLE
         return _seat(room_type, wanted.category)
-    assets = catalogue.by_category(added_for(wanted.category))
-    if not assets or assets[0].mount != "floor" or assets[0].recipe == "rug":
-        return 0.0
-    width, depth, _ = min((asset.size for asset in assets), key=lambda size: size[0] * size[1])
-    return (width + _BESIDE) * (depth + _BEFORE) / _PACKED
+    width, depth = _typical_size(room_type, wanted.category)
+    return (width + _BESIDE) * (depth + _BEFORE) / _PACKED if width else 0.0
+
+
+def _typical_size(room_type: str, category: str) -> tuple[float, float]:
+    """Return width and depth of the middle one, by size, of what answers for a category; (0, 0) for nothing on floors.
+
+    The room's own furniture comes first: a desk of an office is an office desk.
+    """
+    from mansion_assets.catalogue import load_catalogue
+    from mansion_assets.catalogue.kinds import added_for, answers
+
+    catalogue = load_catalogue()
+    own = [
+        [
+            name
+            for name in ([item.category] if isinstance(item.category, str) else item.category)
+            if answers(category, name)
+        ]
+        for item in catalogue.room_program(room_type).floor
+    ]
+    names = next((names for names in own if names), [added_for(category)])
+    assets = [asset for asset in catalogue.choose_from(names) if asset.mount == "floor" and asset.recipe != "rug"]
+    assets.sort(key=lambda asset: (asset.footprint, asset.key))
+    return assets[len(assets) // 2].size[:2] if assets else (0.0, 0.0)
 
 
 def _seat(room_type: str, category: str) -> float:
@@ -78,7 +99,8 @@ def _seat(room_type: str, category: str) -> float:
             return _PAIRED
         if any(relation.kind == "around" for relation in item.relative):
             return _TABLE
-    return _LOOSE
+    width, depth = _typical_size(room_type, category)
+    return (width + _ABREAST) * (depth + _LEGS) / _PACKED
 
 
 def usually_has(room_type: str, category: str) -> bool:
