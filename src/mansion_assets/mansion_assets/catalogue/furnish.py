@@ -167,7 +167,11 @@ def furnish_request(
         card = msgspec.structs.replace(card, floor=tuple(items))
     rng = item_generator(seed, "furnish", room_id, card.room_type)
     counts = asked_counts(requested)
-    asked = with_requested(catalogue, card, counts, area) if counts else AskedProgram(card=card)
+    asked = (
+        with_requested(catalogue, card, counts, area, {r.category for r in requested if r.exact})
+        if counts
+        else AskedProgram(card=card)
+    )
     card = asked.card
     draft = _Draft(catalogue, asked, area, extent, rng, _Style(seed, style), compact=compact)
     for item in card.floor:

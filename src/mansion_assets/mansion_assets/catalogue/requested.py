@@ -70,13 +70,17 @@ def carries(asset: Asset, thing: Asset) -> bool:
     )
 
 
-def with_requested(catalogue: Catalogue, card: RoomProgramCard, counts: dict[str, int], area: float) -> AskedProgram:
+def with_requested(
+    catalogue: Catalogue, card: RoomProgramCard, counts: dict[str, int], area: float, exact: Collection[str] = ()
+) -> AskedProgram:
     """Return a room's program in which what is asked for comes first and is certain, and nothing unwanted is left.
 
     Parameters
     ----------
     counts : dict of str to int
         Pieces by category (see `asked_counts`).
+    exact : collection of str
+        Categories of which no more are wanted: the usual number gives way where they stand at nothing else.
 
     Notes
     -----
@@ -86,7 +90,7 @@ def with_requested(catalogue: Catalogue, card: RoomProgramCard, counts: dict[str
     """
     unwanted = [category for category, count in counts.items() if not count]
     idle = [name for category in unwanted for name in idle_without(category) if not counts.get(name)]
-    draft = _Program(catalogue, without_categories(card, [*unwanted, *idle]), area)
+    draft = _Program(catalogue, without_categories(card, [*unwanted, *idle]), area, exact)
     wanted = [(category, count) for category, count in counts.items() if count and catalogue.by_category(category)]
     for category, count in sorted(wanted, key=lambda pair: (answers("chair", pair[0]), pair[0] != "chair")):
         draft.ask(category, count)
@@ -151,8 +155,8 @@ def _without(items: Iterable[_Listed], unwanted: Collection[str]) -> tuple[_List
 class _Program:
     """A room's program while requests are worked in."""
 
-    def __init__(self, catalogue: Catalogue, card: RoomProgramCard, area: float) -> None:
-        self._catalogue, self._card, self._area = catalogue, card, area
+    def __init__(self, catalogue: Catalogue, card: RoomProgramCard, area: float, exact: Collection[str]) -> None:
+        self._catalogue, self._card, self._area, self._exact = catalogue, card, area, exact
         self._floor = {item.name: item for item in card.floor}
         self._wall, self._ceiling, self._rugs = list(card.wall), list(card.ceiling), list(card.rugs)
         self._least: dict[str, int] = {}
@@ -221,6 +225,8 @@ class _Program:
         self._floor[item.name] = _certain(msgspec.structs.replace(item, category=names, extent=extent))
         self._first[item.name] = None
         self._seat(item.name)
+        if category in self._exact and not item.paired and self._host(item) is None:
+            self._floor[item.name] = msgspec.structs.replace(self._floor[item.name], count=self._least[item.name])
 
     def _seat(self, name: str) -> None:
         """Make what an item stands at certain, with as many copies as it needs where the room's area sets them."""

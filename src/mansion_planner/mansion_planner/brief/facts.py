@@ -161,6 +161,8 @@ class ObjectFact:
         `count` is for every such room.
     excluded : bool
         None of it is wanted.
+    exact : bool
+        No more of them are wanted.
     """
 
     words: str
@@ -173,6 +175,7 @@ class ObjectFact:
     excluded: bool = False
     floors: tuple[FloorRef, ...] = ()
     noun: str = ""
+    exact: bool = False
 
 
 @dataclass(frozen=True)

@@ -65,6 +65,7 @@ def read_furnishings(
                 excluded=number in negated,
                 floors=attached[number].refs if number in attached and room is None else (),
                 noun=phrase.label,
+                exact=phrase.counted and "least" not in reading.words(phrase.first, phrase.last),
             )
         )
     return found

@@ -21,14 +21,20 @@ _ABREAST, _LEGS = 0.15, 0.6
 _AT_ASKED_TABLE = 1.1
 """Floor of a seat besides that of the table that is asked for with it, square metres."""
 
+_ANY = "room"
+"""A room of no particular type."""
+
 _REST = 4.0
 """Floor for what else such a room has, square metres."""
 
 
 def furniture_areas(rooms: Sequence[RoomFact], objects: Sequence[ObjectFact]) -> dict[str, float]:
-    """Return by name of the room the square metres that the furniture wanted in each such room needs."""
-    counts = {room.name: room.count or 2 for room in rooms}
-    types = {room.name: room.room_type for room in rooms}
+    """Return by name of the room the square metres that the furniture wanted in each such room needs.
+
+    The empty name is for furniture that the brief wants in no particular room.
+    """
+    counts = {"": 1} | {room.name: room.count or 2 for room in rooms}
+    types = {"": _ANY} | {room.name: room.room_type for room in rooms}
     out: dict[str, float] = {}
     for name in types:
         wanted = [o for o in objects if o.room == name and o.category and not o.excluded]

@@ -240,7 +240,7 @@ def hub_area(storey: Storey, allocation: Allocation) -> float:
     """Return the area that the brief states, or its furniture needs, for the room that is a storey's hub, or 0."""
     own = [fact for fact in allocation.wanted[storey.index] if fact.room_type == storey.hub.name]
     stated = max((fact.area or 0.0 for fact in own), default=0.0)
-    needed = max((allocation.furniture.get(fact.name, 0.0) for fact in own), default=0.0)
+    needed = max(allocation.furniture.get(name, 0.0) for name in ("", *(fact.name for fact in own)))
     return stated or (needed if needed > storey.hub.usual else 0.0)
 
 

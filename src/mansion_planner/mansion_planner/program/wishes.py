@@ -30,20 +30,24 @@ def assign_furniture(decisions: Decisions, storeys: list[Storey]) -> None:
     for fact in decisions.facts.objects:
         if not fact.category:
             continue
-        matching = _matching(decisions, fact, rooms)
-        if not matching:
-            continue
-        count = 0 if fact.excluded else fact.count if fact.count is not None else 2
-        if fact.each or fact.excluded or (fact.room and fact.count == 1 and not _singled(fact, matching)):
-            shares = [count] * len(matching)
-        elif not fact.room:
-            matching, shares = [max(matching, key=lambda entry: _likelihood(fact, entry))], [count]
-        else:
-            shares = [-(-count // len(matching))] * len(matching)
-        for (storey, room), share in zip(matching, shares):
+        for (storey, room), count in _shared_out(decisions, fact, rooms):
             decisions.furniture.setdefault((storey.index, room.id), []).append(
-                RequestedObject(category=fact.category, count=share, words=_noun(fact))
+                RequestedObject(category=fact.category, count=count, words=_noun(fact), exact=fact.exact)
             )
+
+
+def _shared_out(
+    decisions: Decisions, fact: ObjectFact, rooms: list[tuple[Storey, PlannedRoom]]
+) -> list[tuple[tuple[Storey, PlannedRoom], int]]:
+    """Return the rooms that get furniture, each with its number of pieces."""
+    matching = _matching(decisions, fact, rooms)
+    if fact.excluded:
+        return [(entry, 0) for entry in matching]
+    count = 2 if fact.count is None else fact.count
+    if not matching or not fact.room:
+        return [(max(matching or rooms, key=lambda entry: _likelihood(fact, entry)), count)]
+    share = count if fact.each else -(-count // len(matching))
+    return [(entry, share) for entry in matching]
 
 
 def _hub_of(storey: Storey) -> PlannedRoom:
@@ -56,10 +60,6 @@ def _noun(fact: ObjectFact) -> str:
     """Return what the brief calls one piece."""
     first, _, last = fact.noun.lower().rpartition(" ")
     return f"{first} {singular(last)}".strip()
-
-
-def _singled(fact: ObjectFact, matching: list[tuple[Storey, PlannedRoom]]) -> bool:
-    return len(matching) > 1 and not fact.each
 
 
 def _matching(
