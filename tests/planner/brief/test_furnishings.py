@@ -8,23 +8,25 @@ from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.reader import read_brief
 
 NOUNS = """
-sofa, armchair, recliner, rocking chair, bean bag, coffee table, tv stand, television, bookcase, fireplace, wood burner,
-piano, grand piano, drum kit, double bed, bunk bed, crib, wardrobe, chest of drawers, bedside table, dressing table,
-mirror, writing desk, office chair, filing cabinet, photocopier, monitor, server rack, whiteboard, blackboard, projector,
-lectern, rostrum, pulpit, altar, pew, shoe rack, coat rack, bench, bar stool, high chair, round table, kitchen island,
-range cooker, pizza oven, microwave, chest freezer, dishwasher, washing machine, tumble dryer, ironing board, urinal,
-bathtub, hot tub, massage table, examination couch, dental chair, dialysis chair, birthing pool, hospital bed,
-mri scanner, operating table, wheelchair, stretcher, barber chair, hair dryer, kiln, easel, pottery wheel, loom,
-sewing machine, printing press, 3d printer, laser cutter, drill press, table saw, workbench, car lift, forklift, pallet,
-conveyor belt, robot arm, steel tank, vat, barrel, silo, boiler, generator, crane, milking stall, cage, cat tree,
-aquarium, feeding trough, beehive, vending machine, coffee machine, water cooler, popcorn machine, counter, till,
-cash register, checkout, display case, showcase, mannequin, clothes rack, atm, ticket machine, turnstile, safe, locker,
-treadmill, rowing machine, squat rack, punching bag, boxing ring, climbing wall, table tennis table, pool table,
-dartboard, slot machine, pinball machine, jukebox, microphone, loudspeaker, mixing desk, music stand, tripod, softbox,
-telescope, microscope, fume hood, safety cabinet, centrifuge, lab bench, optical table, statue, plinth, painting,
-notice board, globe, study carrel, sandpit, changing table, lounger, picnic table, fountain, potted plant, rug,
-chandelier, grandfather clock, luggage cart, metal detector, check-in counter, charging station, dough mixer, wine rack,
-prayer mat, coffin, cubicle, phone booth, plan chest, dress form, tyre changer, gas cylinder, bike rack, van, boat
+sofa, armchair, recliner, rocking chair, bean bag, coffee table, tv stand, television, bookcase, fireplace,
+wood burner, piano, grand piano, drum kit, double bed, bunk bed, crib, wardrobe, bedside table, dressing
+table, mirror, writing desk, office chair, filing cabinet, photocopier, monitor, server rack, whiteboard,
+blackboard, projector, lectern, rostrum, pulpit, altar, pew, shoe rack, coat rack, bench, bar stool, high
+chair, round table, kitchen island, range cooker, pizza oven, microwave, chest freezer, dishwasher, washing
+machine, tumble dryer, ironing board, urinal, bathtub, hot tub, massage table, examination couch, dental
+chair, dialysis chair, birthing pool, hospital bed, mri scanner, operating table, wheelchair, stretcher,
+barber chair, hair dryer, kiln, easel, pottery wheel, loom, sewing machine, printing press, 3d printer, laser
+cutter, drill press, table saw, workbench, car lift, forklift, pallet, conveyor belt, robot arm, steel tank,
+vat, barrel, silo, boiler, generator, crane, milking stall, cage, cat tree, aquarium, feeding trough, beehive,
+vending machine, coffee machine, water cooler, popcorn machine, counter, till, cash register, checkout,
+display case, showcase, mannequin, clothes rack, atm, ticket machine, turnstile, safe, locker, treadmill,
+rowing machine, squat rack, punching bag, boxing ring, climbing wall, table tennis table, pool table,
+dartboard, slot machine, pinball machine, jukebox, microphone, loudspeaker, mixing desk, music stand, tripod,
+softbox, telescope, microscope, fume hood, safety cabinet, centrifuge, lab bench, optical table, statue,
+plinth, painting, notice board, globe, study carrel, sandpit, changing table, lounger, picnic table, fountain,
+potted plant, rug, chandelier, grandfather clock, luggage cart, metal detector, check-in counter, charging
+station, dough mixer, wine rack, prayer mat, coffin, cubicle, phone booth, plan chest, dress form, tyre
+changer, gas cylinder, bike rack, van, boat
 """
 
 

@@ -194,7 +194,8 @@ def _furnish(
     if massing.hall:
         asked = sum(r.gross for r in storey.rooms)
         if not stated:
-            share = max(storey.hub.least, min(share, room - sum(r.gross for r in storey.rooms if r.stated)))
+            wanted = sum(r.gross for r in storey.rooms if r.stated)
+            share = max(storey.hub.least, 0.5 * share, min(share, room - wanted))
         fit_areas(storey.rooms, room - share if stated else min(room - share, max(asked, 0.45 * room)))
     else:
         fit_areas(storey.rooms, room)

@@ -132,8 +132,8 @@ def floor_program(
     rooms = [
         RoomProgram(
             id=storey.hub.name, area_estimate=round(hub_area, 2), room_type=storey.hub.name,
-            floor_material=floor, wall_material=wall, open_relation="open", notes="circulation hub", name=_hub_name(decisions, storey),
-            objects=requested_objects(decisions, storey.hub.name, storey),
+            floor_material=floor, wall_material=wall, open_relation="open", notes="circulation hub",
+            name=_hub_name(decisions, storey), objects=requested_objects(decisions, storey.hub.name, storey),
         )
     ]  # fmt: skip
     beside = neighbours(decisions, storey, sketch)

@@ -115,9 +115,7 @@ def usually_has(room_type: str, category: str) -> bool:
     from mansion_assets.catalogue.kinds import answers
 
     card = load_catalogue().room_program(room_type)
-    names = [
-        name
-        for item in (*card.floor, *card.wall, *card.ceiling, *card.rugs)
-        for name in ([item.category] if isinstance(item.category, str) else item.category)
-    ]
+    held = [item.category for item in (*card.floor, *card.wall)]
+    held += [item.category for item in card.ceiling] + [item.category for item in card.rugs]
+    names = [name for one in held for name in ([one] if isinstance(one, str) else one)]
     return any(answers(category, name) for name in names)

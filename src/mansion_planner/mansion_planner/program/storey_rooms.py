@@ -184,12 +184,13 @@ def planned_room(
     """Make a room of a type with its suite; the area of a fact is kept."""
     stated = fact is not None and fact.area is not None
     wish = fact.area if fact is not None and fact.area is not None else area or kind.usual
+    furnished = fact is not None and wish > kind.usual
     room = PlannedRoom(
         id=fact.name if fact is not None else kind.name,
         kind=kind,
         area=wish,
-        least=wish if stated else max(min(kind.least, wish), _TIGHT * wish if wish > kind.usual else 0.0),
-        most=wish if stated else max(kind.most, 1.15 * wish if wish > kind.usual else wish),
+        least=wish if stated else max(min(kind.least, wish), _TIGHT * wish if furnished else 0.0),
+        most=wish if stated else max(kind.most, 1.15 * wish if furnished else wish),
         fixed=stated,
         stated=fact is not None,
         notes=f"from {fact.span.words!r}" if fact is not None else "",
