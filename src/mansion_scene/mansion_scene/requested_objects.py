@@ -37,8 +37,8 @@ PART = "__part"
 _HIGH = 2.3
 """Upper edge of what is hung over furniture because no lower stretch of wall is free, metres."""
 
-_ROW_ENDS = 2
-"""Most seats that a row may have beyond what is asked for."""
+_ROW_ENDS = 1
+"""Most seats that pairs may have beyond what is asked for."""
 
 _MOST_SMALL = 300
 """Most small things of a kind that a room gets on request."""
@@ -236,9 +236,12 @@ def named_as_asked(objects: Sequence[SceneObject], requested: Iterable[Requested
 
 
 def single_seats(catalogue: Catalogue, row: Asset, placement: PlacedObject) -> list[tuple[Asset, tuple[float, float]]]:
-    """Return the seats of a row as assets of their own, each with its centre; anything else as it is."""
+    """Return a pair of seats as assets of their own, each with its centre; anything else as it is.
+
+    The middle seats of longer rows are out of a robot's reach, so those stay whole.
+    """
     number = pieces(row.category, row)
-    singles = catalogue.by_category(single_seat(row.category)) if number > 1 else []
+    singles = catalogue.by_category(single_seat(row.category)) if number == 2 else []
     if not singles:
         return [(row, placement.center)]
     width = row.size[0] / number

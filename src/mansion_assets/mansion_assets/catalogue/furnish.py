@@ -8,6 +8,7 @@ import numpy as np
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
+from mansion_assets.catalogue.kinds import pair_of_seats
 from mansion_assets.catalogue.quantities import (
     copies,
     grid,
@@ -399,7 +400,7 @@ class _Draft:
             return None
         assets = self._for_seats(item, assets, wanted)
         if item.name in self.asked.least:
-            return self._asked_asset(assets, wanted)
+            return pair_of_seats(self._asked_asset(assets, wanted))
         free = max(self.left - self._reserved(item), 0.0)
         limit = 99.0 if item.paired else 0.7 * free / max(1, min(wanted, 3))
         fitting = [a for a in assets if a.footprint <= limit]

@@ -8,7 +8,16 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 
-__all__ = ["added_for", "answers", "idle_without", "pieces", "single_seat", "single_seat_categories", "stand_ins"]
+__all__ = [
+    "added_for",
+    "answers",
+    "idle_without",
+    "pair_of_seats",
+    "pieces",
+    "single_seat",
+    "single_seat_categories",
+    "stand_ins",
+]
 
 _FILE: Final = "kinds.json"
 
@@ -57,6 +66,15 @@ def idle_without(category: str) -> list[str]:
 def added_for(requested: str) -> str:
     """Return the category that a room gets for `requested` where its program has none that answers."""
     return _kinds().added.get(requested, requested)
+
+
+def pair_of_seats(row: Asset) -> Asset:
+    """Return two seats of a row of three or more, both at an aisle when rows stand side by side; else the asset."""
+    number = pieces(row.category, row)
+    if number < 3:
+        return row
+    size = (2 * row.size[0] / number, row.size[1], row.size[2])
+    return msgspec.structs.replace(row, size=size, parameters={**row.parameters, "seats": 2})
 
 
 def single_seat(category: str) -> str:

@@ -8,7 +8,7 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
-from mansion_assets.catalogue.kinds import added_for, answers, idle_without, pieces, stand_ins
+from mansion_assets.catalogue.kinds import added_for, answers, idle_without, pair_of_seats, pieces, stand_ins
 from mansion_assets.catalogue.quantities import sits_around
 from mansion_assets.catalogue.records import Arrangement, Count, HangItem, Item, RugItem, Scatter, Slot
 from mansion_msgs_py.placement import Relation
@@ -219,7 +219,9 @@ class _Program:
         names = _only(item.category, category)
         assets = self._catalogue.choose_from(names, item.extent)
         extent = item.extent if assets else None
-        most = max((pieces(category, a) for a in assets or self._catalogue.choose_from(names)), default=1)
+        most = max(
+            (pieces(category, pair_of_seats(a)) for a in assets or self._catalogue.choose_from(names)), default=1
+        )
         copies = math.ceil(count / max(most, 1))
         self._least[item.name] = max(copies, self._least.get(item.name, 0))
         self._floor[item.name] = _certain(msgspec.structs.replace(item, category=names, extent=extent))

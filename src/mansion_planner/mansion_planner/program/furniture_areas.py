@@ -12,7 +12,7 @@ _BESIDE, _BEFORE = 0.5, 0.9
 _PACKED = 0.75
 """Share of a room's floor that its furniture covers with the free floor around it."""
 
-_ROW, _TABLE, _PAIRED = 1.0, 1.8, 2.6
+_ROW, _TABLE, _PAIRED = 1.3, 1.8, 2.6
 """Floor of a seat in a row, at a table, and at a desk of its own, square metres."""
 
 _ABREAST, _LEGS = 0.15, 0.6
@@ -115,7 +115,7 @@ def usually_has(room_type: str, category: str) -> bool:
     from mansion_assets.catalogue.kinds import answers
 
     card = load_catalogue().room_program(room_type)
-    held = [item.category for item in (*card.floor, *card.wall)]
-    held += [item.category for item in card.ceiling] + [item.category for item in card.rugs]
+    held = [item.category for item in card.floor] + [item.category for item in card.rugs]
+    held += [item.category for item in (*card.wall, *card.ceiling)]
     names = [name for one in held for name in ([one] if isinstance(one, str) else one)]
     return any(answers(category, name) for name in names)
