@@ -6,6 +6,7 @@ python benchmarks/scene/requested_objects.py [--seeds 0 1] [--only treadmill ...
 import argparse
 import math
 import time
+from collections.abc import Sequence
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.catalogue.kinds import pieces
@@ -43,19 +44,23 @@ CASES: list[tuple[str, int, str, float]] = [
 
 
 def request_of(category: str, count: int, room_type: str, area: float, seed: int) -> FurnishRequest:
+    """Return the request for a room of the given area that is to have some pieces of a category."""
+    return room_request([RequestedObject(category=category, count=count)], room_type, area, seed)
+
+
+def room_request(asked: Sequence[RequestedObject], room_type: str, area: float, seed: int) -> FurnishRequest:
     """Return the request for a floor with one room of the given area and a corridor before it."""
     depth = math.sqrt(area / 1.4)
     width = 1.4 * depth
     boxes = {"room": (0.0, 0.0, width, depth), "corridor": (0.0, depth, width, depth + 2.4)}
     rings = {name: [(x0, y0), (x1, y0), (x1, y1), (x0, y1)] for name, (x0, y0, x1, y1) in boxes.items()}
-    asked = [RequestedObject(category=category, count=count)]
     return FurnishRequest(
         building_id="sample",
         floor=FloorProgram(
             index=1,
             requirement="",
             gross_floor_area=area,
-            rooms=[RoomProgram(id="room", area_estimate=area, room_type=room_type, objects=asked)],
+            rooms=[RoomProgram(id="room", area_estimate=area, room_type=room_type, objects=list(asked))],
             area_summary=AreaSummary(sum_rooms=area, reserve_ratio=0.2, fits_within_gfa=True),
             label="1",
         ),

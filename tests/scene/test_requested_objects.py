@@ -189,3 +189,39 @@ def test_where_space_is_plentiful_all_that_is_asked_for_stands_or_is_reported(
     tree = shapely.STRtree(standing)
     pairs = tree.query(standing, predicate="intersects").T.tolist()
     assert all(standing[i].intersection(standing[j]).area < 1e-4 for i, j in pairs if i < j)
+
+
+def test_seats_that_are_asked_for_stand_one_by_one_and_are_called_so() -> None:
+    made = request("auditorium", 14.0, 11.0)
+    asked = [RequestedObject(category="chair", count=70, words="seat")]
+    program = msgspec.structs.replace(made.floor.rooms[0], objects=asked)
+    scene = furnish_floor(msgspec.structs.replace(made, floor=msgspec.structs.replace(made.floor, rooms=[program])))
+    seats = [item for item in own(scene) if answers("chair", item.category)]
+    assert len(seats) >= 70 and all(pieces("chair", CATALOGUE.asset(item.asset)) == 1 for item in seats)
+    assert sum(item.name == "seat" for item in seats) == 70
+    shapes = [footprint(item) for item in seats]
+    tree = shapely.STRtree(shapes)
+    left, right = tree.query(shapes, predicate="intersects")
+    assert all(shapes[a].intersection(shapes[b]).area < 1e-3 for a, b in zip(left, right) if a < b)
+
+
+def test_a_thing_is_called_what_the_brief_calls_it() -> None:
+    made = request("production_hall", 9.0, 7.0)
+    asked = [RequestedObject(category="storage_tank", count=4, words="steel tank")]
+    program = msgspec.structs.replace(made.floor.rooms[0], objects=asked)
+    scene = furnish_floor(msgspec.structs.replace(made, floor=msgspec.structs.replace(made.floor, rooms=[program])))
+    names = [item.name for item in own(scene) if item.category == "storage_tank"]
+    assert names == ["steel tank"] * 4
+
+
+def test_an_exact_number_is_not_exceeded_by_the_usual_furniture() -> None:
+    made = request("lobby", 12.0, 9.0)
+    asked = [RequestedObject(category="armchair", count=2, exact=True)]
+    program = msgspec.structs.replace(made.floor.rooms[0], objects=asked)
+    scene = furnish_floor(msgspec.structs.replace(made, floor=msgspec.structs.replace(made.floor, rooms=[program])))
+    assert there(scene, "armchair") == 2
+
+
+def test_a_room_without_a_television_has_no_stand_for_one() -> None:
+    scene = furnished("living_room", 6.0, 4.5, ("television", 0))
+    assert not {"television", "wall_tv", "tv_stand"} & {item.category for item in own(scene)}

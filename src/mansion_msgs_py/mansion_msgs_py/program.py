@@ -50,11 +50,20 @@ class VerticalConnectivity(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class RequestedObject(msgspec.Struct, frozen=True, kw_only=True):
-    """Furniture that the brief wants in a room: `count` pieces of a category of the catalogue, none where it is 0."""
+    """Furniture that the brief wants in a room: `count` pieces of a category of the catalogue, none where it is 0.
+
+    Attributes
+    ----------
+    words : str
+        What the brief calls one of them.
+    exact : bool
+        No more of them are wanted.
+    """
 
     category: str
     count: int
     words: str = ""
+    exact: bool = False
 
 
 class RoomProgram(msgspec.Struct, frozen=True, kw_only=True):

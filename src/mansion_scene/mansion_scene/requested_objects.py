@@ -1,16 +1,18 @@
 """What the brief asks for in a room: what is short of it, how it is tried again, and what is told in the end."""
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Literal
 
 import msgspec
 
 from mansion_assets.catalogue import Asset, Catalogue, HangRequest, RoomFurnishing, RugRequest
-from mansion_assets.catalogue.kinds import added_for, answers, pieces, stand_ins
+from mansion_assets.catalogue.kinds import added_for, answers, pieces, single_seat, single_seat_categories, stand_ins
 from mansion_assets.catalogue.requested import is_rug
 from mansion_geometry.randomness import item_generator
-from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacementObject, SingleStructure
-from mansion_msgs_py.scene import Discard
+from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacedObject, PlacementObject, SingleStructure
+from mansion_msgs_py.program import RequestedObject
+from mansion_msgs_py.scene import Discard, SceneObject
 
 __all__ = [
     "PART",
@@ -18,12 +20,15 @@ __all__ = [
     "asked_alone",
     "extra_wishes",
     "in_usual_order",
+    "named_as_asked",
     "not_met",
     "placeable",
     "shortage",
+    "single_seats",
     "with_displaced",
     "with_extra",
     "with_usual",
+    "without_surplus_seats",
 ]
 
 PART = "__part"
@@ -31,6 +36,9 @@ PART = "__part"
 
 _HIGH = 2.3
 """Upper edge of what is hung over furniture because no lower stretch of wall is free, metres."""
+
+_ROW_ENDS = 1
+"""Most seats that pairs may have beyond what is asked for."""
 
 _MOST_SMALL = 300
 """Most small things of a kind that a room gets on request."""
@@ -205,4 +213,54 @@ def not_met(
             assets = catalogue.by_category(added_for(category))
             reason = _REASONS.get(assets[0].mount, _REASONS["floor"]) if assets else "the catalogue has no such thing"
             out.append(Discard(room=room_id, name=category, count=number - told, reason=reason))
+    return out
+
+
+def named_as_asked(objects: Sequence[SceneObject], requested: Iterable[RequestedObject]) -> list[SceneObject]:
+    """Return objects of which those that answer a request are called what the brief calls them.
+
+    Notes
+    -----
+    No more are renamed than are asked for; a special request ("armchair") has its pieces before a general one.
+    """
+    out, taken = list(objects), set[int]()
+    for request in sorted(requested, key=lambda r: (len(stand_ins(r.category)), r.words)):
+        answering = [n for n, o in enumerate(out) if n not in taken and answers(request.category, o.category)]
+        answering.sort(key=lambda n: out[n].category not in (request.category, added_for(request.category)))
+        for number in answering[: request.count]:
+            taken.add(number)
+            thing = out[number]
+            if request.words and request.words not in (thing.name.lower(), thing.category.replace("_", " ")):
+                out[number] = msgspec.structs.replace(thing, name=request.words)
+    return out
+
+
+def single_seats(catalogue: Catalogue, row: Asset, placement: PlacedObject) -> list[tuple[Asset, tuple[float, float]]]:
+    """Return a pair of seats as assets of their own, each with its centre; anything else as it is.
+
+    The middle seats of longer rows are out of a robot's reach, so those stay whole.
+    """
+    number = pieces(row.category, row)
+    singles = catalogue.by_category(single_seat(row.category)) if number == 2 else []
+    if not singles:
+        return [(row, placement.center)]
+    width = row.size[0] / number
+    fitting = [seat for seat in singles if seat.size[0] <= width + 1e-6] or singles
+    seat = max(fitting, key=lambda s: (s.material == row.material, s.size[0]))
+    angle = math.radians(placement.rotation)
+    x, y = placement.center
+    steps = [(k - (number - 1) / 2) * width for k in range(number)]
+    return [(seat, (x + step * math.cos(angle), y + step * math.sin(angle))) for step in steps]
+
+
+def without_surplus_seats(objects: Sequence[SceneObject], counts: Mapping[str, int]) -> list[SceneObject]:
+    """Return objects without the last seats of a row that are more than asked for."""
+    singles = single_seat_categories()
+    out = list(objects)
+    for category, number in counts.items():
+        there = [o for o in out if answers(category, o.category)]
+        beyond = len(there) - number
+        if number and 0 < beyond <= _ROW_ENDS:
+            surplus = [o.id for o in there if o.category in singles][-beyond:]
+            out = [o for o in out if o.id not in surplus]
     return out

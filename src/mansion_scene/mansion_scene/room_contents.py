@@ -8,7 +8,7 @@ from shapely.geometry import LineString, Polygon
 from mansion_assets.catalogue import Asset, Catalogue, RoomFurnishing, furnish_request, load_catalogue
 from mansion_assets.catalogue.kinds import answers
 from mansion_assets.catalogue.records import Item
-from mansion_assets.catalogue.requested import asked_counts
+from mansion_assets.catalogue.requested import asked_counts, is_a
 from mansion_geometry.randomness import item_seed
 from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementResult, PlacementRoom
 from mansion_msgs_py.program import RequestedObject
@@ -22,12 +22,15 @@ from mansion_scene.requested_objects import (
     asked_alone,
     extra_wishes,
     in_usual_order,
+    named_as_asked,
     not_met,
     placeable,
     shortage,
+    single_seats,
     with_displaced,
     with_extra,
     with_usual,
+    without_surplus_seats,
 )
 from mansion_scene.structure import FloorStructure
 
@@ -113,7 +116,7 @@ class RoomFurnisher:
             wishes, result = self._until_met(room, counts, wishes, self._wishes(room, net, items, compact=True))
         else:
             result = self._placed(room, wishes)
-        placed = _scene_objects(room, wishes, result.placements)
+        placed = self._scene_objects(room, wishes, result.placements, counts)
         left = [
             Discard(room=room.id, name=lost.name.removesuffix(PART), count=lost.count, reason=lost.reason)
             for lost in result.discarded
@@ -122,7 +125,8 @@ class RoomFurnisher:
             return [*placed, *self._decorated(room, net, wishes, placed)], left
         small, short = self._decorated_as_asked(room, net, wishes, placed, counts)
         categories = {name: asset.category for name, asset in wishes.floor_assets.items()}
-        return [*placed, *small], [*left, *not_met(self._catalogue, room.id, short, left, categories)]
+        named = named_as_asked([*placed, *small], self._requested[room.id])
+        return named, [*left, *not_met(self._catalogue, room.id, short, left, categories)]
 
     def _wishes(
         self, room: SceneRoom, net: Polygon, items: Sequence[Item] | None, *, compact: bool = False
@@ -183,6 +187,29 @@ class RoomFurnisher:
                 return trial
         return best
 
+    def _scene_objects(
+        self, room: SceneRoom, wishes: RoomFurnishing, placements: Sequence[PlacedObject], counts: Mapping[str, int]
+    ) -> list[SceneObject]:
+        """Return placed objects as those of the scene, rows of seats that are asked for seat by seat."""
+        numbers: dict[str, int] = {}
+        objects = []
+        for placement in placements:
+            row = wishes.asset_for(placement.name, placement.size)
+            asked = any(number and answers(category, row.category) for category, number in counts.items())
+            for asset, (x, y) in single_seats(self._catalogue, row, placement) if asked else [(row, placement.center)]:
+                numbers[asset.category] = numbers.get(asset.category, 0) + 1
+                objects.append(
+                    scene_object(
+                        asset,
+                        f"{room.id}/{asset.category}_{numbers[asset.category]}",
+                        room.id,
+                        (x, y, asset.size[2] / 2),
+                        placement.rotation,
+                        mount="floor",
+                    )
+                )
+        return without_surplus_seats(objects, counts)
+
     def _decorated(
         self,
         room: SceneRoom,
@@ -231,7 +258,7 @@ class RoomFurnisher:
                 small, short = again, left
             wanted = with_displaced(self._catalogue, wanted, left)
         unwanted = [category for category, number in counts.items() if not number]
-        return [o for o in small if not any(answers(category, o.category) for category in unwanted)], short
+        return [o for o in small if not any(is_a(o.category, category) for category in unwanted)], short
 
 
 def _extent(net: Polygon) -> tuple[float, float]:
@@ -248,23 +275,3 @@ def _with_panels(door: Door) -> Door:
     return msgspec.structs.replace(
         door, segment=((ax - dx, ay - dy), (bx + dx, by + dy)), width=door.width + 2 * _PANEL_WALL
     )
-
-
-def _scene_objects(room: SceneRoom, furnishing: RoomFurnishing, placements: list[PlacedObject]) -> list[SceneObject]:
-    counts: dict[str, int] = {}
-    objects = []
-    for placement in placements:
-        asset = furnishing.asset_for(placement.name, placement.size)
-        counts[asset.category] = counts.get(asset.category, 0) + 1
-        x, y = placement.center
-        objects.append(
-            scene_object(
-                asset,
-                f"{room.id}/{asset.category}_{counts[asset.category]}",
-                room.id,
-                (x, y, asset.size[2] / 2),
-                placement.rotation,
-                mount="floor",
-            )
-        )
-    return objects

@@ -50,6 +50,28 @@ def test_what_answers_to_a_wish_is_named_by_ids_of_the_scene() -> None:
     assert found.objects == ["F2/pottery/office_desk_1", "F2/pottery/office_desk_2"]
 
 
+@pytest.mark.parametrize(
+    ("category", "asset", "asked", "number", "status"),
+    [
+        ("cinema_seat", "cinema_seat_1", "chair", 3, "met"),
+        ("cinema_seat", "cinema_seat_1", "chair", 4, "partly"),
+        ("wall_tv", "wall_tv_1", "television", 1, "met"),
+        ("hospital_bed", "hospital_bed_1", "bed", 1, "met"),
+        ("wall_tv", "wall_tv_1", "chair", 1, "not_met"),
+    ],
+)
+def test_kinds_of_a_thing_answer_and_rows_count_their_seats(
+    category: str, asset: str, asked: str, number: int, status: WishStatus
+) -> None:
+    floors = scenes()
+    thing = msgspec.structs.replace(
+        floors[0].objects[0], id="F1/hallway/thing_1", room="F1/hallway", category=category, asset=asset
+    )
+    floors[0] = msgspec.structs.replace(floors[0], objects=[thing])
+    wanted = wish("object", WishValue(name=f"{asked}s", type=asked, count=number), Scope(room="hallway", floors=[1]))
+    assert settled(wanted, floors).status == status
+
+
 def test_a_room_that_something_known_stands_in_for_is_met_in_part() -> None:
     room = wish("room", WishValue(name="pottery", type="study_room", count=1))
     asked = msgspec.structs.replace(room, reason="no such room is known; planned and furnished like study room")

@@ -8,6 +8,7 @@ import numpy as np
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
+from mansion_assets.catalogue.kinds import pair_of_seats
 from mansion_assets.catalogue.quantities import (
     copies,
     grid,
@@ -167,7 +168,11 @@ def furnish_request(
         card = msgspec.structs.replace(card, floor=tuple(items))
     rng = item_generator(seed, "furnish", room_id, card.room_type)
     counts = asked_counts(requested)
-    asked = with_requested(catalogue, card, counts, area) if counts else AskedProgram(card=card)
+    asked = (
+        with_requested(catalogue, card, counts, area, {r.category for r in requested if r.exact})
+        if counts
+        else AskedProgram(card=card)
+    )
     card = asked.card
     draft = _Draft(catalogue, asked, area, extent, rng, _Style(seed, style), compact=compact)
     for item in card.floor:
@@ -404,7 +409,7 @@ class _Draft:
             return None
         assets = self._for_seats(item, assets, wanted)
         if item.name in self.asked.least:
-            return self._asked_asset(assets, wanted)
+            return pair_of_seats(self._asked_asset(assets, wanted))
         free = max(self.left - self._reserved(item), 0.0)
         limit = 99.0 if item.paired else 0.7 * free / max(1, min(wanted, 3))
         fitting = [a for a in assets if a.footprint <= limit]

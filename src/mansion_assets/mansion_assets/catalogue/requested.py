@@ -8,13 +8,13 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
-from mansion_assets.catalogue.kinds import added_for, answers, pieces, stand_ins
+from mansion_assets.catalogue.kinds import added_for, answers, idle_without, pair_of_seats, pieces, stand_ins
 from mansion_assets.catalogue.quantities import sits_around
 from mansion_assets.catalogue.records import Arrangement, Count, HangItem, Item, RugItem, Scatter, Slot
 from mansion_msgs_py.placement import Relation
 from mansion_msgs_py.program import RequestedObject
 
-__all__ = ["AskedProgram", "asked_counts", "is_rug", "laid_categories", "with_requested", "without_small"]
+__all__ = ["AskedProgram", "asked_counts", "is_a", "is_rug", "laid_categories", "with_requested", "without_small"]
 
 _ALWAYS = 1e9
 _LOW, _HIGH = 0.3, 1.35
@@ -70,13 +70,17 @@ def carries(asset: Asset, thing: Asset) -> bool:
     )
 
 
-def with_requested(catalogue: Catalogue, card: RoomProgramCard, counts: dict[str, int], area: float) -> AskedProgram:
+def with_requested(
+    catalogue: Catalogue, card: RoomProgramCard, counts: dict[str, int], area: float, exact: Collection[str] = ()
+) -> AskedProgram:
     """Return a room's program in which what is asked for comes first and is certain, and nothing unwanted is left.
 
     Parameters
     ----------
     counts : dict of str to int
         Pieces by category (see `asked_counts`).
+    exact : collection of str
+        Categories of which no more are wanted: the usual number gives way where they stand at nothing else.
 
     Notes
     -----
@@ -85,7 +89,8 @@ def with_requested(catalogue: Catalogue, card: RoomProgramCard, counts: dict[str
     ceilings and rugs is made certain in the program; small things lie on what the room has, or on a table added here.
     """
     unwanted = [category for category, count in counts.items() if not count]
-    draft = _Program(catalogue, without_categories(card, unwanted), area)
+    idle = [name for category in unwanted for name in idle_without(category) if not counts.get(name)]
+    draft = _Program(catalogue, without_categories(card, [*unwanted, *idle]), area, exact)
     wanted = [(category, count) for category, count in counts.items() if count and catalogue.by_category(category)]
     for category, count in sorted(wanted, key=lambda pair: (answers("chair", pair[0]), pair[0] != "chair")):
         draft.ask(category, count)
@@ -133,10 +138,15 @@ def without_small(arrangements: Iterable[Arrangement], unwanted: Collection[str]
     ]
 
 
+def is_a(category: str, unwanted: str) -> bool:
+    """Tell whether a category is what nobody wants: it answers for it, or has its name ("high_chair", "chair")."""
+    return answers(unwanted, category) or category.endswith(f"_{unwanted}")
+
+
 def _without(items: Iterable[_Listed], unwanted: Collection[str]) -> tuple[_Listed, ...]:
     out = []
     for item in items:
-        names = [name for name in _names(item.category) if not any(answers(u, name) for u in unwanted)]
+        names = [name for name in _names(item.category) if not any(is_a(name, kind) for kind in unwanted)]
         if names:
             out.append(msgspec.structs.replace(item, category=names))
     return tuple(out)
@@ -145,8 +155,8 @@ def _without(items: Iterable[_Listed], unwanted: Collection[str]) -> tuple[_List
 class _Program:
     """A room's program while requests are worked in."""
 
-    def __init__(self, catalogue: Catalogue, card: RoomProgramCard, area: float) -> None:
-        self._catalogue, self._card, self._area = catalogue, card, area
+    def __init__(self, catalogue: Catalogue, card: RoomProgramCard, area: float, exact: Collection[str]) -> None:
+        self._catalogue, self._card, self._area, self._exact = catalogue, card, area, exact
         self._floor = {item.name: item for item in card.floor}
         self._wall, self._ceiling, self._rugs = list(card.wall), list(card.ceiling), list(card.rugs)
         self._least: dict[str, int] = {}
@@ -209,12 +219,16 @@ class _Program:
         names = _only(item.category, category)
         assets = self._catalogue.choose_from(names, item.extent)
         extent = item.extent if assets else None
-        most = max((pieces(category, a) for a in assets or self._catalogue.choose_from(names)), default=1)
+        most = max(
+            (pieces(category, pair_of_seats(a)) for a in assets or self._catalogue.choose_from(names)), default=1
+        )
         copies = math.ceil(count / max(most, 1))
         self._least[item.name] = max(copies, self._least.get(item.name, 0))
         self._floor[item.name] = _certain(msgspec.structs.replace(item, category=names, extent=extent))
         self._first[item.name] = None
         self._seat(item.name)
+        if category in self._exact and not item.paired and self._host(item) is None:
+            self._floor[item.name] = msgspec.structs.replace(self._floor[item.name], count=self._least[item.name])
 
     def _seat(self, name: str) -> None:
         """Make what an item stands at certain, with as many copies as it needs where the room's area sets them."""

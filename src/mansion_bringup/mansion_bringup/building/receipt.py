@@ -9,8 +9,10 @@ from itertools import pairwise
 import msgspec
 from shapely.geometry import LineString, MultiLineString, Polygon
 
+from mansion_assets.catalogue import load_catalogue
+from mansion_assets.catalogue.kinds import answers, pieces
 from mansion_msgs_py.program import BuildingProgram
-from mansion_msgs_py.scene import FloorScene
+from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.shapes import Ring
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.wishes import Wish, WishStatus
@@ -137,9 +139,11 @@ def _built_room(scene: FloorScene, number: int) -> _Room:
     room = scene.rooms[number]
     short = room.id.removeprefix(f"F{scene.floor}/")
     things: dict[str, list[str]] = {}
+    numbers: Counter[str] = Counter()
     for entry in scene.objects:
         if entry.room == room.id:
             things.setdefault(entry.category, []).append(entry.id)
+            numbers[entry.category] += _pieces(entry)
     return _Room(
         scene.floor,
         short,
@@ -148,9 +152,15 @@ def _built_room(scene: FloorScene, number: int) -> _Room:
         room.area,
         room.ceiling_height,
         {"floor": room.floor_material, "wall": room.wall_material},
-        Counter({category: len(ids) for category, ids in things.items()}),
+        numbers,
         things,
     )
+
+
+def _pieces(entry: SceneObject) -> int:
+    """Return how many pieces an object is: the seats of a row of seats."""
+    asset = load_catalogue().assets.get(entry.asset)
+    return pieces(asset.category, asset) if asset is not None else 1
 
 
 def _touching(scene: FloorScene) -> Iterable[tuple[str, str]]:
@@ -417,7 +427,7 @@ def _is(category: str, wish: Wish) -> bool:
     if not kind:
         return False
     last = category.rpartition("_")[2]
-    return category == kind or category.endswith(f"_{kind}") or name in (last, f"{last}s", f"{last}es")
+    return answers(kind, category) or category.endswith(f"_{kind}") or name in (last, f"{last}s", f"{last}es")
 
 
 def _object_rooms(wish: Wish, state: _State) -> list[_Room]:

@@ -12,6 +12,8 @@ from statistics import median_high
 
 from shapely import Polygon
 
+from mansion_assets.catalogue import load_catalogue
+from mansion_assets.catalogue.kinds import answers, pieces
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.measures import outline_forms, shared_wall
 from mansion_msgs_py.building import Building
@@ -303,12 +305,11 @@ def _no_object(wish: Wish, finished: _Finished) -> str:
 def _things(wish: Wish, finished: _Finished) -> dict[str, int]:
     """Return how many objects of the wish's category each place has: a room where one is named, a storey elsewhere."""
     scope = wish.scope
-    placed = Counter(
-        thing.room
-        for scene in finished.scenes
-        for thing in scene.objects
-        if wish.value.type and _called_so(thing.category, wish.value)
-    )
+    placed: Counter[str] = Counter()
+    for scene in finished.scenes:
+        for thing in scene.objects:
+            if wish.value.type and _called_so(thing.category, wish.value):
+                placed[thing.room] += _seats(thing.asset)
     if scope.room:
         return {room.id: placed[room.id] for _, room in finished.meant(scope.room, scope.room_type, scope.floors)}
     return {
@@ -318,10 +319,20 @@ def _things(wish: Wish, finished: _Finished) -> dict[str, int]:
     }
 
 
+def _seats(key: str) -> int:
+    """Return the seats of a row of seats, 1 for anything else."""
+    asset = load_catalogue().assets.get(key)
+    return 1 if asset is None else pieces(asset.category, asset)
+
+
 def _called_so(category: str, value: WishValue) -> bool:
     """Whether the words or the kind of a wish are the last ones of a category."""
     words, kind = category.split("_"), value.type.split("_")
-    return words[-len(kind) :] == kind or re.fullmatch(rf"{re.escape(words[-1])}(e?s)?", value.name) is not None
+    return (
+        answers(value.type, category)
+        or words[-len(kind) :] == kind
+        or re.fullmatch(rf"{re.escape(words[-1])}(e?s)?", value.name) is not None
+    )
 
 
 def _height(wish: Wish, finished: _Finished) -> str:

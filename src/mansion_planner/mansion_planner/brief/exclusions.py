@@ -97,10 +97,15 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
         if after is not None:
             found[number] = (phrase.first, phrase.last + len(after))
             reading.take(phrase.last, phrase.last + len(after))
+<<<<<<< HEAD
             while number and reading.words(phrases[number - 1].last, phrase.first) in (("or",), ("nor",)):
                 number -= 1  # "a television or a dining room are not wanted"
                 phrase = phrases[number]
                 found[number] = (phrase.first, phrase.last)
+=======
+            for earlier in _joined_before(reading, phrases, number):
+                found[earlier] = (phrases[earlier].first, phrase.last + len(after))
+>>>>>>> furniture-wishes
     for index in range(len(reading.tokens)):
         refused = _refused(reading, phrases, index)
         if refused is not None:
@@ -115,6 +120,15 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             if length and any(first == index for first, _ in found.values()):
                 reading.take(index, index + length)
     return found
+
+
+def _joined_before(reading: Reading, phrases: list[Phrase], number: int) -> list[int]:
+    """Return the phrases that share what is said after the last of them: "a television or a gym are not wanted"."""
+    joined = []
+    while number > 0 and reading.words(phrases[number - 1].last, phrases[number].first) in (("or",), ("nor",)):
+        number -= 1
+        joined.append(number)
+    return joined
 
 
 def _refused(reading: Reading, phrases: list[Phrase], index: int) -> tuple[int, int] | None:

@@ -151,6 +151,8 @@ class ObjectFact:
     ----------
     words : str
         As written.
+    noun : str
+        What the text calls it, without numbers: "steel tanks".
     category : str
         Of the asset catalogue; empty where it has nothing like it.
     count : int, optional
@@ -161,6 +163,8 @@ class ObjectFact:
         `count` is for every such room.
     excluded : bool
         None of it is wanted.
+    exact : bool
+        No more of them are wanted.
     """
 
     words: str
@@ -172,6 +176,8 @@ class ObjectFact:
     each: bool = False
     excluded: bool = False
     floors: tuple[FloorRef, ...] = ()
+    noun: str = ""
+    exact: bool = False
 
 
 @dataclass(frozen=True)

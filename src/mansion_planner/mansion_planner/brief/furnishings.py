@@ -38,19 +38,21 @@ def read_furnishings(
     rooms = [
         n
         for n, phrase in enumerate(phrases)
-        if phrase.head == "room" or (phrase.head == "building" and phrase.room_type)
+        if phrase.head == "room" or (phrase.head == "building" and phrase.room_type and not _whole(reading, phrase))
     ]
     for number in reversed(range(len(phrases))):
         if phrases[number].head == "object":
             owners[number] = _shared_owner(reading, phrases, owners, number) or _owner(reading, phrases, rooms, number)
     for number, phrase in enumerate(phrases):
-        if phrase.head != "object":
+        if phrase.head != "object" or _passes_by(reading, phrases, number):
             continue
         owner, each = owners[number]
         owner = same.get(owner, owner) if owner is not None else None
         room = phrases[owner] if owner is not None else None
         if room is not None and owner in negated and number not in negated:
             room = None
+        if room is not None and number in negated and _replaced(reading, phrases, negated, number):
+            room, each = None, False
         found.append(
             ObjectFact(
                 words=phrase.label,
@@ -62,6 +64,8 @@ def read_furnishings(
                 each=each,
                 excluded=number in negated,
                 floors=attached[number].refs if number in attached and room is None else (),
+                noun=phrase.label,
+                exact=phrase.counted and "least" not in reading.words(phrase.first, phrase.last),
             )
         )
     return found
@@ -93,7 +97,10 @@ def _seats(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int
         ):
             continue  # "for 150 stacking chairs" is about what is kept there
         span = reading.span(phrase.last, last)
-        found.append(ObjectFact(span.words, "chair", span, int(reading.value(at)), phrase.name, phrase.room_type))
+        found.append(ObjectFact(
+            words=span.words, category="chair", span=span, count=int(reading.value(at)), room=phrase.name,
+            room_type=phrase.room_type, noun="seats",
+        ))  # fmt: skip
         reading.take(phrase.last, last)
     return found
 
@@ -104,6 +111,33 @@ _UNSEATED = frozenset(
     bunk_room hotel_room archive warehouse apartment
     """.split()
 )
+
+
+_CARRIES = frozenset({"for", "that", "which", "carry", "carries", "carrying", "take", "takes", "taking", "to", "fit"})
+_POINTS = frozenset({"the", "these", "those", "our", "my", "their", "his", "her", "your"})
+
+
+def _passes_by(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether things are only spoken of: what a lift carries, or "those are for the vehicles"."""
+    phrase = phrases[number]
+    if phrase.determiner in _POINTS and not phrase.counted and reading.word(phrase.first - 1) == "for":
+        return True
+    before = phrases[number - 1] if number else None
+    if before is None or before.head not in ("elevator", "stair"):
+        return False
+    gap = reading.words(before.last, phrase.first)
+    return bool(gap) and set(gap) <= _CARRIES
+
+
+def _replaced(reading: Reading, phrases: list[Phrase], negated: dict[int, tuple[int, int]], number: int) -> bool:
+    """Whether furniture is not wanted because the phrase before takes its place: "a shower instead of a bathtub"."""
+    first = negated[number][0]
+    return number > 0 and reading.words(first, first + 2) in (("instead", "of"), ("rather", "than"))
+
+
+def _whole(reading: Reading, phrase: Phrase) -> bool:
+    """Whether a phrase names the building that the brief is about."""
+    return any(span == reading.span(phrase.begin, phrase.noun_end) for _, span in reading.facts.building)
 
 
 def _shared_owner(
@@ -148,10 +182,25 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
         )
         if before is None or not _continues(reading, phrase):
             return None, False
+    before = _listed_with(reading, phrases, rooms, before, number)
     gap = reading.words(phrases[before].last, phrase.first)
     tail = reading.words(phrase.last, phrase.last + 2)
     each = not _EACH.isdisjoint(gap) or phrases[before].determiner in _EACH or bool({"each", "apiece"} & set(tail))
     return before, each or ((phrases[before].count or 2) > 1 and "with" in gap)
+
+
+def _listed_with(reading: Reading, phrases: list[Phrase], rooms: list[int], before: int, number: int) -> int:
+    """Return the room before furniture, or the one before that where the nearer is furniture too.
+
+    In "every cell fitted with bunk, toilet and writing desk" the desk belongs to the cell, not to the toilet.
+    """
+    earlier = [n for n in rooms if n < before]
+    if not earlier or not 0 < before < number or phrases[before].determiner or phrases[before].counted:
+        return before
+    joined = reading.words(phrases[before].last, phrases[number].first) in (("and",), (",", "and"), (",",))
+    listed = phrases[before - 1].head == "object" and reading.word(phrases[before].first - 1) in (",", "and")
+    same = reading.sentence[phrases[earlier[-1]].first] == reading.sentence[phrases[number].first]
+    return earlier[-1] if joined and listed and same else before
 
 
 def _leads_into(gap: tuple[str, ...]) -> bool:

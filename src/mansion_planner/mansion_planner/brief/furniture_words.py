@@ -4,7 +4,7 @@ from functools import cache
 
 from mansion_language import singular
 
-__all__ = ["furniture_of"]
+__all__ = ["furniture_of", "furniture_vocabulary"]
 
 
 def furniture_of(words: tuple[str, ...]) -> tuple[str, int]:
@@ -18,12 +18,12 @@ def furniture_of(words: tuple[str, ...]) -> tuple[str, int]:
     table = _furniture()
     for size in range(min(4, len(words)), 0, -1):
         category = table.get(words[-size:])
-        if category:
-            return category, size
+        if category is not None:
+            return category, size if category else 0
     return "", 0
 
 
-_SEATS = {
+_MEANT = {
     "seat": "chair",
     "place": "",
     "book": "",
@@ -41,8 +41,29 @@ _SEATS = {
     "board": "",
     "stand": "",
     "case": "",
+    "tea": "",
+    "coffee": "",
+    "post": "",
+    "mail": "",
+    "baggage": "",
+    "luggage": "",
+    "delivery": "",
+    "report": "",
+    "file": "",
+    "score": "",
+    "snack": "",
+    "wheel": "",
+    "drum": "",
+    "feeder": "",
+    "plastic": "",
+    "treatment plant": "",
+    "power plant": "",
+    "boiler plant": "",
+    "chiller plant": "",
+    "water plant": "",
+    "plant": "house_plant",
     "computer": "computer_tower",
-    "counter": "service_counter",
+    "counter": "sales_counter",
     "screen": "",
     "window": "",
     "table": "dining_table",
@@ -54,7 +75,6 @@ _SEATS = {
     "fan": "",
     "scale": "",
     "rack": "shelving_unit",
-    "plant": "house_plant",
     "couch": "sofa",
     "settee": "sofa",
     "cooker": "stove",
@@ -67,6 +87,13 @@ _SEATS = {
     "berth": "single_bed",
     "cot": "crib",
 }
+"""Category that a phrase means here, before the catalogue's own names and synonyms; empty for none."""
+
+
+@cache
+def furniture_vocabulary() -> frozenset[str]:
+    """Return the words of all names of furniture, in the singular."""
+    return frozenset(word for phrase, category in _furniture().items() if category for word in phrase)
 
 
 @cache
@@ -82,7 +109,6 @@ def _furniture() -> dict[tuple[str, ...], str]:
             for phrase in (category.replace("_", " "), asset.name) if names else asset.synonyms:
                 key = tuple(singular(word) for word in phrase.lower().replace("-", " ").replace("_", " ").split())
                 table.setdefault(key, category)
-    for word, category in _SEATS.items():
-        if category in catalogue.categories or not category:
-            table[(word,)] = category
+    for phrase, category in _MEANT.items():
+        table[tuple(phrase.split())] = category
     return table

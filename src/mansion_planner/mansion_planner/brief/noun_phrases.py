@@ -42,6 +42,8 @@ _PEOPLE = frozenset(
 )
 _STAIRS = frozenset({"stair", "staircase", "stairwell", "stairway", "stairs"})
 _LIFTS = frozenset({"lift", "elevator"})
+_FURNITURE_TOO = frozenset({"locker", "stall"})
+"""Nouns that name a room, and furniture after certain words: a bedside locker, a milking stall."""
 _VERBAL_MODIFIERS = frozenset(
     """
     live touch sleep cook sit meet walk making serving meeting sharing reading facing opening making share sit stand
@@ -184,9 +186,14 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     last = reading.word(end - 1)
     if not whole and reading.word(end) in _PARTS:
         return None
-    if last in _STAIRS | _LIFTS:
+    category, size = furniture_of(reading.words(begin, end))
+    if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
     mention = _mention_ending(reading, begin, end)
+    if last in _FURNITURE_TOO and size > 1 and (mention is None or mention.last - mention.first < size):
+        return finished_phrase(reading, "object", begin, end, category=category)
+    if last == "counter" and mention is not None and reading.word(count_before(reading, begin, end)[0] - 1) == "with":
+        return finished_phrase(reading, "object", begin, end, category=category)
     if mention is not None and (mention.room or mention.building):
         room = mention.room or room_of_building(mention.building, reading.knowledge)
         if (
@@ -215,7 +222,6 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
             return finished_phrase(reading, "room", begin, end, room=kind, known=False)
     if last in _PEOPLE:
         return finished_phrase(reading, "people", begin, end)
-    category, _ = furniture_of(reading.words(begin, end))
     if category:
         return finished_phrase(reading, "object", begin, end, category=category)
     return None

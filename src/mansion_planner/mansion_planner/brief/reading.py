@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from mansion_knowledge import KnowledgeBase
 from mansion_language import Token, tokenize
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Span
+from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.spelling import corrected
 
@@ -143,7 +144,7 @@ def _compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
 def start_reading(text: str, knowledge: KnowledgeBase) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
-    tokens = _compounds(corrected(tokenize(text), lexicon.words), lexicon.words)
+    tokens = _compounds(corrected(tokenize(text), lexicon.words, furniture_vocabulary()), lexicon.words)
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

@@ -102,7 +102,7 @@ _SHORT = {
 """Short forms in notes, and what they stand for."""
 
 
-def corrected(tokens: list[Token], words: frozenset[str]) -> list[Token]:
+def corrected(tokens: list[Token], words: frozenset[str], known: frozenset[str] = frozenset()) -> list[Token]:
     """Return the tokens with misspelt words replaced by the vocabulary's nearest word.
 
     Parameters
@@ -110,8 +110,10 @@ def corrected(tokens: list[Token], words: frozenset[str]) -> list[Token]:
     tokens : list of Token
     words : frozenset of str
         The lexicon's words, in singular.
+    known : frozenset of str
+        Further words in the singular that are no mistakes.
     """
-    known: dict[str, str] = {}
+    found: dict[str, str] = {}
     result: list[Token] = []
     for token in tokens:
         if token.text in _SHORT:
@@ -120,9 +122,10 @@ def corrected(tokens: list[Token], words: frozenset[str]) -> list[Token]:
         if token.kind != "word" or len(token.text) < 4 or len(token.text) > 20:
             result.append(token)
             continue
-        if token.text not in known:
-            known[token.text] = _nearest(token.text, words)
-        text = known[token.text]
+        if token.text not in found:
+            held = singular(token.text) in known
+            found[token.text] = token.text if held else _nearest(token.text, words)
+        text = found[token.text]
         if text == token.text:
             result.append(token)
         elif text in ORDINALS:

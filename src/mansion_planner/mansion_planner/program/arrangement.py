@@ -193,6 +193,9 @@ def _furnish(
     storey.rooms = fill_storey(storey, allocation, knowledge, room, hub_share=share)
     if massing.hall:
         asked = sum(r.gross for r in storey.rooms)
+        if not stated:
+            wanted = sum(r.gross for r in storey.rooms if r.stated)
+            share = max(storey.hub.least, 0.5 * share, min(share, room - wanted))
         fit_areas(storey.rooms, room - share if stated else min(room - share, max(asked, 0.45 * room)))
     else:
         fit_areas(storey.rooms, room)

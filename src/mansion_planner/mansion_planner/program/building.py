@@ -23,7 +23,7 @@ from mansion_planner.program.massing import MassingWish, choose_shape, storey_ar
 from mansion_planner.program.model import Massing, Sketch, Storey, aliases_of
 from mansion_planner.program.outline import Envelope, Frame, bearing_walls
 from mansion_planner.program.storey_rooms import allocate
-from mansion_planner.program.storeys import make_storeys
+from mansion_planner.program.storeys import floors_of, make_storeys
 from mansion_planner.program.wishes import assign_furniture, requested_objects, wishes_of
 
 __all__ = ["PlannedBuilding", "floor_program", "materials_of", "plan_program"]
@@ -134,6 +134,7 @@ def floor_program(
         RoomProgram(
             id=storey.hub.name, area_estimate=round(hub_area, 2), room_type=storey.hub.name,
             floor_material=floor, wall_material=wall, open_relation="open", notes="circulation hub",
+            name=_hub_name(decisions, storey), objects=requested_objects(decisions, storey.hub.name, storey),
         )
     ]  # fmt: skip
     beside = neighbours(decisions, storey, sketch)
@@ -146,7 +147,7 @@ def floor_program(
                 floor_material=floor, wall_material=wall,
                 open_relation="open" if room.kind.open else "door", notes=room.notes,
                 adjacent_to=beside.get(room.id, []), name=room.label, aliases=aliases_of(room),
-                objects=requested_objects(decisions, room, storey),
+                objects=requested_objects(decisions, room.id, storey),
             )
         )  # fmt: skip
     total = sum(room.area_estimate for room in rooms)
@@ -168,6 +169,15 @@ def floor_program(
         holes=envelope.holes,
         copy=storey.copy,
     )
+
+
+def _hub_name(decisions: Decisions, storey: Storey) -> str:
+    """Return what the brief calls the room that is a storey's hub; empty where it does not name it."""
+    for fact in decisions.facts.rooms:
+        floors = floors_of(fact.floors, decisions) if fact.floors else [1]
+        if fact.room_type == storey.hub.name and fact.count == 1 and storey.index in floors:
+            return fact.label
+    return ""
 
 
 _SLAB = 0.25

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from mansion_knowledge import KnowledgeBase, RoomType
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.decisions import Decisions, note
+from mansion_planner.program.furniture_areas import furniture_areas
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import entries_of, floors_of
 
@@ -25,12 +26,15 @@ class Allocation:
         Room types that the brief does not want on a storey.
     complete : bool
         The brief wants no room but those that it names.
+    furniture : dict of str to float
+        Square metres that the furniture wanted in rooms of a name needs.
     """
 
     wanted: dict[int, list[RoomFact]] = field(default_factory=dict)
     settled: frozenset[str] = frozenset()
     unwanted: dict[int, set[str]] = field(default_factory=dict)
     complete: bool = False
+    furniture: dict[str, float] = field(default_factory=dict)
 
     def adds(self, room_type: str, floor: int) -> bool:
         """Whether a storey may have rooms of a type that the brief does not ask for."""
@@ -89,6 +93,7 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
         _distribute(fact, kind, decisions, storeys, allocation)
     allocation.settled = frozenset(settled | set(excluded))
     allocation.complete = bool(decisions.facts.only)
+    allocation.furniture = furniture_areas(decisions.facts.rooms, decisions.facts.objects)
     for name, ref, _ in decisions.facts.excluded_on:
         for floor in floors_of((ref,), decisions):
             allocation.unwanted.setdefault(floor, set()).update({name}, _same_head(name, knowledge))
@@ -173,18 +178,23 @@ def _preferred(kind: RoomType, decisions: Decisions, storeys: list[Storey]) -> l
     return above
 
 
+_TIGHT = 0.8
+"""Share of the floor that furniture needs to which a room may shrink."""
+
+
 def planned_room(
     kind: RoomType, knowledge: KnowledgeBase, *, area: float | None = None, fact: RoomFact | None = None
 ) -> PlannedRoom:
     """Make a room of a type with its suite; the area of a fact is kept."""
     stated = fact is not None and fact.area is not None
     wish = fact.area if fact is not None and fact.area is not None else area or kind.usual
+    furnished = fact is not None and wish > kind.usual
     room = PlannedRoom(
         id=fact.name if fact is not None else kind.name,
         kind=kind,
         area=wish,
-        least=wish if stated else min(kind.least, wish),
-        most=wish if stated else max(kind.most, wish),
+        least=wish if stated else max(min(kind.least, wish), _TIGHT * wish if furnished else 0.0),
+        most=wish if stated else max(kind.most, 1.15 * wish if furnished else wish),
         fixed=stated,
         stated=fact is not None,
         notes=f"from {fact.span.words!r}" if fact is not None else "",
@@ -225,14 +235,18 @@ def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase)
     for fact in allocation.wanted[storey.index]:
         if fact.room_type == storey.hub.name and fact.count == 1:
             continue
-        rooms.append(planned_room(knowledge.room(fact.room_type), knowledge, fact=fact))
+        kind = knowledge.room(fact.room_type)
+        area = max(kind.usual, allocation.furniture.get(fact.name, 0.0))
+        rooms.append(planned_room(kind, knowledge, area=area, fact=fact))
     return rooms
 
 
 def hub_area(storey: Storey, allocation: Allocation) -> float:
-    """Return the area that the brief states for the room that is a storey's hub, or 0."""
-    areas = [f.area for f in allocation.wanted[storey.index] if f.room_type == storey.hub.name and f.area]
-    return max(areas, default=0.0)
+    """Return the area that the brief states, or its furniture needs, for the room that is a storey's hub, or 0."""
+    own = [fact for fact in allocation.wanted[storey.index] if fact.room_type == storey.hub.name]
+    stated = max((fact.area or 0.0 for fact in own), default=0.0)
+    needed = max(allocation.furniture.get(name, 0.0) for name in ("", *(fact.name for fact in own)))
+    return stated or (needed if needed > storey.hub.usual else 0.0)
 
 
 def fill_storey(

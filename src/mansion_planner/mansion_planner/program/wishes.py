@@ -1,10 +1,12 @@
 """The wishes of a brief: a ledger of its statements, and which rooms get the furniture that it wants."""
 
 from mansion_knowledge import KnowledgeBase
+from mansion_language import singular
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
 from mansion_planner.brief.facts import AdjacencyFact, FloorRef, ObjectFact, RoomFact, Span
 from mansion_planner.program.decisions import Decisions
+from mansion_planner.program.furniture_areas import usually_has
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import floors_of
 
@@ -14,33 +16,50 @@ __all__ = ["assign_furniture", "requested_objects", "wishes_of"]
 def assign_furniture(decisions: Decisions, storeys: list[Storey]) -> None:
     """Decide which planned rooms get the furniture that the brief wants, and how many pieces of it.
 
-    A number for "each" is for every room of the name; any other is shared out among them. Furniture without a room goes
-    to the room that is most likely to have it: the largest of those that the brief names, else the largest of all.
+    A number for "each" is for every room of the name; any other is shared out among those of a storey and of no copy
+    of it, which has as many. Furniture without a room goes to the room that is most likely to have it: one whose type
+    usually has such things, the largest of those that the brief names, else the largest of all.
     """
-    rooms = [(storey, room) for storey in storeys if storey.copy is None for top in storey.rooms for room in top.each()]
-    copies = {storey.index: sum(other.copy == storey.index for other in storeys) for storey in storeys}
+    rooms = [
+        (storey, room)
+        for storey in storeys
+        if storey.copy is None
+        for top in (*storey.rooms, _hub_of(storey))
+        for room in top.each()
+    ]
     for fact in decisions.facts.objects:
         if not fact.category:
             continue
-        matching = _matching(decisions, fact, rooms)
-        if not matching:
-            continue
-        count = 0 if fact.excluded else fact.count if fact.count is not None else 2
-        if fact.each or fact.excluded or (fact.room and fact.count == 1 and not _singled(fact, matching)):
-            shares = [count] * len(matching)
-        elif not fact.room:
-            matching, shares = [max(matching, key=_likelihood)], [count]
-        else:
-            total = sum(1 + copies[storey.index] for storey, _ in matching)
-            shares = [-(-count // total)] * len(matching) if total > 1 else [count]
-        for (storey, room), share in zip(matching, shares):
+        for (storey, room), count in _shared_out(decisions, fact, rooms):
             decisions.furniture.setdefault((storey.index, room.id), []).append(
-                RequestedObject(category=fact.category, count=share, words=fact.words)
+                RequestedObject(category=fact.category, count=count, words=_noun(fact), exact=fact.exact)
             )
 
 
-def _singled(fact: ObjectFact, matching: list[tuple[Storey, PlannedRoom]]) -> bool:
-    return len(matching) > 1 and not fact.each
+def _shared_out(
+    decisions: Decisions, fact: ObjectFact, rooms: list[tuple[Storey, PlannedRoom]]
+) -> list[tuple[tuple[Storey, PlannedRoom], int]]:
+    """Return the rooms that get furniture, each with its number of pieces."""
+    matching = _matching(decisions, fact, rooms)
+    if fact.excluded:
+        return [(entry, 0) for entry in matching]
+    count = 2 if fact.count is None else fact.count
+    if not matching or not fact.room:
+        return [(max(matching or rooms, key=lambda entry: _likelihood(fact, entry)), count)]
+    share = count if fact.each else -(-count // len(matching))
+    return [(entry, share) for entry in matching]
+
+
+def _hub_of(storey: Storey) -> PlannedRoom:
+    """Return a storey's hub as a room that furniture may be wanted in."""
+    kind = storey.hub
+    return PlannedRoom(id=kind.name, kind=kind, area=kind.least, least=kind.least, most=kind.most, base=kind.name)
+
+
+def _noun(fact: ObjectFact) -> str:
+    """Return what the brief calls one piece."""
+    first, _, last = fact.noun.lower().rpartition(" ")
+    return f"{first} {singular(last)}".strip()
 
 
 def _matching(
@@ -54,14 +73,14 @@ def _matching(
     return own or [(s, r) for s, r in named if r.kind.name == fact.room_type]
 
 
-def _likelihood(entry: tuple[Storey, PlannedRoom]) -> tuple[bool, bool, float]:
+def _likelihood(fact: ObjectFact, entry: tuple[Storey, PlannedRoom]) -> tuple[bool, bool, bool, float]:
     _, room = entry
-    return room.stated, room.kind.zone == "public", room.area
+    return usually_has(room.kind.name, fact.category), room.stated, room.kind.zone == "public", room.area
 
 
-def requested_objects(decisions: Decisions, room: PlannedRoom, storey: Storey) -> list[RequestedObject]:
+def requested_objects(decisions: Decisions, room_id: str, storey: Storey) -> list[RequestedObject]:
     """Return the furniture that `assign_furniture` gave a room; a storey that repeats another has the same."""
-    return decisions.furniture.get((storey.copy or storey.index, room.id), [])
+    return decisions.furniture.get((storey.copy or storey.index, room_id), [])
 
 
 def wishes_of(decisions: Decisions, knowledge: KnowledgeBase) -> list[Wish]:

@@ -1,0 +1,82 @@
+"""Which furniture a brief asks for, how much of it, and where."""
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_planner.brief.facts import ObjectFact
+from mansion_planner.brief.furniture_words import furniture_of
+from mansion_planner.brief.reader import read_brief
+
+NOUNS = """
+sofa, armchair, recliner, rocking chair, bean bag, coffee table, tv stand, television, bookcase, fireplace,
+wood burner, piano, grand piano, drum kit, double bed, bunk bed, crib, wardrobe, bedside table, dressing
+table, mirror, writing desk, office chair, filing cabinet, photocopier, monitor, server rack, whiteboard,
+blackboard, projector, lectern, rostrum, pulpit, altar, pew, shoe rack, coat rack, bench, bar stool, high
+chair, round table, kitchen island, range cooker, pizza oven, microwave, chest freezer, dishwasher, washing
+machine, tumble dryer, ironing board, urinal, bathtub, hot tub, massage table, examination couch, dental
+chair, dialysis chair, birthing pool, hospital bed, mri scanner, operating table, wheelchair, stretcher,
+barber chair, hair dryer, kiln, easel, pottery wheel, loom, sewing machine, printing press, 3d printer, laser
+cutter, drill press, table saw, workbench, car lift, forklift, pallet, conveyor belt, robot arm, steel tank,
+vat, barrel, silo, boiler, generator, crane, milking stall, cage, cat tree, aquarium, feeding trough, beehive,
+vending machine, coffee machine, water cooler, popcorn machine, counter, till, cash register, checkout,
+display case, showcase, mannequin, clothes rack, atm, ticket machine, turnstile, safe, locker, treadmill,
+rowing machine, squat rack, punching bag, boxing ring, climbing wall, table tennis table, pool table,
+dartboard, slot machine, pinball machine, jukebox, microphone, loudspeaker, mixing desk, music stand, tripod,
+softbox, telescope, microscope, fume hood, safety cabinet, centrifuge, lab bench, optical table, statue,
+plinth, painting, notice board, globe, study carrel, sandpit, changing table, lounger, picnic table, fountain,
+potted plant, rug, chandelier, grandfather clock, luggage cart, metal detector, check-in counter, charging
+station, dough mixer, wine rack, prayer mat, coffin, cubicle, phone booth, plan chest, dress form, tyre
+changer, gas cylinder, bike rack, van, boat
+"""
+
+
+def wanted(brief: str) -> list[ObjectFact]:
+    return read_brief(brief, default_knowledge()).objects
+
+
+@pytest.mark.parametrize("noun", [noun.strip() for noun in NOUNS.replace("\n", " ").split(",")])
+def test_things_that_people_ask_for_are_known(noun: str) -> None:
+    words = tuple(noun.replace("-", " ").split())
+    category, size = furniture_of(words)
+    assert category and size == len(words)
+
+
+@pytest.mark.parametrize("noun", ["water treatment plant", "tea", "guard's post", "baggage"])
+def test_words_that_only_sound_like_furniture_are_left(noun: str) -> None:
+    assert furniture_of(tuple(noun.split())) == ("", 0)
+
+
+def test_a_list_of_furniture_belongs_to_one_room_though_one_of_it_is_a_room_elsewhere() -> None:
+    found = wanted("A prison with 24 cells, every cell fitted with bunk, toilet and writing desk.")
+    assert {(fact.category, fact.room, fact.each) for fact in found} == {
+        ("bunk_bed", "cell", True),
+        ("desk", "cell", True),
+    }
+
+
+def test_a_lift_for_vehicles_is_furniture_of_the_workshop() -> None:
+    found = wanted("A garage with an office and a workshop with four car lifts (those are for the vehicles).")
+    assert [(fact.category, fact.count, fact.room) for fact in found] == [("car_lift", 4, "workshop")]
+
+
+def test_what_a_lift_carries_is_not_asked_for() -> None:
+    assert wanted("A music school with two storeys. There is a lift that carries pianos.") == []
+
+
+@pytest.mark.parametrize(
+    "brief, categories",
+    [
+        ("A house with a kitchen and a bathroom. A shower instead of a bathtub.", {"bathtub"}),
+        ("A house with a living room; a television or a piano are not wanted.", {"television", "piano"}),
+        ("A hotel with ten rooms and no bathtubs.", {"bathtub"}),
+    ],
+)
+def test_what_is_not_wanted_is_wanted_nowhere(brief: str, categories: set[str]) -> None:
+    unwanted = [fact for fact in wanted(brief) if fact.excluded]
+    assert {fact.category for fact in unwanted} == categories
+    assert all(fact.room in ("", "room", "hotel_room") for fact in unwanted)
+
+
+def test_a_number_is_exact_unless_the_text_says_at_least() -> None:
+    found = wanted("An office with a lounge with two armchairs, at least four plants and a sofa.")
+    assert {fact.category: fact.exact for fact in found} == {"armchair": True, "house_plant": False, "sofa": False}
