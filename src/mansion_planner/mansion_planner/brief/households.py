@@ -14,7 +14,7 @@ from mansion_planner.brief.facts import FloorRef, RoomFact
 from mansion_planner.brief.phrase import Phrase, finished_phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
-__all__ = ["Households", "attach_units", "read_households", "told_apart"]
+__all__ = ["Households", "are_units", "attach_units", "read_households", "told_apart"]
 
 _NOUNS = {"unit": "apartment", "dwelling": "apartment", "home": "apartment", "residence": "apartment",
           "cluster": "hallway"}  # fmt: skip
@@ -25,6 +25,8 @@ _LODGINGS = frozenset({"hotel_room", "hotel_suite", "resident_room", "dorm_room"
 _GENERAL = frozenset({"unit", "flat", "apartment", "dwelling", "home", "residence", "room"})
 _HOMES = frozenset({"flat", "studio_flat", "flat_share"})
 _ONE_HOME = frozenset({"flat", "studio_flat", "penthouse", "flat_share"})
+
+_ROWS = _ONE_HOME | {"house", "townhouse", "villa", "bungalow", "cottage"}
 
 _BEDS = frozenset({"bed", "bedroom", "br", "bedroomed", "bedded", "bdr"})
 _ALL = frozenset({"each", "every", "all", "both", "per"})
@@ -105,6 +107,11 @@ class Households:
         return self.inner | self.again
 
 
+def are_units(phrase: Phrase) -> bool:
+    """Whether a phrase that names homes is of several in one building: "nine flats", "four houses"."""
+    return phrase.building in _ROWS and phrase.plural and phrase.counted and (phrase.count or 0) > 1
+
+
 def read_households(
     reading: Reading, phrases: list[Phrase], places: Sequence[Place], building: int | None
 ) -> tuple[list[Phrase], Households]:
@@ -133,6 +140,7 @@ class _Households:
 
     def run(self) -> None:
         """Find the units, then the rooms that each statement gives them."""
+        self._leave_out()
         self._further_nouns()
         self._units()
         for phrase in [p for p in self.phrases if p.first in self.found.units]:
@@ -142,8 +150,8 @@ class _Households:
                 self._of_all(phrase)
             else:
                 self._of_one(phrase)
-        self._pronouns()
         self._halves()
+        self._pronouns()
         for first, size in self.sizes.items():
             rooms = self.found.units.get(first)
             if rooms is not None and not any(room.room_type.endswith("bedroom") for room in rooms):
@@ -151,6 +159,14 @@ class _Households:
         self._counts_behind()
 
     # Units ----------------------------------------------------------------------------------------------------------
+
+    def _leave_out(self) -> None:
+        """Leave out what stands for the whole: "a two-storey building with", "a terrace of four houses"."""
+        for number, phrase in enumerate(self.phrases):
+            whole = not phrase.known and phrase.name in ("building", "block")
+            row = phrase.name in ("terrace", "row") and self.reading.word(phrase.last) == "of"
+            if whole or row:
+                self.phrases[number] = replace(phrase, head="unknown")
 
     def _further_nouns(self) -> None:
         """Add the units that no name of the knowledge base has: "four units", "two clusters", "office units"."""
@@ -165,6 +181,9 @@ class _Households:
                 begin, kind = index - 1, "team_room"
             elif reading.word(index - 1) in _BEDS and reading.kind(index - 2) == "number":
                 begin = index - 2
+            for other in self.phrases:
+                if other.first <= index < other.last or other.first <= begin < other.last:
+                    reading.taken.difference_update(range(other.first, other.last))
             phrase = finished_phrase(reading, "room", begin, index + 1, room=kind)
             counted = phrase.counted and (phrase.count or 0) > 1 and phrase.plural
             if counted or (phrase.determiner in _ALL and any(p.room_type == kind for p in self.phrases)):
@@ -249,7 +268,7 @@ class _Households:
         """Read what follows a unit that the brief asks for."""
         rooms, end = self._list_after(unit.last, always=False)
         if rooms:
-            self._give([unit.first, *self._same_noun(unit)], rooms)
+            self._give(self._same_noun(unit.first), rooms)
             if not any(unit.last <= place.first < rooms[0].first for place in self.places):
                 self.found.ends[unit.first] = end
         reading = self.reading
@@ -259,9 +278,10 @@ class _Households:
             self.found.floors[unit.first] = (FloorRef("every", span=span),)
             reading.take(index, index + 2)
 
-    def _same_noun(self, unit: Phrase) -> list[int]:
-        """Return the units that leave their noun to this one."""
-        return [first for first, other in self.found.copies.items() if other == unit.first]
+    def _same_noun(self, first: int) -> list[int]:
+        """Return the units that share their noun with one, itself among them."""
+        noun = self.found.copies.get(first, first)
+        return [noun, *(copy for copy, other in self.found.copies.items() if other == noun)]
 
     def _of_all(self, unit: Phrase) -> None:
         """Read "Every flat has ..." and "a bathroom in each flat"."""
@@ -318,8 +338,10 @@ class _Households:
             owners = self._last_units(index)
             if not owners:
                 continue
-            rooms, _ = self._list_after(index + 1, always=True)
+            rooms, _ = self._list_after(verb, always=True)
             self._give(owners, rooms)
+            if rooms:
+                reading.take(index, verb)
 
     def _last_units(self, index: int) -> list[int]:
         """Return the units named last before a token, in its sentence or the two before, if nothing else is meant."""
@@ -332,7 +354,7 @@ class _Households:
             if phrase.first in self.found.again:
                 return self._owners(phrase)
             if phrase.first in self.found.units:
-                return [phrase.first, *self._same_noun(phrase)]
+                return self._same_noun(phrase.first)
             if phrase.first == self.building or not phrase.plural:
                 continue
             return []
@@ -563,6 +585,8 @@ def _narrowed(reading: Reading, places: list[Place], unit: Phrase, given: Attach
     """Return "four flats per floor" for the storeys that its clause opens with ("Floors 1 to 6: ...")."""
     if [ref.kind for ref in given.refs] != ["every"]:
         return given
+    if any(place.first - unit.last in (0, 1) and reading.word(place.first) == "per" for place in places):
+        given = replace(given, each=True)
     openers = [
         place for place in places
         if place.last <= unit.first and reading.sentence[place.first] == reading.sentence[unit.first]

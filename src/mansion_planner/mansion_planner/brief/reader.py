@@ -16,7 +16,7 @@ from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity, RoomFact, Span, UseFact
 from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.furnishings import read_furnishings
-from mansion_planner.brief.households import attach_units, read_households, told_apart
+from mansion_planner.brief.households import are_units, attach_units, read_households, told_apart
 from mansion_planner.brief.measures import Measure, find_measures, give_measures, read_heights
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
@@ -112,6 +112,8 @@ class _Reader:
 
     def _name_building(self, phrases: list[Phrase]) -> int | None:
         number = building_phrase(self.reading, phrases, self.places)
+        if number is not None and are_units(phrases[number]):
+            number = None
         if number is None:
             unknown = unknown_building(self.reading)
             if unknown is not None and not any(p.begin < unknown[2] for p in phrases if p.head == "room"):
@@ -186,7 +188,7 @@ class _Reader:
         reading = self.reading
         for index in range(min(len(reading.tokens) - 1, 14)):
             word = reading.word(index + 1)
-            if reading.kind(index) != "number" or index in reading.taken:
+            if reading.kind(index) != "number" or index in reading.taken or reading.plural(index + 2):
                 continue
             if word == "br" or (
                 word == "bed" and reading.word(index + 2) in ("/", ",") and reading.kind(index + 3) == "number"
@@ -224,7 +226,9 @@ class _Reader:
             before = [
                 n
                 for n, p in enumerate(self.phrases)
-                if p.last <= index and p.head == "room" and reading.sentence[p.first] == reading.sentence[index]
+                if p.last <= index
+                and (p.head == "room" or p.first in self.households.units)
+                and reading.sentence[p.first] == reading.sentence[index]
                 and p.first not in self.households.inner
             ]
             if not before or reading.word(index - 1) not in (",", ":", "and", "-", "(", "–"):
