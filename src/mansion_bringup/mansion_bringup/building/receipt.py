@@ -87,7 +87,7 @@ class _State:
     def behind(self, owner: _Room) -> list[_Room]:
         """Return the rooms of a storey that are reached through a room alone."""
         here = {room.full_id for room in self.rooms if room.floor == owner.floor}
-        graph = nx.Graph(pair for pair in self.doors if here.intersection(pair))
+        graph = nx.Graph(pair for pair in self.doors if pair[0].startswith(f"F{owner.floor}/"))
         graph.remove_nodes_from([owner.full_id])
         hubs = [hub for hub in self.hubs if hub in graph]
         reached = set().union(*(nx.node_connected_component(graph, hub) for hub in hubs))

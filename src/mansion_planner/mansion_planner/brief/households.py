@@ -14,7 +14,7 @@ from mansion_planner.brief.facts import FloorRef, RoomFact
 from mansion_planner.brief.phrase import Phrase, finished_phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
-__all__ = ["Households", "are_units", "attach_units", "read_households", "told_apart"]
+__all__ = ["Households", "are_dwellings", "are_units", "attach_units", "read_households", "told_apart"]
 
 _NOUNS = {"unit": "apartment", "dwelling": "apartment", "home": "apartment", "residence": "apartment",
           "cluster": "hallway"}  # fmt: skip
@@ -25,6 +25,9 @@ _LODGINGS = frozenset({"hotel_room", "hotel_suite", "resident_room", "dorm_room"
 _GENERAL = frozenset({"unit", "flat", "apartment", "dwelling", "home", "residence", "room"})
 _HOMES = frozenset({"flat", "studio_flat", "flat_share"})
 _ONE_HOME = frozenset({"flat", "studio_flat", "penthouse", "flat_share"})
+
+_DWELLINGS = _GENERAL | {"maisonette", "studio", "penthouse", "house", "bungalow", "townhouse", "villa", "duplex"}
+"""Nouns of dwellings: another one that the knowledge base takes for one ("malt loft") is none by itself."""
 
 _ROWS = _ONE_HOME | {"house", "townhouse", "villa", "bungalow", "cottage"}
 
@@ -58,10 +61,18 @@ _JOINTS = frozenset(
 _SHARED_ROOMS = frozenset(
     """
     laundry_room bike_storage mail_room lobby waste_room common_room gym parking shared_kitchen garage shop cafe
-    reception roof_terrace staff_room mechanical_room corridor
+    reception roof_terrace staff_room mechanical_room corridor housekeeping_room restaurant bar
     """.split()
 )
 """Rooms of the whole house: they end a list of what a flat holds, unless the list is plainly of each."""
+
+_OF_GUESTS = frozenset(
+    """
+    bathroom ensuite_bathroom toilet kitchen living_room bedroom walk_in_closet dressing_room home_office study_room
+    entrance_hall
+    """.split()
+)
+"""Rooms that a hotel room or another room for guests may have for itself."""
 
 _READ_AS = {"kitchenette": "kitchen", "wet_room": "bathroom", "shower": "bathroom", "living_area": "living_room",
             "living_space": "living_room"}  # fmt: skip
@@ -112,6 +123,12 @@ def are_units(phrase: Phrase) -> bool:
     return phrase.building in _ROWS and phrase.plural and phrase.counted and (phrase.count or 0) > 1
 
 
+def are_dwellings(phrase: Phrase) -> bool:
+    """Whether the noun of a phrase is that of a dwelling, and no "chapter house" or "malt loft"."""
+    first, last = phrase.name.partition("_")[0], phrase.name.rpartition("_")[2]
+    return last in _DWELLINGS - {"house", "studio"} or first in _DWELLINGS
+
+
 def read_households(
     reading: Reading, phrases: list[Phrase], places: Sequence[Place], building: int | None
 ) -> tuple[list[Phrase], Households]:
@@ -137,6 +154,7 @@ class _Households:
         self.listed: set[int] = set()
         kinds = reading.facts.building
         self.one_home = bool(kinds) and kinds[0][0] in _ONE_HOME
+        self.at_home = not kinds or reading.knowledge.buildings[kinds[0][0]].family == "home"
 
     def run(self) -> None:
         """Find the units, then the rooms that each statement gives them."""
@@ -163,7 +181,8 @@ class _Households:
     def _leave_out(self) -> None:
         """Leave out what stands for the whole: "a two-storey building with", "a terrace of four houses"."""
         for number, phrase in enumerate(self.phrases):
-            whole = not phrase.known and phrase.name in ("building", "block")
+            roof = phrase.name == "flat" and self.reading.word(phrase.noun_end) == "roof"
+            whole = roof or not phrase.known and phrase.name in ("building", "block")
             row = phrase.name in ("terrace", "row") and self.reading.word(phrase.last) == "of"
             if whole or row:
                 self.phrases[number] = replace(phrase, head="unknown")
@@ -214,16 +233,22 @@ class _Households:
         if not self.reading.knowledge.room(phrase.room_type).unit:
             return False
         if phrase.building and phrase.building not in _HOMES:
-            return several
+            lone = phrase.name.endswith("_residence") and not self.at_home
+            return several or lone
         if self.one_home:
             return several
+        if not are_dwellings(phrase) and not several:
+            return False
+        if phrase.determiner in ("the", "his", "her", "our", "my") and not phrase.plural:
+            return "_" in phrase.name  # "the caretaker's flat", and not the flat that is planned
         return several or phrase.plural or phrase.determiner in _ALL | {"a", "an", "another"} or phrase.counted
 
     def _plain(self, phrase: Phrase) -> Phrase:
         """Return a unit by its noun alone; the number of bedrooms in it is kept apart."""
         reading = self.reading
         for index in range(phrase.first, phrase.noun_end - 1):
-            if reading.kind(index) == "number" and reading.word(index + 1) in _BEDS:
+            counting = index == phrase.first and reading.tokens[index + 1].spaced
+            if reading.kind(index) == "number" and reading.word(index + 1) in _BEDS and not counting:
                 self.sizes[phrase.first] = self._bedrooms(index)
         words = [
             index
@@ -266,7 +291,7 @@ class _Households:
 
     def _of_one(self, unit: Phrase) -> None:
         """Read what follows a unit that the brief asks for."""
-        rooms, end = self._list_after(unit.last, always=False)
+        rooms, end = self._list_after(unit.last, always=False, guests=unit.room_type in _LODGINGS)
         if rooms:
             self._give(self._same_noun(unit.first), rooms)
             if not any(unit.last <= place.first < rooms[0].first for place in self.places):
@@ -292,7 +317,7 @@ class _Households:
         if unit.determiner == "per" or before in ("in", "for", "per", "to"):
             rooms = self._list_before(unit.first - (before in ("in", "for", "per", "to")))
         if not rooms:
-            rooms, _ = self._list_after(unit.last, always=True)
+            rooms, _ = self._list_after(unit.last, always=True, guests=unit.room_type in _LODGINGS)
         if not rooms:
             return
         if not owners:
@@ -326,7 +351,7 @@ class _Households:
         """Read "Each has ...", "all of them with ..." and "they have ... each" of the units named last."""
         reading = self.reading
         for index, token in enumerate(reading.tokens):
-            if token.text not in ("each", "all", "both", "they", "every") or any(
+            if token.text not in ("each", "all", "both", "they", "every") or index in reading.taken or any(
                 p.first <= index < p.last for p in self.phrases if p.first in self.found.units
             ):
                 continue
@@ -338,7 +363,8 @@ class _Households:
             owners = self._last_units(index)
             if not owners:
                 continue
-            rooms, _ = self._list_after(verb, always=True)
+            guests = any(p.first in owners and p.room_type in _LODGINGS for p in self.phrases)
+            rooms, _ = self._list_after(verb, always=True, guests=guests)
             self._give(owners, rooms)
             if rooms:
                 reading.take(index, verb)
@@ -407,37 +433,42 @@ class _Households:
 
     # Lists of rooms -------------------------------------------------------------------------------------------------
 
-    def _list_after(self, start: int, *, always: bool) -> tuple[list[Phrase], int]:
+    def _list_after(self, start: int, *, always: bool, guests: bool = False) -> tuple[list[Phrase], int]:
         """Return the rooms listed behind a token, and where the list ends.
 
         Parameters
         ----------
         always : bool
             The words before say already that the list is of each unit.
+        guests : bool
+            The units are rooms for guests, which hold few other rooms.
         """
         index, linked, strong, placed = self._linked(start)
-        strong = strong or always
         rooms: list[Phrase] = []
         closed = trailing = False
         while True:
             begin, joined = self._joints(index, first=not rooms)
+            if len(rooms) == 1 and not always and self.reading.words(index, index + 2) == (",", "and"):
+                break  # a list of two has no comma: what follows is a statement of its own
             room = self._room_at(begin)
             if room is None or (rooms and begin == index):
                 break
-            if rooms and not strong and (closed or room.room_type in _SHARED_ROOMS):
+            kind = _READ_AS.get(room.name, room.room_type)
+            if guests and kind not in _OF_GUESTS:
+                break
+            if not always and (kind in _SHARED_ROOMS or (rooms and closed and not strong)):
                 break
             if rooms and self._is_elsewhere(room, placed=placed):
                 break
             closed = closed or (joined and bool(rooms))
-            rooms.append(replace(room, room_type=_READ_AS.get(room.name, room.room_type), known=True
-                                 if room.name in _READ_AS else room.known))  # fmt: skip
+            rooms.append(replace(room, room_type=kind, known=room.known or room.name in _READ_AS))
             index, each = self._after_room(room.last)
             trailing = trailing or each
             living = self._living_at(index)
             if living is not None:
                 rooms.append(living)
                 index = living.last
-        if not (linked or strong or trailing) or (not rooms):
+        if not (linked or strong or always or trailing) or not rooms:
             return [], start
         self.reading.take(start, index)
         return rooms, index
@@ -462,7 +493,8 @@ class _Households:
             if self._room_at(index) is not None or not (word in _LINKS or word in _STRONG or word in _BETWEEN):
                 break
             linked = linked or (word in _LINKS and not self._before_measure(index))
-            strong = strong or word in _STRONG
+            of_area = word in _STRONG and reading.kind(index - 1) == "unit"
+            strong = strong or (word in _STRONG and not of_area and reading.word(index + 1) != ",")
             index += 1
         return index, linked, strong, placed
 

@@ -16,7 +16,7 @@ from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity, RoomFact, Span, UseFact
 from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.furnishings import read_furnishings
-from mansion_planner.brief.households import are_units, attach_units, read_households, told_apart
+from mansion_planner.brief.households import are_dwellings, are_units, attach_units, read_households, told_apart
 from mansion_planner.brief.measures import Measure, find_measures, give_measures, read_heights
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
@@ -514,7 +514,7 @@ class _Reader:
             label=phrase.label,
             suite=suite,
             known=phrase.known,
-            unit=bool(held) or self.reading.knowledge.room(phrase.room_type).unit,
+            unit=bool(held) or (self.reading.knowledge.room(phrase.room_type).unit and are_dwellings(phrase)),
         )
         if self._said_before(fact, phrase):
             return []
