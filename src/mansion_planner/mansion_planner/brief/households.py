@@ -120,7 +120,8 @@ class Households:
 
 def are_units(phrase: Phrase) -> bool:
     """Whether a phrase that names homes is of several in one building: "nine flats", "four houses"."""
-    return phrase.building in _ROWS and phrase.plural and phrase.counted and (phrase.count or 0) > 1
+    several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
+    return phrase.building in _ROWS and (several or phrase.determiner in _ALL)
 
 
 def are_dwellings(phrase: Phrase) -> bool:
@@ -192,18 +193,23 @@ class _Households:
         reading = self.reading
         for index in range(len(reading.tokens)):
             kind = _NOUNS.get(reading.word(index), "")
-            known = any(p.begin <= index < p.noun_end and p.known and p.room_type for p in self.phrases)
-            if not kind or known or self.one_home:
+            read = any(
+                p.begin <= index < p.noun_end and ((p.known and p.room_type) or p.head in ("object", "people"))
+                for p in self.phrases
+            )
+            if not kind or read or self.one_home:
                 continue
             begin = index
             if reading.word(index - 1) in _WORKPLACES:
                 begin, kind = index - 1, "team_room"
             elif reading.word(index - 1) in _BEDS and reading.kind(index - 2) == "number":
                 begin = index - 2
+            taken = set(reading.taken)
             for other in self.phrases:
                 if other.first <= index < other.last or other.first <= begin < other.last:
                     reading.taken.difference_update(range(other.first, other.last))
             phrase = finished_phrase(reading, "room", begin, index + 1, room=kind)
+            reading.taken |= taken
             counted = phrase.counted and (phrase.count or 0) > 1 and phrase.plural
             if counted or (phrase.determiner in _ALL and any(p.room_type == kind for p in self.phrases)):
                 self._put(phrase)
@@ -615,9 +621,12 @@ def attach_units(
 
 def _narrowed(reading: Reading, places: list[Place], unit: Phrase, given: Attachment) -> Attachment:
     """Return "four flats per floor" for the storeys that its clause opens with ("Floors 1 to 6: ...")."""
-    if [ref.kind for ref in given.refs] != ["every"]:
+    if [ref.kind for ref in given.refs] != ["every"] or not any(given.refs == place.refs for place in places):
         return given
-    if any(place.first - unit.last in (0, 1) and reading.word(place.first) == "per" for place in places):
+    every = next(place for place in places if given.refs == place.refs)
+    if "all" in reading.words(every.first, every.last):
+        return given
+    if 0 <= every.first - unit.last <= 1 and reading.word(every.first) == "per":
         given = replace(given, each=True)
     openers = [
         place for place in places
