@@ -100,7 +100,7 @@ class RoomFact:
     known : bool
         The knowledge base has the user's words; otherwise `room_type` is only the nearest kind.
     unit : bool
-        A dwelling or another unit of several rooms: `suite` is what the brief says that it holds, `area` the area of all.
+        A dwelling or another unit of several rooms: `suite` is what the brief says it holds, `area` that of all.
     """
 
     room_type: str

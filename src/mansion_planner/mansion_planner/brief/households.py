@@ -17,7 +17,7 @@ from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 __all__ = ["Households", "are_dwellings", "are_units", "attach_units", "read_households", "told_apart"]
 
 _NOUNS = {"unit": "apartment", "dwelling": "apartment", "home": "apartment", "residence": "apartment",
-          "cluster": "hallway"}  # fmt: skip
+          "cluster": "common_room"}  # fmt: skip
 """Nouns that name a unit wherever they are counted, and the room type of its main room."""
 
 _WORKPLACES = frozenset({"office", "business", "commercial", "workshop"})
@@ -146,9 +146,7 @@ def read_households(
 
 
 class _Households:
-    def __init__(
-        self, reading: Reading, phrases: list[Phrase], places: Sequence[Place], building: int | None
-    ) -> None:
+    def __init__(self, reading: Reading, phrases: list[Phrase], places: Sequence[Place], building: int | None) -> None:
         self.reading, self.phrases, self.places, self.building = reading, phrases, places, building
         self.found = Households()
         self.sizes: dict[int, Phrase] = {}
@@ -163,9 +161,9 @@ class _Households:
         self._further_nouns()
         self._units()
         for phrase in [p for p in self.phrases if p.first in self.found.units]:
-            if phrase.determiner in _ALL and not (phrase.counted and phrase.determiner != "each"):
-                self._of_all(phrase)
-            elif phrase.determiner in ("the", "these", "those") and phrase.plural and self._named_before(phrase):
+            every = phrase.determiner in _ALL and (phrase.determiner == "each" or not phrase.counted)
+            those = phrase.determiner in ("the", "these", "those") and phrase.plural and self._named_before(phrase)
+            if every or those:
                 self._of_all(phrase)
             else:
                 self._of_one(phrase)
@@ -183,7 +181,7 @@ class _Households:
         """Leave out what stands for the whole: "a two-storey building with", "a terrace of four houses"."""
         for number, phrase in enumerate(self.phrases):
             roof = phrase.name == "flat" and self.reading.word(phrase.noun_end) == "roof"
-            whole = roof or not phrase.known and phrase.name in ("building", "block")
+            whole = roof or (not phrase.known and phrase.name in ("building", "block"))
             row = phrase.name in ("terrace", "row") and self.reading.word(phrase.last) == "of"
             if whole or row:
                 self.phrases[number] = replace(phrase, head="unknown")
@@ -233,7 +231,7 @@ class _Households:
         if phrase.first == self.building or phrase.head not in ("room", "building") or not phrase.room_type:
             return False
         several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
-        if phrase.room_type in _LODGINGS or phrase.room_type in ("team_room", "hallway"):
+        if phrase.room_type in _LODGINGS or phrase.room_type in ("team_room", "common_room"):
             own = phrase.head == "room" and (phrase.plural or phrase.determiner in _ALL)
             return own and (phrase.room_type in _LODGINGS or phrase.name.rpartition("_")[2] in _NOUNS)
         if not self.reading.knowledge.room(phrase.room_type).unit:
@@ -337,7 +335,7 @@ class _Households:
         return any(p.first < unit.first and p.first in self.found.units and _alike(unit, p) for p in self.phrases)
 
     def _owners(self, unit: Phrase) -> list[int]:
-        """Return the units that "each flat" means: those before it that nothing was said of, or all; else those behind."""
+        """Return the units that "each flat" means: those before it that nothing was said of, or all, else others."""
         reading = self.reading
         others = [
             p for p in self.phrases
@@ -357,8 +355,10 @@ class _Households:
         """Read "Each has ...", "all of them with ..." and "they have ... each" of the units named last."""
         reading = self.reading
         for index, token in enumerate(reading.tokens):
-            if token.text not in ("each", "all", "both", "they", "every") or index in reading.taken or any(
-                p.first <= index < p.last for p in self.phrases if p.first in self.found.units
+            if (
+                token.text not in ("each", "all", "both", "they", "every")
+                or index in reading.taken
+                or any(p.first <= index < p.last for p in self.phrases if p.first in self.found.units)
             ):
                 continue
             if not (reading.starts(index) or reading.word(index - 1) in (",", ";", "and", ":", "-")):
@@ -480,7 +480,7 @@ class _Households:
         return rooms, index
 
     def _linked(self, start: int) -> tuple[int, bool, bool, bool]:
-        """Return where a list may begin behind a token, and whether a link, a word for each and a storey stand before."""
+        """Return where a list may begin, and whether a link, a word for each and a storey stand before it."""
         reading, index = self.reading, start
         linked = strong = placed = False
         while index < len(reading.tokens) and index - start < _REACH:
@@ -579,7 +579,9 @@ class _Households:
                 return rooms[::-1]
             rooms.append(replace(room, room_type=_READ_AS.get(room.name, room.room_type)))
             end = room.first
-            while self.reading.word(end - 1) in ("and", ",", "&", "a", "an", "one") and not self.reading.breaks(end - 1):
+            while self.reading.word(end - 1) in ("and", ",", "&", "a", "an", "one") and not self.reading.breaks(
+                end - 1
+            ):
                 end -= 1
 
 
@@ -657,7 +659,7 @@ _NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight"
 
 
 def told_apart(facts: Sequence[RoomFact]) -> list[RoomFact]:
-    """Return room facts, where units of one name that hold different rooms on the same storeys get names of their own."""
+    """Return room facts; units of one name and the same storeys that hold different rooms get names of their own."""
     told = list(facts)
     units = [n for n, fact in enumerate(told) if fact.unit]
     for n, m in itertools.combinations(units, 2):

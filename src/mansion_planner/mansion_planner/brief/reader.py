@@ -317,10 +317,7 @@ class _Reader:
         rooms = [
             n
             for n, p in enumerate(self.phrases)
-            if p.head == "room"
-            and n != self.building
-            and n not in self.negated
-            and p.first not in self.households.read
+            if p.head == "room" and n != self.building and n not in self.negated and p.first not in self.households.read
         ]
         for position, number in enumerate(rooms):
             phrase = self.phrases[number]
@@ -334,7 +331,9 @@ class _Reader:
                 ),
                 None,
             )
-            if owner is None:
+            if owner is None or any(
+                self.phrases[owner].last <= first < phrase.first for first in self.households.inner
+            ):
                 continue
             gap = set(reading.words(self.phrases[owner].last, phrase.begin))
             tail = reading.words(phrase.last, phrase.last + 1)
@@ -485,9 +484,7 @@ class _Reader:
         """Return a phrase's rooms: one fact, or one for each of several areas."""
         span = self._span(phrase)
         children = [
-            self.phrases[n]
-            for n, owner in self.suites.items()
-            if owner == number or number in self.twins.get(n, ())
+            self.phrases[n] for n, owner in self.suites.items() if owner == number or number in self.twins.get(n, ())
         ]
         held = self.households.units.get(phrase.first, [])
         suite = tuple(

@@ -1,4 +1,4 @@
-"""The rooms of a dwelling or another unit: those that the brief states, what it needs besides, and how area is shared."""
+"""The rooms of a dwelling or another unit: those that the brief states, and what it needs besides."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -9,7 +9,7 @@ from mansion_planner.brief.facts import RoomFact
 __all__ = ["household_of", "is_whole", "main_room", "private_types"]
 
 _SMALL, _LARGE = 48.0, 95.0
-"""Square metres of a dwelling below which it has one bedroom, and from which on three, where the brief leaves it open."""
+"""Square metres below which a dwelling has one bedroom by default, and from which on it has three."""
 
 _LIVING = "living_room"
 _DWELLING = "apartment"
@@ -33,7 +33,7 @@ def is_whole(fact: RoomFact, knowledge: KnowledgeBase) -> bool:
 
 def main_room(fact: RoomFact, knowledge: KnowledgeBase) -> RoomFact | None:
     """Return the stated living room of a dwelling, which is its main room, or none."""
-    if not knowledge.room(fact.room_type).unit and fact.room_type != "hotel_suite":
+    if not knowledge.room(fact.room_type).unit and fact.room_type not in ("hotel_suite", "common_room"):
         return None
     return next((child for child in fact.suite if child.room_type == _LIVING), None)
 
@@ -66,16 +66,17 @@ def _for_area(entries: list[RoomEntry], area: float | None, knowledge: Knowledge
     return [*beds, *beds[:1], *others] if area >= _LARGE else entries
 
 
+def _is_dwelling(fact: RoomFact, knowledge: KnowledgeBase) -> bool:
+    inner = (knowledge.room(child.room_type) for child in fact.suite)
+    return knowledge.room(fact.room_type).unit or any(_need(kind) == "sleeping" for kind in inner)
+
+
 def private_types(facts: Sequence[RoomFact], knowledge: KnowledgeBase) -> set[str]:
     """Return the room types that a storey with dwellings does not add outside them: where people sleep, cook and wash.
 
     Beside a single dwelling there may be rooms for guests; several are what their storey is for.
     """
-    dwellings = [
-        fact for fact in facts
-        if fact.unit and (knowledge.room(fact.room_type).unit or any(_need(knowledge.room(child.room_type)) == "sleeping"
-                                                                     for child in fact.suite))
-    ]  # fmt: skip
+    dwellings = [fact for fact in facts if fact.unit and _is_dwelling(fact, knowledge)]
     if not dwellings:
         return set()
     several = len(dwellings) > 1

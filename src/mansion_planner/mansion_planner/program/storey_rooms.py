@@ -218,12 +218,14 @@ def planned_room(
 
 
 def _planned_unit(kind: RoomType, knowledge: KnowledgeBase, fact: RoomFact) -> PlannedRoom:
-    """Make the main room of a unit with the rooms that are reached through it; they share a stated area of the whole."""
+    """Make the main room of a unit with the rooms that are reached through it; all share a stated area."""
     whole = fact.area if is_whole(fact, knowledge) else None
     main = main_room(fact, knowledge)
     stated, added = household_of(fact, knowledge)
     own = main.area if main is not None else None if whole else fact.area
     room = planned_room(kind, knowledge, fact=replace(fact, unit=False, suite=(), area=own))
+    if kind.zone == "public" and not (kind.unit or room.fixed):
+        room.area = min(room.area, max(kind.least, _HALL))
     room.notes = f"from {fact.label!r}"
     room.suite = [
         planned_room(knowledge.room(child.room_type), knowledge, fact=child)
@@ -241,6 +243,9 @@ def _planned_unit(kind: RoomType, knowledge: KnowledgeBase, fact: RoomFact) -> P
         _share_area(room.each(), whole)
     return room
 
+
+_HALL = 20.0
+"""Square metres of the room that a cluster's or an office unit's other rooms are reached through."""
 
 _LEAST_SHARE = 0.4
 """Of its usual area, what a room of a dwelling keeps whatever the area of the whole."""
