@@ -75,7 +75,7 @@ _OF_GUESTS = frozenset(
 """Rooms that a hotel room or another room for guests may have for itself."""
 
 _READ_AS = {"kitchenette": "kitchen", "wet_room": "bathroom", "shower": "bathroom", "living_area": "living_room",
-            "living_space": "living_room"}  # fmt: skip
+            "living_space": "living_room", "lounge": "living_room"}  # fmt: skip
 """Names that mean another room inside a unit than in a workplace."""
 
 _REACH = 14
