@@ -9,9 +9,9 @@ from random import Random
 
 import numpy as np
 
+from mansion_geometry.disc_cells import region_of
 from mansion_msgs_py.world import Pose2D, SkillStatus
 from mansion_skills import Robot
-from mansion_skills.navigation.search import region_of
 
 HINTS = 10
 OUT = 1.0

@@ -96,6 +96,17 @@ def check_plan(lines: list[str], output: Path) -> None:
     assert any(line.startswith('  "sauna" -> ') for line in why)
 
 
+def check_model_reads(lines: list[str], output: Path) -> None:
+    """The German brief is the model's alone; of the English one the rules read what it leaves out."""
+    briefs = [k for k, line in enumerate(lines) if not line.startswith("  ")]
+    german, english = lines[: briefs[1]], lines[briefs[1] :]
+    assert {line.split(":")[0].strip() for line in german[1:-1]} == {"model"}
+    assert german[-1].count("bedroom") == 3
+    assert "  model: room from 'a sauna'" in english
+    assert "  rules: room from 'three bedrooms'" in english
+    assert english[-1].startswith("  2 floors: ")
+
+
 def check_export_nav2(lines: list[str], output: Path) -> None:
     """An image of the size that its header, its length and the script say, and a YAML file that names it."""
     image = output / "nav2" / "floor_2.pgm"
@@ -194,6 +205,7 @@ CHECKS: dict[str, Check] = {
     "edit": check_edit,
     "export_nav2": check_export_nav2,
     "gym_env": check_gym_env,
+    "model_reads": check_model_reads,
     "plan": check_plan,
     "ros_client": check_ros_client,
 }

@@ -11,13 +11,15 @@ from typing import Any
 import msgspec
 import pytest
 
-from mansion_assets.catalogue import load_catalogue
+from mansion_assets.catalogue import furnish_request, load_catalogue
 from mansion_llm import LlmClient, LlmSettings
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
+from mansion_msgs_py.placement import MatrixStructure, PlacementOpening, PlacementRoom
 from mansion_msgs_py.stages import FurnishRequest
 from mansion_scene import assembly
 from mansion_scene.llm_furniture import ModelChooser, ObjectsAnswer, floor_categories, object_faults, object_items
+from mansion_scene.placement import place_room
 
 DESKS: list[dict[str, Any]] = [
     {
@@ -62,6 +64,35 @@ def test_good_objects_have_no_faults_and_become_items() -> None:
     assert [(item.name, item.paired, item.matrix is not None) for item in items] == [
         ("desk", "", True), ("seat", "desk", False), ("plant", "", False),
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize("size", [(2, 6), (6, 2), (1, 8), (2, 2)])
+def test_a_matrix_keeps_its_rows_and_columns(size: tuple[int, int]) -> None:
+    rows, cols = size
+    structure = {"kind": "matrix", "rows": rows, "cols": cols, "with": None}
+    answer = msgspec.convert(
+        {"objects": [*changed(0, quantity=rows * cols, structure=structure)[:1], DESKS[1] | {"quantity": rows * cols}]},
+        ObjectsAnswer,
+    )
+    wishes = furnish_request(
+        load_catalogue(), "open_office", 120.0, seed=1, extent=(15.0, 8.0), items=object_items(answer, set())
+    )
+    desk, seat = wishes.floor
+    assert (desk.structure, desk.quantity) == (MatrixStructure(rows=rows, cols=cols), rows * cols)
+    assert seat.quantity == rows * cols
+
+
+def test_the_placer_makes_a_matrix_smaller_that_does_not_fit() -> None:
+    structure = {"kind": "matrix", "rows": 2, "cols": 6, "with": None}
+    answer = msgspec.convert({"objects": changed(0, quantity=12, structure=structure)[:1]}, ObjectsAnswer)
+    wishes = furnish_request(
+        load_catalogue(), "open_office", 12.0, seed=1, extent=(4.0, 3.0), items=object_items(answer, set())
+    )
+    ring = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]
+    door = PlacementOpening(id="door", segment=((1.0, 0.0), (2.0, 0.0)), sill=0.0)
+    room = PlacementRoom(room_id="r", polygon=ring, doors=[door], objects=list(wishes.floor))
+    placed = place_room(room, seed=1)
+    assert 1 <= len(placed.placements) < 12
 
 
 @pytest.mark.parametrize(

@@ -7,14 +7,14 @@ import shapely
 from shapely.geometry import LineString, Point, Polygon
 
 from mansion_geometry.object_footprints import footprint
-from mansion_geometry.robot_body import BODY_RADIUS
+from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
 from mansion_scene.spawn import free_region
 
-__all__ = ["LOW", "OVERHEAD", "Passages", "passages_of"]
+__all__ = ["LOW", "Passages", "passages_of"]
 
-LOW, OVERHEAD = 0.03, 1.5
-"""Heights, metres: a robot drives over objects lower than the first and under those that begin above the second."""
+LOW = 0.03
+"""Height up to which a robot drives over objects, metres."""
 
 _DOORWAY = 0.40
 """How far before a door's middle line the robot's centre must have come, metres."""
@@ -89,7 +89,7 @@ def passages_of(scene: FloorScene) -> Passages:
 def _is_obstacle(item: SceneObject) -> bool:
     low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
     thin = item.mount == "wall" and item.size[1] <= _THIN
-    return item.mount in ("floor", "wall") and low < OVERHEAD and high > LOW and not thin
+    return item.mount in ("floor", "wall") and low < CLEARANCE and high > LOW and not thin
 
 
 def _parts_at_door(door: Door, found: Sequence[Polygon], empty: Sequence[Polygon]) -> list[int]:

@@ -8,6 +8,7 @@ from mansion_export.door_sides import swing_side
 from mansion_export.materials import named
 from mansion_export.model import Material, Node, Part, Surface
 from mansion_export.solids import Box, boxes_surface
+from mansion_geometry.doorways import LEAFLESS, depth_of_doors
 from mansion_msgs_py.scene import Door, FloorScene, Window
 from mansion_msgs_py.shapes import Segment
 
@@ -42,12 +43,12 @@ ROLL = 0.26
 
 def door_parts(scene: FloorScene) -> Iterator[Part]:
     """Yield the frame of each door, then all leaves, open or closed as the scene has them."""
-    thickness = {wall.id: wall.thickness for wall in scene.walls}
+    depths = depth_of_doors(scene)
     for door in scene.doors:
         if door.kind == "open":
             continue
         x, y, rotation, length = _base(door.segment)
-        deep = thickness.get(door.wall, 0.12)
+        deep = depths[door.id]
         name = f"door_frame:{length:.3f}x{door.height:.3f}x{deep:.3f}:{door.kind}"
         node = Node(door.id, name, "doors", (x, y, 0.0), rotation)
         material = _frame_material(door)
@@ -100,7 +101,7 @@ def leaf_parts(scene: FloorScene) -> list[Part]:
     rooms |= {core.id: core.polygon for core in scene.cores}
     leaves: list[Part] = []
     for door in scene.doors:
-        if door.kind in ("open", "doorway", "frame"):
+        if door.kind in LEAFLESS:
             continue
         if door.kind == "garage":
             leaves.append(_slats(door))

@@ -1,4 +1,4 @@
-"""Kernels on a grid of free cells: inflation of walls and boxes by a disc, flood fill, 4-connected regions.
+"""Kernels on a grid of free cells: shapes, inflation of walls and boxes by a disc, flood fill, 4-connected regions.
 
 A count is 0 where a cell is free; arrays are indexed ``[row (y), column (x)]``.
 """
@@ -15,6 +15,7 @@ __all__ = [
     "SLACK",
     "cell_window",
     "connected_components",
+    "fill",
     "flood_fill",
     "near_segment",
     "segment_distance2",
@@ -42,6 +43,36 @@ def segment_distance2(x: float, y: float, seg: Floats) -> float:
     ex, ey = x - seg[0] - t * dx, y - seg[1] - t * dy
     distance2: float = ex * ex + ey * ey
     return distance2
+
+
+@kernel
+def fill(
+    grid: Counts, x0: float, y0: float, resolution: float, edges: Floats, value: int, only: int, whatever: bool
+) -> None:
+    """Set the cells whose centres lie between edges (even-odd rule): `whatever` they are, or those that are `only`.
+
+    One row's crossings tell all its cells, so that a shape costs its rows and what it covers.
+    """
+    rows, columns = grid.shape
+    low = max(0, int(np.floor((edges[:, 1].min() - y0) / resolution)) - 1)
+    high = min(rows, int(np.ceil((edges[:, 1].max() - y0) / resolution)) + 1)
+    crossings = np.empty(edges.shape[0], dtype=np.float64)
+    for row in range(low, high):
+        y = y0 + (row + 0.5) * resolution
+        count = 0
+        for k in range(edges.shape[0]):
+            ax, ay, bx, by = edges[k]
+            # Half-open, so that a vertex on the row counts for one of its edges only.
+            if (ay > y) != (by > y):
+                crossings[count] = ax + (y - ay) * (bx - ax) / (by - ay)
+                count += 1
+        inside = np.sort(crossings[:count])
+        for k in range(0, count - 1, 2):
+            first = max(0, int(np.ceil((inside[k] - x0) / resolution - 0.5)))
+            last = min(columns - 1, int(np.ceil((inside[k + 1] - x0) / resolution - 0.5)) - 1)
+            for column in range(first, last + 1):
+                if whatever or grid[row, column] == only:
+                    grid[row, column] = value
 
 
 @kernel
@@ -122,8 +153,11 @@ def stamp(counts: Counts, x0: float, y0: float, cell: float, boxes: Floats, radi
 
 
 @kernel
-def flood_fill(counts: Counts, seeds: Labels, reached: Bools) -> int:
-    """Mark in `reached` the free cells 4-connected to free `seeds` (flat indices); return how many there are."""
+def flood_fill(counts: Counts | Bools, seeds: Labels, reached: Bools) -> int:
+    """Mark in `reached` the free cells 4-connected to free `seeds` (flat indices); return how many there are.
+
+    `counts` may as well be what is blocked.
+    """
     rows, cols = counts.shape
     reached[:, :] = False
     stack = np.empty(rows * cols, dtype=np.int32)

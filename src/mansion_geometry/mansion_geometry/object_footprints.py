@@ -1,16 +1,17 @@
-"""Footprints: the rectangles that objects cover on the floor, and distances to them."""
+"""Footprints: the rectangles that objects cover on the floor, distances to them, and which of them stop robots."""
 
 from collections.abc import Sequence
 from math import cos, hypot, radians, sin
 from typing import TYPE_CHECKING
 
+from mansion_geometry.robot_body import in_the_way
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point
 
 if TYPE_CHECKING:
     from shapely.geometry import Polygon
 
-__all__ = ["footprint", "footprint_at", "footprint_corners", "footprint_distance", "oblique_margin"]
+__all__ = ["footprint", "footprint_at", "footprint_corners", "footprint_distance", "oblique_margin", "stops_robots"]
 
 
 def footprint_corners(
@@ -56,6 +57,12 @@ def footprint_distance(point: Point, center: Sequence[float], size: Sequence[flo
     c, s = cos(radians(rotation)), sin(radians(rotation))
     across, along = abs(c * dx + s * dy) - size[0] / 2, abs(c * dy - s * dx) - size[1] / 2
     return hypot(max(across, 0.0), max(along, 0.0))
+
+
+def stops_robots(item: SceneObject) -> bool:
+    """Whether an object stands or hangs in a robot's way; what furniture carries does not count."""
+    bottom, top = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
+    return item.mount not in ("surface", "inside") and in_the_way(bottom, top)
 
 
 def oblique_margin(item: SceneObject) -> float:

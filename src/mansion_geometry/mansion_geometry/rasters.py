@@ -1,56 +1,29 @@
-"""Square rasters over a plan: which cells' centres a shape holds."""
-
-from dataclasses import dataclass
+"""Grids over shapes: which cells' centres a shape holds."""
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
-__all__ = ["Raster", "raster_over"]
+from mansion_geometry.floor_grid import GridFrame
+
+__all__ = ["cells_in", "raster_over"]
 
 
-@dataclass(frozen=True)
-class Raster:
-    """A grid of square cells.
-
-    Attributes
-    ----------
-    x0, y0 : float
-        Lower left corner, metres.
-    side : float
-        Edge of a cell, metres.
-    rows, columns : int
-    """
-
-    x0: float
-    y0: float
-    side: float
-    rows: int
-    columns: int
-
-    def centres(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return x and y of all cell centres, each of shape (rows, columns)."""
-        x = self.x0 + (np.arange(self.columns) + 0.5) * self.side
-        y = self.y0 + (np.arange(self.rows) + 0.5) * self.side
-        grid_x, grid_y = np.meshgrid(x, y)
-        return grid_x, grid_y
-
-    def mask(self, shape: BaseGeometry) -> NDArray[np.bool_]:
-        """Return which cells have their centre inside `shape`, as (rows, columns) of bool."""
-        if shape.is_empty:
-            return np.zeros((self.rows, self.columns), dtype=bool)
-        shapely.prepare(shape)
-        x, y = self.centres()
-        inside: NDArray[np.bool_] = shapely.contains_xy(shape, x, y)
-        return inside
+def cells_in(shape: BaseGeometry, frame: GridFrame) -> NDArray[np.bool_]:
+    """Return which cells have their centre inside `shape`, as (rows, columns) of bool."""
+    if shape.is_empty:
+        return np.zeros(frame.shape, dtype=bool)
+    shapely.prepare(shape)
+    inside: NDArray[np.bool_] = shapely.contains_xy(shape, *np.meshgrid(*frame.centers()))
+    return inside
 
 
-def raster_over(shape: BaseGeometry, cells: int = 64) -> Raster:
-    """Return the raster of `cells` x `cells` squares aligned to the bounding box of `shape`.
+def raster_over(shape: BaseGeometry, cells: int = 64) -> GridFrame:
+    """Return the frame of `cells` x `cells` squares aligned to the bounding box of `shape`.
 
-    A cell's side is the box's longer side divided by `cells`, in both directions; the raster starts at the box's
+    A cell's side is the box's longer side divided by `cells`, in both directions; the frame starts at the box's
     lower left corner (the shared raster-space protocol of the supplement's A.1).
     """
     x0, y0, x1, y1 = shape.bounds
-    return Raster(x0, y0, max(x1 - x0, y1 - y0) / cells, cells, cells)
+    return GridFrame(x0, y0, max(x1 - x0, y1 - y0) / cells, cells, cells)

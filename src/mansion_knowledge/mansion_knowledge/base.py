@@ -250,7 +250,9 @@ def _read_styles(file: Path) -> dict[str, Style]:
             missing += [key for key in _WALLS if key not in walls]
             if missing:
                 raise ValueError(f"no material for {', '.join(missing)}")
-            styles[name] = Style(name, tuple(record.get("synonyms", ())), floors, walls)
+            styles[name] = Style(
+                name, tuple(record.get("synonyms", ())), floors, walls, like=str(record.get("like", ""))
+            )
         except (KeyError, TypeError, ValueError) as error:
             raise _fault(file, name, str(error)) from None
     return styles
@@ -293,6 +295,7 @@ def _building(name: str, record: dict[str, Any]) -> BuildingType:
         seats=parse_entry(seats) if seats else None,
         stretcher=bool(record.get("stretcher", False)),
         like=str(record.get("like", "")),
+        heads=tuple(str(head) for head in record.get("heads", ())),
     )
 
 

@@ -196,6 +196,8 @@ class BuildingType:
         The building type that it is planned like, where it is a kind of another.
     stretcher : bool
         Needs a lift on any number of storeys above one.
+    heads : tuple of str
+        Nouns that end the names of unknown kinds that are most like it ("agency", "bureau").
     """
 
     name: str
@@ -213,13 +215,21 @@ class BuildingType:
     seats: RoomEntry | None = None
     stretcher: bool = False
     like: str = ""
+    heads: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Style:
-    """Materials: a floor covering for each finish, and a wall covering for each kind of room."""
+    """Materials: a floor covering for each finish, and a wall covering for each kind of room.
+
+    Attributes
+    ----------
+    like : str
+        The style whose materials it takes, where it is one of another's kind.
+    """
 
     name: str
     synonyms: tuple[str, ...]
     floors: dict[str, str]
     walls: dict[str, str]
+    like: str = ""

@@ -56,6 +56,7 @@ _TOKEN = re.compile(
     r"(?P<blank>[^\S\n]++)"
     r"|(?P<ordinal>\d++(?=(?:st|nd|rd|th)(?![a-z]))(?:st|nd|rd|th))"
     r"|(?P<level>(?:l|lvl|f)[ .]?\d{1,3}(?![\w.,]*\d)(?![a-z])|\d{1,3}+f(?![a-z\d]))"
+    r"|(?P<compound>[23]d(?![a-z\d])|[a-z]&[a-z](?![a-z]))"
     r"|(?P<number>\d{1,3}(?:[ ,.'’]\d{3})++(?!\d)|\d++(?:[.,]\d++)?+)(?P<thousand>k(?=[ ]?(?:m2|m²|sq|ft)))?"
     rf"|(?P<area>{AREA_PATTERN})"
     rf"|(?P<length>(?<=[\d ])(?:{LENGTH_PATTERN}))"
@@ -148,6 +149,8 @@ def _token(match: re.Match[str], text: str, *, spaced: bool) -> Token:
         return Token("unit", "m2" if match["m2"] else "ft2", start, end, spaced=spaced)
     if match["length"]:
         return Token("unit", next(u for u in ("cm", "m", "ft") if match[u]), start, end, spaced=spaced)
+    if match["compound"]:
+        return Token("word", match["compound"], start, end, spaced=spaced, capital=text[start:end][:1].isupper())
     if match["word"]:
         return _word(match["word"], text[start:end], start, end, spaced=spaced)
     marks = {"range": "–", "dash": "-", "times": "x", "bullet": "*", "quote": '"'}

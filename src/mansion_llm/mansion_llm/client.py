@@ -137,6 +137,7 @@ class LlmClient:
         check: Callable[[T], list[Fault]] = lambda value: [],
         *,
         array_field: str = "",
+        repairs: int | None = None,
     ) -> Answer[T]:
         """Return the model's answer as a value of `kind`.
 
@@ -149,6 +150,8 @@ class LlmClient:
             Returns what is wrong with a value.
         array_field : str
             The field that a bare array fills, for models that leave the object around it out.
+        repairs : int, optional
+            How often a faulty answer is asked for again at most, where that is less than the settings allow.
 
         Raises
         ------
@@ -159,7 +162,8 @@ class LlmClient:
         schema = answer_schema(kind)
         messages = prompt.messages()
         best: Answer[T] = Answer(None, reason="no answer")
-        for attempt in range(self.settings.repairs + 1):
+        most = self.settings.repairs if repairs is None else min(repairs, self.settings.repairs)
+        for attempt in range(most + 1):
             try:
                 reply = self._complete(prompt.name, messages, schema)
             except TransportError as error:
@@ -171,7 +175,7 @@ class LlmClient:
             if best.value is None or (value is not None and len(faults) < len(best.faults)):
                 best = Answer(value, faults, _reason(faults))
             _log.info("%s: answer %d has %d faults", prompt.name, attempt + 1, len(faults))
-            if attempt < self.settings.repairs:
+            if attempt < most:
                 self._meter.asked_again()
                 messages = [*prompt.messages(), Message("assistant", reply.text), _repair(faults)]
         return best

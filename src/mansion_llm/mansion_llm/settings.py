@@ -15,7 +15,7 @@ __all__ = ["PIECES", "WITHOUT_MODEL", "LlmSettings", "load_settings"]
 Structured = Literal["auto", "schema", "object", "text"]
 Images = Literal["auto", "yes", "no"]
 
-PIECES = ("numbers", "materials", "program", "topology", "seeds", "objects")
+PIECES = ("reading", "numbers", "materials", "program", "topology", "seeds", "objects")
 """What a model can be asked for; the rest is then planned by rules."""
 
 WITHOUT_MODEL = "use --planner rules"

@@ -158,7 +158,15 @@ class Downgrade(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class BuildingProgram(msgspec.Struct, frozen=True, kw_only=True):
-    """The program of a whole building, ``B_plan`` of Algorithm 1, line 3."""
+    """The program of a whole building, ``B_plan`` of Algorithm 1, line 3.
+
+    Attributes
+    ----------
+    building_type : str
+        In the words of the brief where it has some, else the kind of the knowledge base.
+    planned_like : str
+        The kind of the knowledge base where `building_type` is called otherwise there; else empty.
+    """
 
     building_id: Identifier
     reasoning: str
@@ -166,9 +174,15 @@ class BuildingProgram(msgspec.Struct, frozen=True, kw_only=True):
     floors: Annotated[list[FloorProgram], msgspec.Meta(min_length=1)]
     description: str = ""
     building_type: str = ""
+    planned_like: str = ""
     style: str = ""
     seed: int = 0
     trace: list[TraceEntry] = []
     downgrades: list[Downgrade] = []
     wishes: list[Wish] = []
     schema_version: Literal[1] = 1
+
+    @property
+    def kind(self) -> str:
+        """The kind of building of the knowledge base."""
+        return self.planned_like or self.building_type

@@ -39,7 +39,7 @@ class BuildRequest(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     Attributes
     ----------
     description : str
-        The brief, in English.
+        The brief: English, or what language the model of planner ``llm`` reads.
     floors : int, optional
         Target floor count above and at the ground, ``F_target``; read from the description when absent.
     area : float, optional
@@ -51,7 +51,7 @@ class BuildRequest(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     seed : int
         Everything random follows from it.
     planner : {"rules", "llm"}
-        Which planner reads the description.
+        Who reads the description and plans: rules, or a language model whose gaps they fill.
     building_id : str, optional
         Names the building in every payload; derived from the request when absent.
     """

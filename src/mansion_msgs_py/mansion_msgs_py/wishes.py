@@ -103,6 +103,8 @@ class Wish(msgspec.Struct, frozen=True, kw_only=True):
         Where they stand in the description: characters, end exclusive.
     reason : str
         Why it is not met, and what was built instead; what it was taken for, where the words are not known.
+    read_by : {"rules", "model"}
+        Who read it in the text.
     rooms, objects : list of str
         What answers to it: ``F1/kitchen``, ``F1/kitchen/stove_1``.
     """
@@ -115,5 +117,6 @@ class Wish(msgspec.Struct, frozen=True, kw_only=True):
     scope: Scope = Scope()
     status: WishStatus = ""
     reason: str = ""
+    read_by: Literal["rules", "model"] = "rules"
     rooms: list[str] = []
     objects: list[str] = []

@@ -99,7 +99,7 @@ def _check(fact: str, reply: PlanReply, layouts: list[FloorLayout], rooms: list[
     checks: dict[str, Callable[[], tuple[bool, str]]] = {
         "floors": lambda: _floors(value, rooms),
         "basements": lambda: _basements(value, rooms),
-        "type": lambda: (reply.program.building_type == value, reply.program.building_type),
+        "type": lambda: (value in (reply.program.building_type, reply.program.kind), reply.program.building_type),
         "style": lambda: (reply.program.style == value, reply.program.style),
         "method": lambda: _method(value, reply),
         "area": lambda: _total(float(value), reply),

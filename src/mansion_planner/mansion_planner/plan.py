@@ -5,54 +5,15 @@ Lines 1 to 7 of Algorithm 1 (section C.1): by rules, or with a language model wh
 
 from mansion_geometry.randomness import item_generator
 from mansion_knowledge import KnowledgeBase, default_knowledge
-from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.request import BuildRequest, building_id_of
 from mansion_msgs_py.stages import PlanReply
-from mansion_planner.brief import BriefFacts, read_brief
+from mansion_planner.brief import read_brief
+from mansion_planner.brief_checks import check_length, check_there, check_understood
 from mansion_planner.program.building import plan_program
 from mansion_planner.topology import fallback_problem, floor_problem, floor_topology
 
 __all__ = ["plan_building"]
-
-
-MOST_CHARACTERS = 20_000
-"""Characters of a description that are read."""
-
-
-def _check_length(description: str) -> None:
-    if len(description) > MOST_CHARACTERS:
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD,
-            f"the description has {len(description)} characters; up to {MOST_CHARACTERS} are read",
-            path="$.description",
-        )
-
-
-def _check_understood(facts: BriefFacts, description: str) -> None:
-    """Refuse a text of which next to nothing was read.
-
-    Raises
-    ------
-    MansionError
-        ``INVALID_PAYLOAD`` with the words that were not understood.
-    """
-    stated = [
-        name
-        for name, value in vars(facts).items()
-        if value and name not in ("unread", "building_name", "building_span", "size")
-    ]
-    unread = sum(len(span.words.split()) for span in facts.unread)
-    words = len(description.split())
-    if (stated and unread < 0.6 * words) or (len(stated) > 2 and unread < 0.8 * words):
-        return
-    shown = ", ".join(f'"{span.words}"' for span in facts.unread[:4]) or f'"{description.strip()[:60]}"'
-    raise MansionError(
-        ErrorCode.INVALID_PAYLOAD,
-        f"next to nothing of the description was understood: {shown}; it must be English and name a kind of building, "
-        "rooms, storeys or an area; --planner llm reads other languages",
-        path="$.description",
-        details={"unread": [span.words for span in facts.unread], "stage": "program"},
-    )
 
 
 def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = None) -> PlanReply:
@@ -83,22 +44,20 @@ def plan_building(request: BuildRequest, *, knowledge: KnowledgeBase | None = No
     >>> [floor.index for floor in reply.program.floors]
     [1, 2]
     """
-    if not request.description.strip():
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD,
-            'the description is empty; write what to build, such as "a two-storey house with three bedrooms"',
-            path="$.description",
-        ).at_stage("program")
+    try:
+        check_there(request.description)
+    except MansionError as error:
+        raise error.at_stage("program") from None
     base = knowledge or default_knowledge()
     building_id = building_id_of(request)
     if request.planner == "llm":
         from mansion_planner.llm.planner import plan_with_model
 
         return plan_with_model(request, base, building_id)
-    _check_length(request.description)
+    check_length(request.description)
     try:
         facts = read_brief(request.description, base)
-        _check_understood(facts, request.description)
+        check_understood(facts, request.description)
         planned = plan_program(request, facts, base, building_id, item_generator(request.seed, "program"))
     except MansionError as error:
         raise error.at_stage("program") from None

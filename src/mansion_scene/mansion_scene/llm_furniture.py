@@ -189,8 +189,7 @@ def object_items(answer: ObjectsAnswer, without: set[str]) -> list[Item]:
             continue
         shape = None
         if entry.structure.kind == "matrix":
-            rows, cols = entry.structure.rows or 1, entry.structure.cols or 1
-            shape = MatrixShape(max_rows=max(rows, cols), max_cols=max(rows, cols))
+            shape = MatrixShape(max_rows=entry.structure.rows or 1, max_cols=entry.structure.cols or 1, exact=True)
         place: GlobalConstraint = next((g for g in _GLOBAL if g == entry.global_), "unconstrained")
         items.append(
             Item(

@@ -8,7 +8,9 @@ import numpy as np
 import shapely
 from shapely.geometry import LineString, Point, Polygon
 
+from mansion_geometry.floor_regions import largest_first
 from mansion_geometry.object_footprints import footprint, oblique_margin
+from mansion_geometry.rings import polygon_parts
 from mansion_geometry.robot_body import ROBOT_RADIUS
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import Door, SceneObject, SceneRoom, SpawnPose
@@ -35,8 +37,7 @@ def free_region(room: SceneRoom, objects: Sequence[SceneObject], radius: float =
         free = free.difference(
             shapely.union_all(shapely.buffer(boxes, [radius + oblique_margin(item) for item in mine]))
         )
-    parts = [part for part in shapely.get_parts(free) if part.geom_type == "Polygon" and not part.is_empty]
-    return sorted(parts, key=lambda part: (-round(part.area, 6), part.bounds))
+    return largest_first(polygon_parts(free))
 
 
 def place_spawn(room: SceneRoom, doors: Sequence[Door], objects: Sequence[SceneObject]) -> SpawnPose:

@@ -4,11 +4,15 @@ import json
 import re
 from typing import Any
 
-from mansion_msgs_py.stages import PlanReply
+import msgspec
 
-__all__ = ["Architect", "piece_of"]
+from mansion_msgs_py.stages import PlanReply
+from mansion_msgs_py.wishes import Wish
+
+__all__ = ["Architect", "piece_of", "statement"]
 
 _MARKS = {
+    "reading": "Read what the brief states",
     "numbers": "Work out what building",
     "materials": "Choose floor and wall materials",
     "program": "Program a complete building",
@@ -35,6 +39,14 @@ def _json_after(text: str, label: str) -> Any:
     return json.loads(line.split(label, 1)[1].strip())
 
 
+def statement(wish: Wish) -> dict[str, Any]:
+    """Return a wish of the ledger as a model states it."""
+    value = msgspec.to_builtins(wish.value)
+    scope = {"floors": wish.scope.floors, "room": wish.scope.room, "each": wish.scope.each}
+    several = wish.kind in ("room", "object") and wish.value.count is None
+    return {"kind": wish.kind, "quote": wish.text, "value": value | {"several": several}, "scope": scope}
+
+
 class Architect:
     """Answers from the rules' plan of the same brief, with words and materials of its own."""
 
@@ -44,6 +56,7 @@ class Architect:
     def answer(self, request: dict[str, Any]) -> Any:
         """Return the answer as JSON-compatible values."""
         answers = {
+            "reading": self.reading,
             "numbers": self.numbers,
             "materials": self.materials,
             "program": self.program,
@@ -51,6 +64,10 @@ class Architect:
             "seeds": self.seeds,
         }
         return answers[piece_of(request)](prompt_of(request))
+
+    def reading(self, text: str) -> Any:
+        """Answer with the statements that the rules read in the plan's brief."""
+        return {"language": "English", "statements": [statement(wish) for wish in self.plan.program.wishes]}
 
     def numbers(self, text: str) -> Any:
         """Answer with the numbers of the plan."""

@@ -85,7 +85,7 @@ def test_good_answers_are_used(run: Run) -> None:
     reply = run()
     assert_sound(reply)
     sources = reply.sources
-    for piece in ("numbers", "materials", "program/F1", "program/F2", "cores", "topology/F1", "topology/F2"):
+    for piece in ("reading", "numbers", "materials", "program/F1", "program/F2", "cores", "topology/F1", "topology/F2"):
         assert sources[piece] == "llm"
     assert all(value.startswith("llm") for value in sources.values())
     assert reply.program.reasoning == "plain"
@@ -93,7 +93,7 @@ def test_good_answers_are_used(run: Run) -> None:
     nodes = [node for topology in reply.topologies for node in topology.nodes if node.type == "Entities"]
     assert any(node.floor_material == "terrazzo, grey" for node in nodes)
     assert any(problem.seeds is not None for problem in reply.problems)
-    assert set(run.asked) == {"numbers", "materials", "program", "topology", "seeds"}
+    assert set(run.asked) == {"reading", "numbers", "materials", "program", "topology", "seeds"}
 
 
 def test_a_recording_gives_the_same_bytes_without_network(run: Run) -> None:
@@ -137,6 +137,7 @@ def _core_adrift(piece: str, answer: Any, count: int) -> Any:
 
 def _everything_wrong(piece: str, answer: Any, count: int) -> Any:
     return {
+        "reading": '{"statements": "none"}',
         "numbers": '{"floors": "many"}',
         "materials": '{"palette": 7}',
         "program": '{"reasoning": "x", "floors": [',
@@ -319,7 +320,41 @@ def test_without_an_endpoint_the_planner_says_what_to_set() -> None:
 def test_statements_that_exclude_each_other_do_not_keep_the_model_from_planning(run: Run) -> None:
     reply = run(brief="a two-storey house with three floors")
     assert run.asked
-    assert [downgrade.wish for downgrade in reply.program.downgrades][:1] == ["two-storey"]
+    assert len(reply.program.floors) == 2
+    given_way = reply.program.downgrades[0]
+    assert (given_way.wish, given_way.reason) == ("three floors", '"two-storey" was read first')
+
+
+def test_the_models_rooms_are_not_overruled_by_what_the_rules_misread(run: Run) -> None:
+    trap = "and the house of our neighbours has five bedrooms and a sauna"
+    brief = f"{BRIEF}; {trap}"
+    by_rules = plan_building(BuildRequest(description=brief)).program
+    assert any(wish.value.name == "sauna" for wish in by_rules.wishes)
+
+    def spoil(piece: str, answer: Any, count: int) -> Any:
+        if piece == "reading":
+            aside = {"kind": "aside", "quote": trap[:-12]}
+            answer["statements"] += [aside, {"kind": "aside", "quote": "and a sauna"}]
+        return answer
+
+    reply = run(spoil, brief=brief, pieces=("reading", "program"))
+    assert_sound(reply)
+    assert (reply.sources["program/F1"], reply.sources["program/F2"]) == ("llm", "llm")
+    assert {wish.value.name for wish in reply.program.wishes if wish.kind == "room"} == {
+        "bedroom", "kitchen", "dining_room",
+    }  # fmt: skip
+    assert not any(room.room_type == "sauna" for floor in reply.program.floors for room in floor.rooms)
+
+
+def test_the_models_rooms_keep_the_words_and_the_furniture_of_the_brief(
+    chat: ModuleType, architect: ModuleType, tmp_path: Path
+) -> None:
+    brief = "a two-storey house with a music den, a piano in the music den, and three bedrooms"
+    run = Run(chat, architect, plan_building(BuildRequest(description=brief)), tmp_path)
+    reply = run(brief=brief, pieces=("reading", "program"))
+    assert reply.sources["program/F1"] == "llm"
+    asked = [room for floor in reply.program.floors for room in floor.rooms if room.objects]
+    assert [(room.name, [entry.category for entry in room.objects]) for room in asked] == [("music den", ["piano"])]
 
 
 @pytest.mark.parametrize(

@@ -2,10 +2,11 @@
 
 import msgspec
 import pytest
+from shapely.geometry import Polygon
 
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, ProblemCore, ProblemNode, SeedRange
-from mansion_msgs_py.topology import Edge
-from mansion_planner.solver import solve_floor
+from mansion_msgs_py.topology import Edge, SeedBox, SeedPlan
+from mansion_planner.solver import SolverOptions, solve_floor
 
 OUTLINE = [(0.0, 0.0), (10.0, 0.0), (10.0, 8.0), (0.0, 8.0)]
 
@@ -72,3 +73,39 @@ def test_boxes_that_do_not_tile_are_seeds_only(wrong: tuple[float, float]) -> No
     layout = solve_floor(problem)
     assert all(record.method != "planned" for record in layout.rounds)
     assert layout.checks["coverage"] == pytest.approx(1.0, abs=1e-6)
+
+
+def hall_and_rooms(share: float, *, areas: bool) -> FloorProblem:
+    """A hall with two rooms on it, and a plan that gives `west` a share of the floor."""
+    boxes = [
+        SeedBox(room_id="west", x=(0.0, 5.0), y=(3.0, 8.0), area=share),
+        SeedBox(room_id="east", x=(5.0, 10.0), y=(3.0, 8.0), area=0.2),
+    ]
+    sizes = {"hall": 32.0, "west": 24.0, "east": 24.0} if areas else dict.fromkeys(("hall", "west", "east"))
+    nodes = [ProblemNode(id=n, type="main" if n == "hall" else "Entities", area=area) for n, area in sizes.items()]
+    edges = [Edge(source="hall", target=name) for name in ("west", "east")]
+    return FloorProblem(boundary=OUTLINE, nodes=nodes, edges=edges, seeds=SeedPlan(boxes=boxes))
+
+
+def area_of(layout: FloorLayout, name: str) -> float:
+    return float(Polygon(next(room for room in layout.rooms if room.id == name).polygon).area)
+
+
+def test_a_round_grows_rooms_to_the_fraction_that_the_plan_gives_them() -> None:
+    rounds_only = SolverOptions(wall_search=False)
+    grown = [
+        area_of(solve_floor(hall_and_rooms(share, areas=True), options=rounds_only), "west")
+        for share in (0.2, 0.3, 0.4)
+    ]
+    assert grown == pytest.approx([16.0, 24.0, 32.0], rel=0.15)
+
+
+def test_a_fraction_far_from_the_wished_area_changes_it_within_bounds() -> None:
+    layout = solve_floor(hall_and_rooms(0.9, areas=True), options=SolverOptions(wall_search=False))
+    assert 24.0 < area_of(layout, "west") < 50.0
+
+
+@pytest.mark.parametrize("share", [0.1, 0.3, 0.6])
+def test_the_fraction_is_the_area_of_a_room_that_has_none(share: float) -> None:
+    layout = solve_floor(hall_and_rooms(share, areas=False))
+    assert area_of(layout, "west") == pytest.approx(80.0 * share, rel=0.1)

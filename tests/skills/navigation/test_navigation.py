@@ -1,4 +1,4 @@
-"""Grids, paths, rays, lifts and routes."""
+"""Maps, paths, rays, lifts and routes."""
 
 from itertools import pairwise
 from math import dist, hypot, pi
@@ -9,12 +9,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from mansion_geometry.floor_grid import FREE, OCCUPIED, UNKNOWN, GridFrame
 from mansion_msgs_py.world import LiftCall, LiftDoor, LiftMotion
 from mansion_skills import Robot
-from mansion_skills.navigation.floor_map import FREE, OCCUPIED, UNKNOWN, FloorMap
+from mansion_skills.navigation.floor_map import FloorMap
 from mansion_skills.navigation.paths import find_path, free_run, is_clear, path_length
-from mansion_skills.navigation.raster import GridFrame
-from mansion_skills.navigation.search import cast_rays, inflate
+from mansion_skills.navigation.search import cast_rays
 from mansion_skills.world.lift import DOOR_TIME, Lift
 from sample_building import scene
 
@@ -44,18 +44,6 @@ def test_the_map_is_free_in_rooms_occupied_in_walls_and_unknown_outside() -> Non
 def test_a_closed_door_is_a_wall() -> None:
     assert floor_map().is_free(2.45, 3.0)
     assert not floor_map(door_1=False).is_free(2.45, 3.0)
-
-
-@given(st.integers(0, 2**32 - 1), st.floats(1.0, 6.0))
-@settings(max_examples=25, deadline=None)
-def test_inflation_is_the_set_of_cells_nearer_than_the_radius(seed: int, radius: float) -> None:
-    occupied = np.random.default_rng(seed).random((30, 40)) < 0.02
-    rows, columns = np.nonzero(occupied)
-    r, c = np.indices(occupied.shape)
-    away = np.full(occupied.shape, np.inf)
-    for row, column in zip(rows, columns):
-        away = np.minimum(away, np.hypot(r - row, c - column))
-    assert np.array_equal(inflate(occupied, radius), away < radius - 1e-9)
 
 
 @given(st.integers(0, 2**32 - 1))

@@ -188,6 +188,11 @@ def furnish_request(
     )
 
 
+def _is_whole(shape: MatrixShape | None, wanted: int) -> bool:
+    """Whether `wanted` copies are a matrix whose rows and columns are given."""
+    return shape is not None and shape.exact and wanted == shape.max_rows * shape.max_cols
+
+
 class _Style:
     def __init__(self, seed: int, name: str) -> None:
         self.seed, self.name = seed, name
@@ -263,6 +268,8 @@ class _Draft:
         elif asset.footprint > 0.0:
             usual = min(wanted, max(1, int((self.left - self._reserved(item)) / self._share(item, asset))))
             usual = usual if asset.footprint <= max(self.left, 0.0) else 0
+            if _is_whole(item.matrix, wanted):
+                usual = min(wanted, self._possible(asset))
             wanted = max(usual, min(wanted, least, self._possible(asset)))
             shape = self._shape(item, asset, wanted)
             if shape is not None:
@@ -283,7 +290,7 @@ class _Draft:
 
     def _shape(self, item: Item, asset: Asset, wanted: int) -> MatrixShape | None:
         """Return how the copies of an item spread in rows and columns; None where they do not."""
-        if item.name not in self.asked.least:
+        if item.name not in self.asked.least or _is_whole(item.matrix, wanted):
             return item.matrix
         tied = item.paired or any(relation.kind == "around" for relation in item.relative)
         along = 2 * sum(self.extent) * _WALLED
@@ -374,6 +381,8 @@ class _Draft:
         return total
 
     def _grid(self, item: Item, asset: Asset, wanted: int, shape: MatrixShape) -> tuple[int, int]:
+        if _is_whole(shape, wanted):
+            return shape.max_rows, shape.max_cols
         depth = asset.size[1]
         for other in self.card.floor:
             if other.paired == item.name:
@@ -399,6 +408,8 @@ class _Draft:
         free = max(self.left - self._reserved(item), 0.0)
         limit = 99.0 if item.paired else 0.7 * free / max(1, min(wanted, 3))
         fitting = [a for a in assets if a.footprint <= limit]
+        if _is_whole(item.matrix, wanted):
+            fitting = [a for a in fitting if wanted * a.footprint <= free] or fitting
         if not fitting:
             fitting = sorted(assets, key=lambda a: a.footprint)[: max(1, len(assets) // 8)]
         return self.style.pick(fitting, self.rng)

@@ -102,11 +102,18 @@ class Count(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
 
 
 class MatrixShape(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Shape of a matrix: greatest numbers of rows and columns, and free space between copies, metres."""
+    """Shape of a matrix: greatest numbers of rows and columns, and free space between copies, metres.
+
+    Attributes
+    ----------
+    exact : bool
+        There are as many rows and columns as that, unless the placer finds no room for them.
+    """
 
     max_rows: int = 12
     max_cols: int = 12
     gap: tuple[float, float] = (0.9, 0.9)
+    exact: bool = False
 
 
 class Extent(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

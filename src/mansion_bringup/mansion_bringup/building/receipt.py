@@ -237,7 +237,7 @@ def _met(ok: bool, reason: str, *, partly: bool = False, rooms: Sequence[str] = 
 
 def _building_type(wish: Wish, state: _State) -> _Verdict:
     kind = wish.value.type or wish.value.name
-    return _met(state.program.building_type == kind, f"planned as {_words(state.program.building_type)}")
+    return _met(state.program.kind == kind, f"planned as {_words(state.program.kind)}")
 
 
 def _floors(wish: Wish, state: _State) -> _Verdict:

@@ -4,25 +4,25 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import networkx as nx
-from shapely import LineString, MultiPolygon, Point, Polygon, STRtree, union_all
+from shapely import LineString, Point, Polygon, STRtree
 from shapely.geometry.base import BaseGeometry
 
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.shapes import net_area, vertical
+from mansion_geometry.doorways import PASSAGE_DEPTH, is_walkway
+from mansion_geometry.floor_regions import disc_positions, open_floor, strip
 from mansion_geometry.object_footprints import footprint, oblique_margin
-from mansion_geometry.robot_body import BODY_RADIUS, ROBOT_RADIUS
+from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
 __all__ = ["check_reach"]
-
-ROBOT_HEIGHT = 1.5
-ARM = 0.30
-"""Metres that the robot reaches beyond its body."""
 
 SLACK = 0.03
 """Metres by which what is near may lie off, for the grid of 0.05 m on which furniture is placed."""
 
 WALKABLE_HEIGHT = 0.03
+"""Height up to which an object counts as floor, metres: below `FLAT`, to be on the safe side."""
+
 ENTRANCE_REACH = 0.8
 """How near to a core's entrance pose the robot must get, metres."""
 
@@ -65,18 +65,11 @@ def check_reach(scenes: Sequence[FloorScene]) -> Iterator[Fault]:
 
 def _walkable(scene: FloorScene) -> _Walk:
     rooms = [net_area(room) for room in scene.rooms if room.kind not in ("stair", "elevator")]
-    cores = {core.id for core in scene.cores}
+    cores = [core.id for core in scene.cores]
     inner = [door for door in scene.doors if door.is_open or door.kind != "entrance"]
-    passages = [
-        LineString(door.segment).buffer(0.14, cap_style="flat")
-        for door in inner
-        if None not in door.rooms and not cores.intersection(str(name) for name in door.rooms)
-    ]
+    passages = [strip(door.segment, PASSAGE_DEPTH) for door in inner if is_walkway(door, cores)]
     obstacles = [_body(item) for item in scene.objects if _obstructs(item)]
-    region = union_all([*rooms, *passages]).difference(union_all(obstacles))
-    eroded = region.buffer(-BODY_RADIUS, quad_segs=16)
-    parts = eroded.geoms if isinstance(eroded, MultiPolygon) else [eroded]
-    pieces = [part for part in parts if not part.is_empty]
+    pieces = disc_positions(open_floor([*rooms, *passages], obstacles), BODY_RADIUS, quad_segs=16)
     return _Walk(pieces, STRtree(pieces))
 
 
@@ -88,7 +81,7 @@ def _body(item: SceneObject) -> Polygon:
 
 def _obstructs(item: SceneObject) -> bool:
     low, high = vertical(item)
-    return item.mount in ("floor", "wall") and low < ROBOT_HEIGHT and high > WALKABLE_HEIGHT
+    return item.mount in ("floor", "wall") and low < CLEARANCE and high > WALKABLE_HEIGHT
 
 
 def _floor(scene: FloorScene, walk: _Walk, reached: set[int]) -> Iterator[Fault]:
@@ -104,7 +97,7 @@ def _floor(scene: FloorScene, walk: _Walk, reached: set[int]) -> Iterator[Fault]
     for item in scene.objects:
         if item.mount != "floor" or item.size[2] <= WALKABLE_HEIGHT:
             continue
-        if not walk.near(footprint(item), ROBOT_RADIUS + ARM + SLACK) & reached:
+        if not walk.near(footprint(item), ROBOT_RADIUS + ROBOT_REACH + SLACK) & reached:
             yield Fault("OBJECT_UNREACHABLE", item.id, "a robot cannot get near it")
     yield from _spawn(scene, walk, reached)
 

@@ -193,7 +193,8 @@ def _taken_for(wish: Wish, finished: _Finished) -> str:
 
 
 def _building_type(wish: Wish, finished: _Finished) -> str:
-    kind = finished.building.program.building_type
+    program = finished.building.program
+    kind = program.planned_like or program.building_type
     return "" if kind == (wish.value.type or wish.value.name) else f"it is a {kind}"
 
 

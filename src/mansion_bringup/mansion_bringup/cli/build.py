@@ -66,14 +66,16 @@ def read_footprint(path: Path) -> Footprint:
 
 
 def build(
-    description: Annotated[str, typer.Argument(help="The brief, in English.")],
+    description: Annotated[str, typer.Argument(help="The brief: English, or any language with --planner llm.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder to write.")],
     floors: Annotated[int | None, typer.Option(min=1, max=100, help="Number of floors.")] = None,
     area: Annotated[float | None, typer.Option(min=1, help="Gross area of the building, m2.")] = None,
     floor_area: Annotated[float | None, typer.Option(min=1, help="Gross area of a floor, m2.")] = None,
     footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same building.")] = 0,
-    planner: Annotated[str, typer.Option(help="rules or llm.")] = "rules",
+    planner: Annotated[
+        str, typer.Option(help="rules, or llm: a language model reads and plans, rules fill its gaps.")
+    ] = "rules",
     graph: Annotated[bool, typer.Option("--graph", help="Build through the node graph.")] = False,
     jobs: Annotated[int, typer.Option(min=0, help="Floors in work at once; 0: all cores.")] = 0,
     timeout: Annotated[float, typer.Option(min=1, help="Seconds, for --graph.")] = 900.0,

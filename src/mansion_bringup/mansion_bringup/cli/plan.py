@@ -21,13 +21,15 @@ def register(app: typer.Typer) -> None:
 
 
 def plan(
-    description: Annotated[str, typer.Argument(help="The brief, in English.")],
+    description: Annotated[str, typer.Argument(help="The brief: English, or any language with --planner llm.")],
     floors: Annotated[int | None, typer.Option(min=1, max=100)] = None,
     area: Annotated[float | None, typer.Option(min=1, help="Gross area of the building, m2.")] = None,
     floor_area: Annotated[float | None, typer.Option(min=1, help="Gross area of a floor, m2.")] = None,
     footprint: Annotated[Path | None, typer.Option(help="Outline: our JSON or GeoJSON.")] = None,
     seed: Annotated[int, typer.Option(min=0)] = 0,
-    planner: Annotated[str, typer.Option(help="rules or llm.")] = "rules",
+    planner: Annotated[
+        str, typer.Option(help="rules, or llm: a language model reads and plans, rules fill its gaps.")
+    ] = "rules",
     strict: Annotated[bool, typer.Option("--strict", help="Refuse what meets a wish in part or not at all.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="The program as JSON alone.")] = False,
 ) -> None:

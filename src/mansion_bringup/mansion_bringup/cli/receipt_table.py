@@ -16,14 +16,21 @@ _MARKS = {"met": ("met", "green"), "partly": ("partly", "yellow"), "not_met": ("
 
 
 def receipt_table(wishes: Sequence[Wish]) -> Table:
-    """Return the wishes as rows: words, status, and the reason where one is not met."""
+    """Return the wishes as rows: words, status, and the reason where one is not met.
+
+    Where a language model read some of them, a column says who read which.
+    """
+    signed = any(wish.read_by == "model" for wish in wishes)
     table = Table(title="What the description asks for", title_justify="left", show_edge=False, pad_edge=False)
     table.add_column("wish", overflow="fold", max_width=44)
     table.add_column("status", no_wrap=True)
+    if signed:
+        table.add_column("read by", no_wrap=True)
     table.add_column("reason", overflow="fold")
     for wish in wishes:
         mark, colour = _MARKS[wish.status]
-        table.add_row(Text(wish.text), Text(mark, style=colour), Text(wish.reason))
+        reader = [Text(wish.read_by)] if signed else []
+        table.add_row(Text(wish.text), Text(mark, style=colour), *reader, Text(wish.reason))
     return table
 
 

@@ -283,7 +283,7 @@ def furnish(stages: Stages, plan: PlanReply, layout: FloorLayout, index: int) ->
         connectivity=program.vertical_connectivity,
         topology=plan.topologies[index],
         layout=layout,
-        building_type=program.building_type,
+        building_type=program.kind,
         style=program.style,
         seed=program.seed,
         planner="llm" if plan.llm is not None else "rules",

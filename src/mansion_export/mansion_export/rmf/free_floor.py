@@ -3,15 +3,14 @@
 from dataclasses import dataclass
 
 import shapely
-import shapely.affinity
-from shapely.geometry import LineString, Polygon, box
+from shapely.geometry import Polygon, box
 from shapely.geometry.base import BaseGeometry
 
 from mansion_export.door_sides import shaft_of
-from mansion_export.nav2 import blocks_robot
 from mansion_export.walls import WallBodies
-from mansion_geometry.object_footprints import footprint
-from mansion_geometry.rings import polygon_parts
+from mansion_geometry.doorways import depth_of_doors
+from mansion_geometry.floor_regions import disc_positions, largest_first, open_floor, strip
+from mansion_geometry.object_footprints import footprint, footprint_at, stops_robots
 from mansion_geometry.robot_body import CLEARANCE
 from mansion_msgs_py.scene import Door, FloorScene, LiftDetails, SceneCore
 from mansion_msgs_py.shapes import Point
@@ -69,35 +68,29 @@ def free_floor(scene: FloorScene) -> BaseGeometry:
     Doors between rooms count as open, for a fleet asks for them to be opened; outer doors and stairs are no floor.
     """
     rooms = [Polygon(room.polygon, room.holes) for room in scene.rooms if room.kind != "stair"]
-    inner = [_opening(door, scene) for door in scene.doors if _inside(door, scene)]
+    depths = depth_of_doors(scene)
+    inner = [strip(door.segment, depths[door.id] + 2e-3) for door in scene.doors if _inside(door, scene)]
     bodies = WallBodies(scene)
     solid = [
-        _rectangle(part.center[0], part.center[1], part.size[0], part.size[1], part.rotation)
+        footprint_at(part.center, part.size, part.rotation)
         for wall in scene.walls
         for part in bodies.boxes(wall)
         if part.center[2] - part.size[2] / 2 < CLEARANCE
     ]
     shafts = [Polygon(core.polygon) for core in scene.cores]
-    solid += [footprint(item) for item in scene.objects if blocks_robot(item)]
-    floor = shapely.union_all(rooms).difference(shapely.union_all(shafts))
-    floor = shapely.union_all([floor, *inner]).difference(shapely.union_all(solid))
+    solid += [footprint(item) for item in scene.objects if stops_robots(item)]
+    floor = open_floor([open_floor(rooms, shafts), *inner], solid)
     return shapely.union_all([floor, *_cabins(scene)])
 
 
 def walkable(scene: FloorScene, radius: float) -> list[Polygon]:
     """Return where the centre of a disc of this radius may be, as connected parts, largest first."""
-    parts = polygon_parts(free_floor(scene).buffer(-radius, quad_segs=8))
-    return sorted(parts, key=lambda part: (-round(part.area, 6), part.bounds))
+    return largest_first(disc_positions(free_floor(scene), radius, quad_segs=8))
 
 
 def _inside(door: Door, scene: FloorScene) -> bool:
     stairs = {core.id for core in scene.cores if core.type == "stair"}
     return door.rooms[1] is not None and not stairs & set(door.rooms)
-
-
-def _opening(door: Door, scene: FloorScene) -> Polygon:
-    thickness = next((wall.thickness for wall in scene.walls if wall.id == door.wall), 0.12)
-    return LineString(door.segment).buffer(thickness / 2 + 1e-3, cap_style="flat")
 
 
 def _cabins(scene: FloorScene) -> list[Polygon]:
@@ -116,9 +109,3 @@ def _cabins(scene: FloorScene) -> list[Polygon]:
         inside = frame.outer.buffer(-CABIN_WALL, join_style="mitre")
         found += [inside, sill]
     return found
-
-
-def _rectangle(x: float, y: float, width: float, depth: float, rotation: float) -> Polygon:
-    centred = box(-width / 2, -depth / 2, width / 2, depth / 2)
-    turned = shapely.affinity.rotate(centred, rotation, origin=(0.0, 0.0))
-    return shapely.affinity.translate(turned, x, y)

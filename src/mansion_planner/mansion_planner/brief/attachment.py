@@ -5,6 +5,7 @@ follows it; one right after a list ("a gym and a sauna on the top floor") belong
 noun ("a ground-floor cafeteria") to that noun alone.
 """
 
+import itertools
 from dataclasses import dataclass
 
 from mansion_planner.brief.facts import FloorRef
@@ -212,7 +213,7 @@ class _Walk:
         sentence = self.reading.sentence[place.first]
         titled = self.building is not None and self.reading.sentence[self.phrases[self.building].first] == sentence
         if not opened and not titled:
-            return left
+            return left[-1:] if self._asyndetic(left) and not place.led else left
         chosen = [left[-1]]
         joined = False
         for number in reversed(left[:-1]):
@@ -224,6 +225,11 @@ class _Walk:
                 break
             chosen.append(number)
         return chosen
+
+    def _asyndetic(self, left: list[int]) -> bool:
+        """Whether commas alone part a list, so that what follows is of its last entry: "shop, cafe upstairs"."""
+        joints = [self.reading.words(self.phrases[a].last, self.phrases[b].first) for a, b in itertools.pairwise(left)]
+        return len(left) > 2 and not any("and" in words or "&" in words for words in joints)
 
     def _suits(self, number: int, place: Place) -> bool:
         phrase = self.phrases[number]

@@ -1,9 +1,10 @@
 """Find which noun phrase of a brief names the building itself."""
 
-from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.lexicon import lexicon_of
+from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
-__all__ = ["building_phrase", "unknown_building"]
+__all__ = ["building_phrase", "own_building_name", "unknown_building"]
 
 _OPENERS = frozenset(
     """
@@ -38,6 +39,21 @@ def building_phrase(reading: Reading, phrases: list[Phrase], places: list[Place]
     return best[1] if best is not None else None
 
 
+def own_building_name(reading: Reading, phrase: Phrase) -> str:
+    """Return what the brief calls a known kind of building, in snake case; empty where that is the kind's own name.
+
+    "A beach house" is planned like a manor and stays a beach house.
+    """
+    lexicon = lexicon_of(reading.knowledge)
+    words = reading.words(phrase.begin, phrase.noun_end)
+    for size in range(min(lexicon.longest, len(words)), 0, -1):
+        meaning = lexicon.phrases.get(words[-size:])
+        if meaning is not None and meaning.building:
+            name = "_".join(words[-size:])
+            return "" if name == phrase.building or phrase.plural else name
+    return ""
+
+
 def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase: Phrase, number: int) -> float:
     """How likely the phrase is the building: 0 for a part of it."""
     sentence = reading.sentence[phrase.first]
@@ -59,7 +75,9 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     )
     if placed and is_room and number > 0:
         return 0.0
-    if not _OPENERS.isdisjoint(before) and not ({"we", "i"} & set(before) and number == 0):
+    if any(word in _OPENERS and not _is_perfect(reading, start + at) for at, word in enumerate(before)) and not (
+        {"we", "i"} & set(before) and number == 0
+    ):
         return 0.0
     if phrase.plural and is_room and "each" in reading.words(phrase.last, phrase.last + 5):
         return 0.0
@@ -71,8 +89,12 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     if earlier:
         score -= 2.0 if not is_room else 4.0
     lead = reading.word(phrase.first - 1)
+    if lead == "into" and not is_room:
+        return score + 2.5  # "turn the barn into a home"
     if lead in ("in", "inside", "into"):
         return 0.0
+    if not is_room and not {"need", "want", "design", "build", "generate", "create"}.isdisjoint(before[-5:]):
+        score += 1.5
     if lead in _INNER and phrase.first - 1 > 0:
         score -= 3.0
     if phrase.determiner == "the" and is_room:
@@ -93,61 +115,87 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     return max(score, 0.0)
 
 
+def _is_perfect(reading: Reading, index: int) -> bool:
+    """Whether "has" only forms the perfect: "our town has saved for a theatre"."""
+    return reading.word(index) in ("has", "have") and reading.word(index + 1).endswith(("ed", "en"))
+
+
 def _about_all(place: Place) -> bool:
     return place.refs[0].kind in ("every",)
 
 
-def unknown_building(reading: Reading) -> tuple[str, int, int] | None:
-    """Return the opening words where they can name an unknown kind of building, and their tokens."""
-    index = 0
-    while index < min(len(reading.tokens), 12) and (
-        reading.word(index)
-        in (
-            "a",
-            "an",
-            "the",
-            "i",
-            "we",
-            "want",
-            "need",
-            "like",
-            "please",
-            "design",
-            "build",
-            "create",
-            "make",
-            "would",
-            "our",
-            "my",
-            "small",
-            "big",
-            "large",
-            "new",
-            "local",
-            "to",
-            "plan",
-            "generate",
-            "me",
-            "us",
-            "give",
-            "two",
-            "three",
-            "tiny",
-            "modern",
-        )
-        or reading.kind(index) in ("number", "ordinal")
-        or reading.word(index) in FLOOR_WORDS
-    ):
-        index += 1
-    first = index
-    while (
-        index < len(reading.tokens)
-        and reading.kind(index) == "word"
+def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
+    """Return a kind of building that nobody knows: its name, the kind that its head is most like, and its tokens.
+
+    A noun phrase of the first two sentences that ends in the head of a kind of building ("advertising agency"), or the
+    words that open the brief where they stand alone ("Houseboat with two decks").
+    """
+    heads = _heads(reading)
+    found: list[tuple[bool, tuple[str, str, int, int]]] = []
+    first = -1
+    for index in range(len(reading.tokens) + 1):
+        if index < len(reading.tokens) and reading.sentence[index] > 1:
+            break
+        if _is_part_of_name(reading, index):
+            first = index if first < 0 else first
+            continue
+        if first >= 0 and _stands_as_building(reading, first) and index - first <= 5:
+            like = "" if reading.plural(index - 1) else heads.get(reading.word(index - 1), "")
+            opens = _opens_brief(reading, first) and (
+                reading.word(index) in _AFTER_NAME and not reading.plural(index - 1)
+            )
+            if like or opens:
+                wished = not _WISHES.isdisjoint(reading.words(max(first - 3, 0), first))
+                found.append((wished, ("_".join(reading.words(first, index)), like, first, index)))
+        first = -1
+    return max(found, key=lambda entry: (entry[0], -entry[1][2]))[1] if found else None
+
+
+def _heads(reading: Reading) -> dict[str, str]:
+    kinds = reading.knowledge.buildings.values()
+    return {head: kind.name for kind in kinds if not kind.like for head in kind.heads}
+
+
+def _is_part_of_name(reading: Reading, index: int) -> bool:
+    word = reading.word(index)
+    return (
+        reading.kind(index) == "word"
         and index not in reading.taken
-        and reading.word(index) not in ("with", "for", "of", "on", "in", "and", "to", "that", "is", "has", "at", "by")
-    ):
-        index += 1
-    if index == first or index - first > 4:
-        return None
-    words = reading.words(first, index)
-    return "_".join(words), first, index
+        and word not in FUNCTION_WORDS
+        and word not in _SIZES
+        and word not in _WISHES | _GREETINGS
+        and word not in FLOOR_WORDS
+    )
+
+
+def _stands_as_building(reading: Reading, first: int) -> bool:
+    """Whether what leads up to a noun phrase lets it name the building, rather than a person or a part of it."""
+    before = [reading.word(i) for i in range(first - 1, max(first - 4, -1), -1)]
+    while before and (before[0] in _SIZES or before[0] in ("a", "an", "the", "our", "my", "new", "of")):
+        before = before[1:]
+    if not before or before[0] in _WISHES | {"for", "into", "is", "this", "me", "us", "like", ".", ":", "\n"}:
+        return True
+    at = first - 1
+    while at >= 0 and reading.word(at) in _SIZES | {"a", "an", "the"}:
+        at -= 1
+    return at < 0 or reading.kind(at) in ("number", "unit") or reading.word(at) in FLOOR_WORDS or at in reading.taken
+
+
+def _opens_brief(reading: Reading, first: int) -> bool:
+    return all(
+        reading.word(i)
+        in _SIZES | _WISHES | _GREETINGS | {"a", "an", "the", "our", "my", "i", "we", "us", "me", "to", "would"}
+        or reading.kind(i) in ("number", "ordinal", "mark")
+        or reading.word(i) in FLOOR_WORDS
+        or i in reading.taken
+        for i in range(first)
+    )
+
+
+_SIZES = frozenset(
+    """
+    small big large new local tiny modern single two three one storey compact little old simple typical medium sized
+    """.split()
+)
+_AFTER_NAME = frozenset({",", ":", ";", ".", "-", "\n", "with", "on", "of", "in", "at", "for", "over"})
+_GREETINGS = frozenset("hi hello hey dear sir madam good morning greetings thanks scene".split())

@@ -70,6 +70,8 @@ _ENDS = frozenset(
         "for",
     }
 )
+_REFUSALS = frozenset("veto vetoe reject refuse dislike hate".split())
+_TIGHT = frozenset("narrow small low tight short slim steep little cramped poor".split())
 _COMPARISONS = frozenset(
     """
     more less fewer bigger larger later smaller longer higher matter doubt problem need
@@ -96,6 +98,12 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             found[number] = (phrase.first, phrase.last + len(after))
             reading.take(phrase.last, phrase.last + len(after))
     for index in range(len(reading.tokens)):
+        refused = _refused(reading, phrases, index)
+        if refused is not None:
+            number, last = refused
+            found.setdefault(number, (phrases[number].first, last))
+            reading.take(index, last)
+            continue
         length = _negation(reading, index)
         if length:
             for number in _reached(reading, phrases, starts, index + length):
@@ -103,6 +111,26 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             if length and any(first == index for first, _ in found.values()):
                 reading.take(index, index + length)
     return found
+
+
+def _refused(reading: Reading, phrases: list[Phrase], index: int) -> tuple[int, int] | None:
+    """Read "a lift was suggested, but we do not want one"; return which phrase it refuses, and where it ends."""
+    if reading.word(index) in _REFUSALS and index not in reading.taken:
+        number = next((n for n, p in enumerate(phrases) if 0 <= p.begin - index - 1 <= 2 and p.first > index), None)
+        return None if number is None else (number, phrases[number].last)
+    if reading.word(index) != "not" or reading.word(index + 1) not in ("want", "need", "like", "have"):
+        return None
+    if reading.word(index + 2) not in ("one", "it", "that", "them", "any") or not reading.breaks(index + 3):
+        return None
+    sentence = reading.sentence[index]
+    before = [
+        n
+        for n, p in enumerate(phrases)
+        if p.last <= index
+        and reading.sentence[p.first] == sentence
+        and p.head in ("room", "stair", "elevator", "object")
+    ]
+    return (before[-1], index + 3) if before else None
 
 
 def _negation(reading: Reading, index: int) -> int:
@@ -117,6 +145,8 @@ def _negation(reading: Reading, index: int) -> int:
         and reading.word(index + 1) in ("space", "room", "need", "budget", "money", "place")
         and reading.word(index + 2) in ("for", "of")
     ):
+        return 3
+    if reading.word(index) == "too" and reading.word(index + 2) == "for" and reading.word(index + 1) in _TIGHT:
         return 3
     if reading.word(index) not in _BEFORE or reading.word(index + 1) in _COMPARISONS:
         return 0

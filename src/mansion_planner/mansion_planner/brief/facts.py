@@ -47,7 +47,8 @@ class FloorRef:
     ----------
     kind : str
         ``number``, ``range``, ``top``, ``below_top``, ``every``, ``upper``, ``basement``, ``roof``, ``lower``,
-        ``middle``, ``odd``, ``even`` or ``not_top`` (all but the uppermost).
+        ``middle``, ``odd``, ``even`` or ``not_top`` (all but the uppermost); ``rest`` (those that nothing else
+        names) only while a brief is read.
     first, last : int
         Floor numbers, 1 at the ground, for ``number`` and ``range``; `first` is the number of storeys for ``top``, the
         storeys below the uppermost for ``below_top``, and how many storeys are meant for ``upper`` (0: all).
@@ -67,6 +68,7 @@ class FloorRef:
         "odd",
         "even",
         "not_top",
+        "rest",
     ]
     first: int = 0
     last: int = 0
@@ -230,9 +232,11 @@ class BriefFacts:
     only : list of Span
         Words such as "nothing else": no room is added to those that the brief names.
     building_name : str
-        What the user calls the kind of building, in snake case, where the knowledge base does not have it.
+        What the user calls the kind of building, in snake case, where that is not the name of the known kind.
+    building_like : str
+        The known kind that an unknown one is most like by its last word; empty for none.
     building_span : list of Span
-        Its words.
+        Its words, where the knowledge base does not have them.
     unread : list of Span
         Words that no fact was read from.
     """
@@ -243,6 +247,7 @@ class BriefFacts:
     floor_area: list[Quantity] = field(default_factory=list)
     building: list[tuple[str, Span]] = field(default_factory=list)
     building_name: str = ""
+    building_like: str = ""
     building_span: list[Span] = field(default_factory=list)
     rooms: list[RoomFact] = field(default_factory=list)
     households: list[RoomFact] = field(default_factory=list)

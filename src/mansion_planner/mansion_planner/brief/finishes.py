@@ -106,6 +106,8 @@ def read_style(reading: Reading, *, named: bool) -> None:
         modifies = not named and reading.modifiers.issuperset(range(mention.first, mention.last))
         if not mention.style or not (modifies or reading.free(mention.first, mention.last)):
             continue
+        if reading.word(mention.last) in ("rectangle", "rectangular", "box", "outline"):
+            continue
         last = mention.last
         while last < mention.last + 2 and reading.kind(last) == "word" and reading.word(last) not in _STYLE_NOUNS:
             last += 1
@@ -114,12 +116,13 @@ def read_style(reading: Reading, *, named: bool) -> None:
             continue
         last = last + 1 if reading.word(last) in _STYLE_NOUNS else mention.last
         following = reading.mention_at.get(mention.last)
-        if not called and (
-            mention.room or mention.building or (following is not None and following.room in ("roof_terrace",))
-        ):
+        terrace = following is not None and following.room == "roof_terrace" and reading.word(following.last) != "house"
+        if not called and (mention.room or mention.building or terrace):
             continue
         reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
         reading.take(mention.first, last)
+    # A style with a name of its own says more than "plain" or "traditional".
+    reading.facts.styles.sort(key=lambda style: reading.knowledge.styles[style[0]].like == "")
 
 
 def read_materials(reading: Reading) -> None:

@@ -15,7 +15,7 @@ _FILLERS = frozenset(
     of with ( about around at least measuring is has approximately be should covering roughly an area size sized
     each : having = a must will exactly occupying minimum than more floor something like the region in circa ca
     approx some apiece over for maybe nearly almost are being up to each one - – every max maximum no less not under
-    total below every
+    total below every measure have has some shall
     """.split()
 )
 _TOTALS = frozenset(
@@ -23,6 +23,7 @@ _TOTALS = frozenset(
     total overall altogether gross gfa together whole all gia net
     """.split()
 )
+_PLOT = frozenset({"plot", "site", "lot"})
 _PLATE = frozenset({"plate", "footprint"})
 
 
@@ -60,6 +61,8 @@ def _measure_at(reading: Reading, index: int) -> Measure | None:
     values, last = [reading.value(index)], index + 1
     while reading.word(last) in (",", "and", "&", "/") or (reading.word(last) in ("–", "to", "-") and len(values) == 1):
         ranged = reading.word(last) in ("–", "to", "-")
+        if reading.word(last) == "-" and reading.kind(index - 1) == "word" and reading.value(index) < 10:
+            break  # "Bedroom 2 - 12 m2"
         step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
         if reading.kind(last + step) != "number":
             break
@@ -91,6 +94,7 @@ def _sides_at(reading: Reading, index: int) -> Measure | None:
 def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phrase]) -> list[Phrase]:
     """Give each area to the room, the storeys or the building that it is of; return the phrases with their areas."""
     result = list(phrases)
+    plots: list[Quantity] = []
     for measure in measures:
         target = _room_of(reading, measure, result)
         if target is not None:
@@ -110,10 +114,14 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
                 result[several[-1]] = replace(result[several[-1]], areas=measure.values)
             continue
         fact = Quantity(measure.values[0], reading.span(measure.first, measure.last))
-        if _of_storey(reading, measure):
+        if measure.sides and not _PLOT.isdisjoint(reading.words(max(measure.first - 6, 0), measure.first)):
+            plots.append(fact)
+        elif _of_storey(reading, measure):
             reading.facts.floor_area.append(fact)
         elif not _of_part(reading, measure):
             reading.facts.area.append(fact)
+    if not (reading.facts.floor_area or reading.facts.area):
+        reading.facts.floor_area += plots  # all that is said of the size
     _settle(reading)
     return result
 
@@ -154,10 +162,12 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
     if not _PLATE.isdisjoint(after) or not _PLATE.isdisjoint(before):
         return True
     for word, following in zip(after, [*after[1:], ""]):
-        if word in ("per", "a", "each", "every", "/", "by") and following in FLOOR_WORDS:
+        if word in ("per", "a", "each", "every", "/", "by", "one", "any") and following in FLOOR_WORDS:
             return True
-        if word not in ("per", "a", "each", "every", "/", "apiece", "gross", "or", "so"):
+        if word not in ("per", "a", "each", "every", "/", "apiece", "gross", "or", "so", "to", "on", "for"):
             break
+    if tuple(after[:2]) in (("on", "each"), ("to", "each"), ("for", "each"), ("on", "every")) and not after[2:3]:
+        return bool(reading.facts.floors)
     if measure.sides:
         return True
     if any(word in FLOOR_WORDS for word in before) or (before and before[-1] in ("each", "level")):
@@ -172,7 +182,21 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
             plural = reading.plural(index) or _many_before(reading, index)
             linked = (
                 reading.word(index + 1)
-                in ("of", "at", "with", "(", "is", "has", "are", "each", "about", "measuring", "around")
+                in (
+                    "of",
+                    "at",
+                    "with",
+                    "(",
+                    "is",
+                    "has",
+                    "are",
+                    "each",
+                    "about",
+                    "measuring",
+                    "around",
+                    "measure",
+                    "have",
+                )
                 or apiece
             )
             each = any(word in ("each", "every", "per", "all") for word in before)
@@ -194,8 +218,8 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     after = _after(reading, measure, 4)
     if not _TOTALS.isdisjoint(after[:3]) and "each" not in after:
         return None
-    if measure.sides and any(
-        word in ("plot", "site", "footprint", "lot") for word in reading.words(max(measure.first - 6, 0), measure.first)
+    if measure.sides and not (_PLOT | {"footprint"}).isdisjoint(
+        reading.words(max(measure.first - 6, 0), measure.first)
     ):
         return None
     for number, phrase in enumerate(phrases):
@@ -221,7 +245,12 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
         return None
     before = measure.first - 1
     comma = False
-    while (reading.word(before) in _FILLERS or (reading.word(before) == "," and not comma)) and before >= 0:
+    ends = {phrase.last for phrase in phrases}
+    while (
+        before >= 0
+        and before + 1 not in ends
+        and (reading.word(before) in _FILLERS or (reading.word(before) == "," and not comma))
+    ):
         comma = comma or reading.word(before) == ","
         before -= 1
     if "total" in reading.words(before, measure.first) and "area" in reading.words(before, measure.first):

@@ -17,7 +17,14 @@ from mansion_planner.brief.phrase import (
     name_of,
 )
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
-from mansion_planner.brief.room_names import listed_unknowns, with_own_names, with_purpose
+from mansion_planner.brief.room_names import (
+    coordinated,
+    designated_nouns,
+    listed_unknowns,
+    with_designators,
+    with_own_names,
+    with_purpose,
+)
 from mansion_planner.brief.similarity import HEAD_TYPES, room_of_building, similar_room_type
 
 __all__ = ["noun_phrases"]
@@ -35,6 +42,14 @@ _PEOPLE = frozenset(
 )
 _STAIRS = frozenset({"stair", "staircase", "stairwell", "stairway", "stairs"})
 _LIFTS = frozenset({"lift", "elevator"})
+_VERBAL_MODIFIERS = frozenset(
+    """
+    live touch sleep cook sit meet walk making serving meeting sharing reading facing opening making share sit stand
+    look talk play
+    """.split()
+)
+_PARTS = frozenset("roof window door wall ceiling view light equipment furniture roofed".split())
+"""Nouns that make a room before them their modifier: "flat roof", "kitchen window"."""
 _NO_HEADS = frozenset({"area", "space", "section", "zone", "corner", "place", "center", "centre"})
 
 
@@ -44,6 +59,9 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     chunks = _chunks(reading)
     for begin, end in chunks:
         phrases += _phrases_of(reading, begin, end)
+    phrases = [part for phrase in phrases for part in coordinated(reading, chunks, phrase)]
+    numbered = designated_nouns(reading)
+    phrases = [part for phrase in phrases for part in with_designators(reading, phrase, numbered)]
     phrases += listed_unknowns(reading, chunks, phrases)
     named = [own for phrase in phrases for own in with_own_names(reading, with_purpose(reading, phrase))]
     return sorted(named, key=lambda phrase: phrase.first)
@@ -63,6 +81,7 @@ def _chunks(reading: Reading) -> list[tuple[int, int]]:
                 or index in inside
                 or _hyphenated(reading, index)
                 or _is_acronym(reading, index)
+                or _is_modifier(reading, index)
             )
             and reading.word(index) not in FLOOR_WORDS
         )
@@ -81,6 +100,41 @@ def _chunks(reading: Reading) -> list[tuple[int, int]]:
             chunks.append((begin, index))
             begin = -1
     return chunks
+
+
+def _is_modifier(reading: Reading, index: int) -> bool:
+    """Whether a verb stands before a noun as its modifier: "live room", "touch pool", "cheese making room"."""
+    if reading.word(index) not in _VERBAL_MODIFIERS or reading.kind(index + 1) != "word":
+        return False
+    if reading.word(index + 1) in FUNCTION_WORDS or reading.word(index + 1) in FLOOR_WORDS:
+        return False
+    before = reading.word(index - 1)
+    listed = reading.starts(index) or before in (
+        ",",
+        ":",
+        "and",
+        "a",
+        "an",
+        "the",
+        "one",
+        "-",
+        "(",
+        "&",
+        "plus",
+        "with",
+        "*",
+    )
+    counted = reading.kind(index - 1) == "number"
+    joined = (
+        reading.kind(index - 1) == "word" and before not in FUNCTION_WORDS and reading.word(index + 1) in HEAD_TYPES
+    )
+    if (
+        reading.starts(index)
+        and reading.word(index + 1) not in HEAD_TYPES
+        and reading.word(index + 2) not in HEAD_TYPES
+    ):
+        return False
+    return listed or counted or joined
 
 
 def _is_acronym(reading: Reading, index: int) -> bool:
@@ -127,6 +181,8 @@ def _phrases_of(reading: Reading, begin: int, end: int) -> list[Phrase]:
 def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | None:
     """Return the phrase of tokens `begin` to `end` if the last of them can be its head."""
     last = reading.word(end - 1)
+    if not whole and reading.word(end) in _PARTS:
+        return None
     if last in _STAIRS | _LIFTS:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
     mention = _mention_ending(reading, begin, end)
@@ -162,7 +218,7 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     return None
 
 
-_STANDS_ALONE = frozenset({"surgery", "booth", "cabin", "cell", "ward", "salon", "loft", "kiosk", "chapel"})
+_STANDS_ALONE = frozenset({"surgery", "booth", "cabin", "cell", "ward", "salon", "loft", "kiosk", "chapel", "atelier"})
 """Nouns that name a room without a word before them, where they are counted or stand in the plural."""
 
 

@@ -27,7 +27,8 @@ FUNCTION_WORDS = frozenset(
     straight also only just even still again very quite too rather really maybe perhaps possibly ideally mainly
     mostly partly nearly about around approximately roughly circa ca approx almost least most more less many few
     several multiple various numerous much enough same identical alike altogether together total overall exactly
-    precisely someone everybody everyone anyone nobody nothing everything something anything one's live sleep eat
+    precisely apart away someone everybody everyone anyone nobody nothing everything something anything one's
+    live sleep eat
     cook meet walk carry gather believe afford love find see look say tell ask think know located situated placed
     spread divided split equipped furnished fitted surrounded arranged organised organized reserved dedicated called
     named known planned needed wanted required preferred desired expected apiece respectively etc ie eg namely such
@@ -50,6 +51,7 @@ PLAIN = frozenset(
 )
 """Adjectives that say how a room is, and are no part of its name."""
 
+_JOINTS = frozenset("a an the of for and in on at to with or per each every".split())
 _SOFT_PLURAL = frozenset(
     """
     several multiple various many few some numerous more enough
@@ -125,11 +127,9 @@ def finished_phrase(
     plural = reading.plural(end - 1)
     if not counted:
         count = None if plural or determiner in _SOFT_PLURAL else 1
-    last, after = _count_after(reading, end)
-    if after is not None and not counted:
+    last, after = (end, None) if counted else _count_after(reading, end)
+    if after is not None:
         count, counted = after, True
-    elif after is None:
-        last = end
     if head in ("room", "building"):
         reading.modifiers.update(range(begin, mention.first if mention is not None else end - 1))
     name = name_of(reading, begin, end, core=mention.first if mention is not None else end - 1)
@@ -285,8 +285,9 @@ def name_of(reading: Reading, begin: int, end: int, core: int | None = None) -> 
     """Return the snake-case name of a phrase: its words in the singular, without plain adjectives before its core."""
     core = end - 1 if core is None else core
     words = [reading.word(i) for i in range(begin, end) if i >= core or _names(reading.tokens[i])]
+    words = [word.replace("&", "_and_") for word in words]
     return "_".join(word for word in words if word.isascii() and word.replace("_", "").isalnum())[:60].strip("_")
 
 
 def _names(token: Token) -> bool:
-    return token.text not in PLAIN and token.text not in FUNCTION_WORDS
+    return token.text not in PLAIN and token.text not in _JOINTS

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.attachment import Attachment
-from mansion_planner.brief.building import building_phrase, unknown_building
+from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity, RoomFact, Span, UseFact
@@ -74,6 +74,7 @@ class _Reader:
         reading = self.reading
         self.shared: set[int] = set()
         self._bedrooms_of_adverts()
+        self.opening = unknown_building(reading)
         phrases = noun_phrases(reading)
         stacked = read_stacking(reading, phrases)
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
@@ -90,8 +91,11 @@ class _Reader:
         for number, phrase in enumerate(self.phrases):
             if phrase.first in self.shared and number in self.attached:
                 self.attached[number] = Attachment(self.attached[number].refs)
+        self._other_names_of_building()
         self.same, self.groups = coreferences(reading, self.phrases, self._wanted_rooms(), self.relations)
+        self._placed_later()
         self._multiply()
+        self._people_of_each()
         self.suites = self._suites()
         self._occupants()
         self._vertical()
@@ -111,26 +115,37 @@ class _Reader:
     # The building ---------------------------------------------------------------------------------------------------
 
     def _name_building(self, phrases: list[Phrase]) -> int | None:
-        number = building_phrase(self.reading, phrases, self.places)
+        reading = self.reading
+        number = building_phrase(reading, phrases, self.places)
         if number is not None and are_units(phrases[number]):
             number = None
+        opening = self.opening
+        if opening is not None:
+            rooms_before = any(p.begin < opening[2] for p in phrases if p.head == "room")
+            known = number is not None and reading.sentence[phrases[number].first] <= reading.sentence[opening[2]]
+            if known or rooms_before or not (number is None or opening[1]):
+                opening = None
+        if opening is not None:
+            self.facts.building_name, self.facts.building_like, first, last = opening
+            self.facts.building_span.append(reading.span(first, last))
+            reading.take(first, last)
+            phrases[:] = [p for p in phrases if p.last <= first or p.first >= last]
+            number = None
         if number is None:
-            unknown = unknown_building(self.reading)
-            if unknown is not None and not any(p.begin < unknown[2] for p in phrases if p.head == "room"):
-                self.facts.building_name = unknown[0]
-                self.facts.building_span.append(self.reading.span(unknown[1], unknown[2]))
-                self.reading.take(unknown[1], unknown[2])
-            read_sizes(self.reading, 0, 0)
+            read_sizes(reading, 0, 0)
             return None
         phrase = phrases[number]
         name = "apartment_building" if phrase.building == "flat" and phrase.plural else phrase.building
         self.facts.building.append((name, self.reading.span(phrase.begin, phrase.noun_end)))
+        self.facts.building_name = own_building_name(self.reading, phrase)
         self._bedrooms_of_building(phrase)
         read_sizes(self.reading, phrase.first, phrase.noun_end)
         return number
 
     def _plain_rooms(self, phrase: Phrase) -> Phrase:
         """Read "40 rooms" in a hotel, hospital or dormitory as the rooms that it is for; elsewhere they stay unread."""
+        if phrase.name == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
+            return replace(phrase, room_type="assembly_hall")
         if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:
             return phrase
         kind = self.facts.building[0][0] if self.facts.building else ""
@@ -141,21 +156,21 @@ class _Reader:
         return replace(phrase, head="unknown") if phrase.name == "room" else phrase
 
     def _late_counts(self) -> None:
-        """Read "offices of 14 m2 each, six of them": a count that something else parts from its noun."""
+        """Read counts away from their noun: "offices of 14 m2 each, six of them", "four bedrooms, no sorry, five"."""
         reading = self.reading
         for index, token in enumerate(reading.tokens):
-            if (
-                token.kind != "number"
-                or index in reading.taken
-                or reading.words(index + 1, index + 3) != ("of", "them")
-            ):
+            if token.kind != "number" or index in reading.taken or token.value < 1 or token.value != int(token.value):
+                continue
+            of_them = reading.words(index + 1, index + 3) == ("of", "them")
+            corrects = not {"sorry", "mean", "correction"}.isdisjoint(reading.words(index - 3, index))
+            if not of_them and not corrects:
                 continue
             before = [
                 n for n, p in enumerate(self.phrases) if p.last <= index and p.head in ("room", "building", "object")
             ]
-            if before and self.phrases[before[-1]].plural and not self.phrases[before[-1]].counted and token.value >= 1:
+            if before and self.phrases[before[-1]].plural and self.phrases[before[-1]].counted == corrects:
                 self.phrases[before[-1]] = replace(self.phrases[before[-1]], count=int(token.value), counted=True)
-                reading.take(index, index + 3)
+                reading.take(index, index + (3 if of_them else 1))
 
     def _containers(self) -> None:
         """Leave out what only holds rooms that are counted themselves: "wards with twelve patient rooms"."""
@@ -216,12 +231,13 @@ class _Reader:
         starts = {place.first: place for place in self.places}
         extra: list[tuple[int, Phrase]] = []
         for index, token in enumerate(reading.tokens):
-            if (
-                token.kind != "number"
-                or index in reading.taken
-                or index + 1 not in starts
-                or token.value != int(token.value)
-            ):
+            if token.kind != "number" or index in reading.taken or token.value != int(token.value):
+                continue
+            place = index + 1
+            if reading.words(place, place + 2) in (("of", "them"), ("of", "these"), ("of", "those")):
+                place += 2
+            place += reading.word(place) in ("more", "other", "others", "further")
+            if place not in starts:
                 continue
             before = [
                 n
@@ -234,8 +250,8 @@ class _Reader:
             if not before or reading.word(index - 1) not in (",", ":", "and", "-", "(", "–"):
                 continue
             total = self.phrases[before[-1]]
-            reading.take(index, index + 1)
-            if starts[index + 1].refs[0].kind == "every":
+            reading.take(index, place)
+            if starts[place].refs[0].kind == "every":
                 self.shared.add(total.first)
                 continue
             extra.append(
@@ -246,7 +262,7 @@ class _Reader:
                         first=index,
                         begin=index,
                         noun_end=index + 1,
-                        last=index + 1,
+                        last=place,
                         count=int(token.value),
                         counted=True,
                         determiner="",
@@ -269,6 +285,78 @@ class _Reader:
             self.building = next(
                 n for n, p in enumerate(self.phrases) if self.reading.tokens[p.begin].start == span.start
             )
+
+    def _other_names_of_building(self) -> None:
+        """Leave out what only names the building again: "penthouse-style flat", "an old barn to turn into a home"."""
+        if self.building is None:
+            return
+        named = self.phrases[self.building]
+        sentence = self.reading.sentence[named.first]
+        buildings = self.reading.knowledge.buildings
+        for number, phrase in enumerate(self.phrases):
+            if number == self.building or not phrase.building or phrase.plural or phrase.counted or phrase.areas:
+                continue
+            if self.reading.sentence[phrase.first] != sentence or number in self.attached or number in self.negated:
+                continue
+            before = {phrase.determiner, self.reading.word(phrase.first - 1), self.reading.word(phrase.first - 2)}
+            if phrase.first > named.first and before & {"with", "and", ",", "plus", "containing", "has", "have", "a"}:
+                continue
+            same_family = buildings[phrase.building].family == buildings[named.building].family
+            if same_family or phrase.first < named.first:
+                self.phrases[number] = replace(phrase, head="unknown")
+
+    def _placed_later(self) -> None:
+        """Read "wood shop, metal shop. ... Wood shop and metal shop both on level 1" as of the rooms named before."""
+        rooms = [n for n in self._wanted_rooms() if n not in self.same]
+        for number in rooms:
+            phrase = self.phrases[number]
+            if number not in self.attached or phrase.counted or phrase.plural or phrase.determiner not in ("", "the"):
+                continue
+            earlier = next(
+                (
+                    n
+                    for n in rooms
+                    if n < number
+                    and n not in self.attached
+                    and self.phrases[n].name == phrase.name
+                    and self.phrases[n].count == 1
+                    and self.reading.sentence[self.phrases[n].first] < self.reading.sentence[phrase.first]
+                ),
+                None,
+            )
+            if earlier is not None:
+                self.attached[earlier] = Attachment(self.attached[number].refs)
+                self.same[number] = earlier
+
+    def _people_of_each(self) -> None:
+        """Read "Each of us needs a bedroom with a bathroom" as one for each of the people named before."""
+        reading = self.reading
+        for index in range(len(reading.tokens) - 2):
+            if reading.word(index) not in ("each", "every") or index in reading.taken:
+                continue
+            of_them = reading.words(index + 1, index + 3) in (("of", "us"), ("of", "them"), ("of", "these"))
+            noun = reading.word(index + 1)
+            people = [
+                p for p in self.phrases if p.head == "people" and p.counted and p.first < index and (p.count or 0) > 1
+            ]
+            if not of_them:
+                people = [p for p in people if reading.word(p.noun_end - 1) == noun]
+            if not people or not (people[-1].count or 99) <= 40:
+                continue
+            count, suites = people[-1].count, self._suites()
+            for number, phrase in enumerate(self.phrases):
+                own = phrase.determiner in ("a", "an", "own", "his", "her", "their", "one", "") or phrase.count == 1
+                if (
+                    phrase.head == "room"
+                    and phrase.first > index
+                    and reading.sentence[phrase.first] == reading.sentence[index]
+                    and phrase.count == 1
+                    and own
+                    and phrase.determiner != "the"
+                    and number not in suites
+                ):
+                    self.phrases[number] = replace(phrase, count=count, counted=True)
+            reading.take(index, index + (3 if of_them else 2))
 
     def _multiply(self) -> None:
         """Read "Each group has a playroom" as one for every group, where the brief has a number of groups."""
@@ -335,7 +423,10 @@ class _Reader:
                 self.phrases[owner].last <= first < phrase.first for first in self.households.inner
             ):
                 continue
-            gap = set(reading.words(self.phrases[owner].last, phrase.begin))
+            gap_words = reading.words(self.phrases[owner].last, phrase.begin)
+            gap = set(gap_words)
+            if "," in gap and owner not in suites and self._list_goes_on(owner, number, gap_words):
+                continue
             tail = reading.words(phrase.last, phrase.last + 1)
             has = bool(gap & {"with", "having", "has", "have", "own", "get", "plus", "its", "contain"})
             distributed = self.phrases[owner].determiner in ("each", "every", "both", "all")
@@ -373,6 +464,12 @@ class _Reader:
             if (several and distributive) or both or own or plain or (several and tail == ("each",)):
                 suites[number] = owner
         return {n: o for n, o in suites.items() if n not in self.same}
+
+    def _list_goes_on(self, owner: int, number: int, gap: tuple[str, ...]) -> bool:
+        """Whether a comma after furniture only leads on to the next room: "a bedroom with bunk beds, one bathroom"."""
+        after = gap[len(gap) - gap[::-1].index(",") :]
+        between = any(p.head == "object" for p in self.phrases[owner + 1 : number])
+        return between and {"with", "each", "own", "its", "has", "have"}.isdisjoint(after)
 
     # Facts ----------------------------------------------------------------------------------------------------------
 
@@ -527,11 +624,14 @@ class _Reader:
         """Whether an unnumbered room only says again what the brief wants already ("a library ... library")."""
         if phrase.counted or fact.count not in (None, 1) or phrase.determiner in ("a", "an", "another"):
             return False
-        return any(
-            (other.name, other.count, other.each) == (fact.name, fact.count, fact.each)
-            and [(r.kind, r.first, r.last) for r in other.floors] == [(r.kind, r.first, r.last) for r in fact.floors]
-            for other in self.facts.rooms
-        )
+        for number, other in enumerate(self.facts.rooms):
+            if (other.name, other.count, other.each) == (fact.name, fact.count, fact.each) and [
+                (r.kind, r.first, r.last) for r in other.floors
+            ] == [(r.kind, r.first, r.last) for r in fact.floors]:
+                if fact.area and not other.area:
+                    self.facts.rooms[number] = replace(other, area=fact.area)
+                return True
+        return False
 
     def _relations(self) -> None:
         for relation in self.relations:

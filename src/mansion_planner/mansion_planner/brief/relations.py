@@ -114,6 +114,9 @@ _MUTUAL = [
     ("opening", "to", "each", "other"),
     ("share", "a", "wall"),
     ("connected",),
+    ("attached",),
+    ("alongside",),
+    ("beside",),
 ]
 _NEGATIONS = frozenset({"not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
 _PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these"})
@@ -180,7 +183,9 @@ def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], inde
             return Relation(tuple(a for a, _ in pairs), tuple(b for _, b in pairs), False, index, index + 5), index + 5
     mutual = next((p for p in _MUTUAL if reading.words(index, index + len(p)) == p), None)
     if mutual is not None and _closes(reading, index + len(mutual), phrases, rooms):
-        found = _mutual(reading, phrases, rooms, index, index + len(mutual))
+        found = _mutual(reading, phrases, rooms, index, index + len(mutual)) or _postposed(
+            reading, phrases, rooms, index, index + len(mutual)
+        )
         if found is not None:
             return found, index + len(mutual)
     apart = next((p for p in _APART if reading.words(index, index + len(p)) == p), None)
@@ -351,6 +356,16 @@ def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: i
         return None
     # One room between two: both are its neighbours, so each is a pair of its own.
     return Relation(lefts * len(following), tuple(following), False, index, index + 1), phrases[following[-1]].last
+
+
+def _postposed(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int) -> Relation | None:
+    """Read "live room, control room adjacent": the room before is meant."""
+    before = _in_sentence(reading, phrases, rooms, index, before=True)
+    if len(before) < 2 or reading.word(index) not in ("adjacent", "adjoining", "attached", "beside", "alongside"):
+        return None
+    if phrases[before[-1]].last != index:
+        return None
+    return Relation((before[-1],), (before[-2],), False, index, last)
 
 
 def _mutual(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int) -> Relation | None:

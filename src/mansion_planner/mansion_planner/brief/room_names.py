@@ -5,10 +5,10 @@ from dataclasses import replace
 
 from mansion_language import singular
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase, finished_phrase, name_of
-from mansion_planner.brief.reading import Reading
-from mansion_planner.brief.similarity import similar_room_type
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 
-__all__ = ["listed_unknowns", "with_own_names", "with_purpose"]
+__all__ = ["coordinated", "designated_nouns", "listed_unknowns", "with_designators", "with_own_names", "with_purpose"]
 
 
 def with_own_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
@@ -110,6 +110,116 @@ def _named(reading: Reading, phrase: Phrase, own: str, first: int, last: int) ->
     )
 
 
+def coordinated(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase) -> list[Phrase]:
+    """Read "chemistry and physics labs" and "men's and women's changing rooms" as a room of each kind."""
+    if (
+        phrase.head != "room"
+        or not phrase.plural
+        or phrase.noun_end - phrase.begin < 2
+        or phrase.count not in (None, 2)
+    ):
+        return [phrase]
+    if phrase.counted or phrase.first != phrase.begin or reading.word(phrase.begin - 1) not in ("and", "&"):
+        return [phrase]
+    other = next(((a, b) for a, b in chunks if b == phrase.begin - 1), None)
+    if other is None or not reading.free(*other) or not 1 <= other[1] - other[0] <= 2:
+        return [phrase]
+    before = reading.word(other[0] - 1)
+    if not (reading.starts(other[0]) or before in _LIST_STARTS) or reading.word(other[1] - 1) in _NO_ROOMS | PLAIN:
+        return [phrase]
+    head = reading.word(phrase.noun_end - 1)
+    first = "_".join([*reading.words(*other), head])
+    label = reading.text[reading.tokens[other[0]].start : reading.tokens[other[1] - 1].end]
+    reading.take(*other)
+    own = replace(phrase, count=1, counted=True, plural=False)
+    kind = similar_room_type(first, reading.knowledge)
+    return [
+        replace(
+            own,
+            first=other[0],
+            begin=other[0],
+            noun_end=other[1],
+            last=other[1],
+            name=first[:60],
+            label=f"{label} {singular(head)}",
+            room_type=kind if kind != "study_room" else phrase.room_type,
+        ),
+        own,
+    ]
+
+
+def designated_nouns(reading: Reading) -> frozenset[str]:
+    """Return the nouns that a brief tells apart by numbers or letters: "Bedroom 1 ... Bedroom 2", "Studio A"."""
+    found: dict[str, set[str]] = {}
+    for index in range(1, len(reading.tokens)):
+        length = _designator(reading, index)
+        noun = reading.tokens[index - 1]
+        if length and noun.kind == "word" and noun.text not in FUNCTION_WORDS and noun.text not in FLOOR_WORDS:
+            found.setdefault(noun.text, set()).add("".join(reading.words(index, index + length)))
+            if _next_designator(reading, index + length):
+                found[noun.text].add("more")
+    return frozenset(noun for noun, names in found.items() if len(names) > 1)
+
+
+def _designator(reading: Reading, index: int) -> int:
+    """Return how many tokens a designator has ("2", "B", "2B"), or 0."""
+    token = reading.tokens[index] if index < len(reading.tokens) else None
+    if token is None or index in reading.taken:
+        return 0
+    if token.kind == "number":
+        if token.value != int(token.value) or not 0 < token.value < 100 or token.text.isalpha():
+            return 0
+        following = reading.tokens[index + 1] if index + 1 < len(reading.tokens) else None
+        if following is not None and following.kind == "word" and not following.spaced:
+            return 2 if len(following.text) == 1 else 0
+        ends = following is None or following.kind == "mark" or index + 1 in reading.taken
+        return int(ends or (following is not None and following.text in _AFTER_DESIGNATOR))
+    written = reading.text[token.start : token.end]
+    return int(token.kind == "word" and len(written) == 1 and written.isupper() and written != "I")
+
+
+def _next_designator(reading: Reading, index: int) -> int:
+    """Return where "2B" begins in "class 2A, 2B and 2C" after the first, or 0."""
+    step = 2 if reading.words(index, index + 2) == (",", "and") else int(reading.word(index) in (",", "and", "&"))
+    length = _designator(reading, index + step) if step else 0
+    letter = length == 2 or (length == 1 and reading.kind(index + step) == "word")
+    return index + step if letter else 0
+
+
+def with_designators(reading: Reading, phrase: Phrase, nouns: frozenset[str]) -> list[Phrase]:
+    """Read "Bedroom 1" and "class 1A and 1B" as rooms of these names."""
+    noun = reading.word(phrase.noun_end - 1)
+    if phrase.head not in ("room", "building") or phrase.counted or noun not in nouns:
+        return [phrase]
+    if phrase.building and noun in HEAD_TYPES:
+        phrase = replace(phrase, head="room", building="", room_type=HEAD_TYPES[noun])
+    found, index = [], phrase.noun_end
+    first = phrase.first
+    while index:
+        length = _designator(reading, index)
+        if not length:
+            break
+        own = reading.text[reading.tokens[index].start : reading.tokens[index + length - 1].end]
+        reading.take(index, index + length)
+        end = index + length
+        found.append(
+            replace(
+                phrase,
+                name=f"{phrase.name}_{own.lower()}",
+                label=f"{phrase.label} {own}",
+                first=first,
+                begin=first,
+                noun_end=end,
+                last=end,
+                count=1,
+                plural=False,
+            )
+        )
+        index = first = _next_designator(reading, end)
+    return found or [phrase]
+
+
+_AFTER_DESIGNATOR = frozenset("and with has have is are on in at next of which for".split())
 _LIST_STARTS = frozenset({":", ",", "and", "a", "an", "the", "one", "*", "-", "|", "plus", "&", "\n", "="})
 _LIST_ENDS = frozenset(
     {

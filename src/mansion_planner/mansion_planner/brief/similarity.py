@@ -48,7 +48,8 @@ HEAD_TYPES = {
     "library": "library", "chapel": "prayer_hall",
     "garage": "garage", "bathroom": "bathroom", "bedroom": "bedroom", "archive": "archive", "cafe": "cafe",
     "gym": "gym", "school": "classroom", "wash": "laundry_room", "helpdesk": "open_office",
-    "cellar": "storage", "vault": "vault", "nook": "lounge", "garden": "greenhouse", "pool": "indoor_pool",
+    "cellar": "storage", 
+    "atelier": "art_room", "arena": "sports_hall", "wing": "common_room", "vault": "vault", "nook": "lounge", "garden": "greenhouse", "pool": "indoor_pool",
 }  # fmt: skip
 
 
@@ -72,7 +73,7 @@ def similar_room_type(name: str, knowledge: KnowledgeBase) -> str:
     if name in knowledge.rooms:
         return name
     names = _names(tuple((room.name, room.synonyms) for room in knowledge.rooms.values()))
-    close = difflib.get_close_matches(name.replace("_", " "), list(names), n=1, cutoff=0.88)
+    close = difflib.get_close_matches(name.replace("_", " "), list(names), n=1, cutoff=0.92)
     if close:
         return names[close[0]]
     return HEAD_TYPES.get(name.rsplit("_", 1)[-1], "study_room")

@@ -1,6 +1,7 @@
 """Read how many storeys and basements a brief asks for: "four storeys", "G+3", "all on one level"."""
 
 from mansion_planner.brief.facts import FloorRef, Quantity
+from mansion_planner.brief.phrase import PLAIN
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 
 __all__ = ["CLOSERS", "DEFINITE", "STOREY_ADJECTIVES", "StoreyCounts", "settle_counts"]
@@ -15,7 +16,8 @@ DEFINITE = frozenset(
 STOREY_ADJECTIVES = frozenset(
     """
     full whole habitable residential office guest typical additional more storied underground basement parking
-    subterranean identical main equal different separate small large big classroom hotel retail working usable
+    subterranean identical sale
+    trading exhibition teaching production main equal different separate small large big classroom hotel retail working usable
     living successive consecutive more
     """.split()
 )
@@ -165,7 +167,7 @@ class StoreyCounts:
         if reading.word(last) in ("of", "or") and reading.word(last + 1) in ("those", "these", "the"):
             return index
         adjectives: list[str] = []
-        while reading.word(last) in STOREY_ADJECTIVES | {"upper"} and len(adjectives) < 2:
+        while reading.word(last) in STOREY_ADJECTIVES | PLAIN | {"upper"} and len(adjectives) < 2:
             adjectives.append(reading.word(last))
             last += 1
         if reading.word(last) not in FLOOR_WORDS or value != int(value) or not 0 < value < 10_000:
@@ -205,6 +207,15 @@ class StoreyCounts:
             last += reading.word(last) in ("below", "underground", "under")
             last += reading.word(last) in ("ground", "grade")
             self._state(value, index, last, below=True)
+            return last
+        lead = reading.words(index - 4, index)
+        if "above" in lead and {"it", "that", "this", "them"} & set(lead) and self.places and not reading.facts.floors:
+            base = self.previous.first - 1 if self.previous is not None and self.previous.kind == "number" else 1
+            span = reading.span(index, last)
+            self._state(value + max(base, 1), index, last)
+            self.places.append(
+                Place(index, last, (FloorRef("range", max(base, 1) + 1, max(base, 1) + int(value), span),), led=False)
+            )
             return last
         if "upper" in adjectives or "additional" in adjectives or "more" in adjectives:
             value += 1

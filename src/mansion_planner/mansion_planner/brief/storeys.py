@@ -10,6 +10,7 @@ from dataclasses import replace
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_counts import CLOSERS, DEFINITE, STOREY_ADJECTIVES, StoreyCounts, settle_counts
+from mansion_planner.brief.storey_sequences import StoreySequence, resolve_rest
 
 __all__ = ["read_storeys"]
 
@@ -36,7 +37,9 @@ def read_storeys(reading: Reading) -> list[Place]:
     scanner = _Scanner(reading)
     scanner.scan()
     settle_counts(reading)
-    return [_with_edges(reading, place) for place in scanner.places]
+    floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+    places = [_with_edges(reading, place) if place.last > place.first else place for place in scanner.places]
+    return resolve_rest(places, floors)
 
 
 def _with_edges(reading: Reading, place: Place) -> Place:
@@ -65,7 +68,16 @@ class _Scanner:
         self.places: list[Place] = []
         self.counts = StoreyCounts(reading, self.places)
         self.british = _counts_from_ground(reading)
+        self.sequence = StoreySequence(reading)
         self.previous: FloorRef | None = None
+        self.zero_based = any(
+            reading.value(i) == 0
+            and (
+                reading.kind(i) == "level"
+                or (reading.kind(i) == "number" and reading.word(i - 1) in ("level", "floor", "storey"))
+            )
+            for i in range(len(reading.tokens))
+        )
         texts = [token.text for token in reading.tokens]
         self.has_floors = not FLOOR_WORDS.isdisjoint(texts) or "ground" in texts or "upstairs" in texts
         self.numbered_headings = sum(
@@ -84,6 +96,12 @@ class _Scanner:
                 self.reading.take(index, last)
                 index = last
                 continue
+            floors = self.reading.facts.floors
+            listed = self.sequence.listed(index, int(floors[0].value) if floors else 0)
+            if listed:
+                self.places += listed
+                index = listed[0].first
+                continue
             refs, last = self._reference(index)
             if refs:
                 self.places.append(Place(index, last, refs, led=False))
@@ -98,7 +116,9 @@ class _Scanner:
         for read in (
             self._level,
             self._basement,
+            self._rest,
             self._counted_set,
+            self._in_sequence,
             self._relative,
             self._ground,
             self._top,
@@ -115,14 +135,35 @@ class _Scanner:
                 return tuple(replace(ref, span=span) for ref in refs), last
         return (), index
 
+    def _in_sequence(self, index: int) -> tuple[list[FloorRef], int] | None:
+        return self.sequence.read(index, self.previous)
+
+    def _rest(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "the rest", "all the others", "the remaining floors": the storeys that the brief does not name."""
+        reading = self.reading
+        word, last = reading.word(index), index + 1
+        if word in ("rest", "others") or (word == "other" and reading.plural(index)):
+            if reading.word(index - 1) != "the" or not self.has_floors or not self.places:
+                return None
+            if reading.words(last, last + 2) == ("of", "the"):
+                if reading.word(last + 2) not in FLOOR_WORDS:
+                    return None
+                return [FloorRef("rest")], last + 3
+            opens = reading.starts(index - 1) or reading.word(index - 2) in ("all", "and", ",")
+            return ([FloorRef("rest")], last) if opens else None
+        if word == "remaining" and reading.word(last) in FLOOR_WORDS and reading.plural(last):
+            return [FloorRef("rest")], last + 1
+        return None
+
     def _level(self, index: int) -> tuple[list[FloorRef], int] | None:
         reading = self.reading
         if reading.kind(index) != "level":
             return None
-        numbers, last = [int(reading.value(index))], index + 1
+        shift = int(self.zero_based or (self.british and _written_after(reading, index)))
+        numbers, last = [int(reading.value(index)) + shift], index + 1
         while reading.word(last) in ("to", "–", "-", ",", "and", "&", "+", "through"):
             step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
-            value = int(reading.value(last + step))
+            value = int(reading.value(last + step)) + shift
             if reading.kind(last + step) != "level" and not (
                 reading.word(last) in ("–", "to") and reading.kind(last + step) == "number"
             ):
@@ -166,9 +207,10 @@ class _Scanner:
         after = ""
         while reading.word(last) in STOREY_ADJECTIVES | {"upper", "lower", "top", "middle", "other"}:
             after, last = reading.word(last), last + 1
-        if reading.word(last) not in FLOOR_WORDS:
+        if reading.word(last) in FLOOR_WORDS:
+            last += 1
+        elif not self._elliptic_set(index, at, last, lead):
             return None
-        last += 1
         lead = lead or (after if after in ("upper", "lower", "top", "other", "middle") else "")
         definite = bool(lead) or reading.word(index - 1) in ("the", "these", "those", "other", "all", "both")
         if not definite:
@@ -200,6 +242,15 @@ class _Scanner:
             return self._gathered(many, index), last
         return [FloorRef("every")], last
 
+    def _elliptic_set(self, index: int, at: int, last: int, lead: str) -> bool:
+        """Whether "the next four", "the bottom two" speak of storeys without saying so."""
+        reading = self.reading
+        opens = reading.word(index - 1) == "the" and (
+            reading.starts(index - 1) or reading.word(index - 2) in (";", ",", "and", "on")
+        )
+        goes_on = reading.word(last) in _COPULAS | CLOSERS | {"repeat", "all", "with", "each", "get", "take", "for"}
+        return bool(lead) and self.has_floors and opens and last == at + 1 and goes_on
+
     def _gathered(self, many: int, index: int) -> list[FloorRef]:
         """Return the storeys that "those five floors" speaks of: that many, named last in the sentence."""
         refs: list[FloorRef] = []
@@ -223,6 +274,8 @@ class _Scanner:
         base = self.previous
         if base is None or base.kind not in ("number", "range", "top", "below_top"):
             base = FloorRef("number", 1, 1)
+        if word in ("up", "down") and reading.word(index + 1) == "there" and self.previous is not None:
+            return [replace(self.previous)], index + 2
         if reading.words(index, index + 3) == ("one", "flight", "up"):
             return [FloorRef("number", 2, 2)], index + 3
         if (
@@ -259,6 +312,10 @@ class _Scanner:
             return ground, index + 1
         if word in ("downstair", "downstairs"):
             return ground, index + 1
+        if word in ("gf", "g/f") and following in CLOSERS | {"has", "with"}:
+            return ground, index + 1
+        if word == "ff" and following in CLOSERS and self.british:
+            return [FloorRef("number", 2, 2)], index + 1
         if word == "at" and following == "grade":
             return ground, index + 2
         if (
@@ -275,8 +332,12 @@ class _Scanner:
             return None if reading.word(index - 2) == "from" else (ground, index + 1)
         if word == "bottom" and following == ":":
             return ground, index + 1
+        if word == "bottom" and reading.word(index - 1) == "very" and reading.word(index - 2) in ("the", "at"):
+            return ground, index + 1
+        if word == "lowest" and self._names_storey(index):
+            return ground, index + 1
         if word == "below" and (
-            (reading.starts(index) and following in (":", "is", "are", "there", ",", "the"))
+            (reading.starts(index) and following in (":", "is", "are", "there", ",", "the", "we", "i", "you", "a"))
             or (following in CLOSERS and self._is_storeyed_adverb(index))
         ):
             return ground, index + 1
@@ -292,7 +353,9 @@ class _Scanner:
     def _is_storeyed_adverb(self, index: int) -> bool:
         """Whether a final "above" or "below" is an adverb of place: its opposite stands in the brief too."""
         texts = {token.text for token in self.reading.tokens}
-        return {"above", "below"} <= texts or {"upstairs", "below"} <= texts
+        return bool(
+            {"above", "below"} <= texts or ("below" in texts and texts & {"upstair", "middle", "uppermost", "top"})
+        )
 
     def _top(self, index: int) -> tuple[list[FloorRef], int] | None:
         reading = self.reading
@@ -318,12 +381,29 @@ class _Scanner:
         if (
             word in ("top", "topp")
             and led
-            and (following in CLOSERS | _COPULAS | {"with", "and", "there", "nothing", "only", "two", "one"})
+            and (
+                following
+                in CLOSERS | _COPULAS | {"with", "and", "there", "nothing", "only", "two", "one", "become", "we", "the"}
+            )
         ):
             return [FloorRef("top")], index + 1
         if word in ("attic", "loft") and following == ":":
             return [FloorRef("top")], index + 1
+        if word in ("uppermost", "topmost", "highest") and self._names_storey(index):
+            return [FloorRef("top")], index + 1
         return None
+
+    def _names_storey(self, index: int) -> bool:
+        """Whether "the lowest", "the middle one", "the uppermost" open a clause of a brief of several storeys."""
+        reading = self.reading
+        opens = reading.starts(index - 1) or reading.word(index - 2) in (";", ",", "and", "with", ":")
+        following = reading.word(index + 1)
+        return (
+            reading.word(index - 1) == "the"
+            and opens
+            and self.has_floors
+            and (following in _COPULAS | {"a", "an", "the", "get", "for", ":"} or reading.kind(index + 1) == "number")
+        )
 
     def _upper(self, index: int) -> tuple[list[FloorRef], int] | None:
         reading = self.reading
@@ -340,14 +420,16 @@ class _Scanner:
         if word == "higher" and following == "up":
             return upper, index + 2
         if word == "above" and (
-            (reading.starts(index) and following in (":", ",", "are", "is", "there"))
+            (reading.starts(index) and following in (":", ",", "are", "is", "there", "we", "i", "you", "a"))
             or (following in CLOSERS | {"with"} and (self._is_storeyed_adverb(index) or reading.word(index - 1) == ","))
         ):
             return upper, index + 1
         if word == "up" and reading.starts(index) and following == ":":
             return upper, index + 1
-        if word == "middle" and following in FLOOR_WORDS:
+        if word == "middle" and (following in FLOOR_WORDS or (following == "one" and self._names_storey(index + 1))):
             return [FloorRef("middle")], index + 2
+        if word == "middle" and following in (":", "=") and reading.starts(index):
+            return [FloorRef("middle")], index + 1
         if (
             word == "middle"
             and reading.words(index - 2, index) == ("in", "the")
@@ -406,7 +488,8 @@ class _Scanner:
         if reading.kind(index) != kind or index in reading.taken or reading.tokens[index].soft:
             return None
         value = reading.value(index)
-        return int(value) if value == int(value) and abs(value) <= 1000 else None
+        shift = int(self.zero_based and kind == "number")
+        return int(value) + shift if value == int(value) and abs(value) <= 1000 else None
 
     def _numbered(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "floor 3", "floors 3 to 8", "levels 2 and 3", "floors 2, 3 and 5"."""
@@ -509,6 +592,8 @@ def _counts_from_ground(reading: Reading) -> bool:
     """
     words = [token.text for token in reading.tokens]
     pairs = list(itertools.pairwise(words))
+    if _lists_ground_and_first(reading):
+        return True
     ground = any(
         (word, floor) in pairs for word in ("ground", "street", "entrance") for floor in ("floor", "level", "storey")
     )
@@ -528,3 +613,25 @@ def _counts_from_ground(reading: Reading) -> bool:
         int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
     ]
     return not (stated and max(stated) == highest)
+
+
+def _lists_ground_and_first(reading: Reading) -> bool:
+    """Whether "Ground: ... 1st: ..." or "GF: ... 1F: ..." count the storeys of a list from the one above the ground."""
+    marks = (":", "=", "-", "–", "\n", "&", "and", ",")
+    ground = first = False
+    for index in range(len(reading.tokens)):
+        word, opens = reading.word(index), reading.starts(index)
+        after = index + 1 + (reading.word(index + 1) in FLOOR_WORDS)
+        listed = reading.word(after) in marks
+        ground = ground or (word in ("ground", "gf", "g", "rdc", "eg") and listed and opens)
+        counts = (reading.kind(index) == "ordinal" and opens) or (
+            reading.kind(index) == "level" and _written_after(reading, index)
+        )
+        first = first or (counts and listed and reading.value(index) == 1) or (word == "ff" and listed)
+    return ground and first
+
+
+def _written_after(reading: Reading, index: int) -> bool:
+    """Whether a level is written as "1F", which a ground floor goes before, rather than as "L1" or "F1"."""
+    token = reading.tokens[index]
+    return reading.text[token.start : token.end][:1].isdigit()

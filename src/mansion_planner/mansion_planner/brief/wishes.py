@@ -19,7 +19,7 @@ def read_shape(reading: Reading) -> None:
     for i in range(len(reading.tokens)):
         word = reading.word(i)
         if word in _SHAPES and (
-            reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed")
+            reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed", "outline", "footprint", "layout")
             or " ".join(reading.word(i - k) for k in (3, 2, 1))
             in ("shape of a", "form of a", "shape of an", "form of an")
         ):
@@ -27,8 +27,10 @@ def read_shape(reading: Reading) -> None:
             reading.take(i, i + 2)
         elif word == "courtyard" and reading.word(i - 1) not in _NEGATIONS:
             reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
+            reading.take(i, i + 1)
         elif word in ("rectangular", "rectangle", "oblong"):
             reading.facts.shapes.append(("rectangle", reading.span(i, i + 1)))
+            reading.take(i, i + 1 + (reading.word(i + 1) in ("outline", "footprint", "plan", "shape", "building")))
         elif word == "square" and reading.word(i + 1) in (
             "outline",
             "footprint",
@@ -36,8 +38,12 @@ def read_shape(reading: Reading) -> None:
             "shape",
             "shaped",
             "building",
+            "tower",
         ):
             reading.facts.shapes.append(("square", reading.span(i, i + 2)))
+            reading.take(i, i + 2)
+        elif word in ("outline", "footprint", "plan") and "square" in reading.words(i + 1, i + 4):
+            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
 
 
 def read_copies(reading: Reading, places: list[Place]) -> None:
@@ -49,7 +55,16 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             and ({"plan", "layout"} & set(reading.words(index + 1, index + 5)))
         )
         typical = token.text == "typical" and reading.word(index + 1) in FLOOR_WORDS
-        if not (token.text in _EQUAL or sharing or typical) or reading.word(index + 1) in (
+        like = token.text in ("like", "as") and reading.word(index - 1) in (
+            "just",
+            "exactly",
+            "same",
+            "is",
+            "are",
+            "look",
+            "repeat",
+        )
+        if not (token.text in _EQUAL or sharing or typical or like) or reading.word(index + 1) in (
             "time",
             "building",
             "room",
@@ -62,11 +77,13 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             ("level", "."),
         ):
             continue
-        pair = _same_as(places, index)
+        pair = _same_as(places, index, reading)
         if pair is not None:
             first, last = sorted((pair[0].refs[0].first, pair[1].refs[0].first))
             span = reading.span(pair[0].first, pair[1].last)
             reading.facts.copies.append(CopyFact(FloorRef("range", first, last, span), span))
+            continue
+        if like:
             continue
         near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] and _several(p)]
         if not near and reading.word(index) not in ("same", "equal", "copy", "mirror"):
@@ -103,8 +120,9 @@ def _joined(place: Place) -> FloorRef:
     )
 
 
-def _same_as(places: list[Place], index: int) -> tuple[Place, Place] | None:
-    """Return the two neighbouring storeys of "floor 3: same as floor 2"."""
+def _same_as(places: list[Place], index: int, reading: Reading) -> tuple[Place, Place] | None:
+    """Return the two neighbouring storeys of "floor 3: same as floor 2", "5F just like 4F"."""
+    places = [p for p in places if reading.sentence[p.first] == reading.sentence[index]]
     before = [p for p in places if 0 <= index - p.last <= 3 and p.refs[0].kind == "number" and len(p.refs) == 1]
     after = [p for p in places if 0 < p.first - index <= 3 and p.refs[0].kind == "number"]
     if before and after and abs(before[-1].refs[0].first - after[0].refs[0].first) == 1:

@@ -1,4 +1,7 @@
-"""The answers that the planner asks a model for: Figs. 23 to 25 as types, read leniently and checked afterwards."""
+"""The answers that the planner asks a model for, as types: what a brief states, and Figs. 23 to 25.
+
+They are read leniently and checked afterwards.
+"""
 
 import msgspec
 
@@ -12,11 +15,59 @@ __all__ = [
     "NodeAnswer",
     "NumbersAnswer",
     "ProgramAnswer",
+    "ReadingAnswer",
     "RoomAnswer",
     "SeedAnswer",
     "SeedsAnswer",
+    "StatementAnswer",
+    "StatementScope",
+    "StatementValue",
     "TopologyAnswer",
 ]
+
+
+class StatementValue(msgspec.Struct, frozen=True):
+    """What a statement of the brief asks for, as `mansion_msgs_py.wishes.WishValue`.
+
+    Attributes
+    ----------
+    several : bool
+        There is a plural and no number.
+    """
+
+    name: str = ""
+    type: str = ""
+    other: str = ""
+    other_type: str = ""
+    count: int | None = None
+    several: bool = False
+    area: float | None = None
+    height: float | None = None
+    unwanted: bool = False
+
+
+class StatementScope(msgspec.Struct, frozen=True):
+    """Where a statement holds; floors are numbers or words such as ``top``."""
+
+    floors: list[int | str] = []
+    room: str = ""
+    each: bool = False
+
+
+class StatementAnswer(msgspec.Struct, frozen=True):
+    """A statement of the brief, with the words that it was read from."""
+
+    kind: str
+    quote: str
+    value: StatementValue = StatementValue()
+    scope: StatementScope = StatementScope()
+
+
+class ReadingAnswer(msgspec.Struct, frozen=True):
+    """Everything that a brief states, in the order of the text; a bare array fills `statements`."""
+
+    statements: list[StatementAnswer]
+    language: str = ""
 
 
 class NumbersAnswer(msgspec.Struct, frozen=True):

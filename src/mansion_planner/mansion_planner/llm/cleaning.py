@@ -6,7 +6,7 @@ import unicodedata
 from mansion_knowledge import KnowledgeBase, RoomType, words_by
 from mansion_planner.brief.similarity import similar_room_type
 
-__all__ = ["clean_id", "clean_text", "is_core_name", "material_fault", "room_kind"]
+__all__ = ["clean_id", "clean_text", "is_core_name", "material_fault", "room_kind", "without_number"]
 
 _ID = re.compile(r"^[a-z][a-z0-9_]{0,47}$")
 _NUMBER = re.compile(r"(_\d+)+$")
@@ -55,6 +55,17 @@ def is_core_name(name: str) -> bool:
     return bool(_CORE.match(name))
 
 
+def without_number(name: str) -> str:
+    """Return an id without the numbers at its end.
+
+    Examples
+    --------
+    >>> without_number("meeting_room_12")
+    'meeting_room'
+    """
+    return _NUMBER.sub("", name)
+
+
 def room_kind(name: str, knowledge: KnowledgeBase, known: dict[str, str]) -> RoomType:
     """Return the type of a room id: numbers dropped, then by name, synonym or likeness.
 
@@ -65,7 +76,7 @@ def room_kind(name: str, knowledge: KnowledgeBase, known: dict[str, str]) -> Roo
     known : dict
         Types of the names that the brief itself uses.
     """
-    base = _NUMBER.sub("", name)
+    base = without_number(name)
     for candidate in (name, base):
         if candidate in known:
             return knowledge.room(known[candidate])

@@ -15,7 +15,7 @@ from mansion_planner.llm.context import ARCHITECT, CLOSING, Context, number
 from mansion_planner.program.building import PlannedBuilding, plan_program
 from mansion_planner.program.decisions import AREA_CAP
 
-__all__ = ["INFERRED_FLOORS", "plan_reference"]
+__all__ = ["INFERRED_FLOORS", "plan_reference", "planned_from"]
 
 INFERRED_FLOORS = 10
 """Most storeys that are inferred (section B.1)."""
@@ -47,6 +47,18 @@ def _open(request: BuildRequest, facts: BriefFacts) -> _Open:
     )
 
 
+def planned_from(facts: BriefFacts, request: BuildRequest, context: Context, building_id: str) -> PlannedBuilding:
+    """Plan facts by rules, which leaves them as they are.
+
+    Raises
+    ------
+    MansionError
+        See `mansion_planner.plan.plan_building`.
+    """
+    generator = item_generator(request.seed, "program")
+    return plan_program(request, dataclasses.replace(facts), context.knowledge, building_id, generator)
+
+
 def plan_reference(context: Context, request: BuildRequest, facts: BriefFacts, building_id: str) -> PlannedBuilding:
     """Plan by rules with the model's numbers where the brief states none.
 
@@ -58,13 +70,11 @@ def plan_reference(context: Context, request: BuildRequest, facts: BriefFacts, b
     Raises
     ------
     MansionError
-        See `mansion_planner.plan.plan_building`; before anything is asked.
+        See `mansion_planner.plan.plan_building`.
     """
 
     def plan(using: BriefFacts) -> PlannedBuilding:
-        copy = dataclasses.replace(using)
-        generator = item_generator(request.seed, "program")
-        return plan_program(request, copy, context.knowledge, building_id, generator)
+        return planned_from(using, request, context, building_id)
 
     reference = plan(facts)
     left = _open(request, facts)

@@ -11,15 +11,17 @@ from mansion_msgs_py.layout import FloorLayout, FloorProblem, SeedRange
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_msgs_py.topology import FloorTopology, SeedBox, SeedPlan
-from mansion_planner.brief import read_brief
+from mansion_planner.brief import BriefFacts
 from mansion_planner.llm.context import Context
-from mansion_planner.llm.numbers import plan_reference
+from mansion_planner.llm.numbers import plan_reference, planned_from
 from mansion_planner.llm.palette import Palette, choose_palette
 from mansion_planner.llm.program import plan_model_program
+from mansion_planner.llm.reading import read_with_model, signed
 from mansion_planner.llm.refit import chosen_of_storey, refit
 from mansion_planner.llm.seeds import collect_seeds
 from mansion_planner.llm.topology import plan_model_topology
 from mansion_planner.program.building import PlannedBuilding
+from mansion_planner.program.footprint import check_footprint
 from mansion_planner.program.model import Storey
 from mansion_planner.solver import solve_floor
 from mansion_planner.topology import floor_problem, floor_topology
@@ -35,9 +37,9 @@ def plan_with_model(
 ) -> PlanReply:
     """Plan a building with a language model.
 
-    The rules plan the building first: that finds contradictions before anything is asked, and gives the outline, the
-    cores and a complete plan to fall back to. Every graph with its seeds is then solved; what the floor solver cannot
-    realise is replaced by the rules' own.
+    The model reads the brief, and the rules what it leaves out. The rules then plan the building from that reading,
+    which gives the outline, the cores and a complete plan to fall back to, and the model plans it within these. Every
+    graph with its seeds is solved; what the floor solver cannot realise is replaced by the rules' own.
 
     Parameters
     ----------
@@ -56,8 +58,13 @@ def plan_with_model(
     """
     client = client or LlmClient.from_environment()
     context = Context(client, knowledge, request.description)
-    facts = read_brief(request.description, knowledge)
-    reference = plan_reference(context, request, facts, building_id)
+    try:
+        if request.footprint is not None:
+            check_footprint(request.footprint)
+        reading = read_with_model(context, lambda facts: _refusal(context, request, facts))
+        reference = signed(plan_reference(context, request, reading.facts, building_id), reading)
+    except MansionError as error:
+        raise error.at_stage("program") from None
     palette = choose_palette(context, reference)
     planned, moved = plan_model_program(context, reference, palette)
     if moved:
@@ -81,6 +88,15 @@ def plan_with_model(
         sources=context.sources,
         llm=client.usage,
     )
+
+
+def _refusal(context: Context, request: BuildRequest, facts: BriefFacts) -> str:
+    """Return why no building of such facts can be planned, or an empty string."""
+    try:
+        planned_from(facts, request, context, "trial")
+    except MansionError as error:
+        return error.info.message
+    return ""
 
 
 def _put_hubs_first(planned: PlannedBuilding, topologies: dict[int, FloorTopology]) -> None:

@@ -13,7 +13,7 @@ from mansion_msgs_py.program import CorePlan
 from mansion_msgs_py.wording import with_article
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.llm.answers import FloorAnswer, ProgramAnswer, RoomAnswer
-from mansion_planner.llm.cleaning import clean_id, clean_text, is_core_name, material_fault, room_kind
+from mansion_planner.llm.cleaning import clean_id, clean_text, is_core_name, material_fault, room_kind, without_number
 from mansion_planner.llm.context import ARCHITECT, CLOSING, Context, as_json, number
 from mansion_planner.llm.cores import core_faults, core_sizes, cores_of, same_cores
 from mansion_planner.llm.palette import Palette
@@ -204,7 +204,7 @@ class _Reader:
         return dataclasses.replace(source, index=entry.index, copy=source.index)
 
     def _marked(self, floor: ChosenFloor) -> ChosenFloor:
-        """Fix the areas that the brief states."""
+        """Fix the areas that the brief states, and name rooms in its words."""
         left = [fact for fact in self.wanted[floor.index] if fact.area is not None]
         rooms = []
         for room in floor.rooms:
@@ -212,8 +212,17 @@ class _Reader:
             if fact is not None and fact.area is not None and abs(room.area - fact.area) <= 0.05 * fact.area:
                 left.remove(fact)
                 room = dataclasses.replace(room, area=fact.area, fixed=True)
-            rooms.append(room)
+            rooms.append(self._labelled(room))
         return dataclasses.replace(floor, rooms=tuple(rooms))
+
+    def _labelled(self, room: ChosenRoom) -> ChosenRoom:
+        """Give a room that is called as the brief calls one the words of the brief."""
+        base = without_number(room.id)
+        facts = self.reference.decisions.facts.rooms
+        fact = next((f for top in facts for f in (top, *top.suite) if f.name in (room.id, base)), None)
+        if fact is None:
+            return dataclasses.replace(room, base=base)
+        return dataclasses.replace(room, base=fact.name, label=fact.label, stated=True)
 
     def _stated_faults(self, floor: ChosenFloor) -> list[Fault]:
         """Return what a floor lacks that the brief puts there, and what it has that the brief excludes."""
@@ -322,6 +331,8 @@ def _program_prompt(context: Context, reference: PlannedBuilding, palette: Palet
         "Program a complete building from the outline of its first floor, shown in the picture (stairs red, elevators "
         "blue where they are proposed).",
         quoted_data("brief", context.description),
+        "What the brief was read to state; use its names as ids:",
+        quoted_data("statements", _statements(reference)),
         f"Type: {decisions.building.name}; style: {decisions.style}. Floors, from the lowest:",
         *floors,
         f"First-floor boundary: {as_json(outline)}",
@@ -334,6 +345,15 @@ def _program_prompt(context: Context, reference: PlannedBuilding, palette: Palet
     ]
     picture = _outline_picture(Polygon(ground.outline, ground.holes), vertical.cores)
     return Prompt("building_program", ARCHITECT, "\n".join(lines), (picture,))
+
+
+def _statements(reference: PlannedBuilding) -> str:
+    """Return the statements that were read in the brief, one a line, without its own words."""
+    return "\n".join(
+        as_json({"kind": wish.kind, "value": wish.value, "scope": wish.scope})
+        for wish in reference.program.wishes
+        if wish.kind != "unread"
+    )
 
 
 def _floor_piece(index: int) -> str:

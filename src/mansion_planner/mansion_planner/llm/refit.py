@@ -12,10 +12,11 @@ from mansion_planner.program.arrangement import apart_pairs, wanted_pairs
 from mansion_planner.program.building import PlannedBuilding
 from mansion_planner.program.footprint import sketch_free
 from mansion_planner.program.hall import sketch_hall
-from mansion_planner.program.model import CoreBox, PlannedRoom, Sketch, Storey, box_area
+from mansion_planner.program.model import CoreBox, PlannedRoom, Sketch, Storey, aliases_of, box_area
 from mansion_planner.program.outline import bearing_walls
 from mansion_planner.program.sketch import capacity, sketch_storey
 from mansion_planner.program.storey_rooms import fit_areas
+from mansion_planner.program.wishes import assign_furniture, requested_objects
 
 __all__ = ["ChosenFloor", "ChosenRoom", "chosen_of_storey", "refit", "with_cores"]
 
@@ -28,15 +29,24 @@ class ChosenRoom:
     ----------
     fixed : bool
         The brief states its area.
+    stated : bool
+        The brief asks for the room.
     suite_of : str
         Id of the room that it is reached through; empty for one at the hub or a corridor.
+    base : str
+        The name that it shares with others, which differ by a number in their ids.
+    label : str
+        What the brief calls it; empty where it does not.
     """
 
     id: str
     kind: RoomType
     area: float
     fixed: bool = False
+    stated: bool = False
     suite_of: str = ""
+    base: str = ""
+    label: str = ""
     floor_material: str = ""
     wall_material: str = ""
     notes: str = ""
@@ -59,7 +69,12 @@ def chosen_of_storey(storey: Storey, hub_area: float) -> ChosenFloor:
     for top in storey.rooms:
         for room in top.each():
             owner = next((r.id for r in top.each() if any(c is room for c in r.suite)), "")
-            rooms.append(ChosenRoom(room.id, room.kind, room.area, room.fixed, owner, notes=room.notes))
+            rooms.append(
+                ChosenRoom(
+                    room.id, room.kind, room.area, room.fixed, room.stated, owner, room.base, room.label,
+                    notes=room.notes,
+                )
+            )  # fmt: skip
     hub = ChosenRoom(storey.hub.name, storey.hub, hub_area)
     return ChosenFloor(storey.index, hub, tuple(rooms), copy=storey.copy)
 
@@ -104,6 +119,8 @@ def refit(
         if storey.copy is not None:
             storey.rooms, storey.hub = by_index[storey.copy].rooms, by_index[storey.copy].hub
             out.sketches[storey.index] = out.sketches[storey.copy]
+    out.decisions.furniture = {}
+    assign_furniture(out.decisions, out.storeys)
     walls = bearing_walls([out.sketches[s.index] for s in out.storeys], out.frame)
     chosen = {floor.index: floor for floor in floors}
     filled, program = [], copy.deepcopy(planned.program)
@@ -131,7 +148,7 @@ def _planned(room: ChosenRoom) -> PlannedRoom:
     most = room.area if room.fixed else max(room.kind.most, room.area)
     return PlannedRoom(
         id=room.id, kind=room.kind, area=room.area, least=least, most=most, fixed=room.fixed,
-        stated=room.fixed, notes=room.notes,
+        stated=room.fixed or room.stated, notes=room.notes, base=room.base or room.id, label=room.label,
     )  # fmt: skip
 
 
@@ -167,7 +184,15 @@ def _filled(
     for placement in sketch.rooms:
         room = given[placement.room.id]
         entry = _room(room, room.id, placement.area, palette, room.notes)
-        rooms.append(msgspec.structs.replace(entry, adjacent_to=beside.get(room.id, [])))
+        rooms.append(
+            msgspec.structs.replace(
+                entry,
+                adjacent_to=beside.get(room.id, []),
+                name=room.label,
+                aliases=aliases_of(placement.room),
+                objects=requested_objects(planned.decisions, placement.room, storey),
+            )
+        )
     total = sum(room.area_estimate for room in rooms)
     summary = AreaSummary(
         sum_rooms=round(total, 2),

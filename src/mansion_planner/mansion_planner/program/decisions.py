@@ -345,7 +345,7 @@ def _building(facts: BriefFacts, knowledge: KnowledgeBase, trace: list[TraceEntr
         name, span = facts.building[0]
         note(trace, span, f"building type {name}")
         return knowledge.buildings[name]
-    name = _infer_building(facts, knowledge)
+    name = facts.building_like or _infer_building(facts, knowledge)
     building = knowledge.buildings.get(name) or next(iter(knowledge.buildings.values()))
     note(trace, None, f"no building type is named: {building.name} suits the rooms best")
     return building
@@ -377,8 +377,9 @@ def _floors(
     elif stated is not None:
         count = int(stated.value)
         note(trace, stated.span, f"{count} storeys")
-        reason = f'"{stated.span.words}" is the larger number'
-        given_way += [conflict(other.span.words, f"{count} storeys", reason) for other in facts.floors[1:]]
+        for other in facts.floors[1:]:
+            why = "is the larger number" if stated.value >= other.value else "was read first"
+            given_way.append(conflict(other.span.words, f"{count} storeys", f'"{stated.span.words}" {why}'))
     else:
         return _infer_floors(facts, building, needed, trace, generator), facts
     if place is not None and needed > count:

@@ -95,6 +95,7 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
         kind = knowledge.room(fact.room_type)
         if fact.count is not None and not (kind.common and fact.count == 1):
             settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)
+            settled.update(next((group for group in _SAME_USE if kind.name in group), ()))
             if fact.count > 1:
                 settled.update(_same_head(fact.name, knowledge))
         _distribute(fact, kind, decisions, storeys, allocation)
@@ -108,6 +109,9 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
         allocation.unwanted.setdefault(floor, set()).update(private_types(facts, knowledge))
     return allocation
 
+
+_SAME_USE = (frozenset({"toilet", "restroom"}), frozenset({"dorm_room", "hostel_dorm", "bunk_room", "holding_cell"}))
+"""Room types that stand for each other: a stated number of one leaves no room for another."""
 
 _GENERAL_HEADS = frozenset({"room", "hall", "area", "store", "storage", "space", "centre", "center", "section"})
 

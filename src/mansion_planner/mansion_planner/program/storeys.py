@@ -22,7 +22,7 @@ def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> list[Storey]
             hub = knowledge.room(_upper_hub(use))
         lead = None
         if use.parti == "hall" and not hall and role != "basement":
-            lead = knowledge.room(use.hub)
+            lead = None if any(name == use.hub for name, _ in decisions.facts.excluded) else knowledge.room(use.hub)
             hub = knowledge.room(_passage_hub(decisions, entrance=entrance))
         storeys.append(Storey(index=index, role=role, use=use, hub=hub, lead=lead))
     _mark_copies(decisions, storeys)
@@ -80,9 +80,16 @@ def _shape_storeys(decisions: Decisions, storeys: list[Storey]) -> None:
 
 
 def is_hall(decisions: Decisions) -> bool:
-    """Whether the main room is the hub: the type is planned so, and the outline is a plain rectangle."""
-    plain = not decisions.facts.shapes or decisions.facts.shapes[0][0] in ("rectangle", "square")
-    return decisions.building.parti == "hall" and plain and not decisions.free_form
+    """Whether the main room is the hub.
+
+    The type is planned so, the outline is a plain rectangle, and the brief neither excludes that room nor gives it a
+    name or an area of its own.
+    """
+    facts, hub = decisions.facts, decisions.building.hub
+    plain = not facts.shapes or facts.shapes[0][0] in ("rectangle", "square")
+    own = any(fact.room_type == hub and (fact.name != hub or fact.area) for fact in facts.rooms)
+    excluded = any(name == hub for name, _ in facts.excluded)
+    return decisions.building.parti == "hall" and plain and not decisions.free_form and not own and not excluded
 
 
 def _upper_hub(use: BuildingType) -> str:

@@ -123,12 +123,11 @@ class _Ledger:
         """Go through all facts."""
         facts = self.facts
         for name, span in facts.building[:1]:
-            self.add("building_type", span, WishValue(name=name, type=name))
-        if facts.building_name:
+            self.add("building_type", span, WishValue(name=facts.building_name or name, type=name))
+        for span in facts.building_span[:1]:
             kind = self.decisions.building.name
-            for span in facts.building_span[:1]:
-                reason = f"no such kind of building is known; planned like {kind.replace('_', ' ')}"
-                self.add("building_type", span, WishValue(name=facts.building_name, type=kind), reason=reason)
+            reason = f"no such kind of building is known; planned like {kind.replace('_', ' ')}"
+            self.add("building_type", span, WishValue(name=facts.building_name, type=kind), reason=reason)
         for quantity in facts.floors:
             self.add("floors", quantity.span, WishValue(count=int(quantity.value)))
         for quantity in facts.basements:

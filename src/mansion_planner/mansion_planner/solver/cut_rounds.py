@@ -15,7 +15,7 @@ from mansion_planner.solver.options import Budget, SolverOptions
 from mansion_planner.solver.partition import Partition
 from mansion_planner.solver.polygons import layout_room, shape_of_cells
 from mansion_planner.solver.preview import render_preview
-from mansion_planner.solver.problem import FloorModel, Goal, breadth_first_parents
+from mansion_planner.solver.problem import FloorModel, Goal, breadth_first_parents, planned_shares
 
 __all__ = [
     "RoundsResult",
@@ -24,6 +24,7 @@ __all__ = [
     "base_radii",
     "build_cut_rounds",
     "planned_rounds",
+    "planned_targets",
     "run_rounds",
     "sample_batch",
     "subtree_areas",
@@ -174,6 +175,30 @@ def _plan_costs(
     return cost
 
 
+MOST_CHANGE = 2.0
+"""Factor by which a seed plan's fraction may change the area that a room grows to in its round."""
+
+
+def planned_targets(cut: CutRound, targets: Floats, region: float, shares: dict[str, float]) -> Floats:
+    """Return the areas that the children grow to: the seed plan's fraction of the parent's region where it gives one.
+
+    The plan's fractions are to be consistent with the rooms' areas, so that they change these within bounds; what the
+    parent is to keep stays its own.
+
+    Parameters
+    ----------
+    targets : (children,) array
+        Wished areas, square metres.
+    region : float
+        Area of the parent's region, square metres.
+    """
+    planned = np.array([shares.get(name, np.nan) for name in cut.children]) * region
+    grown = np.where(np.isnan(planned), targets, np.clip(planned, targets / MOST_CHANGE, targets * MOST_CHANGE))
+    total = float(targets.sum())
+    scale = total / float(grown.sum())
+    return np.asarray(grown * scale if cut.vanishes or scale < 1.0 else grown)
+
+
 def base_radii(shares: Floats, options: SolverOptions) -> Floats:
     """Return ``R_r^(0) = r_base + k a_r / |Omega(p_t)|`` in grid cells."""
     return options.base_radius + options.radius_gain * shares
@@ -278,6 +303,7 @@ class _Rounds:
         self.labels = np.where(grid.base < 0, self.index[root], grid.base)
         self.placed = {root, *(o.id for o in model.obstacles)}
         self.seeds: dict[str, tuple[float, float]] = {}
+        self.shares = planned_shares(model.problem.seeds)
         self.energy = 0.0
         self.records: list[CutRoundRecord] = []
         self.spacing = float(np.median(np.diff(grid.cells.xs[1:-1])))
@@ -294,6 +320,7 @@ class _Rounds:
         wanted = float(targets.sum()) if cut.vanishes else areas[cut.parent]
         targets = targets * region / wanted
         seeds = self._seed_plan(cut, cells, targets / region)
+        targets = planned_targets(cut, targets, region, self.shares)
         after = (self.placed | set(cut.children)) - ({cut.parent} if cut.vanishes else set())
         links, need = self._links(cut, after)
         radii = base_radii(targets / region, self.options) * self.spacing
@@ -379,6 +406,7 @@ class _Rounds:
             plan = self.callback(self._request(cut, cells, fractions))
             if plan is not None:
                 known.update(seeds_from_plan(plan, cut, self.model.angle))
+                self.shares |= planned_shares(plan)
         placed = dict(self.seeds)
         for obstacle in self.model.obstacles:
             centre = obstacle.polygon.centroid

@@ -10,7 +10,7 @@ import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
-from mansion_geometry.rasters import raster_over
+from mansion_geometry.rasters import cells_in, raster_over
 from mansion_geometry.rings import as_polygon, polygon_parts
 from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls, total_length
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
@@ -118,11 +118,11 @@ def score_plan(problem: TrueProblem, layout: FloorLayout, *, cells: int = 64, to
         if node.id not in cores and (node.type != "area" or node.id in truth)
     }
     rooms = {k: s for k, s in _shapes(layout.rooms).items() if k in want and not s.is_empty}
-    raster = raster_over(outline, cells)
+    frame = raster_over(outline, cells)
     both, either, shares = 0, 0, []
     for name in want:
-        given = raster.mask(rooms.get(name, shapely.Polygon()))
-        true = raster.mask(truth.get(name, shapely.Polygon()))
+        given = cells_in(rooms.get(name, shapely.Polygon()), frame)
+        true = cells_in(truth.get(name, shapely.Polygon()), frame)
         inner, outer = int((given & true).sum()), int((given | true).sum())
         both, either = both + inner, either + outer
         if outer:

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from dataclasses import astuple, dataclass, field
 from typing import NamedTuple
 
+import msgspec
 import networkx as nx
 import numpy as np
 import shapely
@@ -19,6 +20,7 @@ from mansion_geometry.rings import as_polygon, dominant_angle, polygon_parts, ro
 from mansion_geometry.shared_walls import SharedWall, edge_array, shared_walls
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorProblem, ProblemNode
+from mansion_msgs_py.topology import SeedPlan
 from mansion_msgs_py.wording import with_article
 from mansion_planner.solver.options import SolverOptions
 
@@ -40,6 +42,7 @@ __all__ = [
     "make_goal",
     "make_model",
     "mostly_seeded",
+    "planned_shares",
     "relaxed_links",
     "resolve_zones",
 ]
@@ -333,6 +336,41 @@ def _targets(rooms: list[ProblemNode], free: float) -> tuple[NDArray[np.float64]
     return areas * scale, scale
 
 
+def planned_shares(plan: SeedPlan | None) -> dict[str, float]:
+    """Return the fraction of its parent's area that a seed plan gives each room, ``alpha_r`` of Algorithm 3."""
+    return {box.room_id: box.area for box in plan.boxes if box.area} if plan is not None else {}
+
+
+def _with_planned_areas(
+    problem: FloorProblem,
+    rooms: list[ProblemNode],
+    zones: list[str],
+    graph: "nx.Graph[str]",
+    barred: set[str],
+    free: float,
+) -> list[ProblemNode]:
+    """Give rooms without an area their fraction of their parent's, less what is cut from them."""
+    shares = planned_shares(problem.seeds)
+    if not shares or all(room.area is not None for room in rooms):
+        return rooms
+    hub = rooms[0].id
+    parents = breadth_first_parents(graph, hub, [*(room.id for room in rooms), *zones], barred)
+    whole = {hub: free}
+    for name, parent in parents.items():
+        if name in shares and parent in whole:
+            whole[name] = shares[name] * whole[parent]
+    kept = dict(whole)
+    for name, parent in parents.items():
+        if name in whole:
+            kept[parent] -= whole[name]
+    return [
+        msgspec.structs.replace(room, area=max(kept[room.id], 0.1 * whole[room.id]))
+        if room.area is None and room.id in whole and room.id != hub
+        else room
+        for room in rooms
+    ]
+
+
 def _seeds(problem: FloorProblem, rooms: list[ProblemNode], angle: float) -> Floats:
     """Return each room's seed: its node's own point, else the centre of its seed box (Fig. 25), else NaN."""
     plan = {box.room_id: box for box in problem.seeds.boxes} if problem.seeds else {}
@@ -385,6 +423,7 @@ def make_model(problem: FloorProblem, options: SolverOptions) -> FloorModel:
     rooms, zones, links, graph, messages = resolve_zones(problem, known)
     if not rooms:
         raise _refuse("there is no room to lay out: every node is a core or a fixed room", "$.nodes")
+    rooms = _with_planned_areas(problem, rooms, zones, graph, known, float(region.area))
     targets, scale = _targets(rooms, float(region.area))
     if abs(scale - 1.0) > 0.01:
         messages.append(f"node areas were scaled by {scale:.3f} to fill the free region")

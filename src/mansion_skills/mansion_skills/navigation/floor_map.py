@@ -2,34 +2,34 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from math import atan2, degrees, hypot
+from math import hypot
 
 import numpy as np
 import numpy.typing as npt
 
+from mansion_geometry.disc_cells import inflate, stamp_disc
+from mansion_geometry.doorways import LEAFLESS, PASSAGE_DEPTH, depth_of_doors, is_passable, is_walkway
+from mansion_geometry.floor_grid import (
+    FREE,
+    OCCUPIED,
+    RESOLUTION,
+    UNKNOWN,
+    GridFrame,
+    fill_box,
+    fill_rings,
+    fill_strip,
+    map_frame,
+)
 from mansion_geometry.robot_body import in_the_way
 from mansion_msgs_py.scene import Door, FloorScene
-from mansion_msgs_py.shapes import Point, Point3, Ring, Segment, Size3
-from mansion_skills.navigation.raster import GridFrame, fill_box, fill_ring
-from mansion_skills.navigation.search import inflate, stamp_disc
+from mansion_msgs_py.shapes import Point, Point3, Size3
 
-__all__ = ["Body", "FREE", "FloorMap", "LEAFLESS", "OCCUPIED", "RESOLUTION", "UNKNOWN", "is_walkway", "shaft_cells"]
+__all__ = ["Body", "FloorMap", "shaft_cells"]
 
 _NONE, _CABIN, _OPENING = 0, 1, 2
 
-RESOLUTION = 0.05
-
-MARGIN = 0.5
-"""Width of the unknown border around the building, as in the floor's ``map.yaml``, metres."""
-
 EYE_LEVEL = 1.4
 """Height from which objects block the view, metres."""
-
-FREE, OCCUPIED, UNKNOWN = 0, 100, -1
-"""Values of ``nav_msgs/OccupancyGrid``."""
-
-LEAFLESS = ("open", "doorway", "frame")
-"""Kinds of doors that cannot be closed."""
 
 SEE_THROUGH = ("glazed",)
 
@@ -39,48 +39,32 @@ _WALL = -1
 
 _CLEAR = 0
 
-_PASSAGE_DEPTH = 0.14
-"""Half depth of a passage through a wall without a thickness of its own, metres."""
 
-
-def shaft_cells(scene: FloorScene, frame: GridFrame, leafless: Iterable[str]) -> npt.NDArray[np.bool_]:
+def shaft_cells(scene: FloorScene, frame: GridFrame) -> npt.NDArray[np.bool_]:
     """Return the cells that the floor's ``map.pgm`` has free inside and at the mouths of its cores.
 
     Parameters
     ----------
     scene : FloorScene
     frame : GridFrame
-    leafless : iterable of str
-        Kinds of doors that are always open.
 
     Returns
     -------
     array of bool, shape (rows, columns)
     """
-    marks = np.zeros((frame.rows, frame.columns), dtype=np.int16)
+    marks = np.zeros(frame.shape, dtype=np.int16)
     for core in scene.cores:
         if core.type == "elevator":
-            fill_ring(marks, frame, core.polygon, _CABIN)
-    thickness = {wall.id: wall.thickness for wall in scene.walls}
+            fill_rings(marks, frame, [core.polygon], _CABIN)
     for wall in scene.walls:
-        _fill(marks, frame, wall.segment, wall.thickness, wall.thickness, _NONE)
+        fill_strip(marks, frame, wall.segment, wall.thickness, _NONE, longer=wall.thickness)
     names = {core.id for core in scene.cores}
+    depths = depth_of_doors(scene)
     for door in scene.doors:
         if names.intersection(str(name) for name in door.rooms):
-            passable = door.is_open or door.kind in leafless
-            depth = thickness.get(door.wall, 0.12)
-            _fill(marks, frame, door.segment, 0.0, depth, _OPENING if passable else _NONE)
+            fill_strip(marks, frame, door.segment, depths[door.id], _OPENING if is_passable(door) else _NONE)
     free: npt.NDArray[np.bool_] = marks != _NONE
     return free
-
-
-def _fill(
-    marks: npt.NDArray[np.int16], frame: GridFrame, segment: Segment, longer: float, depth: float, value: int
-) -> None:
-    (ax, ay), (bx, by) = segment
-    size = (hypot(bx - ax, by - ay) + longer, depth)
-    middle = ((ax + bx) / 2, (ay + by) / 2)
-    fill_box(marks, frame, middle, size, degrees(atan2(by - ay, bx - ax)), value)
 
 
 @dataclass(frozen=True)
@@ -103,11 +87,6 @@ class Body:
     def top(self) -> float:
         """Height of its upper side, metres."""
         return self.position[2] + self.size[2] / 2
-
-
-def is_walkway(door: Door, cores: Iterable[str]) -> bool:
-    """Whether a robot can drive through a door when it stands open: not into a shaft, not outside."""
-    return None not in door.rooms and not set(cores).intersection(str(name) for name in door.rooms)
 
 
 def _may_touch(door: Door, middle: Point, half: float) -> bool:
@@ -151,13 +130,10 @@ class FloorMap:
     def __init__(self, scene: FloorScene, radius: float) -> None:
         self.scene = scene
         self.radius = radius
-        points: Ring = [*scene.outline, *(p for room in scene.rooms for p in room.polygon)]
-        points += [p for wall in scene.walls for p in wall.segment]
-        points += [p for core in scene.cores for p in core.polygon]
-        self.frame = GridFrame.around(points, MARGIN, RESOLUTION)
-        shape = (self.frame.rows, self.frame.columns)
-        self._outside = self._outdoors(shape)
-        self._shafts = shaft_cells(scene, self.frame, LEAFLESS)
+        self.frame = map_frame(scene)
+        shape = self.frame.shape
+        self._outside = self._outdoors()
+        self._shafts = shaft_cells(scene, self.frame)
         self.rooms = np.zeros(shape, dtype=np.int16)
         self._bare = np.full(shape, _WALL, dtype=np.int16)
         self._fill_rooms()
@@ -170,30 +146,23 @@ class FloorMap:
         self.occupied: npt.NDArray[np.bool_] = self._bare != _CLEAR
         self.blocked: npt.NDArray[np.bool_] = self.occupied
 
-    def _outdoors(self, shape: tuple[int, int]) -> npt.NDArray[np.bool_]:
-        marks = np.full(shape, _OUTSIDE, dtype=np.int16)
-        fill_ring(marks, self.frame, self.scene.outline, _INSIDE)
+    def _outdoors(self) -> npt.NDArray[np.bool_]:
+        marks = np.full(self.frame.shape, _OUTSIDE, dtype=np.int16)
+        fill_rings(marks, self.frame, [self.scene.outline], _INSIDE)
         for hole in self.scene.holes:
-            fill_ring(marks, self.frame, hole, _OUTSIDE)
+            fill_rings(marks, self.frame, [hole], _OUTSIDE)
         for wall in self.scene.walls:
-            (ax, ay), (bx, by) = wall.segment
-            size = (hypot(bx - ax, by - ay) + wall.thickness, wall.thickness)
-            angle = float(np.degrees(np.arctan2(by - ay, bx - ax)))
-            middle = ((ax + bx) / 2, (ay + by) / 2)
-            fill_box(marks, self.frame, middle, size, angle, _INSIDE)
+            fill_strip(marks, self.frame, wall.segment, wall.thickness, _INSIDE, longer=wall.thickness)
         outdoors: npt.NDArray[np.bool_] = marks == _OUTSIDE
         return outdoors
 
     def _fill_rooms(self) -> None:
         for number, room in enumerate(self.scene.rooms, start=1):
-            fill_ring(self.rooms, self.frame, room.polygon, number)
-            if room.kind in ("stair", "elevator"):
-                continue
-            fill_ring(self._bare, self.frame, room.net_polygon, _CLEAR)
-            for hole in room.net_holes:
-                fill_ring(self._bare, self.frame, hole, _WALL)
+            fill_rings(self.rooms, self.frame, [room.polygon], number)
+            if room.kind not in ("stair", "elevator"):
+                fill_rings(self._bare, self.frame, [room.net_polygon, *room.net_holes], _CLEAR)
         for core in self.scene.cores:
-            fill_ring(self._bare, self.frame, core.polygon, _WALL)
+            fill_rings(self._bare, self.frame, [core.polygon], _WALL)
 
     def update(self, bodies: Iterable[Body], is_open: Mapping[str, bool]) -> None:
         """Redraw the grids with the doors and bodies as they are now.
@@ -220,31 +189,22 @@ class FloorMap:
             return
         (ax, ay), (bx, by) = door.segment
         middle = ((ax + bx) / 2, (ay + by) / 2)
-        depth = self._thickness.get(door.wall, 0.0) + _PASSAGE_DEPTH
+        depth = self._thickness.get(door.wall, 0.0) + PASSAGE_DEPTH / 2
         half = hypot(bx - ax, by - ay) / 2 + depth + 2 * RESOLUTION
         near = [other for other in self.scene.doors if _may_touch(other, middle, half)]
         bodies = [body for body in self._bodies if _stands_near(body, middle, half)]
         solid, view = self._drawn(near, bodies)
-        there = self._window(middle, half)
+        there = self.frame.window(*middle, half)
         self.version += 1
         self.view, self.occupied = self.view.copy(), self.occupied.copy()
         self.view[there] = view[there]
         self.occupied[there] = solid[there] != _CLEAR
-        inner = self._window(middle, half + self.radius + RESOLUTION)
-        outer = self._window(middle, half + 2 * (self.radius + RESOLUTION))
+        inner = self.frame.window(*middle, half + self.radius + RESOLUTION)
+        outer = self.frame.window(*middle, half + 2 * (self.radius + RESOLUTION))
         grown = inflate(np.ascontiguousarray(self.occupied[outer]), self.radius / RESOLUTION)
         rows, columns = (slice(a.start - b.start, a.stop - b.start) for a, b in zip(inner, outer))
         self.blocked = self.blocked.copy()
         self.blocked[inner] = grown[rows, columns]
-
-    def _window(self, middle: Point, half: float) -> tuple[slice, slice]:
-        row, column = self.frame.cell(*middle)
-        reach = int(half / RESOLUTION) + 1
-        rows, columns = self.occupied.shape
-        return (
-            slice(max(0, row - reach), min(rows, row + reach + 1)),
-            slice(max(0, column - reach), min(columns, column + reach + 1)),
-        )
 
     def _drawn(
         self, doors: Iterable[Door], bodies: Iterable[Body]
@@ -254,26 +214,20 @@ class FloorMap:
         for door in doors:
             self._cut(door, solid, view, is_open=self.is_open[door.id])
         for body in bodies:
-            place = (body.position[0], body.position[1])
-            footprint = (body.size[0], body.size[1])
-            fill_box(solid, self.frame, place, footprint, body.rotation, body.number)
+            fill_box(solid, self.frame, body.position, body.size, body.rotation, body.number)
             if body.top > EYE_LEVEL:
-                fill_box(view, self.frame, place, footprint, body.rotation, body.number, _CLEAR)
+                fill_box(view, self.frame, body.position, body.size, body.rotation, body.number, _CLEAR)
         return solid, view
 
     def _cut(self, door: Door, solid: npt.NDArray[np.int16], view: npt.NDArray[np.int16], *, is_open: bool) -> None:
         if not is_walkway(door, self._cores):
             return
         passable = is_open or door.kind in LEAFLESS
-        (ax, ay), (bx, by) = door.segment
-        depth = max(self._thickness.get(door.wall, 0.0) / 2 + RESOLUTION, _PASSAGE_DEPTH)
-        size = (hypot(bx - ax, by - ay), 2 * depth)
-        angle = float(np.degrees(np.arctan2(by - ay, bx - ax)))
-        middle = ((ax + bx) / 2, (ay + by) / 2)
+        depth = max(self._thickness.get(door.wall, 0.0) + 2 * RESOLUTION, PASSAGE_DEPTH)
         if passable:
-            fill_box(solid, self.frame, middle, size, angle, _CLEAR, _WALL)
+            fill_strip(solid, self.frame, door.segment, depth, _CLEAR)
         if passable or door.kind in SEE_THROUGH:
-            fill_box(view, self.frame, middle, size, angle, _CLEAR, _WALL)
+            fill_strip(view, self.frame, door.segment, depth, _CLEAR)
 
     def room_at(self, x: float, y: float) -> str | None:
         """Return the id of the room that holds a point, or ``None``."""
@@ -293,8 +247,8 @@ class FloorMap:
             return self.blocked
         mask = self.blocked.copy()
         for (x, y), radius in discs:
-            row = (y - self.frame.y0) / RESOLUTION - 0.5
-            stamp_disc(mask, row, (x - self.frame.x0) / RESOLUTION - 0.5, radius / RESOLUTION)
+            row, column = self.frame.coordinates(x, y)
+            stamp_disc(mask, row - 0.5, column - 0.5, radius / RESOLUTION)
         return mask
 
     def occupancy(self) -> npt.NDArray[np.int8]:

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from itertools import combinations
 from math import dist
 
+from mansion_geometry.doorways import is_passable, is_walkway
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.shapes import Point
-from mansion_skills.navigation.floor_map import LEAFLESS, is_walkway
 
 __all__ = ["Leg", "Ride", "RouteGraph"]
 
@@ -84,7 +84,7 @@ class RouteGraph:
             (ax, ay), (bx, by) = door.segment
             self.places[node] = ((ax + bx) / 2, (ay + by) / 2)
             self._edges[node] = []
-            self._leaves[node] = door.kind not in LEAFLESS and not door.is_open
+            self._leaves[node] = not is_passable(door)
             for name in door.rooms:
                 self._rooms.setdefault(str(name), []).append(node)
         for room in scene.rooms:

@@ -1,4 +1,4 @@
-"""Kernels on a grid: inflation, clearance, regions, A*, straight lines and rays."""
+"""Kernels on the floor grid: clearance, the best place of a room, A*, straight lines and rays."""
 
 import heapq
 import math
@@ -8,19 +8,7 @@ import numpy.typing as npt
 
 from mansion_geometry.compiled import kernel
 
-__all__ = [
-    "NO_CELL",
-    "astar",
-    "best_cells",
-    "cast_rays",
-    "clearance",
-    "inflate",
-    "line_is_free",
-    "nearest_free",
-    "region_of",
-    "sees",
-    "stamp_disc",
-]
+__all__ = ["NO_CELL", "astar", "best_cells", "cast_rays", "clearance", "line_is_free", "nearest_free", "sees"]
 
 Mask = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.int64]
@@ -28,38 +16,6 @@ Floats = npt.NDArray[np.float64]
 
 NO_CELL = -1
 _SQRT2 = math.sqrt(2.0)
-
-
-@kernel
-def stamp_disc(mask: Mask, row: float, column: float, radius: float) -> None:
-    """Set the cells whose centres are nearer than `radius` to a point; all in cells, centres at integers."""
-    rows, columns = mask.shape
-    limit = radius * radius - 1e-9
-    for r in range(max(0, int(row - radius)), min(rows, int(row + radius) + 2)):
-        for c in range(max(0, int(column - radius)), min(columns, int(column + radius) + 2)):
-            if (r - row) ** 2 + (c - column) ** 2 < limit:
-                mask[r, c] = True
-
-
-@kernel
-def inflate(occupied: Mask, radius: float) -> Mask:
-    """Return the cells whose centres are nearer than `radius` (in cells) to the centre of an occupied one."""
-    rows, columns = occupied.shape
-    blocked = occupied.copy()
-    for r in range(rows):
-        for c in range(columns):
-            if not occupied[r, c]:
-                continue
-            # Discs of interior cells lie within those of the cells at the edge.
-            edge = (
-                (r > 0 and not occupied[r - 1, c])
-                or (r + 1 < rows and not occupied[r + 1, c])
-                or (c > 0 and not occupied[r, c - 1])
-                or (c + 1 < columns and not occupied[r, c + 1])
-            )
-            if edge:
-                stamp_disc(blocked, float(r), float(c), radius)
-    return blocked
 
 
 @kernel
@@ -101,28 +57,6 @@ def clearance(blocked: Mask) -> npt.NDArray[np.int32]:
                 best = min(best, d[r, c + 1] + 3)
             d[r, c] = best
     return d
-
-
-@kernel
-def region_of(blocked: Mask, row: int, column: int) -> Mask:
-    """Return the 4-connected free region that holds a cell."""
-    rows, columns = blocked.shape
-    reached = np.zeros((rows, columns), dtype=np.bool_)
-    if blocked[row, column]:
-        return reached
-    stack = [row * columns + column]
-    reached[row, column] = True
-    while len(stack) > 0:
-        cell = stack.pop()
-        r, c = cell // columns, cell % columns
-        for k in range(4):
-            nr = r + (1 if k == 0 else -1 if k == 1 else 0)
-            nc = c + (1 if k == 2 else -1 if k == 3 else 0)
-            inside = 0 <= nr < rows and 0 <= nc < columns
-            if inside and not blocked[nr, nc] and not reached[nr, nc]:
-                reached[nr, nc] = True
-                stack.append(nr * columns + nc)
-    return reached
 
 
 @kernel

@@ -16,12 +16,13 @@ from sensor_msgs.msg import Imu, LaserScan
 from std_msgs.msg import ColorRGBA
 from visualization_msgs.msg import Marker, MarkerArray
 
+from mansion_geometry.disc_cells import stamp_disc
+from mansion_geometry.floor_grid import RESOLUTION
 from mansion_msgs_py.nodes.shell import qos_profile
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.engine.motion import MotionState, VelocityCommand
 from mansion_skills.engine.session import Session
-from mansion_skills.navigation.floor_map import RESOLUTION
-from mansion_skills.navigation.search import cast_rays, stamp_disc
+from mansion_skills.navigation.search import cast_rays
 from mansion_skills.nodes.robot_names import RobotNames
 from mansion_skills.nodes.transforms import TransformPublisher, between, heading, pose, transform
 from mansion_skills.world.world import World
@@ -293,12 +294,11 @@ class RobotStack:
         if others:
             occupied = occupied.copy()
             for x, y in others:
-                row = (y - grid.frame.y0) / RESOLUTION - 0.5
-                stamp_disc(occupied, row, (x - grid.frame.x0) / RESOLUTION - 0.5, robot.radius / RESOLUTION)
+                row, column = grid.frame.coordinates(x, y)
+                stamp_disc(occupied, row - 0.5, column - 0.5, robot.radius / RESOLUTION)
         here = session.motion(monotonic()).pose
         angles = radians(here.yaw) + np.linspace(-np.pi, np.pi, RAYS, endpoint=False)
-        row = (here.y - grid.frame.y0) / RESOLUTION
-        column = (here.x - grid.frame.x0) / RESOLUTION
+        row, column = grid.frame.coordinates(here.x, here.y)
         ranges = cast_rays(occupied, row, column, angles, RANGE[1] / RESOLUTION) * RESOLUTION
         message = LaserScan()
         message.header.frame_id = self._names.frame("base_scan")

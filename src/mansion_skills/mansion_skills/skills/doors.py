@@ -3,12 +3,12 @@
 from math import dist, hypot
 from typing import Annotated, Any
 
+from mansion_geometry.doorways import LEAFLESS
 from mansion_geometry.robot_body import FLAT
 from mansion_msgs_py.scene import Door
 from mansion_msgs_py.skills import SessionArgs
 from mansion_msgs_py.wording import with_article
 from mansion_msgs_py.world import SkillChange, SkillResult, SkillStatus
-from mansion_skills.navigation.floor_map import LEAFLESS
 from mansion_skills.skills.declaration import Action, Argument, Card, skill
 from mansion_skills.skills.references import door_named
 from mansion_skills.skills.results import Run, Step, done, invalid, unmet

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, cos, degrees, dist, floor, radians, sin
 
+from mansion_geometry.doorways import LEAFLESS
+from mansion_geometry.floor_grid import RESOLUTION
 from mansion_geometry.robot_body import in_the_way as blocks_robot
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import Pose2D
-from mansion_skills.navigation.floor_map import LEAFLESS, RESOLUTION
 from mansion_skills.navigation.paths import SNAP, find_path, free_run
 from mansion_skills.skills.results import Step
 from mansion_skills.world.floor_view import Landmark, bodies_of

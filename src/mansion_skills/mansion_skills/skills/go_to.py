@@ -5,12 +5,13 @@ from typing import Annotated, Any
 
 import numpy as np
 
+from mansion_geometry.disc_cells import region_of
 from mansion_msgs_py.scene import Door
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.skills import SessionArgs
 from mansion_msgs_py.wording import choices
 from mansion_msgs_py.world import ObjectState, Pose2D, SkillChange, SkillResult, SkillStatus
-from mansion_skills.navigation.search import NO_CELL, nearest_free, region_of
+from mansion_skills.navigation.search import NO_CELL, nearest_free
 from mansion_skills.skills.declaration import Action, Argument, Card, skill
 from mansion_skills.skills.doors import DOOR_REACH
 from mansion_skills.skills.driving import blocking_door, drive, path_to
@@ -248,10 +249,7 @@ def _reached(world: World, robot: RobotBody) -> np.ndarray[tuple[int, int], np.d
     cell = int(nearest_free(blocked, row, column, int(0.6 / frame.resolution)))
     if cell == NO_CELL:
         return np.zeros_like(blocked)
-    reached: np.ndarray[tuple[int, int], np.dtype[np.bool_]] = region_of(
-        blocked, cell // frame.columns, cell % frame.columns
-    )
-    return reached
+    return region_of(blocked, cell // frame.columns, cell % frame.columns)
 
 
 def _candidates(world: World, robot: RobotBody, center: Point, reach: float) -> list[Point]:

@@ -6,10 +6,10 @@ from math import cos, dist, hypot, radians, sin
 import numpy as np
 import numpy.typing as npt
 
+from mansion_geometry.floor_grid import RESOLUTION
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point, Point3
 from mansion_msgs_py.world import ObjectState
-from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.skills.visibility import REACH
 from mansion_skills.world.objects import ObjectTable, corners
 from mansion_skills.world.robot_body import RobotBody

@@ -8,7 +8,6 @@ import numpy as np
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import ObjectState
-from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import sees
 from mansion_skills.world.objects import box_distance, corners
 from mansion_skills.world.robot_body import RobotBody
@@ -70,9 +69,9 @@ def in_sight(world: World, floor: int, place: Point, state: ObjectState, points:
         labels.append(view.numbers.get(entry.id, 0))
         entry = world.objects.state(entry.parent) if entry.parent is not None else None
     ours = np.array(labels, dtype=np.int16)
-    r0, c0 = (place[1] - frame.y0) / RESOLUTION, (place[0] - frame.x0) / RESOLUTION
+    r0, c0 = frame.coordinates(*place)
     for x, y in points:
-        r1, c1 = (y - frame.y0) / RESOLUTION, (x - frame.x0) / RESOLUTION
+        r1, c1 = frame.coordinates(x, y)
         if sees(view.map.view, r0, c0, r1, c1, _THIN, ours):
             yield x, y
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from mansion_geometry.doorways import LEAFLESS
 from mansion_msgs_py.scene import Door, SceneObject
-from mansion_skills.navigation.floor_map import LEAFLESS
 
 __all__ = ["Hinge", "Leaf", "Triangles", "hinges_of", "leaves_of", "part_of", "read_stl"]
 

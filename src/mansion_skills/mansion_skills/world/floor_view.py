@@ -6,10 +6,11 @@ from math import dist
 
 import numpy as np
 
+from mansion_geometry.disc_cells import region_of
 from mansion_msgs_py.scene import Door, FloorScene
 from mansion_msgs_py.world import ObjectState, Pose2D
 from mansion_skills.navigation.floor_map import Body, FloorMap
-from mansion_skills.navigation.search import NO_CELL, best_cells, clearance, region_of
+from mansion_skills.navigation.search import NO_CELL, best_cells, clearance
 from mansion_skills.world.objects import ObjectTable
 
 __all__ = ["FloorView", "Landmark", "bodies_of", "floor_landmarks", "landmark_named"]

@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 from gymnasium import spaces
 
+from mansion_geometry.floor_grid import RESOLUTION
 from mansion_msgs_py.task import Task
-from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import cast_rays
 from mansion_skills.skills.visibility import REACH, VIEW_ANGLE, VIEW_RANGE
 from mansion_tasks.env.visibility import View
@@ -149,8 +149,7 @@ class ObservationEncoder:
         heading = radians(pose.yaw)
         held = world.objects.held_by(robot.session)
         room = grid.room_at(pose.x, pose.y)
-        row = (pose.y - grid.frame.y0) / RESOLUTION
-        column = (pose.x - grid.frame.x0) / RESOLUTION
+        row, column = grid.frame.coordinates(pose.x, pose.y)
         scan = cast_rays(grid.occupied, row, column, heading + _BEAM_ANGLES, SCAN_RANGE / RESOLUTION)
         objects, categories, colours = self._object_arrays(view)
         lifts = world.lifts

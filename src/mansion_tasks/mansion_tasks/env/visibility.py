@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_geometry.compiled import kernel
+from mansion_geometry.floor_grid import RESOLUTION
 from mansion_msgs_py.world import ObjectState
-from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import sees
 from mansion_skills.skills.visibility import CAMERA_HEIGHT, VIEW_ANGLE, VIEW_RANGE, closed_carrier, sight_points
 from mansion_skills.world.robot_body import RobotBody

@@ -1,0 +1,162 @@
+"""Read storeys that only the order of a brief tells: "one down", "below that", "then", "the rest", a list upwards."""
+
+from dataclasses import replace
+
+from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
+from mansion_planner.brief.storey_counts import CLOSERS
+
+__all__ = ["StoreySequence", "resolve_rest"]
+
+_UP = frozenset({"up", "above", "higher", "upward", "upwards"})
+_DOWN = frozenset({"down", "below", "lower", "beneath", "under", "downward", "downwards"})
+_THAT = frozenset({"that", "this", "it", "these", "those", "them", "which"})
+_OPENERS = frozenset({",", ":", ";", "and", "then", "-", "–", "("})
+_BOTTOM = frozenset({"bottom", "ground", "base"})
+
+
+class StoreySequence:
+    """Follows a brief from storey to storey.
+
+    Attributes
+    ----------
+    direction : int
+        1 where the brief goes upwards, -1 downwards, 0 where it has not said.
+    """
+
+    def __init__(self, reading: Reading) -> None:
+        self.reading = reading
+        self.direction = 0
+
+    def read(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read a storey that is told from `base`, the storey named before it.
+
+        Returns
+        -------
+        tuple of (list of FloorRef, int), optional
+            What is meant, and the token after it.
+        """
+        return self._steps(index, base) or self._beyond(index, base) or self._then(index, base)
+
+    def _steps(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "one down", "two floors up", "one flight higher"."""
+        reading = self.reading
+        value = reading.value(index)
+        if reading.kind(index) != "number" or value != int(value) or not 1 <= value <= 9:
+            return None
+        last = index + 1
+        storeyed = reading.word(last) in FLOOR_WORDS | {"flight"}
+        last += storeyed
+        last += reading.word(last) == "further"
+        word = reading.word(last)
+        if word not in (_UP | _DOWN) - {"under", "beneath"} or reading.word(last + 1) in ("the", "ground", "grade"):
+            return None
+        opens = reading.starts(index) or reading.word(index - 1) in _OPENERS
+        if not (storeyed or (opens and base is not None)):
+            return None
+        if not storeyed and word in ("above", "below") and reading.word(last + 1) in ("ground", "grade"):
+            return None
+        last += 1 + (reading.word(last + 1) in _THAT and reading.word(last + 2) in CLOSERS)
+        self.direction = 1 if word in _UP else -1
+        return [_moved(base, self.direction * int(value))], last
+
+    def _beyond(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "below that", "above these" where they open a clause."""
+        reading = self.reading
+        word = reading.word(index)
+        if word not in _UP | _DOWN or reading.word(index + 1) not in _THAT or base is None:
+            return None
+        opens = reading.starts(index) or (reading.word(index - 1) in (",", "and", ";") and reading.starts(index - 1))
+        if not opens or base.kind not in ("number", "range", "top", "below_top"):
+            return None
+        self.direction = 1 if word in _UP else -1
+        return [_moved(base, self.direction)], index + 2
+
+    def _then(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "then" and "next" at the start of a sentence of a brief that goes up or down."""
+        reading = self.reading
+        if self.direction == 0 or base is None or not reading.starts(index):
+            return None
+        if reading.word(index) not in ("then", "next") or reading.word(index + 1) in FLOOR_WORDS | {"to", "door"}:
+            return None
+        return [_moved(base, self.direction)], index + 1
+
+    def listed(self, index: int, storeys: int) -> list[Place]:
+        """Read "from the bottom: boot room, kitchen, bedroom" as one entry for each storey.
+
+        Returns
+        -------
+        list of Place
+            Before each entry; empty where `index` does not open such a list.
+        """
+        reading = self.reading
+        edge = reading.word(index + 2)
+        if reading.words(index, index + 2) != ("from", "the") or edge not in _BOTTOM | {"top"}:
+            return []
+        last = index + 3
+        if reading.word(last) in ("up", "upward", "upwards", "down", "downward", "downwards", "to"):
+            while reading.word(last) not in (":", ",", "-") and not reading.breaks(last):
+                last += 1
+        if reading.word(last) not in (":", ",", "-"):
+            return []
+        starts = [last + 1]
+        while not reading.breaks(last + 1):
+            last += 1
+            if reading.word(last) in (",", "then") and not reading.breaks(last + 1):
+                starts.append(last + 1 + (reading.word(last + 1) in ("then", "and")))
+        if edge in _BOTTOM:
+            self.direction = 1
+            numbers = range(1, len(starts) + 1)
+            refs = [FloorRef("number", n, n) for n in numbers]
+        else:
+            self.direction = -1
+            refs = [FloorRef("top") if n == 0 else FloorRef("below_top", n) for n in range(len(starts))]
+        if len(starts) < 2 or (storeys and len(starts) != storeys):
+            return []
+        span = reading.span(index, index + 3)
+        reading.take(index, index + 3)
+        return [Place(at, at, (replace(ref, span=span),), led=False) for at, ref in zip(starts, refs)]
+
+
+def _moved(base: FloorRef | None, steps: int) -> FloorRef:
+    """Return the storey some steps above a reference (below, where `steps` is negative); one below the ground is 0."""
+    if base is None or base.kind not in ("number", "range", "top", "below_top", "basement"):
+        base = FloorRef("number", 1, 1)
+    if base.kind in ("top", "below_top"):
+        below = (0 if base.kind == "top" else base.first) - steps
+        return FloorRef("below_top", below) if below > 0 else FloorRef("top")
+    if base.kind == "basement":
+        return FloorRef("number", steps, steps) if steps > 0 else FloorRef("basement")
+    number = (base.last if steps > 0 else base.first) + steps
+    return FloorRef("number", number, number) if number >= 1 else FloorRef("basement")
+
+
+def resolve_rest(places: list[Place], storeys: int) -> list[Place]:
+    """Replace "the rest" by the storeys that no other place names.
+
+    Parameters
+    ----------
+    storeys : int
+        Storeys above the ground, 0 where the brief does not say.
+    """
+    if not any(place.refs[0].kind == "rest" for place in places):
+        return places
+    named: set[int] = set()
+    for place in places:
+        for ref in place.refs:
+            if ref.kind in ("number", "range"):
+                named.update(range(ref.first, ref.last + 1))
+            elif ref.kind == "top" and storeys:
+                named.update(range(storeys - max(ref.first, 1) + 1, storeys + 1))
+            elif ref.kind == "below_top" and storeys:
+                named.add(storeys - ref.first)
+    result = []
+    for place in places:
+        span = place.refs[0].span
+        if place.refs[0].kind == "rest":
+            left = [n for n in range(1, storeys + 1) if n not in named]
+            refs = tuple(FloorRef("number", n, n, span) for n in left) or (FloorRef("upper", span=span),)
+            result.append(replace(place, refs=refs))
+        else:
+            result.append(place)
+    return result

@@ -1,0 +1,82 @@
+"""What a description must be to be planned: there, not too long, and understood."""
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_planner.brief.facts import BriefFacts
+
+__all__ = ["check_length", "check_there", "check_understood", "nothing_understood", "states_something"]
+
+MOST_CHARACTERS = 20_000
+"""Characters of a description that are read."""
+
+
+def check_there(description: str) -> None:
+    """Refuse an empty description.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD``.
+    """
+    if not description.strip():
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            'the description is empty; write what to build, such as "a two-storey house with three bedrooms"',
+            path="$.description",
+        )
+
+
+def check_length(description: str) -> None:
+    """Refuse a description that is longer than what is read.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD``.
+    """
+    if len(description) > MOST_CHARACTERS:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            f"the description has {len(description)} characters; up to {MOST_CHARACTERS} are read",
+            path="$.description",
+        )
+
+
+def states_something(facts: BriefFacts) -> bool:
+    """Whether facts hold more than the size or the unknown name of the building."""
+    return bool(_stated(facts))
+
+
+def _stated(facts: BriefFacts) -> list[str]:
+    return [
+        name
+        for name, value in vars(facts).items()
+        if value and name not in ("unread", "building_name", "building_like", "building_span", "size")
+    ]
+
+
+def check_understood(facts: BriefFacts, description: str) -> None:
+    """Refuse a text of which the rules read next to nothing.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` with the words that were not understood.
+    """
+    stated = _stated(facts)
+    unread = sum(len(span.words.split()) for span in facts.unread)
+    words = len(description.split())
+    if (stated and unread < 0.6 * words) or (len(stated) > 2 and unread < 0.8 * words):
+        return
+    raise nothing_understood(facts, description)
+
+
+def nothing_understood(facts: BriefFacts, description: str) -> MansionError:
+    """Return the refusal of a text that is not understood."""
+    shown = ", ".join(f'"{span.words}"' for span in facts.unread[:4]) or f'"{description.strip()[:60]}"'
+    return MansionError(
+        ErrorCode.INVALID_PAYLOAD,
+        f"next to nothing of the description was understood: {shown}; it must be English and name a kind of building, "
+        "rooms, storeys or an area; --planner llm reads other languages",
+        path="$.description",
+        details={"unread": [span.words for span in facts.unread], "stage": "program"},
+    )
