@@ -277,6 +277,7 @@ def test_taken_and_put_is_one_move(state: SceneState, text: str) -> None:
         ("Put a flurbostat on the dining table.", "flurbostat"),
         ("Put a slightly dented mug on the dining table.", "slightly dented"),
         ("Put a mug on the wobbly dining table.", "wobbly"),
+        ("Put a mug on {}.", "{}"),
     ],
 )
 def test_what_no_tool_does_is_refused_by_its_words(state: SceneState, text: str, named: str) -> None:

@@ -19,6 +19,7 @@ from mansion_editing.references import (
     vocabulary_of,
 )
 from mansion_editing.state import SceneState
+from mansion_language.numbers import CARDINALS, SOFT_NUMBERS
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = [
@@ -40,12 +41,8 @@ __all__ = [
 MOST_COPIES: Final = 20
 """Greatest number of one object that an instruction may ask for."""
 
-_COUNTING: Final = [
-    "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen",
-    "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty",
-]  # fmt: skip
 NUMBERS: Final = {
-    **{word: number for number, word in enumerate(_COUNTING, start=1)},
+    **{word: number for word, number in CARDINALS.items() if number <= MOST_COPIES and word not in SOFT_NUMBERS},
     "a": 1, "an": 1, "another": 1, "single": 1, "couple": 2, "pair": 2, "dozen": 12,
     "hundred": 100, "thousand": 1000, "million": 10**6, "billion": 10**9,
 }  # fmt: skip
@@ -432,6 +429,8 @@ class _PlaceReader:
         words = re.findall(r"[a-z0-9'\-]+", name.lower())
         colour = next((COLOUR_WORDS[w] for w in words[:-1] if w in COLOUR_WORDS), "")
         plain = [w for w in words if w not in COLOUR_WORDS or w == words[-1]]
+        if not plain:
+            raise unknown_words(name)
         before, noun = known_noun(self.state, plain)
         self._narrow(" ".join(before), noun)
         return colour, noun
