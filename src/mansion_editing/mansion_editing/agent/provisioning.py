@@ -35,9 +35,9 @@ from mansion_editing.agent.protocol import (
     StateFact,
     Verdict,
 )
-from mansion_editing.receptacles import free_places, ledges_of
 from mansion_editing.references import stems, vocabulary_of
 from mansion_editing.state import SceneState
+from mansion_editing.tools.placement import free_places, ledges_of
 from mansion_msgs_py.editing import AssetInfo, ObjectInfo, PathReport
 from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.shapes import Point3
