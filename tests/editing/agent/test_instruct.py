@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 
 from mansion_editing.agent.discourse import parse_instruction
+from mansion_editing.agent.facts import AbsentFact, MoveFact, ObjectFact, PathFact, StateFact
 from mansion_editing.agent.instruct import MOST_REFUSED, instruct, run_agent
-from mansion_editing.agent.protocol import AbsentFact, Action, MoveFact, ObjectFact, PathFact, Policy, StateFact
+from mansion_editing.agent.protocol import Action, Policy
 from mansion_editing.editor import SceneEditor
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import MansionError

@@ -6,7 +6,7 @@ The parser was mended until it read these sentences; they guard what it reads an
 import pytest
 
 from mansion_editing.agent.discourse import parse_instruction
-from mansion_editing.agent.protocol import ObjectFact
+from mansion_editing.agent.facts import ObjectFact
 from mansion_editing.agent.sentences import plain_sentences
 from mansion_editing.references import vocabulary_of
 from mansion_editing.state import SceneState

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Final
 
 from mansion_assets.catalogue import Asset
+from mansion_editing.agent.facts import AbsentFact, Fact, MoveFact, ObjectDescription, ObjectFact, Scope, StateFact
 from mansion_editing.agent.noun_phrases import (
     NUMBERS,
     NounPhrase,
@@ -15,7 +16,6 @@ from mansion_editing.agent.noun_phrases import (
     read_place,
     rooms_named,
 )
-from mansion_editing.agent.protocol import AbsentFact, Fact, MoveFact, ObjectDescription, ObjectFact, Scope, StateFact
 from mansion_editing.agent.sentences import Clause, clauses_of, not_understood, plain_sentences, refuse_unsupported
 from mansion_editing.references import COLOUR_WORDS, colour_of, matching_objects, vocabulary_of
 from mansion_editing.state import SceneState

@@ -7,7 +7,7 @@ from typing import Final
 
 from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.search import search_assets
-from mansion_editing.agent.protocol import ObjectDescription, PathFact, Scope
+from mansion_editing.agent.facts import ObjectDescription, PathFact, Scope
 from mansion_editing.agent.sentence_patterns import EXAMPLES
 from mansion_editing.references import (
     COLOUR_WORDS,

@@ -2,18 +2,17 @@
 
 from collections.abc import Generator, Iterable
 
-from mansion_editing.agent.candidates import find_objects, rooms_of
-from mansion_editing.agent.protocol import (
-    Action,
+from mansion_editing.agent.facts import (
     Fact,
     ObjectDescription,
     ObjectFact,
-    Outcome,
     PathFact,
-    Policy,
     Scope,
-    Verdict,
+    Unmet,
+    find_objects,
+    rooms_of,
 )
+from mansion_editing.agent.protocol import Action, Outcome, Policy, Verdict
 from mansion_editing.agent.provisioning import satisfy
 from mansion_editing.editor import SceneEditor
 from mansion_editing.references import COLOUR_WORDS, find_rooms, stems, vocabulary_of
@@ -132,8 +131,11 @@ def _ends(facts: Iterable[Fact], state: SceneState) -> Generator[Action, Outcome
         if isinstance(fact, PathFact):
             out[fact.end] = None
         elif isinstance(fact, ObjectFact):
-            found = yield from find_objects(fact.object, fact.where, state)
-            if not isinstance(found, str) and found:
+            try:
+                found = yield from find_objects(fact.object, fact.where, state)
+            except Unmet:
+                continue
+            if found:
                 out[found[0].room] = None
     return list(out)
 

@@ -1,0 +1,304 @@
+"""Facts that an instruction asks for, and the objects that their words mean, asked for with the perception tools."""
+
+import math
+from collections.abc import Generator
+from dataclasses import KW_ONLY, dataclass, field
+from typing import Any, Final, Literal, TypeAlias
+
+from mansion_editing.agent.protocol import Action, Outcome
+from mansion_editing.references import colour_of, stems, vocabulary_of
+from mansion_editing.state import SceneState
+from mansion_editing.tools.placement import COOLING
+from mansion_msgs_py.editing import ObjectInfo, ObjectList, ReceptacleReport
+
+__all__ = [
+    "AbsentFact",
+    "Fact",
+    "MoveFact",
+    "ObjectDescription",
+    "ObjectFact",
+    "ObjectSearch",
+    "PathFact",
+    "Scope",
+    "StateFact",
+    "Unmet",
+    "ask",
+    "exactly_named",
+    "find_landmarks",
+    "find_objects",
+    "is_next_to",
+    "list_contents",
+    "matches",
+    "receptacles",
+    "rooms_of",
+]
+
+Relation: TypeAlias = Literal["on", "in", "room"]
+
+
+@dataclass(frozen=True)
+class Scope:
+    """A place: on or in a receptacle, in a room, on a floor; each part may be left open.
+
+    Attributes
+    ----------
+    receptacle : str
+        A noun or an id; empty when only the room or the floor is given.
+    rooms : tuple of str
+        Ids of the rooms that the words may refer to; empty for any.
+    colour : str
+        Colour of the receptacle.
+    near : str
+        Noun or id of a landmark next to which the place is.
+    base : str
+        What the receptacle stands on (a tray on a table).
+    """
+
+    relation: Relation = "room"
+    receptacle: str = ""
+    rooms: tuple[str, ...] = ()
+    floor: int | None = None
+    colour: str = ""
+    near: str = ""
+    base: str = ""
+
+    def __str__(self) -> str:
+        carrier = " ".join(word for word in (self.colour, self.receptacle) if word)
+        parts = [f"{self.relation} the {carrier}"] if self.receptacle else []
+        parts += [f"on the {self.base}"] if self.base else []
+        parts += [f"next to the {self.near}"] if self.near else []
+        if self.rooms:
+            parts.append(f"in {' or '.join(self.rooms[:4])}")
+        elif self.floor is not None:
+            parts.append(f"on floor {self.floor}")
+        return " ".join(parts) or "in the building"
+
+
+@dataclass(frozen=True)
+class ObjectDescription:
+    """A noun with its attributes and a number; `count` 0 means as many as there are.
+
+    Attributes
+    ----------
+    every : bool
+        The words mean all of them (every lamp, the lamps), not one.
+    """
+
+    noun: str
+    count: int = 1
+    colour: str = ""
+    _: KW_ONLY
+    cold: bool = False
+    every: bool = False
+
+    def __str__(self) -> str:
+        words = [
+            str(self.count) if self.count else "every" if self.every else "the",
+            *(["cold"] if self.cold else []),
+            *([self.colour] if self.colour else []),
+            self.noun,
+        ]
+        return " ".join(words)
+
+
+@dataclass(frozen=True)
+class ObjectFact:
+    """A number of objects is there.
+
+    Attributes
+    ----------
+    exact, more, most : bool
+        Exactly the number; the number besides those that are there; at most the number.
+    """
+
+    object: ObjectDescription
+    where: Scope = field(default_factory=Scope)
+    _: KW_ONLY
+    exact: bool = False
+    more: bool = False
+    most: bool = False
+
+    def __str__(self) -> str:
+        if self.most:
+            return f"at most {self.object} {self.where}"
+        manner = "exactly " if self.exact else "another " if self.more else ""
+        return f"{manner}{self.object} {self.where}"
+
+
+@dataclass(frozen=True)
+class AbsentFact:
+    """No such object is there; an empty noun means everything except what is spared."""
+
+    object: ObjectDescription
+    where: Scope = field(default_factory=Scope)
+    spare: tuple[ObjectDescription, ...] = ()
+
+    def __str__(self) -> str:
+        what = str(self.object) if self.object.noun else "everything"
+        if self.spare:
+            what += f" but {' and '.join(thing.noun for thing in self.spare)}"
+        return f"gone: {what} {self.where}"
+
+
+@dataclass(frozen=True)
+class MoveFact:
+    """An object moves from one place to another."""
+
+    object: ObjectDescription
+    source: Scope
+    target: Scope
+
+    def __str__(self) -> str:
+        return f"{self.object} {self.source} moved to {self.target}"
+
+
+@dataclass(frozen=True)
+class StateFact:
+    """An object is open or closed, on or off."""
+
+    object: ObjectDescription
+    where: Scope
+    state: Literal["open", "on"]
+    _: KW_ONLY
+    value: bool
+
+    def __str__(self) -> str:
+        word = {("open", True): "open", ("open", False): "closed", ("on", True): "on"}
+        return f"{self.object} {self.where} {word.get((self.state, self.value), 'off')}"
+
+
+@dataclass(frozen=True)
+class PathFact:
+    """A path leads from one place to another; the default is from the entrance to every room."""
+
+    start: str = ""
+    end: str = ""
+
+    def __str__(self) -> str:
+        return f"a path from {self.start or 'the entrance'} to {self.end or 'every room'}"
+
+
+Fact: TypeAlias = ObjectFact | AbsentFact | MoveFact | StateFact | PathFact
+
+
+class Unmet(Exception):
+    """Why a fact does not hold."""
+
+
+def ask(thought: str, tool: str, arguments: dict[str, Any]) -> Generator[Action, Outcome, Any]:
+    """Call a tool and return its reply.
+
+    Raises
+    ------
+    Unmet
+        Where the tool refuses.
+    """
+    answer = yield Action(thought, tool, arguments)
+    if answer.error is not None:
+        raise Unmet(str(answer.error))
+    return answer.value
+
+
+ObjectSearch = Generator[Action, Outcome, list[ObjectInfo]]
+"""Ends with the objects found."""
+
+
+def matches(thing: ObjectDescription, item: ObjectInfo, state: SceneState) -> bool:
+    """Whether an object fits a description."""
+    if thing.noun and thing.noun != item.id:
+        scene_object = state.find(item.id)
+        ends = "_" in thing.noun and item.id.endswith(f"/{thing.noun}")
+        if not ends and (scene_object is None or vocabulary_of(state.catalogue).rank(scene_object[1], thing.noun) < 2):
+            return False
+    if thing.colour:
+        material = state.find(item.id)
+        if material is None or colour_of(material[1].material) != thing.colour:
+            return False
+    return not thing.cold or item.states.get("temperature") == "cold" or _is_cooled(item, state)
+
+
+def _is_cooled(item: ObjectInfo, state: SceneState) -> bool:
+    parent = state.find(item.parent or "")
+    return parent is not None and item.mount == "inside" and parent[1].category in COOLING
+
+
+def receptacles(where: Scope, state: SceneState) -> ObjectSearch:
+    """Find the receptacles of a scope."""
+    if not where.receptacle:
+        return []
+    found = yield from _listed(where, where.receptacle, 200, f"Which {where.receptacle} is there")
+    mine = [i for i in found if matches(ObjectDescription(where.receptacle, 0, where.colour), i, state)]
+    if stems(where.receptacle)[-1:] == (where.receptacle.lower().rpartition(" ")[2],):
+        mine = exactly_named(where.receptacle, mine) or mine
+    return [i for i in mine if not where.base or _is_on(i, where.base, state)]
+
+
+def _listed(where: Scope, keyword: str, limit: int, question: str) -> ObjectSearch:
+    """List the objects that a keyword names in the rooms, or on the floor, of a scope."""
+    found: list[ObjectInfo] = []
+    for room in where.rooms or ("",):
+        arguments = {"room": room, "keyword": keyword, "limit": limit}
+        listed: ObjectList = yield from ask(f"{question}{f' in {room}' if room else ''}?", "ListObjects", arguments)
+        found += listed.objects
+    return [i for i in found if where.floor in (None, i.floor)]
+
+
+def exactly_named(noun: str, items: list[ObjectInfo]) -> list[ObjectInfo]:
+    """Return the objects whose whole name is the noun: of a fridge and a display fridge, the fridge."""
+    words = stems(noun)
+    return [i for i in items if stems(i.category.replace("_", " ")) == words]
+
+
+def _is_on(item: ObjectInfo, base: str, state: SceneState) -> bool:
+    found = state.find(item.parent or "")
+    return found is not None and (found[1].id == base or vocabulary_of(state.catalogue).rank(found[1], base) >= 2)
+
+
+def list_contents(receptacle: ObjectInfo, relation: str) -> ObjectSearch:
+    """List the objects on or in a receptacle."""
+    tool = "SearchContents" if relation == "in" else "CheckSurface"
+    report: ReceptacleReport = yield from ask(f"What is {relation} {receptacle.id}?", tool, {"id": receptacle.id})
+    return report.receptacles[0].objects
+
+
+def find_objects(thing: ObjectDescription, where: Scope, state: SceneState) -> ObjectSearch:
+    """Find the objects in a scope that fit a description."""
+    if not where.receptacle:
+        there = yield from _listed(where, thing.noun, 500, f"Which {thing.noun or 'things'} are there")
+        return [i for i in there if matches(thing, i, state)]
+    found: list[ObjectInfo] = []
+    carriers = yield from receptacles(where, state)
+    for carrier in carriers[:40]:
+        for relation in ("in", "on"):
+            there = yield from list_contents(carrier, relation)
+            found += [i for i in there if i not in found]
+    return [i for i in found if where.floor in (None, i.floor) and matches(thing, i, state)]
+
+
+NEXT_TO: Final = 0.6
+"""Greatest distance between objects that are next to each other, metres."""
+
+
+def find_landmarks(where: Scope, state: SceneState) -> ObjectSearch:
+    """Find what a scope names as ``near``, within the rest of the scope."""
+    around = Scope(where.relation, where.receptacle, where.rooms, where.floor, where.colour)
+    return (yield from find_objects(ObjectDescription(where.near, 0), around, state))
+
+
+def is_next_to(item: ObjectInfo, anchor: ObjectInfo, state: SceneState) -> bool:
+    """Whether two objects of one room have at most `NEXT_TO` between them."""
+    one, other = state.find(item.id), state.find(anchor.id)
+    if one is None or other is None or item.room != anchor.room or item.floor != anchor.floor:
+        return False
+    reach = sum(max(thing.size[:2]) / 2 for _, thing in (one, other))
+    return math.dist(one[1].position[:2], other[1].position[:2]) - reach <= NEXT_TO
+
+
+def rooms_of(where: Scope, state: SceneState) -> list[str]:
+    """Return the rooms of a scope, the large ones first."""
+    rooms = [
+        (-room.area, room.id)
+        for floor, room in state.rooms()
+        if where.floor in (None, floor) and (not where.rooms or room.id in where.rooms)
+    ]
+    return [name for _, name in sorted(rooms)]
