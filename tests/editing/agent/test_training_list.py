@@ -5,10 +5,9 @@ The parser was mended until it read these sentences; they guard what it reads an
 
 import pytest
 
-from mansion_editing.agent.discourse import parse_instruction
+from mansion_assets.catalogue.vocabulary import vocabulary_of
+from mansion_editing.agent.discourse import parse_instruction, plain_sentences
 from mansion_editing.agent.facts import ObjectFact
-from mansion_editing.agent.sentences import plain_sentences
-from mansion_editing.references import vocabulary_of
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import MansionError
 

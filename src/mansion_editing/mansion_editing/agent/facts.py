@@ -2,14 +2,17 @@
 
 import math
 from collections.abc import Generator
-from dataclasses import KW_ONLY, dataclass, field
+from dataclasses import KW_ONLY, dataclass, field, replace
 from typing import Any, Final, Literal, TypeAlias
 
+from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.agent.protocol import Action, Outcome
-from mansion_editing.references import colour_of, stems, vocabulary_of
 from mansion_editing.state import SceneState
+from mansion_editing.tools.perception import matching_objects
 from mansion_editing.tools.placement import COOLING
+from mansion_language.colours import colour_of
 from mansion_msgs_py.editing import ObjectInfo, ObjectList, ReceptacleReport
+from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = [
     "AbsentFact",
@@ -23,6 +26,7 @@ __all__ = [
     "StateFact",
     "Unmet",
     "ask",
+    "each_place",
     "exactly_named",
     "find_landmarks",
     "find_objects",
@@ -73,6 +77,21 @@ class Scope:
             parts.append(f"on floor {self.floor}")
         return " ".join(parts) or "in the building"
 
+    def on_receptacle_of(self, other: "Scope") -> "Scope":
+        """Return the place with the receptacle of another."""
+        return replace(self, relation=other.relation, receptacle=other.receptacle, colour=other.colour, base=other.base)
+
+    def completed(self, other: "Scope | None") -> "Scope":
+        """Return the place with its open parts as another has them."""
+        if other is None:
+            return self
+        return replace(
+            self if self.receptacle else self.on_receptacle_of(other),
+            rooms=self.rooms or other.rooms,
+            floor=other.floor if self.floor is None else self.floor,
+            near=self.near or other.near,
+        )
+
 
 @dataclass(frozen=True)
 class ObjectDescription:
@@ -99,6 +118,10 @@ class ObjectDescription:
             self.noun,
         ]
         return " ".join(words)
+
+    def to_move(self) -> "ObjectDescription":
+        """Return the description with the number to move: all where all are meant, else at least one."""
+        return replace(self, count=0 if self.every and not self.count else max(1, self.count))
 
 
 @dataclass(frozen=True)
@@ -302,3 +325,39 @@ def rooms_of(where: Scope, state: SceneState) -> list[str]:
         if where.floor in (None, floor) and (not where.rooms or room.id in where.rooms)
     ]
     return [name for _, name in sorted(rooms)]
+
+
+def each_place(state: SceneState, where: Scope, each: str) -> list[Scope]:
+    """Return a scope for each place that a quantified scope covers.
+
+    Parameters
+    ----------
+    each : {"", "receptacle", "room", "floor"}
+        Part of the scope that is quantified.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` when there is none.
+    """
+    if each == "receptacle" and where.receptacle:
+        found = [
+            Scope(where.relation, item.id, (item.room,), floor, where.colour)
+            for floor, item in matching_objects(state, where.receptacle, list(where.rooms) or None, where.floor)
+            if where.colour in ("", colour_of(item.material))
+        ]
+    elif each == "room":
+        found = [replace(where, rooms=(room,)) for room in where.rooms]
+    elif each == "floor":
+        found = [replace(where, floor=floor, rooms=_on_floor(where.rooms, floor)) for floor in state.floors]
+        found = [scope for scope in found if scope.rooms or not where.rooms]
+    else:
+        return [where]
+    if not found:
+        place = replace(where, receptacle="", colour="")
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {where.receptacle or 'room'} {place}")
+    return found
+
+
+def _on_floor(rooms: tuple[str, ...], floor: int) -> tuple[str, ...]:
+    return tuple(room for room in rooms if room.startswith(f"F{floor}/"))

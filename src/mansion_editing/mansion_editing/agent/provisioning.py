@@ -7,6 +7,7 @@ from functools import lru_cache
 from typing import Final
 
 from mansion_assets.catalogue import Catalogue
+from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.agent.facts import (
     AbsentFact,
     Fact,
@@ -28,10 +29,10 @@ from mansion_editing.agent.facts import (
     rooms_of,
 )
 from mansion_editing.agent.protocol import Action, Outcome, Policy, Verdict
-from mansion_editing.references import colour_of, stems, vocabulary_of
 from mansion_editing.state import SceneState
 from mansion_editing.tools.placement import free_places, ledges_of
 from mansion_knowledge import words_by
+from mansion_language.colours import colour_of
 from mansion_msgs_py.editing import AssetHits, AssetInfo, ObjectInfo, ObjectList, PathReport
 from mansion_msgs_py.errors import ErrorCode
 from mansion_msgs_py.scene import SceneRoom

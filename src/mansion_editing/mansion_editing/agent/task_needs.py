@@ -2,6 +2,7 @@
 
 from collections.abc import Generator, Iterable
 
+from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.agent.facts import (
     Fact,
     ObjectDescription,
@@ -15,8 +16,9 @@ from mansion_editing.agent.facts import (
 from mansion_editing.agent.protocol import Action, Outcome, Policy, Verdict
 from mansion_editing.agent.provisioning import satisfy
 from mansion_editing.editor import SceneEditor
-from mansion_editing.references import COLOUR_WORDS, find_rooms, stems, vocabulary_of
 from mansion_editing.state import SceneState
+from mansion_editing.tools.perception import find_rooms
+from mansion_language.colours import COLOUR_WORDS
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import Need, Task, TaskStart
 

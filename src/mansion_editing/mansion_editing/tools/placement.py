@@ -13,9 +13,10 @@ from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.palette import COLOURS
 from mansion_assets.meshes import collision_boxes, mesh
 from mansion_editing.physics.engine import PhysicsEngine, PosedBox, SettleProblem, SettleResult
-from mansion_editing.references import COLOUR_WORDS, colour_of, object_named
 from mansion_editing.state import FloorIndex, SceneState
 from mansion_editing.tools.floor_places import Accept, stand_on_floor
+from mansion_editing.tools.perception import object_named
+from mansion_language.colours import COLOUR_WORDS, colour_of
 from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom

@@ -5,9 +5,10 @@ from typing import Final, NamedTuple
 
 from mansion_knowledge import name_groups
 from mansion_language import is_plural
+from mansion_language.colours import COLOURS
 from mansion_msgs_py.wording import with_article
 
-__all__ = ["COLOURS", "ROOMS", "COLOUR_WORDS", "OBJECTS", "Synonyms", "article", "ordinal", "plain"]
+__all__ = ["ROOMS", "COLOUR_WORDS", "OBJECTS", "Synonyms", "article", "ordinal", "plain"]
 
 
 class Synonyms(NamedTuple):
@@ -55,18 +56,11 @@ ROOMS: Final = tuple(
 )
 
 
-# fmt: off
-COLOURS: Final = (
-    "white", "black", "grey", "red", "blue", "green", "yellow", "orange", "purple", "brown", "beige", "pink",
-)
-"""Colours in the names of materials; observations encode a colour as its position here."""
-
-COLOUR_WORDS: Final = frozenset((
+COLOUR_WORDS: Final = frozenset([
     *COLOURS,
     "gray", "violet", "silver", "gold", "golden", "cream", "turquoise", "teal", "navy", "maroon", "tan", "transparent",
-))
+])  # fmt: skip
 """Words for colours in instructions."""
-# fmt: on
 
 
 _ORDINALS: Final = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
