@@ -13,11 +13,11 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_export.model import Mesh, Model, Node
+from mansion_geometry.arrays import Floats
 from mansion_geometry.compiled import kernel
 
 __all__ = ["Triangles", "View", "bounds", "flatten", "project", "render"]
 
-Floats = npt.NDArray[np.float64]
 
 Singles = npt.NDArray[np.float32]
 

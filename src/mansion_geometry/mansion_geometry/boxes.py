@@ -9,8 +9,8 @@ overlapping: every test is slack by `TOUCH`.
 import math
 
 import numpy as np
-import numpy.typing as npt
 
+from mansion_geometry.arrays import Floats
 from mansion_geometry.compiled import kernel
 
 __all__ = [
@@ -25,7 +25,6 @@ __all__ = [
     "unit_vector",
 ]
 
-Floats = npt.NDArray[np.float64]
 
 TOUCH = 1e-6
 """Depth to which boxes may overlap, metres."""

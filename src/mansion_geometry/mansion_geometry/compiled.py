@@ -1,17 +1,11 @@
-"""Functions compiled to machine code with numba, and the types of the arrays that they work on."""
+"""Functions compiled to machine code with numba."""
 
 from collections.abc import Callable
 from typing import ParamSpec, TypeVar
 
 import numba
-import numpy as np
-from numpy.typing import NDArray
 
-__all__ = ["Bools", "Floats", "Ints", "kernel"]
-
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
-Bools = NDArray[np.bool_]
+__all__ = ["kernel"]
 
 P = ParamSpec("P")
 R = TypeVar("R")

@@ -6,8 +6,8 @@ A count is 0 where a cell is free; arrays are indexed ``[row (y), column (x)]``.
 import math
 
 import numpy as np
-import numpy.typing as npt
 
+from mansion_geometry.arrays import Bools, Counts, Floats, Labels
 from mansion_geometry.boxes import point_inside
 from mansion_geometry.compiled import kernel
 
@@ -22,10 +22,6 @@ __all__ = [
     "wall_counts",
 ]
 
-Floats = npt.NDArray[np.float64]
-Counts = npt.NDArray[np.int16]
-Labels = npt.NDArray[np.int32]
-Bools = npt.NDArray[np.bool_]
 
 SLACK = 1e-9
 """Distances that differ by less are equal, metres."""

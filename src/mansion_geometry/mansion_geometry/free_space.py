@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from mansion_geometry.arrays import Bools, Counts, Floats, Labels
 from mansion_geometry.compiled import kernel
 from mansion_geometry.free_cells import (
     SLACK,
@@ -25,10 +25,6 @@ from mansion_geometry.free_cells import (
 
 __all__ = ["FreeGrid", "connected_components", "flood_fill"]
 
-Floats = npt.NDArray[np.float64]
-Counts = npt.NDArray[np.int16]
-Labels = npt.NDArray[np.int32]
-Bools = npt.NDArray[np.bool_]
 
 _LOOK_AROUND = 0.6
 """How far beyond a new box's inflation its surroundings are looked at, metres."""

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
-import numpy.typing as npt
 
 from mansion_export.plan.palette import INK, room_tint
 from mansion_export.plan.shapes import Area, Canvas, Label, Shape
 from mansion_export.presentation import room_title
+from mansion_geometry.arrays import Bools, Floats
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.shapes import Point
 
@@ -27,9 +27,6 @@ _LETTER_SHARE, _LETTERS = 0.014, (0.2, 0.45)
 _SHARES = (1.0, 0.85, 0.7, 0.58, 0.48)
 """Heights of letters that are tried, over the largest."""
 
-Floats = npt.NDArray[np.float64]
-
-Bools = npt.NDArray[np.bool_]
 
 _CELL, _MOST = 0.12, 90
 """Side of a cell, metres, and most cells along a side of a room."""

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 from gymnasium import spaces
 
+from mansion_geometry.arrays import Ints
 from mansion_language.colours import COLOURS, colour_of
 from mansion_msgs_py.task import Task
 from mansion_skills.navigation.floor_map import RESOLUTION
@@ -32,7 +33,6 @@ FEATURES: Final = 7
 
 Values = dict[str, Any]
 Floats = npt.NDArray[np.float32]
-Ints = npt.NDArray[np.int64]
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from mansion_geometry.arrays import Bools, Floats, Ints
 from mansion_geometry.compiled import kernel
 from mansion_msgs_py.world import ObjectState
 from mansion_skills.navigation.floor_map import RESOLUTION
@@ -17,10 +18,7 @@ from mansion_skills.world.world import World
 
 __all__ = ["VisibilityIndex", "View"]
 
-Floats = npt.NDArray[np.float64]
 Labels = npt.NDArray[np.int16]
-Bools = npt.NDArray[np.bool_]
-Ints = npt.NDArray[np.int64]
 
 _THIN = 3.0
 """Cells before an object that do not hide it: its own box, rounded to the grid."""
