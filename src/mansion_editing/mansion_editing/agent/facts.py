@@ -1,4 +1,4 @@
-"""Facts that an instruction asks for, and the objects that their words mean, asked for with the perception tools."""
+"""What the parts of the agent exchange: facts with the objects that they mean, actions, outcomes and verdicts."""
 
 import math
 from collections.abc import Generator
@@ -6,7 +6,6 @@ from dataclasses import KW_ONLY, dataclass, field, replace
 from typing import Any, Final, Literal, TypeAlias
 
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
-from mansion_editing.agent.protocol import Action, Outcome
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import matching_objects
 from mansion_editing.tools.placement import COOLING
@@ -16,15 +15,19 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = [
     "AbsentFact",
+    "Action",
     "Fact",
     "MoveFact",
     "ObjectDescription",
     "ObjectFact",
     "ObjectSearch",
+    "Outcome",
     "PathFact",
+    "Policy",
     "Scope",
     "StateFact",
     "Unmet",
+    "Verdict",
     "ask",
     "each_place",
     "exactly_named",
@@ -202,6 +205,44 @@ class PathFact:
 
 
 Fact: TypeAlias = ObjectFact | AbsentFact | MoveFact | StateFact | PathFact
+
+
+@dataclass(frozen=True)
+class Action:
+    """One turn: a thought and a call of a tool; arguments are JSON."""
+
+    thought: str
+    tool: str
+    arguments: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a tool answered: its reply, or why it refused."""
+
+    value: Any = None
+    error: MansionError | None = None
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """How a policy ends.
+
+    Attributes
+    ----------
+    facts : list of str
+        What was asked for, in words.
+    failed : list of str
+        What does not hold, each with its reason.
+    """
+
+    summary: str
+    facts: list[str] = field(default_factory=list)
+    failed: list[str] = field(default_factory=list)
+
+
+Policy: TypeAlias = Generator[Action, Outcome, Verdict]
+"""Yields actions, is sent outcomes, returns a verdict."""
 
 
 class Unmet(Exception):

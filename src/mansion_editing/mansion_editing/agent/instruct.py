@@ -7,7 +7,7 @@ from typing import Any, Final
 import msgspec
 
 from mansion_editing.agent.discourse import parse_instruction
-from mansion_editing.agent.protocol import Action, Outcome, Policy, Verdict
+from mansion_editing.agent.facts import Action, Outcome, Policy, Verdict
 from mansion_editing.agent.provisioning import satisfy
 from mansion_editing.agent.sentence_patterns import VAGUE
 from mansion_editing.agent.task_needs import task_policy

@@ -10,14 +10,18 @@ from mansion_assets.catalogue import Catalogue
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.agent.facts import (
     AbsentFact,
+    Action,
     Fact,
     MoveFact,
     ObjectDescription,
     ObjectFact,
+    Outcome,
     PathFact,
+    Policy,
     Scope,
     StateFact,
     Unmet,
+    Verdict,
     ask,
     exactly_named,
     find_landmarks,
@@ -28,7 +32,6 @@ from mansion_editing.agent.facts import (
     receptacles,
     rooms_of,
 )
-from mansion_editing.agent.protocol import Action, Outcome, Policy, Verdict
 from mansion_editing.state import SceneState
 from mansion_editing.tools.placement import free_places, ledges_of
 from mansion_knowledge import words_by

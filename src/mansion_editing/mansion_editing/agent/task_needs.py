@@ -4,16 +4,19 @@ from collections.abc import Generator, Iterable
 
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.agent.facts import (
+    Action,
     Fact,
     ObjectDescription,
     ObjectFact,
+    Outcome,
     PathFact,
+    Policy,
     Scope,
     Unmet,
+    Verdict,
     find_objects,
     rooms_of,
 )
-from mansion_editing.agent.protocol import Action, Outcome, Policy, Verdict
 from mansion_editing.agent.provisioning import satisfy
 from mansion_editing.editor import SceneEditor
 from mansion_editing.state import SceneState
