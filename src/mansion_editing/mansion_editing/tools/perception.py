@@ -11,6 +11,7 @@ from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.state import FloorIndex, SceneState
 from mansion_knowledge import interchangeable_names
+from mansion_language.numbers import CARDINALS, ORDINALS, SOFT_NUMBERS
 from mansion_msgs_py.editing import (
     AssetHits,
     AssetInfo,
@@ -25,7 +26,6 @@ from mansion_msgs_py.editing import (
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneCore, SceneObject, SceneRoom
-from mansion_msgs_py.wording import ORDINALS
 from mansion_scene.decor.frames import to_local
 
 __all__ = [
@@ -332,7 +332,7 @@ _NAMED = [
     "lower",
     "last",
 ]
-_NUMBERS = ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
+_NUMBERS = {word: number for word, number in CARDINALS.items() if word not in SOFT_NUMBERS}
 
 
 def _floor_number(state: SceneState, word: str) -> int:
@@ -340,9 +340,9 @@ def _floor_number(state: SceneState, word: str) -> int:
     if digits:
         number = int(digits.group()) if len(digits.group()) < 6 else 10**6
     elif word in ORDINALS:
-        number = ORDINALS.index(word) + 1
+        number = ORDINALS[word]
     elif word in _NUMBERS:
-        number = _NUMBERS.index(word) + 1
+        number = _NUMBERS[word]
     else:
         number = _named_floor(state, word)
     if number not in state.scenes:
@@ -400,8 +400,8 @@ def find_rooms(
     nth = re.match(rf"^(?:the )?(?P<word>{'|'.join(ORDINALS)})\s+(?P<rest>.+)$", rest, re.I)
     if nth:
         few = find_rooms(state, nth["rest"], floor, every=True)
-        at = ORDINALS.index(nth["word"].lower())
-        return few[at : at + 1]
+        at = ORDINALS[nth["word"].lower()]
+        return few[at - 1 : at]
     words = tuple(w for w in stems(rest) if w != "room") or stems(rest)
     if not words:
         return rooms if floor is not None else []

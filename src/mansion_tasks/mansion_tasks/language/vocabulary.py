@@ -6,6 +6,7 @@ from typing import Final, NamedTuple
 from mansion_knowledge import name_groups
 from mansion_language import is_plural
 from mansion_language.colours import COLOURS
+from mansion_language.numbers import ORDINALS
 from mansion_msgs_py.wording import with_article
 
 __all__ = ["ROOMS", "COLOUR_WORDS", "OBJECTS", "Synonyms", "article", "ordinal", "plain"]
@@ -63,7 +64,7 @@ COLOUR_WORDS: Final = frozenset([
 """Words for colours in instructions."""
 
 
-_ORDINALS: Final = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
+_ORDINALS: Final = {number: word for word, number in ORDINALS.items() if number <= 10}
 
 
 def plain(text: str) -> str:
@@ -106,7 +107,7 @@ def ordinal(number: int) -> str:
     >>> ordinal(3), ordinal(13), ordinal(22)
     ('third', '13th', '22nd')
     """
-    if 1 <= number <= len(_ORDINALS):
-        return _ORDINALS[number - 1]
+    if number in _ORDINALS:
+        return _ORDINALS[number]
     ending = {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th") if number % 100 // 10 != 1 else "th"
     return f"{number}{ending}"
