@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from mansion_assets.catalogue import Asset, Surface, Volume
 from mansion_assets.solids import Axis, Vec3, bar, box_solid, extruded, revolved, rounded_box
-from mansion_geometry.arrays import Floats, Ints
+from mansion_geometry.compiled import Floats, Ints
 
 __all__ = ["Box", "Builder", "Piece", "Rect"]
 

@@ -10,7 +10,7 @@ from mansion_assets.builder import Box, Builder
 from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.palette import PbrMaterial, material
 from mansion_assets.registry import recipe_named
-from mansion_geometry.arrays import Floats, Ints
+from mansion_geometry.compiled import Floats, Ints
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Ints
+from mansion_geometry.compiled import Floats, Ints
 
 __all__ = ["Axis", "Vec3", "bar", "box_solid", "extruded", "revolved", "rounded_box"]
 

@@ -6,7 +6,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Ints
+from mansion_geometry.compiled import Floats, Ints
 
 __all__ = ["Material", "Mesh", "Model", "Node", "Part", "Surface", "assemble", "merge_surfaces"]
 

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Ints
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, Ints, kernel
 
 __all__ = ["SMOOTH", "corner_normals"]
 

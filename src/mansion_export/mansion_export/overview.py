@@ -13,7 +13,7 @@ from mansion_export.plan.palette import INK
 from mansion_export.plan.raster import load_font
 from mansion_export.presentation import building_title, floor_name
 from mansion_export.renderer import Triangles, View, bounds, project, render
-from mansion_geometry.arrays import Floats
+from mansion_geometry.compiled import Floats
 from mansion_msgs_py.scene import FloorScene
 
 if TYPE_CHECKING:

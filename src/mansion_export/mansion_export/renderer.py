@@ -13,8 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_export.model import Mesh, Model, Node
-from mansion_geometry.arrays import Floats
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, kernel
 
 __all__ = ["Triangles", "View", "bounds", "flatten", "project", "render"]
 

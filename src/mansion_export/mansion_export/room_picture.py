@@ -14,7 +14,7 @@ from mansion_export.materials import named
 from mansion_export.model import Node, Part, assemble
 from mansion_export.renderer import Triangles, View, bounds, flatten, project, render
 from mansion_export.solids import Box, boxes_surface, polygon_surface
-from mansion_geometry.arrays import Floats
+from mansion_geometry.compiled import Floats
 from mansion_msgs_py.placement import PlacementResult, PlacementRoom
 from mansion_msgs_py.scene import FloorScene, SceneObject
 

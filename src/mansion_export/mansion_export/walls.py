@@ -9,7 +9,7 @@ import numpy.typing as npt
 from mansion_export.materials import named, surface_material
 from mansion_export.model import Material, Surface
 from mansion_export.solids import Box
-from mansion_geometry.arrays import Floats
+from mansion_geometry.compiled import Floats
 from mansion_msgs_py.scene import FloorScene, Wall
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.structure.materials import DEFAULT_FACADE

@@ -4,8 +4,7 @@ import math
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Labels
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, Labels, kernel
 
 __all__ = ["box_buckets", "bucket_of"]
 

@@ -7,10 +7,9 @@ import math
 
 import numpy as np
 
-from mansion_geometry.arrays import Bools, Floats, Labels
 from mansion_geometry.box_index import box_buckets, bucket_of
 from mansion_geometry.boxes import TOUCH, box_inside, boxes_overlap, compose
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Bools, Floats, Labels, kernel
 
 __all__ = ["feasible_poses", "front_clearance"]
 

@@ -11,8 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mansion_geometry.arrays import Bools, Counts, Floats, Labels
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Bools, Counts, Floats, Labels, kernel
 from mansion_geometry.free_cells import (
     SLACK,
     cell_window,

@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from mansion_export.thor.vocabulary import DOORFRAMES, DOORWAYS, WINDOWS, best_fitting, wall_material
-from mansion_geometry.arrays import Floats
+from mansion_geometry.compiled import Floats
 from mansion_geometry.rings import signed_area
 from mansion_geometry.thor.house_format import thor_point
 from mansion_msgs_py.scene import Door, FloorScene, SceneRoom, Window

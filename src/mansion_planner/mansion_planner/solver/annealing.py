@@ -12,8 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Ints
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, Ints, kernel
 from mansion_planner.solver.energy import edge_energy, room_cost, room_costs, room_energy, thin_energy, total_energy
 from mansion_planner.solver.grid import Cells, Grid, make_grid, refined_grid, resample, spaced_lines
 from mansion_planner.solver.moves import draw, place_rectangle, random_rectangle, shift_wall, swap_rooms, uniform

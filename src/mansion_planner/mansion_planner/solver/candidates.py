@@ -6,8 +6,7 @@ everything else.
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Ints
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, Ints, kernel
 from mansion_planner.solver.grid import AREA, CX, CY, HB, VB
 from mansion_planner.solver.partition import component, neighbour
 from mansion_planner.solver.walls import border_sums, scan_walls

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Ints
+from mansion_geometry.compiled import Floats, Ints
 from mansion_geometry.rings import polygon_parts, rotated
 from mansion_msgs_py.layout import CutRoundRecord, LayoutRoom
 from mansion_msgs_py.topology import SeedPlan

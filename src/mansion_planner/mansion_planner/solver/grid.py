@@ -12,7 +12,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
-from mansion_geometry.arrays import Bools, Floats, Ints
+from mansion_geometry.compiled import Bools, Floats, Ints
 from mansion_geometry.rings import polygon_parts
 from mansion_planner.solver.problem import FloorModel
 

@@ -5,8 +5,7 @@ Each move paints cells, records in ``changes`` what it painted over, and returns
 
 import numpy as np
 
-from mansion_geometry.arrays import Bools, Floats, Ints
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Bools, Floats, Ints, kernel
 from mansion_planner.solver.partition import COUNT, SIZE, neighbour, repaint
 from mansion_planner.solver.problem import TARGET
 

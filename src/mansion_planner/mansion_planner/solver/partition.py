@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Ints
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, Ints, kernel
 from mansion_planner.solver.grid import AREA, CX, CY, HB, HS, NEAR, VB, VS, Cells, Grid
 from mansion_planner.solver.problem import Goal
 from mansion_planner.solver.walls import border_sums, scan_walls

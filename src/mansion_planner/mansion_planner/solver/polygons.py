@@ -5,7 +5,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry import MultiPolygon, Polygon
 
-from mansion_geometry.arrays import Ints
+from mansion_geometry.compiled import Ints
 from mansion_geometry.rings import oriented, polygon_parts, rotated, signed_area
 from mansion_msgs_py.layout import LayoutRoom
 from mansion_planner.solver.grid import Grid

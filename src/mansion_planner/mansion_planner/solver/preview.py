@@ -6,7 +6,7 @@ import zlib
 import numpy as np
 from numpy.typing import NDArray
 
-from mansion_geometry.arrays import Floats, Ints
+from mansion_geometry.compiled import Floats, Ints
 
 __all__ = ["png_bytes", "render_preview"]
 

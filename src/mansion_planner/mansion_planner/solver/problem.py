@@ -14,7 +14,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry import LineString, MultiPolygon, Polygon
 
-from mansion_geometry.arrays import Floats, Ints
+from mansion_geometry.compiled import Floats, Ints
 from mansion_geometry.rings import as_polygon, dominant_angle, polygon_parts, rotated
 from mansion_geometry.shared_walls import SharedWall, edge_array, shared_walls
 from mansion_msgs_py.errors import ErrorCode, MansionError

@@ -3,7 +3,7 @@
 import msgspec
 import numpy as np
 
-from mansion_geometry.arrays import Floats
+from mansion_geometry.compiled import Floats
 from mansion_geometry.randomness import item_seed
 from mansion_geometry.rings import polygon_parts
 from mansion_msgs_py.errors import ErrorCode, MansionError

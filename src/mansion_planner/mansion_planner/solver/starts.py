@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Ints
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, Ints, kernel
 from mansion_planner.solver.grid import AREA, CX, CY, HB, SAME_LINE, VB, Cells, Grid, make_grid
 from mansion_planner.solver.partition import COUNT, LEAST_BORDER, Partition, State, component, neighbour
 from mansion_planner.solver.problem import ACCESS, MIN_WIDTH, SEED_WEIGHT, SEED_X, SEED_Y, TARGET, FloorModel, Goal

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Ints
+from mansion_geometry.compiled import Floats, Ints
 from mansion_planner.solver.annealing import Annealing
 from mansion_planner.solver.cut_rounds import RoundsResult, run_rounds
 from mansion_planner.solver.energy import W_THIN

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Ints
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, Ints, kernel
 from mansion_planner.solver.grid import AREA, HB, VB
 from mansion_planner.solver.problem import MIN_WIDTH, TARGET
 

@@ -5,9 +5,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats
 from mansion_geometry.boxes import unit_vector
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, kernel
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.room_model import Wall, wall_array
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from mansion_geometry.arrays import Bools, Floats
+from mansion_geometry.compiled import Bools, Floats
 from mansion_geometry.fitting import feasible_poses
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.options import PlacementOptions

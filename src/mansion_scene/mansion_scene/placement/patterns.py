@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats
 from mansion_geometry.boxes import compose, unit_vector
+from mansion_geometry.compiled import Floats
 from mansion_scene.placement.candidates import floor_poses, flush_poses, wall_poses
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mansion_geometry.arrays import Bools, Floats
 from mansion_geometry.boxes import gap_matrix
+from mansion_geometry.compiled import Bools, Floats
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Spec
 

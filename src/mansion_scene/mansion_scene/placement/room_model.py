@@ -7,8 +7,8 @@ import numpy as np
 import shapely
 from shapely.geometry import LineString, Polygon
 
-from mansion_geometry.arrays import Floats
 from mansion_geometry.boxes import point_inside
+from mansion_geometry.compiled import Floats
 from mansion_geometry.free_space import FreeGrid
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.placement import PlacementOpening, PlacementRoom

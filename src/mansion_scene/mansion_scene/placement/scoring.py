@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats
 from mansion_geometry.boxes import gap_matrix
+from mansion_geometry.compiled import Floats
 from mansion_geometry.fitting import front_clearance
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec

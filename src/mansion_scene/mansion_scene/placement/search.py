@@ -3,8 +3,8 @@
 import numpy as np
 import numpy.typing as npt
 
-from mansion_geometry.arrays import Floats
 from mansion_geometry.boxes import compose, gap_matrix
+from mansion_geometry.compiled import Floats
 from mansion_scene.placement.candidates import floor_poses, ring_poses, wall_poses
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Spec

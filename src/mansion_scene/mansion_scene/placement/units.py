@@ -11,8 +11,8 @@ from typing import TypeAlias
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats
 from mansion_geometry.boxes import boxes_overlap, unit_vector
+from mansion_geometry.compiled import Floats
 from mansion_scene.placement.groups import Spec
 
 __all__ = [

@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from mansion_geometry.arrays import Floats, Ints
+from mansion_geometry.compiled import Floats, Ints
 from mansion_msgs_py.scene import SceneCore
 from mansion_skills.navigation.floor_map import FloorMap
 from mansion_skills.vision.frame import Intrinsics, Picture

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 from gymnasium import spaces
 
-from mansion_geometry.arrays import Ints
+from mansion_geometry.compiled import Ints
 from mansion_language.colours import COLOURS, colour_of
 from mansion_msgs_py.task import Task
 from mansion_skills.navigation.floor_map import RESOLUTION

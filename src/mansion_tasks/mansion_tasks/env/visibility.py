@@ -7,8 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from mansion_geometry.arrays import Bools, Floats, Ints
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Bools, Floats, Ints, kernel
 from mansion_msgs_py.world import ObjectState
 from mansion_skills.navigation.floor_map import RESOLUTION
 from mansion_skills.navigation.search import sees
