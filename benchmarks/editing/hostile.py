@@ -18,8 +18,8 @@ from typing import Any
 import msgspec
 
 from mansion_bringup.cli.edit import open_editor
+from mansion_editing.agent.facts import Action, Policy, Verdict
 from mansion_editing.agent.instruct import instruct, run_agent
-from mansion_editing.agent.protocol import Action, Policy, Verdict
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene

@@ -1,17 +1,13 @@
 """Random skills over buildings, with every invariant checked: time, memory, and what was refused.
 
-python benchmarks/skills/random_skills.py BUILDING... [--skills 10000] [--seed 0]
+PYTHONPATH=tests/support python benchmarks/skills/random_skills.py BUILDING... [--skills 10000] [--seed 0]
 """
 
 import argparse
 import resource
-import sys
 import time
 from collections import Counter
-from pathlib import Path
 from random import Random
-
-sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "support"))
 
 from invariants import check_world
 from mansion_skills import Robot

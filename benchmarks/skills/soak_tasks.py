@@ -1,6 +1,6 @@
 """Simulated hours of episodes: the oracle and a random driver by turns, with every invariant checked.
 
-Run: python benchmarks/skills/soak_tasks.py DIR... [--hours 24] [--tasks 10]
+Run: PYTHONPATH=tests/support python benchmarks/skills/soak_tasks.py DIR... [--hours 24] [--tasks 10]
 
 Episodes go round the buildings, each with one world that is reset between episodes. After each episode every object is
 in exactly one place and every robot stands in a room; after each reset the world is as it was built. The resident
@@ -8,35 +8,21 @@ memory is printed with the simulated hours.
 """
 
 import argparse
-import importlib.util
 import resource
 import sys
 import time
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
+from invariants import check_world
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.task import Task
-from mansion_skills.world.world import World
 from mansion_tasks.env.building_env import BuildingEnv
 from mansion_tasks.tasks.generate import generate
 from mansion_tasks.tasks.sandbox import Sandbox
 from mansion_tasks.tasks.solving import solve
-
-ROOT = Path(__file__).resolve().parents[2]
-
-
-def invariants() -> Callable[[World], None]:
-    """Return the check that the tests use."""
-    spec = importlib.util.spec_from_file_location("invariants", ROOT / "tests" / "skills" / "invariants.py")
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    check: Callable[[World], None] = module.check_world
-    return check
 
 
 def fingerprint(sandbox: Sandbox) -> bytes:
@@ -69,7 +55,7 @@ def main() -> int:
     parser.add_argument("--tasks", type=int, default=10)
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args()
-    check, rng = invariants(), np.random.default_rng(options.seed)
+    rng = np.random.default_rng(options.seed)
     stages: list[tuple[BuildingEnv, list[Task], bytes]] = []
     for folder in options.folders:
         try:
@@ -91,7 +77,7 @@ def main() -> int:
         else:
             env.reset(seed=episodes, options={"task": task.id})
             simulated += wander(env, rng, task.max_steps)
-        check(env.sandbox.world)
+        check_world(env.sandbox.world)
         env.sandbox.reset()
         if fingerprint(env.sandbox) != built:
             print(f"episode {episodes}: {task.id} left a trace", flush=True)

@@ -52,6 +52,35 @@ def test_a_users_folder_adds_and_replaces_records(tmp_path: Path) -> None:
     assert sum(room.room_type == "kiln_room" for room in reply.program.floors[0].rooms) == 2
 
 
+def test_building_types_are_grouped_by_family_and_by_words() -> None:
+    groups = default_knowledge().groups
+    assert groups.is_dwelling("single_family_house") and not groups.is_dwelling("office")
+    assert "metal_panels" in groups.facades_of("warehouse_building")
+    assert groups.facades_of("office") == groups.facades["other"][1]
+    assert groups.filler_of("worship") == groups.filler["other"]
+
+
+def test_a_users_folder_extends_the_groups_of_building_types(tmp_path: Path) -> None:
+    (tmp_path / "building_groups.toml").write_text('[facade.igloo]\nwords = ["igloo"]\nmaterials = ["white_render"]\n')
+    groups = load_knowledge([tmp_path]).groups
+    assert groups.facades_of("family_igloo") == ("white_render",)
+    assert groups.filler == default_knowledge().groups.filler
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ('[filler]\nhome = ["nowhere"]\n', "'nowhere'"),
+        ('[filler]\ncastle = ["storage"]\n', "'castle'"),
+        ('[facade.igloo]\nwords = ["igloo"]\n', "materials"),
+    ],
+)
+def test_faulty_groups_are_named(tmp_path: Path, text: str, fault: str) -> None:
+    (tmp_path / "building_groups.toml").write_text(text)
+    with pytest.raises(MansionError, match=fault):
+        load_knowledge([tmp_path])
+
+
 @pytest.mark.parametrize(
     ("row", "fault"),
     [

@@ -8,7 +8,8 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from mansion_assets.catalogue import Asset, Surface, Volume
-from mansion_assets.solids import Axis, Floats, Ints, Vec3, bar, box_solid, extruded, revolved, rounded_box
+from mansion_assets.solids import Axis, Vec3, bar, box_solid, extruded, revolved, rounded_box
+from mansion_geometry.compiled import Floats, Ints
 
 __all__ = ["Box", "Builder", "Piece", "Rect"]
 

@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 
 from mansion_assets.builder import Box, Builder
 from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.palette import PbrMaterial, material
 from mansion_assets.registry import recipe_named
+from mansion_geometry.compiled import Floats, Ints
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 if TYPE_CHECKING:
@@ -20,10 +20,6 @@ __all__ = ["MeshPart", "collision_boxes", "mesh"]
 
 _MOST_BOXES = 24
 """Most collision boxes of one asset."""
-
-
-Floats = npt.NDArray[np.float64]
-Ints = npt.NDArray[np.int64]
 
 
 class MeshPart(NamedTuple):

@@ -9,12 +9,11 @@ from collections.abc import Sequence
 from typing import Literal, TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
-__all__ = ["Axis", "Floats", "Ints", "Vec3", "bar", "box_solid", "extruded", "revolved", "rounded_box"]
+from mansion_geometry.compiled import Floats, Ints
 
-Floats: TypeAlias = npt.NDArray[np.float64]
-Ints: TypeAlias = npt.NDArray[np.int64]
+__all__ = ["Axis", "Vec3", "bar", "box_solid", "extruded", "revolved", "rounded_box"]
+
 Vec3: TypeAlias = tuple[float, float, float]
 Span: TypeAlias = tuple[float, float]
 Axis: TypeAlias = Literal["x", "y", "z"]

@@ -7,10 +7,9 @@ import msgspec
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.retrieval.retriever import Retriever
-from mansion_editing.changes import net_changes
 from mansion_editing.passages import passages_of
 from mansion_editing.physics.engine import PhysicsEngine
-from mansion_editing.state import SceneState
+from mansion_editing.state import SceneState, net_changes
 from mansion_editing.storage import BuildingStore
 from mansion_editing.tools import manipulation, paths, perception, placement
 from mansion_msgs_py.codec import decode, encode

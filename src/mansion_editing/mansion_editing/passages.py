@@ -7,7 +7,7 @@ import shapely
 from shapely.geometry import LineString, Point, Polygon
 
 from mansion_geometry.object_footprints import footprint
-from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE
+from mansion_geometry.robot_body import BODY_RADIUS, CLEARANCE, THIN
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject
 from mansion_scene.spawn import free_region
 
@@ -18,9 +18,6 @@ LOW = 0.03
 
 _DOORWAY = 0.40
 """How far before a door's middle line the robot's centre must have come, metres."""
-
-_THIN = 0.02
-"""What hangs closer to its wall stops nobody, metres."""
 
 _LARGE_AREA, _LARGE_SHARE = 1.0, 0.2
 """Area for the robot's centre, square metres and share of the room's, from which a part is more than a nook."""
@@ -88,7 +85,7 @@ def passages_of(scene: FloorScene) -> Passages:
 
 def _is_obstacle(item: SceneObject) -> bool:
     low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
-    thin = item.mount == "wall" and item.size[1] <= _THIN
+    thin = item.mount == "wall" and item.size[1] <= THIN
     return item.mount in ("floor", "wall") and low < CLEARANCE and high > LOW and not thin
 
 

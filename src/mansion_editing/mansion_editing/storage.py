@@ -14,7 +14,7 @@ from pathlib import Path
 
 import msgspec
 
-from mansion_editing.changes import changed, inverse, rebase
+from mansion_editing.state import changed, inverse, rebase
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.building_folder import BuildingFolder, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes

@@ -9,9 +9,9 @@ import numpy as np
 from mansion_export.materials import named
 from mansion_export.model import Material, Node, Part, Surface
 from mansion_export.solids import Box, box_between, boxes_surface
+from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import Box3, FloorScene, LiftDetails, SceneCore, StairDetails
 from mansion_msgs_py.shapes import Point3
-from mansion_scene.structure.outer_doors import is_residential
 
 __all__ = ["core_parts", "core_sign"]
 
@@ -197,7 +197,7 @@ def core_sign(scene: FloorScene, core: SceneCore) -> list[Surface]:
     Where the wall is too low, the sign hangs before the door's head. Stairs of a home have no sign.
     """
     door = next((door for door in scene.doors if door.id == core.door), None)
-    if door is None or (core.type == "stair" and is_residential(scene.building_type)):
+    if door is None or (core.type == "stair" and default_knowledge().groups.is_dwelling(scene.building_type)):
         return []
     walls = {wall.id: wall for wall in scene.walls}
     wall = walls.get(door.wall)

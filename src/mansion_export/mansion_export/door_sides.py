@@ -5,24 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mansion_geometry.plane import inside_ring
 from mansion_msgs_py.scene import Door, FloorScene, SceneCore
 from mansion_msgs_py.shapes import Point
 
-__all__ = ["Shaft", "contains", "shaft_of", "side_of", "swing_side"]
+__all__ = ["Shaft", "shaft_of", "side_of", "swing_side"]
 
 PROBE = 0.25
 """Metres from the wall's centre line at which a side is asked which room it belongs to."""
-
-
-def contains(ring: Sequence[Point], x: float, y: float) -> bool:
-    """Tell whether a point lies in a ring (even-odd rule)."""
-    inside = False
-    ax, ay = ring[-1]
-    for bx, by in ring:
-        if (ay > y) != (by > y) and x < (bx - ax) * (y - ay) / (by - ay) + ax:
-            inside = not inside
-        ax, ay = bx, by
-    return inside
 
 
 def side_of(door: Door, ring: Sequence[Point]) -> int:
@@ -32,7 +22,7 @@ def side_of(door: Door, ring: Sequence[Point]) -> int:
     nx, ny = -(by - ay) / length, (bx - ax) / length
     mx, my = (ax + bx) / 2, (ay + by) / 2
     for side in (1, -1):
-        if contains(ring, mx + side * PROBE * nx, my + side * PROBE * ny):
+        if inside_ring(ring, mx + side * PROBE * nx, my + side * PROBE * ny):
             return side
     return 0
 

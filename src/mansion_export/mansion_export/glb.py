@@ -43,7 +43,7 @@ def building_glb(
     catalogue : Catalogue, optional
         Where the assets are, when they are not all in the shipped one.
     models : sequence of Model, optional
-        Of these floors, lowest first, where `building_models` has made them already.
+        What `building_models` makes of the same floors, the lowest first; made here when absent.
 
     Returns
     -------

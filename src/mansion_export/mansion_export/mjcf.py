@@ -15,22 +15,14 @@ from mansion_export.model import Material, Mesh, Model, Node, Surface
 from mansion_export.simulator_files import SimulatorModel, mesh_file_name, number_list, write_stl
 from mansion_export.solids import Box
 from mansion_export.walls import WallBodies
+from mansion_geometry.building_models import CEILING_GROUP, COLLISION_GROUP, OBJECT_GROUP, STRUCTURE_GROUP, object_mass
 from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.scene import FloorScene, Wall
 
 __all__ = ["floor_mjcf", "mjcf_files"]
 
-STRUCTURE_GROUP, OBJECT_GROUP, CEILING_GROUP, COLLISION_GROUP = 0, 1, 2, 3
-"""Geom groups; MuJoCo draws 0 to 2, so that boxes to collide with stay unseen. Switch 2 off to look from above."""
-
 EYE = 1.3
 """Height of the spawn camera, metres."""
-
-DENSITY = 300.0
-"""Density of objects that can be picked up, kilograms a cubic metre: much of each is air."""
-
-LEAST_MASS = 0.02
-"""Kilograms."""
 
 
 def floor_mjcf(
@@ -243,9 +235,9 @@ def _memory(bodies: int) -> int:
 
 
 def _inertial(size: tuple[float, float, float]) -> str:
-    """Return the mass and inertia of an object of a given size: a box of `DENSITY`."""
+    """Return the mass and inertia of an object of a given size: a box of one density."""
     w, d, h = size
-    mass = max(DENSITY * w * d * h, LEAST_MASS)
+    mass = object_mass(size)
     inertia = ((d * d + h * h), (w * w + h * h), (w * w + d * d))
     values = " ".join(f"{max(mass * value / 12, 1e-6):.4g}" for value in inertia)
     return f'<inertial pos="0 0 0" mass="{mass:.4g}" diaginertia="{values}"/>'

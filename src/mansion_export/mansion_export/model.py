@@ -5,12 +5,10 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
-import numpy.typing as npt
+
+from mansion_geometry.compiled import Floats, Ints
 
 __all__ = ["Material", "Mesh", "Model", "Node", "Part", "Surface", "assemble", "merge_surfaces"]
-
-Floats = npt.NDArray[np.float64]
-Ints = npt.NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,14 +1,11 @@
 """Vertex normals: smooth over flat angles, sharp over steep ones."""
 
 import numpy as np
-import numpy.typing as npt
 
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, Ints, kernel
 
 __all__ = ["SMOOTH", "corner_normals"]
 
-Floats = npt.NDArray[np.float64]
-Ints = npt.NDArray[np.int64]
 
 SMOOTH = float(np.cos(np.radians(40.0)))
 """Faces that meet at less than this angle are shaded as one curved surface."""

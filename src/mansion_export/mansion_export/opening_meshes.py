@@ -8,16 +8,13 @@ from mansion_export.door_sides import swing_side
 from mansion_export.materials import named
 from mansion_export.model import Material, Node, Part, Surface
 from mansion_export.solids import Box, boxes_surface
+from mansion_geometry.building_models import ASIDE, JAMB, OPEN_ANGLE
 from mansion_geometry.doorways import LEAFLESS, depth_of_doors
 from mansion_msgs_py.scene import Door, FloorScene, Window
 from mansion_msgs_py.shapes import Segment
 
 __all__ = ["door_parts", "leaf_parts", "window_parts"]
 
-OPEN_ANGLE = 86.0
-"""Degrees by which an open leaf stands off its frame."""
-
-JAMB = 0.04
 LEAF = 0.045
 TRIM = 0.1
 """Breadth of the trims around a lift's door, metres."""
@@ -131,7 +128,7 @@ def _panels(door: Door) -> list[Part]:
     name = f"door_panel:{width:.3f}x{door.height:.3f}:{door.kind}"
     found: list[Part] = []
     for i, closed in enumerate((JAMB, length / 2)):
-        aside = (-width if i == 0 else width) * 0.92 if door.is_open else 0.0
+        aside = (-width if i == 0 else width) * ASIDE if door.is_open else 0.0
         at = closed + aside
         place = (x + float(ux) * at, y + float(uy) * at, 0.01)
         node = Node(f"{door.id}/leaf_{i + 1}", name, "doors", place, rotation)

@@ -13,6 +13,7 @@ from mansion_export.plan.palette import INK
 from mansion_export.plan.raster import load_font
 from mansion_export.presentation import building_title, floor_name
 from mansion_export.renderer import Triangles, View, bounds, project, render
+from mansion_geometry.compiled import Floats
 from mansion_msgs_py.scene import FloorScene
 
 if TYPE_CHECKING:
@@ -39,7 +40,6 @@ MOST_COLUMNS = 6
 FROM_ABOVE = View(azimuth=-72.0, elevation=54.0)
 FROM_STREET = View(azimuth=-58.0, elevation=26.0)
 
-Floats = npt.NDArray[np.float64]
 
 CUT = 1.5
 """Height at which walls are cut open, metres."""

@@ -13,11 +13,10 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_export.model import Mesh, Model, Node
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, kernel
 
 __all__ = ["Triangles", "View", "bounds", "flatten", "project", "render"]
 
-Floats = npt.NDArray[np.float64]
 
 Singles = npt.NDArray[np.float32]
 

@@ -5,7 +5,6 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 from shapely.geometry import Polygon
 from shapely.geometry.polygon import orient
 
@@ -15,6 +14,7 @@ from mansion_export.materials import named
 from mansion_export.model import Node, Part, assemble
 from mansion_export.renderer import Triangles, View, bounds, flatten, project, render
 from mansion_export.solids import Box, boxes_surface, polygon_surface
+from mansion_geometry.compiled import Floats
 from mansion_msgs_py.placement import PlacementResult, PlacementRoom
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
 __all__ = ["room_picture"]
 
-Floats = npt.NDArray[np.float64]
 
 WALL, THICKNESS, SILL = 1.1, 0.12, 0.9
 """Height at which walls are cut, their thickness, and the height below windows; metres."""

@@ -9,13 +9,13 @@ import numpy.typing as npt
 from mansion_export.materials import named, surface_material
 from mansion_export.model import Material, Surface
 from mansion_export.solids import Box
+from mansion_geometry.compiled import Floats
 from mansion_msgs_py.scene import FloorScene, Wall
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.structure.materials import DEFAULT_FACADE
 
 __all__ = ["Opening", "WallBodies", "span", "wall_surfaces"]
 
-FloatArray = npt.NDArray[np.float64]
 
 SEAM = 0.002
 """Metres by which a lengthened wall stays behind the face it meets, so that no two faces coincide."""
@@ -124,7 +124,7 @@ class WallBodies:
             boxes.append(Box(center, (high - low, wall.thickness, top - bottom), rotation))
         return boxes
 
-    def _extensions(self) -> FloatArray:
+    def _extensions(self) -> Floats:
         """Return how far walls go on beyond their ends, (n, 2): to the far face at a corner, to the middle at a T."""
         count = len(self._half)
         found = np.zeros((count, 2))
@@ -151,13 +151,7 @@ class WallBodies:
         return found
 
     def _beyond(
-        self,
-        i: int,
-        others: npt.NDArray[np.int64],
-        cross: FloatArray,
-        to_start: FloatArray,
-        to_end: FloatArray,
-        sign: float,
+        self, i: int, others: npt.NDArray[np.int64], cross: Floats, to_start: Floats, to_end: Floats, sign: float
     ) -> float:
         """Return how far wall `i` goes on among the walls that its end meets."""
         ahead = sign * self._units[i]

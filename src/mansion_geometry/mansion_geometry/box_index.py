@@ -3,14 +3,11 @@
 import math
 
 import numpy as np
-import numpy.typing as npt
 
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, Labels, kernel
 
 __all__ = ["box_buckets", "bucket_of"]
 
-Floats = npt.NDArray[np.float64]
-Labels = npt.NDArray[np.int32]
 
 _MOST = 64
 """Most buckets along an axis."""

@@ -9,9 +9,9 @@ overlapping: every test is slack by `TOUCH`.
 import math
 
 import numpy as np
-import numpy.typing as npt
 
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, kernel
+from mansion_geometry.plane import crosses
 
 __all__ = [
     "TOUCH",
@@ -25,7 +25,6 @@ __all__ = [
     "unit_vector",
 ]
 
-Floats = npt.NDArray[np.float64]
 
 TOUCH = 1e-6
 """Depth to which boxes may overlap, metres."""
@@ -69,13 +68,16 @@ def compose(pose: Floats, parts: Floats) -> Floats:
     return out
 
 
+_crosses = kernel(crosses)
+
+
 @kernel
 def point_inside(x: float, y: float, edges: Floats) -> bool:
     """Tell whether a point lies in the region that `edges` bound (even-odd rule)."""
     inside = False
     for k in range(edges.shape[0]):
         ax, ay, bx, by = edges[k, 0], edges[k, 1], edges[k, 2], edges[k, 3]
-        if (ay > y) != (by > y) and x < ax + (y - ay) * (bx - ax) / (by - ay):
+        if _crosses(x, y, ax, ay, bx, by):
             inside = not inside
     return inside
 

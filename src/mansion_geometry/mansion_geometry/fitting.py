@@ -6,17 +6,13 @@ Boxes, poses and boundaries are arrays as in `mansion_geometry.boxes`.
 import math
 
 import numpy as np
-import numpy.typing as npt
 
 from mansion_geometry.box_index import box_buckets, bucket_of
 from mansion_geometry.boxes import TOUCH, box_inside, boxes_overlap, compose
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Bools, Floats, Labels, kernel
 
 __all__ = ["feasible_poses", "front_clearance"]
 
-Floats = npt.NDArray[np.float64]
-Bools = npt.NDArray[np.bool_]
-Labels = npt.NDArray[np.int32]
 
 _FEW, _BUCKET = 24, 0.8
 """Up to so many boxes are compared one by one, more through buckets of at least this side in metres."""

@@ -6,10 +6,10 @@ A count is 0 where a cell is free; arrays are indexed ``[row (y), column (x)]``.
 import math
 
 import numpy as np
-import numpy.typing as npt
 
 from mansion_geometry.boxes import point_inside
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Bools, Counts, Floats, Labels, kernel
+from mansion_geometry.plane import offset_from_segment
 
 __all__ = [
     "SLACK",
@@ -23,24 +23,18 @@ __all__ = [
     "wall_counts",
 ]
 
-Floats = npt.NDArray[np.float64]
-Counts = npt.NDArray[np.int16]
-Labels = npt.NDArray[np.int32]
-Bools = npt.NDArray[np.bool_]
 
 SLACK = 1e-9
 """Distances that differ by less are equal, metres."""
 
 
+_offset = kernel(offset_from_segment)
+
+
 @kernel
 def segment_distance2(x: float, y: float, seg: Floats) -> float:
     """Return the squared distance of a point to a segment ``(ax, ay, bx, by)``."""
-    dx, dy = seg[2] - seg[0], seg[3] - seg[1]
-    length2 = dx * dx + dy * dy
-    t = 0.0
-    if length2 > 0.0:
-        t = min(1.0, max(0.0, ((x - seg[0]) * dx + (y - seg[1]) * dy) / length2))
-    ex, ey = x - seg[0] - t * dx, y - seg[1] - t * dy
+    ex, ey = _offset(x, y, seg[0], seg[1], seg[2], seg[3])
     distance2: float = ex * ex + ey * ey
     return distance2
 

@@ -10,9 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Bools, Counts, Floats, Labels, kernel
 from mansion_geometry.free_cells import (
     SLACK,
     cell_window,
@@ -25,10 +24,6 @@ from mansion_geometry.free_cells import (
 
 __all__ = ["FreeGrid", "connected_components", "flood_fill"]
 
-Floats = npt.NDArray[np.float64]
-Counts = npt.NDArray[np.int16]
-Labels = npt.NDArray[np.int32]
-Bools = npt.NDArray[np.bool_]
 
 _LOOK_AROUND = 0.6
 """How far beyond a new box's inflation its surroundings are looked at, metres."""

@@ -2,20 +2,20 @@
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
+from mansion_geometry.compiled import Bools, Floats
 from mansion_geometry.floor_grid import GridFrame
 
-__all__ = ["cells_in", "raster_over"]
+__all__ = ["cells_in", "raster_over", "ring_mask"]
 
 
-def cells_in(shape: BaseGeometry, frame: GridFrame) -> NDArray[np.bool_]:
+def cells_in(shape: BaseGeometry, frame: GridFrame) -> Bools:
     """Return which cells have their centre inside `shape`, as (rows, columns) of bool."""
     if shape.is_empty:
         return np.zeros(frame.shape, dtype=bool)
     shapely.prepare(shape)
-    inside: NDArray[np.bool_] = shapely.contains_xy(shape, *np.meshgrid(*frame.centers()))
+    inside: Bools = shapely.contains_xy(shape, *np.meshgrid(*frame.centers()))
     return inside
 
 
@@ -27,3 +27,21 @@ def raster_over(shape: BaseGeometry, cells: int = 64) -> GridFrame:
     """
     x0, y0, x1, y1 = shape.bounds
     return GridFrame(x0, y0, max(x1 - x0, y1 - y0) / cells, cells, cells)
+
+
+def ring_mask(ring: Floats, xs: Floats, ys: Floats) -> Bools:
+    """Return which points of a grid lie in a ring (even-odd rule), as (rows, columns) of bool.
+
+    Parameters
+    ----------
+    ring : (n, 2) array
+    xs, ys : array
+        Of the columns and of the rows.
+    """
+    inside = np.zeros((len(ys), len(xs)), dtype=bool)
+    for (ax, ay), (bx, by) in zip(ring, np.roll(ring, -1, axis=0)):
+        if ay != by:
+            rows = (ay > ys) != (by > ys)
+            cross = (bx - ax) * (ys - ay) / (by - ay) + ax
+            inside ^= rows[:, None] & (xs[None, :] < cross[:, None])
+    return inside

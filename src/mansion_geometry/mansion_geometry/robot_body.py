@@ -2,7 +2,7 @@
 
 from typing import Final
 
-__all__ = ["BODY_RADIUS", "CLEARANCE", "FLAT", "PASSAGE_WIDTH", "ROBOT_RADIUS", "ROBOT_REACH", "in_the_way"]
+__all__ = ["BODY_RADIUS", "CLEARANCE", "FLAT", "PASSAGE_WIDTH", "ROBOT_RADIUS", "ROBOT_REACH", "THIN", "in_the_way"]
 
 ROBOT_RADIUS: Final = 0.20
 """Radius of the disc that the robot covers, metres."""
@@ -21,6 +21,9 @@ CLEARANCE: Final = 1.5
 
 FLAT: Final = 0.05
 """Height up to which the robot drives over objects, rugs say; metres."""
+
+THIN: Final = 0.02
+"""Depth up to which what hangs on a wall stops nobody, metres."""
 
 
 def in_the_way(bottom: float, top: float) -> bool:

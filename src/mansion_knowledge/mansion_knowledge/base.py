@@ -1,7 +1,7 @@
 """Load, validate and extend the knowledge base.
 
-Four files of one format each: ``room_types.csv``, ``room_words.csv``, ``building_types.toml`` and ``styles.toml``. A
-user's folder with files of the same names adds records, or replaces those of the same name.
+Five files of one format each: ``room_types.csv``, ``room_words.csv``, ``building_types.toml``, ``building_groups.toml``
+and ``styles.toml``. A user's folder with files of the same names adds records, or replaces those of the same name.
 """
 
 import csv
@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any, TypeAlias, get_args
 
 from mansion_knowledge.types import (
+    BuildingGroups,
     BuildingType,
     Family,
     Finish,
@@ -47,12 +48,13 @@ _LEVELS = ("", "goal", "talk", "loose")
 
 @dataclass(frozen=True, eq=False)
 class KnowledgeBase:
-    """Room types, words in names of rooms, building types and styles, each by name."""
+    """Room types, words in names of rooms, building types and styles, each by name; groups of building types."""
 
     rooms: dict[str, RoomType]
     words: dict[str, RoomWord]
     buildings: dict[str, BuildingType]
     styles: dict[str, Style]
+    groups: BuildingGroups
 
     def room(self, name: str) -> RoomType:
         """Return the room type of that name, or the one most like storage for an unknown name."""
@@ -70,7 +72,7 @@ def load_knowledge(folders: Sequence[Path] = ()) -> KnowledgeBase:
     Parameters
     ----------
     folders : sequence of Path
-        Each may hold any of the four files. They follow those that the environment variable ``MANSION_KNOWLEDGE``
+        Each may hold any of the five files. They follow those that the environment variable ``MANSION_KNOWLEDGE``
         names for every stage and export at once; later ones win.
 
     Raises
@@ -92,6 +94,7 @@ def _load(folders: tuple[Path, ...]) -> KnowledgeBase:
     words: dict[str, RoomWord] = {}
     buildings: dict[str, BuildingType] = {}
     styles: dict[str, Style] = {}
+    groups: dict[str, dict[str, Any]] = {}
     for folder in (_DATA, *folders):
         if not folder.is_dir():
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no knowledge folder {folder}")
@@ -99,7 +102,9 @@ def _load(folders: tuple[Path, ...]) -> KnowledgeBase:
         words |= {name: _word(file, row) for name, (file, row) in _read_rows(folder / "room_words.csv", "word").items()}
         styles |= _read_styles(folder / "styles.toml")
         buildings |= _read_buildings(folder / "building_types.toml")
-    knowledge = KnowledgeBase(_rooms(rows), words, buildings, styles)
+        for name, record in _read_toml(folder / "building_groups.toml").items():
+            groups[name] = groups.get(name, {}) | record
+    knowledge = KnowledgeBase(_rooms(rows), words, buildings, styles, _groups(groups))
     _check_references(knowledge)
     return knowledge
 
@@ -299,6 +304,23 @@ def _building(name: str, record: dict[str, Any]) -> BuildingType:
     )
 
 
+def _groups(record: Mapping[str, Mapping[str, Any]]) -> BuildingGroups:
+    try:
+        return BuildingGroups(
+            filler={
+                family if family == "other" else _one_of(Family, family): tuple(rooms)
+                for family, rooms in record["filler"].items()
+            },
+            dwellings=frozenset(record["dwelling"]["words"]),
+            facades={
+                name: (frozenset(facade["words"]), tuple(facade["materials"]))
+                for name, facade in record["facade"].items()
+            },
+        )
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise _fault(Path("building_groups.toml"), "", str(error)) from None
+
+
 def _check_references(knowledge: KnowledgeBase) -> None:
     """Every room type and style that a record names must exist."""
 
@@ -320,6 +342,8 @@ def _check_references(knowledge: KnowledgeBase) -> None:
                 f"knowledge record {room.name!r} names the unknown building type {room.suggests!r}",
                 details={"record": room.name, "building_type": room.suggests},
             )
+    for family, fillers in knowledge.groups.filler.items():
+        check(family, [RoomEntry(name) for name in fillers])
     for building in knowledge.buildings.values():
         check(building.name, [RoomEntry(building.hub), RoomEntry(building.hub_upper)])
         for entries in building.storeys.values():

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 __all__ = [
+    "BuildingGroups",
     "BuildingType",
     "Family",
     "Finish",
@@ -216,6 +217,43 @@ class BuildingType:
     stretcher: bool = False
     like: str = ""
     heads: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class BuildingGroups:
+    """What many building types have in common: by family, or by the words of their names.
+
+    Attributes
+    ----------
+    filler : dict of str to tuple of str
+        Room types of general use that fill a storey, by family; ``other`` for the families that are not named.
+    dwellings : frozenset of str
+        Words of types that get the door of a house.
+    facades : dict of str to (frozenset of str, tuple of str)
+        Words of types, and the materials that their outer walls may have; ``other`` for types without such a word.
+    """
+
+    filler: dict[str, tuple[str, ...]]
+    dwellings: frozenset[str]
+    facades: dict[str, tuple[frozenset[str], tuple[str, ...]]]
+
+    def filler_of(self, family: str) -> tuple[str, ...]:
+        """Return the room types of general use of a family."""
+        return self.filler.get(family, self.filler["other"])
+
+    def is_dwelling(self, building_type: str) -> bool:
+        """Whether a building type is a dwelling, by the words of its name."""
+        return not self.dwellings.isdisjoint(_words(building_type))
+
+    def facades_of(self, building_type: str) -> tuple[str, ...]:
+        """Return the materials that the outer walls of a building type may have."""
+        words = _words(building_type)
+        found = (materials for names, materials in self.facades.values() if not names.isdisjoint(words))
+        return next(found, self.facades["other"][1])
+
+
+def _words(building_type: str) -> list[str]:
+    return building_type.lower().replace("-", "_").replace(" ", "_").split("_")
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,13 @@
 """Tasks for a robot: what is asked, what must be there, when it is done (supplement, E and F.2 to F.4)."""
 
 from enum import StrEnum
+from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import msgspec
 
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.files import decode_from, read_bytes
 from mansion_msgs_py.world import Pose2D
 
 __all__ = [
@@ -18,6 +21,8 @@ __all__ = [
     "TaskKind",
     "TaskSet",
     "TaskStart",
+    "read_task_set",
+    "read_tasks",
 ]
 
 
@@ -181,3 +186,43 @@ class TaskSet(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     building_id: str
     tasks: list[Task]
     schema_version: Literal[1] = 1
+
+
+def read_task_set(file: Path) -> TaskSet:
+    """Read a task set.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for a file that cannot be read, ``INVALID_PAYLOAD`` for one that is no task set; both name it.
+    """
+    if file.is_dir():
+        raise MansionError(ErrorCode.NOT_FOUND, f"{file} is a folder; name a file of `mansion task generate`")
+    data = read_bytes(file, "a file of `mansion task generate`")
+    head = decode_from(dict[str, Any], data, file)
+    if "instruction" in head and "tasks" not in head:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            f"{file} is a task in words; `mansion task ground {file} BUILDING -o FILE` makes a task set of it",
+        )
+    return decode_from(TaskSet, data, file)
+
+
+def read_tasks(file: Path, task_id: str = "") -> list[Task]:
+    """Return the tasks of a file, a `Task` or a `TaskSet`: the one of an id, or all.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for a file that cannot be read or an id that it lacks, ``INVALID_PAYLOAD`` for what is no task.
+    """
+    data = read_bytes(file, "the JSON of a task, or of a set of tasks")
+    if "tasks" in decode_from(dict[str, Any], data, file):
+        tasks = decode_from(TaskSet, data, file).tasks
+    else:
+        tasks = [decode_from(Task, data, file)]
+    wanted = [task for task in tasks if task_id in ("", task.id)]
+    if not wanted:
+        known = ", ".join(task.id for task in tasks[:20])
+        raise MansionError(ErrorCode.NOT_FOUND, f"{file} has no task {task_id!r}; it has {known}")
+    return wanted

@@ -1,15 +1,9 @@
-"""Words of messages: names that would be accepted, articles, counts and ordinals."""
+"""Words of messages: names that would be accepted, articles and counts."""
 
 from collections.abc import Iterable
 from difflib import SequenceMatcher
 
-__all__ = ["ORDINALS", "choices", "counted", "nearest", "with_article"]
-
-ORDINALS = (
-    "first", "second", "third", "fourth", "fifth", "sixth",
-    "seventh", "eighth", "ninth", "tenth", "eleventh", "twelfth",
-)  # fmt: skip
-"""Places in a row that are read as words, of floors above all."""
+__all__ = ["choices", "counted", "nearest", "with_article"]
 
 FEW = 16
 """So many names are all shown; of more, the nearest."""

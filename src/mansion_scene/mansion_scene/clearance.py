@@ -7,7 +7,7 @@ from shapely.geometry import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from mansion_geometry.object_footprints import footprint
-from mansion_geometry.robot_body import CLEARANCE, ROBOT_RADIUS, ROBOT_REACH
+from mansion_geometry.robot_body import CLEARANCE, ROBOT_RADIUS, ROBOT_REACH, THIN
 from mansion_msgs_py.placement import PlacementOpening
 from mansion_msgs_py.scene import SceneObject
 from mansion_scene.structure.dimensions import DOOR_HEIGHT
@@ -18,7 +18,6 @@ _DOORWAY = 0.8  # metres in front of a door that stay free
 _RADIUS = ROBOT_RADIUS - 0.01  # a little less than the robot's, so that rounding removes nothing
 _REACH = ROBOT_RADIUS + ROBOT_REACH  # from the robot's centre to what it approaches
 _FLAT = 0.03
-_THIN = 0.02  # depth up to which a wall object obstructs nobody
 
 
 def clear_of_ways(
@@ -46,7 +45,7 @@ def clear_of_ways(
 
 def _in_the_way(item: SceneObject) -> bool:
     low = item.position[2] - item.size[2] / 2
-    return item.mount == "wall" and low < CLEARANCE and item.size[1] > _THIN
+    return item.mount == "wall" and low < CLEARANCE and item.size[1] > THIN
 
 
 def _in_doorways(hung: Sequence[SceneObject], net: Polygon, doors: Sequence[PlacementOpening]) -> set[str]:

@@ -6,12 +6,12 @@ import msgspec
 import pytest
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_bringup.cli.edit import open_editor, read_tasks
+from mansion_bringup.cli.edit import open_editor
 from mansion_editing.agent.instruct import provision
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene
-from mansion_msgs_py.task import Need, Task, TaskKind, TaskSet
+from mansion_msgs_py.task import Need, Task, TaskKind, TaskSet, read_tasks
 from mansion_scene.decor.frames import scene_object
 from mansion_tasks.tasks.grounding import ground
 from mansion_tasks.tasks.paper import PAPER_TASKS

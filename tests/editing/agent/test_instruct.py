@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from mansion_editing.agent.discourse import parse_instruction
+from mansion_editing.agent.facts import AbsentFact, Action, MoveFact, ObjectFact, PathFact, Policy, StateFact
 from mansion_editing.agent.instruct import MOST_REFUSED, instruct, run_agent
-from mansion_editing.agent.protocol import AbsentFact, Action, MoveFact, ObjectFact, PathFact, Policy, StateFact
 from mansion_editing.editor import SceneEditor
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import MansionError
@@ -119,7 +119,7 @@ def test_what_is_no_edit_changes_nothing(open_editor: EditorFactory, text: str) 
 
 
 def _calls(*actions: tuple[str, dict[str, object]]) -> Policy:
-    from mansion_editing.agent.protocol import Verdict
+    from mansion_editing.agent.facts import Verdict
 
     for tool, arguments in actions:
         yield Action("", tool, arguments)

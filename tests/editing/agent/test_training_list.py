@@ -5,10 +5,9 @@ The parser was mended until it read these sentences; they guard what it reads an
 
 import pytest
 
-from mansion_editing.agent.discourse import parse_instruction
-from mansion_editing.agent.protocol import ObjectFact
-from mansion_editing.agent.sentences import plain_sentences
-from mansion_editing.references import vocabulary_of
+from mansion_assets.catalogue.vocabulary import vocabulary_of
+from mansion_editing.agent.discourse import parse_instruction, plain_sentences
+from mansion_editing.agent.facts import ObjectFact
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import MansionError
 
@@ -277,6 +276,7 @@ def test_taken_and_put_is_one_move(state: SceneState, text: str) -> None:
         ("Put a flurbostat on the dining table.", "flurbostat"),
         ("Put a slightly dented mug on the dining table.", "slightly dented"),
         ("Put a mug on the wobbly dining table.", "wobbly"),
+        ("Put a mug on {}.", "{}"),
     ],
 )
 def test_what_no_tool_does_is_refused_by_its_words(state: SceneState, text: str, named: str) -> None:

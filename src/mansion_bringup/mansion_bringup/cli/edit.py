@@ -11,13 +11,12 @@ from mansion_bringup.cli.console import err, print_json
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.editing import AgentReport
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.files import decode_from, read_bytes
-from mansion_msgs_py.task import Task, TaskSet
+from mansion_msgs_py.task import read_tasks
 
 if TYPE_CHECKING:
     from mansion_editing.editor import SceneEditor
 
-__all__ = ["open_editor", "read_tasks", "register"]
+__all__ = ["open_editor", "register"]
 
 _WRITES = ("PlaceInContainer", "PlaceOnSurface", "MoveObject")
 """Tools that may need physics."""
@@ -120,26 +119,6 @@ def _provision(editor: "SceneEditor", file: Path, task_id: str) -> list[AgentRep
     from mansion_editing.agent.instruct import provision
 
     return [provision(editor, task) for task in read_tasks(file, task_id)]
-
-
-def read_tasks(file: Path, task_id: str = "") -> list[Task]:
-    """Return the tasks of a file, a `Task` or a `TaskSet`: the one of an id, or all.
-
-    Raises
-    ------
-    MansionError
-        ``NOT_FOUND`` for a file that cannot be read or an id that it lacks, ``INVALID_PAYLOAD`` for what is no task.
-    """
-    data = read_bytes(file, "the JSON of a task, or of a set of tasks")
-    if "tasks" in decode_from(dict[str, Any], data, file):
-        tasks = decode_from(TaskSet, data, file).tasks
-    else:
-        tasks = [decode_from(Task, data, file)]
-    wanted = [task for task in tasks if task_id in ("", task.id)]
-    if not wanted:
-        known = ", ".join(task.id for task in tasks[:20])
-        raise MansionError(ErrorCode.NOT_FOUND, f"{file} has no task {task_id!r}; it has {known}")
-    return wanted
 
 
 def refresh(editor: "SceneEditor") -> None:

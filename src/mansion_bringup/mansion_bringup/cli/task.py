@@ -11,7 +11,7 @@ from mansion_bringup.cli.console import check_output_file, err, out, print_json
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import decode_from, read_bytes, write_atomic
-from mansion_msgs_py.task import Task, TaskKind, TaskSet
+from mansion_msgs_py.task import Task, TaskKind, TaskSet, read_task_set
 from mansion_msgs_py.wording import choices, counted
 
 if TYPE_CHECKING:
@@ -28,12 +28,6 @@ Output = Annotated[Path | None, typer.Option("--output", "-o", help="File to wri
 def register(app: typer.Typer) -> None:
     """Add the commands to `app`."""
     app.add_typer(group, name="task")
-
-
-def _task_set(file: Path) -> TaskSet:
-    from mansion_tasks.tasks.task_files import read_task_set
-
-    return read_task_set(file)
 
 
 def _sandbox(building: Path) -> "Sandbox":
@@ -171,7 +165,7 @@ def show(
 
       mansion task show tasks.json search_s0_3
     """
-    read = _task_set(tasks)
+    read = read_task_set(tasks)
     if name:
         print_json(_chosen(read.tasks, name)[0])
         return
@@ -254,7 +248,7 @@ def run(
     """
     from mansion_tasks.tasks.solving import replay, solve
 
-    read = _task_set(tasks)
+    read = read_task_set(tasks)
     chosen = _chosen(read.tasks, name)
     sandbox = _set_sandbox(read, tasks, building)
     failed = 0

@@ -1,53 +1,41 @@
-"""Instructions to facts: clauses read in order, with pronouns, ellipsis and quantifiers resolved in the discourse."""
+"""Instructions to facts: sentences in plain words, their clauses in order, and what each refers to in the discourse."""
 
 import re
-from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
 from typing import Final
 
-from mansion_assets.catalogue import Asset
+from mansion_editing.agent import sentence_patterns as english
+from mansion_editing.agent.facts import (
+    AbsentFact,
+    Fact,
+    MoveFact,
+    ObjectDescription,
+    ObjectFact,
+    Scope,
+    StateFact,
+    each_place,
+)
 from mansion_editing.agent.noun_phrases import (
     NUMBERS,
     NounPhrase,
+    has_state,
     is_known,
-    path_facts,
+    read_move,
     read_noun_phrase,
     read_place,
     rooms_named,
+    typical_asset,
 )
-from mansion_editing.agent.protocol import AbsentFact, Fact, MoveFact, ObjectDescription, ObjectFact, Scope, StateFact
-from mansion_editing.agent.sentences import Clause, clauses_of, not_understood, plain_sentences, refuse_unsupported
-from mansion_editing.references import COLOUR_WORDS, colour_of, matching_objects, vocabulary_of
+from mansion_editing.agent.path_phrases import path_facts
 from mansion_editing.state import SceneState
+from mansion_language.colours import COLOUR_WORDS
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["MOST_CLAUSES", "MOST_FACTS", "parse_instruction"]
+__all__ = ["MOST_CLAUSES", "MOST_FACTS", "parse_instruction", "plain_sentences"]
 
 MOST_CLAUSES: Final = 24
 MOST_FACTS: Final = 60
-
-STATES: Final = {
-    **dict.fromkeys(["open", "opened"], ("open", True)),
-    **dict.fromkeys(["close", "closed", "shut"], ("open", False)),
-    **dict.fromkeys(["on", "switched on", "turned on", "running", "lit", "activate", "start", "light"], ("on", True)),
-    **dict.fromkeys(["off", "switched off", "turned off", "deactivate", "stop"], ("on", False)),
-}  # fmt: skip
-OPPOSITES: Final = {("open", True): "closed", ("open", False): "open", ("on", True): "off", ("on", False): "on"}
-
-_CARRIER_WITH: Final = re.compile(
-    r"^(?P<a>.+?) with (?P<b>(?:a|an|one|two|three|four|five|six|some|another|no|cold|\d+)\b.+?)"
-    r"(?: (?P<rel>on|in|inside|within)(?: (?:it|them|top))?)?(?P<loc> (?:in|on|at) (?!it\b|them\b|top\b).+)?$",
-    re.IGNORECASE,
-)
-_INDEFINITE: Final = re.compile(r"^(?:an?|one|two|three|four|five|six|some|another|\d+) ", re.IGNORECASE)
-_PRONOUN: Final = re.compile(r"^(?:it|them|that|this|these|those|both)\b", re.IGNORECASE)
-
-_TO: Final = (
-    r"^(?P<what>.+?)(?: from (?P<source>.+?))? (?:over |back |up |down |upstairs |downstairs )?"
-    r"(?P<to>to|into|onto) (?P<target>.+)$",
-    r"^(?P<what>.+?) from (?P<source>.+?) => (?P<to>on|in|inside) "
-    r"(?P<target>(?!(?:the )?(?:\w+ )?(?:floor|storey|level)\b).+)$",
-)
 
 
 def parse_instruction(state: SceneState, instruction: str) -> list[Fact]:
@@ -59,11 +47,11 @@ def parse_instruction(state: SceneState, instruction: str) -> list[Fact]:
         ``INVALID_PAYLOAD`` for what is no instruction, ``NOT_FOUND`` for words that name nothing, ``INFEASIBLE`` for
         more than is allowed. Nothing is guessed: an instruction is understood whole or refused.
     """
-    refuse_unsupported(instruction)
-    said = [clauses_of(sentence) for sentence in plain_sentences(instruction)]
+    _refuse_unsupported(instruction)
+    said = [_clauses_of(sentence) for sentence in plain_sentences(instruction)]
     number = sum(len(clauses) for clauses in said)
     if not number:
-        raise not_understood(instruction)
+        raise _not_understood(instruction)
     if number > MOST_CLAUSES:
         raise MansionError(
             ErrorCode.INFEASIBLE, f"the instruction asks for {number} things; at most {MOST_CLAUSES} in one go"
@@ -73,12 +61,158 @@ def parse_instruction(state: SceneState, instruction: str) -> list[Fact]:
     for clauses in asked:
         reader.read_sentence(clauses)
     if not reader.facts:
-        raise not_understood(instruction)
+        raise _not_understood(instruction)
     if len(reader.facts) > MOST_FACTS:
         raise MansionError(
             ErrorCode.INFEASIBLE, f"the instruction asks for {len(reader.facts)} facts; at most {MOST_FACTS} in one go"
         )
     return list(dict.fromkeys(reader.facts))
+
+
+def _not_understood(text: str) -> MansionError:
+    """Return the error for words that are no request."""
+    return MansionError(
+        ErrorCode.INVALID_PAYLOAD, f"not understood: {text[:120]!r}; {english.EXAMPLES}", path="$.instruction"
+    )
+
+
+def _refuse_unsupported(instruction: str) -> None:
+    """Refuse an instruction that asks for what no tool does, rather than do a part of it.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD``, naming the words and what is accepted.
+    """
+    text = " ".join(instruction.split())
+    for pattern, reason in english.UNSUPPORTED:
+        match = pattern.search(text)
+        if match:
+            words = match.groupdict().get("word") or match.group()
+            raise MansionError(
+                ErrorCode.INVALID_PAYLOAD,
+                f"not understood: {words.strip(' ,.;:')[:80]!r}: {reason}; {english.EXAMPLES}",
+                path="$.instruction",
+                details={"words": words[:80]},
+            )
+
+
+def plain_sentences(text: str) -> list[str]:
+    """Return the sentences of an instruction in the plain forms that clause patterns match.
+
+    Sentences that only repeat the one before are left out.
+
+    Examples
+    --------
+    >>> plain_sentences("Could you please put a couple of mugs on top of the desk? Thanks!")
+    ['put two mugs on the desk']
+    >>> plain_sentences("Grab the pen on the desk and put it on the sideboard.")
+    ['move the pen on the desk to the sideboard']
+    """
+    whole = " ".join(english.SENTENCE_ENDS.sub(" ;; ", text.replace("’", "'").replace("`", "'")).split())
+    out: list[str] = []
+    for part in whole.split(";;"):
+        sentence = _plain(part)
+        if not sentence or (out and english.REPETITION.match(sentence)):
+            continue
+        for plain in _paraphrased(sentence):
+            joined = _joined(out[-1], plain) if out else None
+            out = [*out, plain] if joined is None else [*out[:-1], joined]
+    return out
+
+
+def _plain(text: str) -> str:
+    """Drop courtesies, reasons and openings of a sentence; open contractions and replace expressions by plain ones."""
+    for pattern, plain in english.CONTRACTIONS:
+        text = re.sub(pattern, plain, text, flags=re.IGNORECASE)
+    text = english.QUESTION.sub(lambda m: f"there is{m[2]}" if m[1] else f"{m[3]} can {m[4]}", text.strip(" ,.?!"))
+    text = english.REASONS.sub("", english.COURTESIES.sub("", text))
+    for pattern, plain in english.EXPRESSIONS:
+        text = re.sub(pattern, plain, text, flags=re.IGNORECASE)
+    text = " ".join(text.replace(" ,", ",").split()).strip(' ,.;!?"')
+    before = ""
+    while before != text:
+        before, text = text, english.OPENINGS.sub("", text).strip(" ,")
+    return text
+
+
+def _paraphrased(text: str) -> list[str]:
+    """Apply the paraphrases to one sentence; some make several sentences of it."""
+    whole = english.FRAMES.sub("", re.sub(r"(?:\s*,)+", ",", text)).strip(" ,")
+    fetch = english.FETCH.match(whole)
+    if fetch:
+        relation = "in" if english.ENCLOSED.search(fetch["y"].split(" in ")[0]) else "on"
+        path = [f"there is a way to {fetch['z']}"] if fetch["z"] else []
+        return [f"there is {fetch['x']} {relation} {fetch['y']}", *path]
+    for pattern, plain in english.PARAPHRASES:
+        whole = pattern.sub(plain, whole)
+    parts = [" ".join(part.replace(" ,", ",").split()).strip(" ,") for part in whole.split(";;")]
+    return [part for part in parts if part]
+
+
+def _joined(before: str, text: str) -> str | None:
+    """Return two sentences as one where the second completes the first (``clear X``, ``only Y may stay``)."""
+    rest, cleared = english.REMAINDER.match(text), english.CLEARED.match(before)
+    if rest and cleared:
+        return f"remove everything from {cleared['place']} except {rest['kept']}"
+    match = english.BRING_IT.match(text)
+    had = re.match(r"^there is (?:an?|the|one) (.+)$", before, re.IGNORECASE) if match else None
+    if match is None or had is None or not english.PLACED.search(had[1]):
+        return None
+    return f"move the {had[1]} to {match[1]}"
+
+
+@dataclass(frozen=True)
+class Clause:
+    """What a piece of a sentence asks for.
+
+    Attributes
+    ----------
+    kind : str
+        ``have``, ``hold``, ``absent``, ``absent_on``, ``no``, ``clear``, ``state``, ``unstate``, ``move``, ``swap``,
+        ``path``, ``reach``, ``quality``; for whole sentences ``only``, ``exchange``, ``mention`` and ``some``;
+        ``place`` for a place alone; empty for a noun phrase whose verb is in the clause before or after.
+    words : dict of str to str
+        Parts of the clause: `x` objects, `y` a receptacle or room, `loc` a place, `z` a replacement, `a` and `b` the
+        ends of a path, `v` a state.
+    """
+
+    kind: str
+    words: dict[str, str] = field(default_factory=dict)
+
+
+def _clauses_of(sentence: str) -> list[Clause]:
+    """Return the clauses of a plain sentence in their order."""
+    for kind, pattern in english.SENTENCES:
+        match = pattern.match(sentence)
+        if match:
+            return [Clause(kind, match.groupdict())]
+    pieces = [piece.strip(" ,") for piece in english.CONJUNCTIONS.split(sentence)]
+    return [clause for words in pieces if words for clause in _clauses(words)]
+
+
+def _clauses(words: str) -> list[Clause]:
+    fronted = english.FRONTED_PLACE.match(words)
+    if fronted:
+        return [Clause("place", {"loc": fronted["loc"].strip(" ,")}), *_clauses(fronted["rest"])]
+    if english.EMPTY.match(words):
+        return []
+    bare = english.OBJECT_FIRST.sub(r"\1 should ", words)
+    requested = bare != words
+    for _ in range(3):
+        match = english.REQUEST.match(bare)
+        if match is None:
+            break
+        requested, bare = True, bare[match.end() :]
+    for kind, pattern in english.CLAUSES:
+        found = pattern.match(bare)
+        if found:
+            return [Clause(kind, {name: (text or "").strip() for name, text in found.groupdict().items()})]
+    if requested:
+        return [Clause("have", {"x": bare})]
+    if re.match(rf"^{english.AT}", bare, re.IGNORECASE):
+        return [Clause("place", {"loc": bare})]
+    return [Clause("", {"x": bare})]
 
 
 def _asks_nothing(state: SceneState, clauses: list[Clause]) -> bool:
@@ -113,7 +247,7 @@ class _Discourse:
         self._frame, self._clause = None, None
         for clause in clauses:
             if clause.kind == "place" and self._clause is None:
-                self._frame = _merged(read_place(self.state, clause.words["loc"]).where, self._frame)
+                self._frame = read_place(self.state, clause.words["loc"]).where.completed(self._frame)
             elif not clause.kind and self._clause is None:
                 early.append(clause.words["x"])
             elif not clause.kind or clause.kind == "place":
@@ -127,7 +261,7 @@ class _Discourse:
         for words in early:
             self._defer("have", read_noun_phrase(self.state, words))
         if early and self._pending and self._frame is None:
-            raise not_understood(", ".join(early))
+            raise _not_understood(", ".join(early))
         self._flush()
 
     def _read_ellipsis(self, clause: Clause) -> None:
@@ -135,8 +269,10 @@ class _Discourse:
         before = self._clause
         words = clause.words.get("loc") or clause.words["x"]
         if before is None:
-            raise not_understood(words)
-        things = _INDEFINITE.match(words) and not rooms_named(self.state, _INDEFINITE.sub("", words), None)
+            raise _not_understood(words)
+        things = english.INDEFINITE.match(words) and not rooms_named(
+            self.state, english.INDEFINITE.sub("", words), None
+        )
         if before.kind in ("path", "reach") and things:
             self._have(words)
             return
@@ -158,7 +294,7 @@ class _Discourse:
         if clause.kind == "place" or rooms_named(self.state, bare, None):
             self._repeat_elsewhere(words if clause.kind == "place" else f"in {words}")
             return
-        if before.kind in ("state", "unstate") and _INDEFINITE.match(words):
+        if before.kind in ("state", "unstate") and english.INDEFINITE.match(words):
             self._flush()
             self._have(words)
             return
@@ -170,7 +306,7 @@ class _Discourse:
         if self._pending or not isinstance(last, ObjectFact) or not last.where.receptacle:
             return False
         noun = read_noun_phrase(self.state, words).object.noun
-        asset = _typical(self.state, noun)
+        asset = typical_asset(self.state, noun)
         return asset is not None and bool(asset.surfaces) and not asset.pickupable
 
     def _repeat_elsewhere(self, words: str) -> None:
@@ -179,12 +315,12 @@ class _Discourse:
         place = read_place(self.state, words).where
         last = self.facts[-1] if self.facts else None
         if not isinstance(last, ObjectFact | AbsentFact):
-            raise not_understood(words)
+            raise _not_understood(words)
         closer = not place.receptacle and not last.where.rooms and last.where.floor is None
         if closer:
-            self.facts[-1] = replace(last, where=_merged(last.where, place))
+            self.facts[-1] = replace(last, where=last.where.completed(place))
             return
-        same = place if place.receptacle else _on_receptacle_of(place, last.where)
+        same = place if place.receptacle else place.on_receptacle_of(last.where)
         self.facts.append(replace(last, where=same))
 
     def _read(self, clause: Clause) -> None:
@@ -203,7 +339,7 @@ class _Discourse:
             self._hold(words)
         elif kind in ("absent", "no"):
             phrase = read_noun_phrase(self.state, f"{words['x']} {words.get('loc', '')}")
-            if _PRONOUN.match(words["x"]) and not phrase.object.noun:
+            if english.PRONOUN.match(words["x"]) and not phrase.object.noun:
                 phrase = self._resolve_pronoun(phrase)
             self._defer(kind, phrase)
         elif kind == "absent_on":
@@ -213,7 +349,7 @@ class _Discourse:
         elif kind == "clear":
             self._clear(words["y"])
         elif kind in ("state", "unstate"):
-            word = words["v"].lower() if kind == "state" else OPPOSITES[STATES[words["v"].lower()]]
+            word = words["v"].lower() if kind == "state" else english.OPPOSITES[english.STATES[words["v"].lower()]]
             self._defer(f"state {word}", read_noun_phrase(self.state, words["x"]))
         elif kind == "quality":
             self._qualify(words["v"].lower())
@@ -247,16 +383,16 @@ class _Discourse:
         """Read ``one of them should be green``: a colour for some of the objects of the last fact."""
         last = self.facts[-1] if self.facts else None
         if not isinstance(last, ObjectFact) or word not in COLOUR_WORDS:
-            raise not_understood(f"{number} of them {word}")
+            raise _not_understood(f"{number} of them {word}")
         part = replace(last.object, count=NUMBERS[number.lower()], colour=COLOUR_WORDS[word])
         self.facts.insert(-1, replace(last, object=part, exact=False))
 
     def _have(self, text: str) -> None:
-        if re.match(r"^(?:no|not any|none of)\b", text, re.IGNORECASE):
-            bare = re.sub(r"^(?:no|not any|none of)\s+", "", text, flags=re.IGNORECASE)
-            self._defer("absent", read_noun_phrase(self.state, bare))
+        negated = english.NEGATED.match(text)
+        if negated:
+            self._defer("absent", read_noun_phrase(self.state, text[negated.end() :]))
             return
-        match = _CARRIER_WITH.match(text)
+        match = english.CARRIER_WITH.match(text)
         if match is None:
             self._defer("have", read_noun_phrase(self.state, text))
             return
@@ -276,20 +412,18 @@ class _Discourse:
         bare = re.sub(r"^(?:(?:the|every|each|all|both)\s+)+", "", holder, flags=re.IGNORECASE)
         place = read_place(self.state, f"in {holder}")
         if place.where.receptacle and not rooms_named(self.state, bare, None):
-            asset = _typical(self.state, place.where.receptacle)
+            asset = typical_asset(self.state, place.where.receptacle)
             inward = asset is not None and bool(asset.volumes) and asset.openable
             place = read_place(self.state, f"{'in' if inward else 'on'} {holder}")
-        kind = "have"
-        text = words["x"]
-        if re.match(r"^(?:no|not any)\b", text, re.IGNORECASE):
-            kind, text = "absent", re.sub(r"^(?:no|not any)\s+", "", text, flags=re.IGNORECASE)
-        match = _CARRIER_WITH.match(text)
+        negated = english.NEGATED.match(words["x"])
+        kind, text = ("absent", words["x"][negated.end() :]) if negated else ("have", words["x"])
+        match = english.CARRIER_WITH.match(text)
         if match is not None and kind == "have":
             carrier = read_noun_phrase(self.state, f"{match['a']}{match['loc'] or ''}")
             self._with(match, replace(carrier, where=place.where, placed=True))
             return
         thing = read_noun_phrase(self.state, text)
-        where = _merged(thing.where, place.where) if thing.placed else place.where
+        where = thing.where.completed(place.where) if thing.placed else place.where
         self._defer(kind, replace(thing, where=where, placed=True, each=place.each, anaphoric=place.anaphoric))
 
     def _clear(self, text: str) -> None:
@@ -297,7 +431,7 @@ class _Discourse:
         phrase = read_place(self.state, f"on {text}")
         where = self._resolve_place(phrase)
         if not where.receptacle:
-            raise not_understood(f"clear {text}")
+            raise _not_understood(f"clear {text}")
         self.facts.append(AbsentFact(ObjectDescription("", 0), replace(where, relation="on")))
         carrier = ObjectDescription(where.receptacle, 1, where.colour)
         self._last = NounPhrase(carrier, Scope("room", "", where.rooms, where.floor), placed=True)
@@ -306,7 +440,7 @@ class _Discourse:
         """Add a quality to the last fact: they must be red, it should be cold, it is open."""
         self._flush()
         last = self.facts[-1] if self.facts else None
-        if word in STATES and self._last is not None:
+        if word in english.STATES and self._last is not None:
             self._switch(replace(self._stateful_referent(word, self._last), placed=True), word)
         elif isinstance(last, ObjectFact) and word in COLOUR_WORDS:
             thing = replace(last.object, colour=COLOUR_WORDS[word])
@@ -314,10 +448,10 @@ class _Discourse:
         elif isinstance(last, ObjectFact) and word in ("cold", "chilled", "cool"):
             self.facts[-1] = replace(last, object=replace(last.object, cold=True))
         else:
-            raise not_understood(word)
+            raise _not_understood(word)
 
     def _move(self, text: str) -> None:
-        parts = _split_move(self.state, text)
+        parts = read_move(self.state, text)
         if parts is None:
             self._defer("move", read_noun_phrase(self.state, text))
             return
@@ -325,15 +459,15 @@ class _Discourse:
         if not phrase.object.noun and not phrase.placed and self._last is not None:
             phrase = self._last
         if not goal.placed:
-            raise not_understood(f"move {text}")
+            raise _not_understood(f"move {text}")
         target = self._resolve_place(goal)
         for kind, waiting in self._pending:
             if kind == "move":
                 where = waiting.where if waiting.placed else phrase.where
-                self.facts.append(MoveFact(_quantity_to_move(waiting.object), where, target))
+                self.facts.append(MoveFact(waiting.object.to_move(), where, target))
         self._pending = [entry for entry in self._pending if entry[0] != "move"]
         self._flush()
-        self.facts.append(MoveFact(_quantity_to_move(phrase.object), self._resolve_place(phrase), target))
+        self.facts.append(MoveFact(phrase.object.to_move(), self._resolve_place(phrase), target))
         self._last = replace(phrase, where=target)
 
     def _swap(self, old: str, new: str) -> None:
@@ -348,7 +482,7 @@ class _Discourse:
         """Return the antecedent of a pronoun, at the place given with the pronoun."""
         before = self._pending[-1][1] if self._pending else self._last
         if before is None or not before.object.noun:
-            raise not_understood("it")
+            raise _not_understood("it")
         self._pending = self._pending[:-1]
         thing = replace(before.object, count=0)
         return replace(phrase if phrase.placed else before, object=thing)
@@ -358,7 +492,7 @@ class _Discourse:
         if not phrase.object.noun and not (whole and kind != "have"):
             before = self._pending[-1][1] if self._pending else self._last
             if before is None or not before.object.noun:
-                raise not_understood(kind)
+                raise _not_understood(kind)
             thing, last = phrase.object, before.object
             if kind.startswith("state ") and not phrase.placed:
                 before = self._stateful_referent(kind[6:], before)
@@ -375,9 +509,8 @@ class _Discourse:
     def _stateful_referent(self, word: str, before: NounPhrase) -> NounPhrase:
         """Return the last object, or its receptacle where only that can be open, or on."""
         where = before.where
-        if _has_state(self.state, before.object.noun, word) or not where.receptacle:
-            return before
-        if not _has_state(self.state, where.receptacle, word):
+        own = has_state(self.state, before.object.noun, word)
+        if own or not where.receptacle or not has_state(self.state, where.receptacle, word):
             return before
         place = replace(where, relation="room", receptacle="", colour="", base="")
         return NounPhrase(ObjectDescription(where.receptacle, 1, where.colour), place, placed=True)
@@ -406,7 +539,7 @@ class _Discourse:
             if where.base:
                 outer = replace(where, relation="on", receptacle=where.base, base="", colour="")
                 self.facts.append(ObjectFact(ObjectDescription(where.receptacle, 1, where.colour), outer))
-            for scope in _expand_quantifier(self.state, where, phrase.each):
+            for scope in each_place(self.state, where, phrase.each):
                 self.facts.append(ObjectFact(thing, scope, exact=phrase.exact, more=phrase.more, most=phrase.most))
         elif kind in ("absent", "no"):
             self.facts.append(AbsentFact(phrase.object, where))
@@ -414,11 +547,11 @@ class _Discourse:
             self._switch(replace(phrase, where=where), kind[6:])
             return
         else:
-            raise not_understood(kind)
+            raise _not_understood(kind)
         self._last = replace(phrase, where=where)
 
     def _switch(self, phrase: NounPhrase, word: str) -> None:
-        name, value = STATES[word.lower()]
+        name, value = english.STATES[word.lower()]
         where = self._resolve_place(phrase)
         state = "open" if name == "open" else "on"
         self.facts.append(StateFact(phrase.object, where, state, value=value))  # type: ignore[arg-type]
@@ -429,29 +562,16 @@ class _Discourse:
         where = phrase.where
         if phrase.anaphoric and self._last is not None:
             where = self._place_on_or_in(self._last, where.relation)
-        return _merged(where, self._frame) if self._frame is not None else where
+        return where.completed(self._frame)
 
     def _place_on_or_in(self, carrier: NounPhrase, relation: str) -> Scope:
         """Return the place on or in an object mentioned before; its own place when it carries nothing."""
-        noun = carrier.object.noun
-        asset = _typical(self.state, noun)
+        noun, own = carrier.object.noun, carrier.where
+        asset = typical_asset(self.state, noun)
         carries = asset is not None and bool(asset.surfaces or asset.volumes)
-        if not carries or (carrier.where.receptacle and noun in ("", carrier.where.receptacle)):
-            return carrier.where
-        own = carrier.where
+        if not carries or (own.receptacle and noun in ("", own.receptacle)):
+            return own
         return Scope("in" if relation == "in" else "on", noun, own.rooms, own.floor, carrier.object.colour)
-
-
-def _typical(state: SceneState, noun: str) -> Asset | None:
-    """Return the first asset of the first category that a noun names, None where it names nothing."""
-    categories = vocabulary_of(state.catalogue).nouns(noun)
-    return state.catalogue.by_category(categories[0])[0] if categories else None
-
-
-def _has_state(state: SceneState, noun: str, word: str) -> bool:
-    """Whether objects of a noun can be open, or on."""
-    asset = _typical(state, noun)
-    return asset is not None and (asset.openable if STATES[word][0] == "open" else asset.toggleable)
 
 
 def _only_facts(state: SceneState, words: str, place: str) -> tuple[list[Fact], NounPhrase]:
@@ -475,103 +595,6 @@ def _exchange_facts(state: SceneState, one: str, other: str) -> list[Fact] | Non
     if not (first.where.receptacle and second.where.receptacle):
         return None
     return [
-        MoveFact(_quantity_to_move(first.object), first.where, second.where),
-        MoveFact(_quantity_to_move(second.object), second.where, first.where),
+        MoveFact(first.object.to_move(), first.where, second.where),
+        MoveFact(second.object.to_move(), second.where, first.where),
     ]
-
-
-def _move_splits(text: str) -> Iterator[re.Match[str]]:
-    """Yield divisions of words into an object, its source and its target, the plain ones first."""
-    plain = re.match(_TO[0], text, re.IGNORECASE)
-    if plain:
-        yield plain
-    for joint in re.finditer(r" (?:on|in|inside) ", text, re.IGNORECASE):
-        head, tail = text[: joint.start()], text[joint.start() :]
-        if re.search(r" from .+", head, re.IGNORECASE):
-            match = re.match(_TO[1], f"{head} =>{tail}", re.IGNORECASE)
-            if match:
-                yield match
-
-
-def _split_move(state: SceneState, text: str) -> tuple[NounPhrase, NounPhrase] | None:
-    """Return what moves from where, and where to; the first division of the words that can be read, None without any.
-
-    Raises
-    ------
-    MansionError
-        ``NOT_FOUND`` when a division names something unknown and no other can be read.
-    """
-    fault: MansionError | None = None
-    for match in _move_splits(text):
-        source = f" on {match['source']}" if match["source"] else ""
-        inward = match["to"].lower() in ("into", "in", "inside")
-        try:
-            what = read_noun_phrase(state, match["what"] + source)
-            goal = read_place(state, f"{'in' if inward else 'on'} {match['target']}")
-        except MansionError as error:
-            fault = fault or error
-            continue
-        if goal.where.receptacle or goal.where.rooms or goal.anaphoric:
-            return what, goal
-    if fault is not None:
-        raise fault
-    return None
-
-
-def _quantity_to_move(thing: ObjectDescription) -> ObjectDescription:
-    """Return the description with the number to move: all where all are meant, else at least one."""
-    return replace(thing, count=0 if thing.every and not thing.count else max(1, thing.count))
-
-
-def _on_receptacle_of(own: Scope, other: Scope) -> Scope:
-    """Return a place with the receptacle of another."""
-    return replace(own, relation=other.relation, receptacle=other.receptacle, colour=other.colour, base=other.base)
-
-
-def _merged(own: Scope, other: Scope | None) -> Scope:
-    """Return a place whose open parts are filled from another."""
-    if other is None:
-        return own
-    placed = own if own.receptacle else _on_receptacle_of(own, other)
-    return replace(
-        placed,
-        rooms=own.rooms or other.rooms,
-        floor=other.floor if own.floor is None else own.floor,
-        near=own.near or other.near,
-    )
-
-
-def _expand_quantifier(state: SceneState, where: Scope, each: str) -> list[Scope]:
-    """Return a scope for each place that a quantified scope covers.
-
-    Parameters
-    ----------
-    each : {"", "receptacle", "room", "floor"}
-        Part of the scope that is quantified.
-
-    Raises
-    ------
-    MansionError
-        ``NOT_FOUND`` when there is none.
-    """
-    if each == "receptacle" and where.receptacle:
-        found = [
-            Scope(where.relation, item.id, (item.room,), floor, where.colour)
-            for floor, item in matching_objects(state, where.receptacle, list(where.rooms) or None, where.floor)
-            if where.colour in ("", colour_of(item.material))
-        ]
-    elif each == "room":
-        found = [replace(where, rooms=(room,)) for room in where.rooms]
-    elif each == "floor":
-        found = [replace(where, floor=floor, rooms=_on_floor(where.rooms, floor)) for floor in state.floors]
-        found = [scope for scope in found if scope.rooms or not where.rooms]
-    else:
-        return [where]
-    if not found:
-        place = replace(where, receptacle="", colour="")
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {where.receptacle or 'room'} {place}")
-    return found
-
-
-def _on_floor(rooms: tuple[str, ...], floor: int) -> tuple[str, ...]:
-    return tuple(room for room in rooms if room.startswith(f"F{floor}/"))

@@ -7,9 +7,9 @@ from typing import Any, Final
 import msgspec
 
 from mansion_editing.agent.discourse import parse_instruction
-from mansion_editing.agent.protocol import Action, Outcome, Policy, Verdict
+from mansion_editing.agent.facts import Action, Outcome, Policy, Verdict
 from mansion_editing.agent.provisioning import satisfy
-from mansion_editing.agent.sentences import ignored_adjectives
+from mansion_editing.agent.sentence_patterns import VAGUE
 from mansion_editing.agent.task_needs import task_policy
 from mansion_editing.editor import ACTION_TOOLS, PERCEPTION_TOOLS, SceneEditor
 from mansion_msgs_py.codec import decode, encode, to_builtins
@@ -260,12 +260,24 @@ def offline_policy(editor: SceneEditor, instruction: str) -> Policy:
     """
     state = editor.state
     verdict = yield from satisfy(parse_instruction(state, instruction), state)
-    ignored = ignored_adjectives(instruction)
+    ignored = _ignored_adjectives(instruction)
     if ignored:
         return replace(
             verdict, summary=f"{verdict.summary} (ignored, as scenes do not record it: {', '.join(ignored)})"
         )
     return verdict
+
+
+def _ignored_adjectives(text: str) -> list[str]:
+    """Return the adjectives of an instruction that are understood but that no scene describes.
+
+    Examples
+    --------
+    >>> _ignored_adjectives("put a small new mug on the clean desk, then empty the bin")
+    ['small', 'new', 'clean']
+    """
+    found = " ".join(match["words"].lower() for match in VAGUE.finditer(text))
+    return list(dict.fromkeys(found.split()))
 
 
 def _policy(editor: SceneEditor, instruction: str, planner: str) -> Policy:

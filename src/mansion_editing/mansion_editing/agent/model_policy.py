@@ -5,8 +5,8 @@ from typing import Any, Final
 
 import msgspec
 
+from mansion_editing.agent.facts import Action, Outcome, Policy, Verdict
 from mansion_editing.agent.instruct import AGENT_TOOLS
-from mansion_editing.agent.protocol import Action, Outcome, Policy, Verdict
 from mansion_editing.editor import SceneEditor
 from mansion_llm import Fault, LlmClient, Prompt, quoted_data
 from mansion_msgs_py.codec import schema, to_builtins

@@ -1,24 +1,20 @@
-"""Noun phrases: objects with number and colour, their places, and the ends of paths."""
+"""Noun phrases: objects with number and colour, their places, and what moves from where to where."""
 
 import re
+from collections.abc import Iterator
 from dataclasses import KW_ONLY, dataclass, replace
 from difflib import SequenceMatcher
 from typing import Final
 
 from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.search import search_assets
-from mansion_editing.agent.protocol import ObjectDescription, PathFact, Scope
-from mansion_editing.agent.sentence_patterns import EXAMPLES
-from mansion_editing.references import (
-    COLOUR_WORDS,
-    find_floor,
-    find_rooms,
-    matching_objects,
-    place_named,
-    stems,
-    vocabulary_of,
-)
+from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
+from mansion_editing.agent.facts import ObjectDescription, Scope
+from mansion_editing.agent.sentence_patterns import EXAMPLES, MOVED, STATES
 from mansion_editing.state import SceneState
+from mansion_editing.tools.perception import find_floor, find_rooms
+from mansion_language.colours import COLOUR_WORDS
+from mansion_language.numbers import CARDINALS, SOFT_NUMBERS
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = [
@@ -27,11 +23,13 @@ __all__ = [
     "NounPhrase",
     "QuantifiedNoun",
     "is_known",
+    "has_state",
     "known_noun",
+    "typical_asset",
+    "read_move",
     "read_noun_phrase",
     "read_place",
     "read_noun",
-    "path_facts",
     "rooms_named",
     "unknown_words",
     "unknown_adjectives",
@@ -40,12 +38,8 @@ __all__ = [
 MOST_COPIES: Final = 20
 """Greatest number of one object that an instruction may ask for."""
 
-_COUNTING: Final = [
-    "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve", "thirteen",
-    "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty",
-]  # fmt: skip
 NUMBERS: Final = {
-    **{word: number for number, word in enumerate(_COUNTING, start=1)},
+    **{word: number for word, number in CARDINALS.items() if number <= MOST_COPIES and word not in SOFT_NUMBERS},
     "a": 1, "an": 1, "another": 1, "single": 1, "couple": 2, "pair": 2, "dozen": 12,
     "hundred": 100, "thousand": 1000, "million": 10**6, "billion": 10**9,
 }  # fmt: skip
@@ -432,6 +426,8 @@ class _PlaceReader:
         words = re.findall(r"[a-z0-9'\-]+", name.lower())
         colour = next((COLOUR_WORDS[w] for w in words[:-1] if w in COLOUR_WORDS), "")
         plain = [w for w in words if w not in COLOUR_WORDS or w == words[-1]]
+        if not plain:
+            raise unknown_words(name)
         before, noun = known_noun(self.state, plain)
         self._narrow(" ".join(before), noun)
         return colour, noun
@@ -511,89 +507,51 @@ def rooms_named(state: SceneState, name: str, floor: int | None, *, every: bool 
     return tuple(found)
 
 
-_ENTRANCE = re.compile(
-    r"^(?:(?:main |front |building )?(?:entrance|door)|entry|outside|street|here)(?: door)?(?: of the building)?$",
-    re.IGNORECASE,
-)
-_ALL = re.compile(r"^(?:every|each|all|both|any)\b(?: of)?(?: the)?\s*", re.IGNORECASE)
-_ANYWHERE = re.compile(
-    r"^(?:|everywhere|anywhere|(?:other )?rooms?|places?|of the rooms?|floors?|(?:the )?(?:whole|entire) building)$",
-    re.IGNORECASE,
-)
+def _move_splits(text: str) -> Iterator[re.Match[str]]:
+    """Yield divisions of words into an object, its source and its target, the plain ones first."""
+    plain = re.match(MOVED[0], text, re.IGNORECASE)
+    if plain:
+        yield plain
+    for joint in re.finditer(r" (?:on|in|inside) ", text, re.IGNORECASE):
+        head, tail = text[: joint.start()], text[joint.start() :]
+        if re.search(r" from .+", head, re.IGNORECASE):
+            match = re.match(MOVED[1], f"{head} =>{tail}", re.IGNORECASE)
+            if match:
+                yield match
 
 
-def path_facts(state: SceneState, text: str, start: str = "") -> list[PathFact]:
-    """Return the ways that ``from the lobby to the kitchen``, ``to every office`` or ``the fridge from here`` mean.
-
-    Parameters
-    ----------
-    start : str
-        Words for the start, where the text names none.
+def read_move(state: SceneState, text: str) -> tuple[NounPhrase, NounPhrase] | None:
+    """Return what moves from where, and where to; the first division of the words that can be read, None without any.
 
     Raises
     ------
     MansionError
-        ``NOT_FOUND`` for words that name no place.
+        ``NOT_FOUND`` when a division names something unknown and no other can be read.
     """
-    words = re.sub(r"^(?:around|through|over|up|down|inside)\s+(?=to\b|from\b)", "", text.strip(" ."))
-    end = words
-    patterns = (
-        r"^(?:over |up |down )?(?:to|into|towards|in) (?P<end>.+?) (?:starting )?(?:from|coming from) (?P<start>.+)$",
-        r"^from (?P<start>.+?) (?:all the way |over |up |down )?(?:to|into|towards) (?P<end>.+)$",
-        r"^(?:over |up |down )?(?:to|into|towards|inside) (?P<end>.+)$",
-        r"^(?P<end>.+?) (?:starting )?from (?P<start>.+)$",
-        r"^from (?P<start>.+)$",
-    )
-    for pattern in patterns:
-        match = re.match(pattern, words, re.IGNORECASE)
-        if match:
-            found = match.groupdict()
-            start, end = found.get("start") or start, found.get("end") or ""
-            break
-    first = _place(state, start)
-    return [PathFact(first, place) for place in _ends(state, end)]
+    fault: MansionError | None = None
+    for match in _move_splits(text):
+        source = f" on {match['source']}" if match["source"] else ""
+        inward = match["to"].lower() in ("into", "in", "inside")
+        try:
+            what = read_noun_phrase(state, match["what"] + source)
+            goal = read_place(state, f"{'in' if inward else 'on'} {match['target']}")
+        except MansionError as error:
+            fault = fault or error
+            continue
+        if goal.where.receptacle or goal.where.rooms or goal.anaphoric:
+            return what, goal
+    if fault is not None:
+        raise fault
+    return None
 
 
-def _ends(state: SceneState, words: str) -> list[str]:
-    bare = words.strip(" ,.;!?\"'")
-    whole = _ALL.match(bare)
-    if not whole:
-        return [_place(state, bare)]
-    rest = bare[whole.end() :]
-    floor, without = find_floor(state, rest)
-    if _ANYWHERE.match(without.strip()) and floor is None:
-        return [""]
-    if _ANYWHERE.match(without.strip()) and floor is not None:
-        return [room.id for number, room in state.rooms() if number == floor]
-    rooms = rooms_named(state, without.strip(), floor)
-    return list(rooms) if rooms else [_place(state, rest)]
+def typical_asset(state: SceneState, noun: str) -> Asset | None:
+    """Return the first asset of the first category that a noun names, None where it names nothing."""
+    categories = vocabulary_of(state.catalogue).nouns(noun)
+    return state.catalogue.by_category(categories[0])[0] if categories else None
 
 
-def _place(state: SceneState, words: str) -> str:
-    bare = re.sub(r"^(?:(?:the|a|an|any|one of the)\s+)+", "", words.strip(" ,.;!?\"'"), flags=re.I)
-    if not bare or _ENTRANCE.match(bare) or _ANYWHERE.match(bare):
-        return ""
-    if "/" in bare:
-        return place_named(state, bare[0].upper() + bare[1:], "$.instruction")[1]
-    try:
-        floor, name = place_named(state, bare, "$.instruction")
-    except MansionError as error:
-        if error.code == ErrorCode.CONFLICT:
-            return str(error.info.details["candidates"][0])
-        return _object_place(state, bare)
-    is_core = any(core.id == name for core in state.scenes[floor].cores)
-    return bare if is_core else name
-
-
-def _object_place(state: SceneState, words: str) -> str:
-    """Return the object that ``fridge in the kitchen on the second floor`` names, or the room of its place."""
-    phrase = read_noun_phrase(state, words)
-    where = phrase.where
-    rooms = list(where.rooms) or None
-    for noun in (phrase.object.noun, where.receptacle):
-        found = matching_objects(state, noun, rooms, where.floor) if noun else []
-        if found:
-            return found[0][1].id
-    if where.rooms:
-        return where.rooms[0]
-    raise MansionError(ErrorCode.NOT_FOUND, f"there is no {words[:80]} to go to")
+def has_state(state: SceneState, noun: str, word: str) -> bool:
+    """Whether objects of a noun can be open, or on."""
+    asset = typical_asset(state, noun)
+    return asset is not None and (asset.openable if STATES[word][0] == "open" else asset.toggleable)

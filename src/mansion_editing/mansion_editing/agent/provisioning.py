@@ -3,25 +3,12 @@
 from collections import Counter
 from collections.abc import Generator
 from dataclasses import replace
+from functools import lru_cache
 from typing import Final
 
-from mansion_editing.agent.candidates import (
-    exactly_named,
-    find_assets,
-    find_landmarks,
-    find_objects,
-    find_surfaces,
-    in_room_program,
-    is_next_to,
-    list_contents,
-    matches,
-    place_any,
-    receptacles,
-    relation_of,
-    rooms_for,
-    rooms_of,
-)
-from mansion_editing.agent.protocol import (
+from mansion_assets.catalogue import Catalogue
+from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
+from mansion_editing.agent.facts import (
     AbsentFact,
     Action,
     Fact,
@@ -33,27 +20,41 @@ from mansion_editing.agent.protocol import (
     Policy,
     Scope,
     StateFact,
+    Unmet,
     Verdict,
+    ask,
+    exactly_named,
+    find_landmarks,
+    find_objects,
+    is_next_to,
+    list_contents,
+    matches,
+    receptacles,
+    rooms_of,
 )
-from mansion_editing.receptacles import free_places, ledges_of
-from mansion_editing.references import stems, vocabulary_of
 from mansion_editing.state import SceneState
-from mansion_msgs_py.editing import AssetInfo, ObjectInfo, PathReport
+from mansion_editing.tools.placement import free_places, ledges_of
+from mansion_knowledge import words_by
+from mansion_language.colours import colour_of
+from mansion_msgs_py.editing import AssetHits, AssetInfo, ObjectInfo, ObjectList, PathReport
+from mansion_msgs_py.errors import ErrorCode
 from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.shapes import Point3
+from mansion_msgs_py.wording import with_article
 
-__all__ = ["free_up", "make_room", "provide_objects", "satisfy", "remove_objects", "move_objects"]
+__all__ = ["satisfy"]
 
-Provisioning = Generator[Action, Outcome, str]
-"""Ends with the reason why a fact does not hold, empty when it does."""
+Provisioning = Generator[Action, Outcome, None]
+"""Raises `Unmet` where a fact cannot be made to hold."""
 
 
 def satisfy(facts: list[Fact], state: SceneState) -> Policy:
     """Check facts in order and provision what is missing."""
     failed = []
     for fact in facts:
-        reason = yield from _satisfy(fact, state)
-        if reason:
+        try:
+            yield from _satisfy(fact, state)
+        except Unmet as reason:
             failed.append(f"{fact}: {reason}")
     words = [str(fact) for fact in facts]
     summary = f"{len(facts) - len(failed)} of {len(facts)} facts hold" + (f"; {'; '.join(failed)}" if failed else "")
@@ -62,36 +63,33 @@ def satisfy(facts: list[Fact], state: SceneState) -> Policy:
 
 def _satisfy(fact: Fact, state: SceneState) -> Provisioning:
     if isinstance(fact, ObjectFact):
-        return (yield from provide_objects(fact, state))
-    if isinstance(fact, PathFact):
-        return (yield from _path(fact))
-    if isinstance(fact, AbsentFact):
-        return (yield from remove_objects(fact, state))
-    if isinstance(fact, MoveFact):
-        return (yield from move_objects(fact, state))
-    return (yield from _switch(fact, state))
+        yield from _provide(fact, state)
+    elif isinstance(fact, PathFact):
+        yield from _require_path(fact)
+    elif isinstance(fact, AbsentFact):
+        yield from _remove(fact, state)
+    elif isinstance(fact, MoveFact):
+        yield from _move(fact, state)
+    else:
+        yield from _switch(fact, state)
 
 
-def _path(fact: PathFact) -> Provisioning:
-    answer = yield Action(f"Is there {fact}?", "CheckPath", {"start": fact.start, "end": fact.end})
-    if answer.error is not None:
-        return str(answer.error)
-    report: PathReport = answer.value
-    return "" if report.reachable else report.message
+def _require_path(fact: PathFact) -> Provisioning:
+    report: PathReport = yield from ask(f"Is there {fact}?", "CheckPath", {"start": fact.start, "end": fact.end})
+    if not report.reachable:
+        raise Unmet(report.message)
 
 
 def _switch(fact: StateFact, state: SceneState) -> Provisioning:
     found = yield from find_objects(fact.object, fact.where, state)
-    if isinstance(found, str):
-        return found
     if not fact.object.noun and not (fact.where.rooms or fact.where.floor is not None):
-        return "say in which room, or on which floor"
+        raise Unmet("say in which room, or on which floor")
     if not found:
-        return f"there is no {fact.object.noun} {fact.where}"
+        raise Unmet(f"there is no {fact.object.noun} {fact.where}")
     able = [i for i in found if ("openable" if fact.state == "open" else "toggleable") in i.properties]
     if not able:
         what = "opens" if fact.state == "open" else "switches"
-        return f"no {fact.object.noun} {fact.where} {what}"
+        raise Unmet(f"no {fact.object.noun} {fact.where} {what}")
     several = fact.object.count == 0 and fact.object.every
     own = set(stems(fact.object.noun))
     named = [i for i in able if own <= set(stems(i.category.replace("_", " ")))]
@@ -99,45 +97,36 @@ def _switch(fact: StateFact, state: SceneState) -> Provisioning:
     wanted = able if several else able[: max(1, fact.object.count)]
     as_wished = [i for i in able if bool(i.states.get(fact.state, False)) == fact.value]
     if not several and len(as_wished) >= max(1, fact.object.count):
-        return ""
+        return
     for item in wanted:
-        if bool(item.states.get(fact.state, False)) == fact.value:
-            continue
-        answer = yield Action(
-            f"{item.id} is not in the requested state.", "SetState", {"object_id": item.id, fact.state: fact.value}
-        )
-        if answer.error is not None:
-            return str(answer.error)
-    return ""
+        if bool(item.states.get(fact.state, False)) != fact.value:
+            arguments = {"object_id": item.id, fact.state: fact.value}
+            yield from ask(f"{item.id} is not in the requested state.", "SetState", arguments)
 
 
 MOST_CARRIERS: Final = 6
 MOST_ROOMS: Final = 12
 
 
-def provide_objects(fact: ObjectFact, state: SceneState) -> Provisioning:
-    """Make an object fact hold; return why it cannot."""
+def _provide(fact: ObjectFact, state: SceneState) -> Provisioning:
     if fact.where.near:
-        return (yield from _provide_next_to(fact, state))
-    if not fact.where.receptacle:
-        return (yield from _provide_in_room(fact, state))
+        yield from _provide_next_to(fact, state)
+    elif fact.where.receptacle:
+        yield from _provide_on_receptacle(fact, state)
+    else:
+        yield from _provide_in_room(fact, state)
+
+
+def _provide_on_receptacle(fact: ObjectFact, state: SceneState) -> Provisioning:
     carriers = yield from receptacles(fact.where, state)
-    if isinstance(carriers, str):
-        return carriers
     if not carriers and fact.most:
-        return ""
+        return
     if not carriers:
-        carrier = yield from _provide_carrier(fact, state)
-        if isinstance(carrier, str):
-            return carrier
-        carriers = [carrier]
+        carriers = [(yield from _provide_carrier(fact, state))]
     counted: list[tuple[int, int, ObjectInfo]] = []
     surplus: list[ObjectInfo] = []
     for order, carrier in enumerate(carriers[:40]):
-        relation = relation_of(fact.where.relation, carrier, state)
-        there = yield from list_contents(carrier, relation)
-        if isinstance(there, str):
-            return there
+        there = yield from list_contents(carrier, _relation_of(fact.where.relation, carrier, state))
         mine = [item for item in there if matches(fact.object, item, state)]
         if fact.most:
             surplus += mine[fact.object.count :]
@@ -145,98 +134,84 @@ def provide_objects(fact: ObjectFact, state: SceneState) -> Provisioning:
         if fact.more:
             mine = []
         if len(mine) >= fact.object.count:
-            surplus = surplus or mine[fact.object.count :]
-            return (yield from _remove_surplus(surplus)) if fact.exact else ""
+            yield from _remove_surplus(mine[fact.object.count :] if fact.exact else [])
+            return
         counted.append((-len(mine), order, carrier))
     if fact.most:
-        return (yield from _remove_surplus(surplus))
+        yield from _remove_surplus(surplus)
+        return
     counted.sort(key=lambda entry: entry[:2])
-    return (yield from _place_missing(fact, [(-n, c) for n, _, c in counted[:MOST_CARRIERS]], state))
+    yield from _place_missing(fact, [(-n, c) for n, _, c in counted[:MOST_CARRIERS]], state)
 
 
 def _remove_surplus(surplus: list[ObjectInfo]) -> Provisioning:
     for item in surplus:
-        answer = yield Action(f"{item.id} is surplus.", "RemoveObject", {"object_id": item.id})
-        if answer.error is not None:
-            return str(answer.error)
-    return ""
+        yield from ask(f"{item.id} is surplus.", "RemoveObject", {"object_id": item.id})
 
 
 def _place_missing(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], state: SceneState) -> Provisioning:
     """Place what is missing on the first receptacle that takes it all."""
-    assets = yield from find_assets(fact.object, state)
-    if isinstance(assets, str):
-        return assets
+    assets = yield from _find_assets(fact.object, state)
     reasons: list[str] = []
     for number, carrier in carriers:
-        relation = relation_of(fact.where.relation, carrier, state)
+        relation = _relation_of(fact.where.relation, carrier, state)
         missing = fact.object.count - number
         added: list[str] = []
         for _ in range(missing):
-            placed = yield from place_any(assets, carrier.id, relation, colour=fact.object.colour)
-            made = placed[0]
+            made, reason = yield from _place_any(assets, carrier.id, relation, colour=fact.object.colour)
             if not made and len(carriers) == 1:
-                made = yield from make_room(fact.object, assets, carrier, state)
+                made = yield from _make_room(fact.object, assets, carrier, state)
             if not made:
-                reasons.append(placed[1])
+                reasons.append(reason)
                 break
             added.append(made)
         if len(added) == missing:
-            return ""
+            return
         for object_id in reversed(added):
             yield Action("They do not all fit there.", "RemoveObject", {"object_id": object_id})
     if fact.object.count == 1 and len(carriers) > 1:
         for _, carrier in carriers:
-            if (yield from make_room(fact.object, assets, carrier, state)):
-                return ""
-    return "; ".join(dict.fromkeys(reasons)) or "no receptacle takes it"
+            if (yield from _make_room(fact.object, assets, carrier, state)):
+                return
+    raise Unmet("; ".join(dict.fromkeys(reasons)) or "no receptacle takes it")
 
 
-def _provide_carrier(fact: ObjectFact, state: SceneState) -> Generator[Action, Outcome, ObjectInfo | str]:
+def _provide_carrier(fact: ObjectFact, state: SceneState) -> Generator[Action, Outcome, ObjectInfo]:
     """Furnish a room of the scope with the receptacle that is missing."""
     where = fact.where
     if "/" in where.receptacle or "_" in where.receptacle:
-        return f"there is no {where.receptacle}"
-    placed = yield from _furnish(ObjectDescription(where.receptacle, 1, where.colour), where, state)
-    if not placed[0]:
-        return placed[1]
-    listed = yield Action("It is there now.", "ListObjects", {"id": placed[0]})
-    info: ObjectInfo = listed.value.objects[0]
-    return info
+        raise Unmet(f"there is no {where.receptacle}")
+    made = yield from _furnish(ObjectDescription(where.receptacle, 1, where.colour), where, state)
+    listed: ObjectList = yield from ask("It is there now.", "ListObjects", {"id": made})
+    return listed.objects[0]
 
 
-def _furnish(
-    thing: ObjectDescription, where: Scope, state: SceneState, near: str = ""
-) -> Generator[Action, Outcome, tuple[str, str]]:
-    """Put furniture into the room of a scope that suits it best.
+def _furnish(thing: ObjectDescription, where: Scope, state: SceneState) -> Generator[Action, Outcome, str]:
+    """Put furniture into the room of a scope that suits it best, and return its id.
 
     A kind of it that belongs into a room of the scope (an office desk) goes before one that belongs into none.
     """
-    assets = yield from find_assets(thing, state)
-    if isinstance(assets, str):
-        return "", assets
+    assets = yield from _find_assets(thing, state)
     standing = [a for a in assets if state.catalogue.asset(a.asset_id).mount == "floor"]
     reason = f"there is no {thing.noun} {Scope('room', '', where.rooms, where.floor)}"
     if not standing:
-        return "", reason
+        raise Unmet(reason)
     first = standing[0]
     common = Counter(item.category for _, item in state.objects())
     kinds = sorted(vocabulary_of(state.catalogue).nouns(thing.noun), key=lambda name: -common[name])
     for category in dict.fromkeys([first.category, *kinds]):
         own = [a for a in state.catalogue.by_category(category) if a.mount == "floor"]
-        if not own or not any(in_room_program(state, room, [category]) for room in _rooms(where, state)):
+        if not own or not any(_in_room_program(state, room, category) for room in _rooms(where, state)):
             continue
         if category != first.category:
-            other = yield from find_assets(replace(thing, noun=category.replace("_", " ")), state)
-            standing = standing if isinstance(other, str) else other
+            standing = yield from _find_assets(replace(thing, noun=category.replace("_", " ")), state)
         break
     first = standing[0]
-    for room in rooms_for(where, state, first.category, first.size)[:MOST_ROOMS]:
-        placed = yield from place_any(standing, room, "on", colour=thing.colour, near=near)
-        if placed[0]:
-            return placed
-        reason = placed[1]
-    return "", reason
+    for room in _rooms_for(where, state, first.category, first.size)[:MOST_ROOMS]:
+        made, reason = yield from _place_any(standing, room, "on", colour=thing.colour)
+        if made:
+            return made
+    raise Unmet(reason)
 
 
 def _rooms(where: Scope, state: SceneState) -> list[SceneRoom]:
@@ -246,35 +221,27 @@ def _rooms(where: Scope, state: SceneState) -> list[SceneRoom]:
 
 def _provide_in_room(fact: ObjectFact, state: SceneState) -> Provisioning:
     found = yield from find_objects(fact.object, fact.where, state)
-    if isinstance(found, str):
-        return found
     missing = fact.object.count - (0 if fact.more else len(found))
     if missing <= 0 or fact.most:
-        surplus = found[fact.object.count :] if fact.exact or fact.most else []
-        return (yield from _remove_surplus(surplus))
-    assets = yield from find_assets(fact.object, state)
-    if isinstance(assets, str):
-        return assets
+        yield from _remove_surplus(found[fact.object.count :] if fact.exact or fact.most else [])
+        return
+    assets = yield from _find_assets(fact.object, state)
     if _is_furniture(assets, state):
         for _ in range(missing):
-            placed = yield from _furnish(fact.object, fact.where, state)
-            if not placed[0]:
-                return placed[1]
-        return ""
-    targets = yield from find_surfaces(fact.where, state, fact.object.noun)
-    if isinstance(targets, str):
-        return targets
+            yield from _furnish(fact.object, fact.where, state)
+        return
+    targets = yield from _find_surfaces(fact.where, state, fact.object.noun)
     reason = f"no surface {fact.where} can carry it"
     for target in targets[: 2 * MOST_CARRIERS]:
         while missing:
-            placed = yield from place_any(assets, target, "on", colour=fact.object.colour)
-            if not placed[0]:
-                reason = placed[1]
+            made, fault = yield from _place_any(assets, target, "on", colour=fact.object.colour)
+            if not made:
+                reason = fault
                 break
             missing -= 1
         if not missing:
-            return ""
-    return reason
+            return
+    raise Unmet(reason)
 
 
 def _is_furniture(assets: list[AssetInfo], state: SceneState) -> bool:
@@ -285,74 +252,56 @@ def _is_furniture(assets: list[AssetInfo], state: SceneState) -> bool:
 def _provide_next_to(fact: ObjectFact, state: SceneState) -> Provisioning:
     """Provide objects next to a landmark: on its receptacle, or furniture on the floor beside it."""
     anchors = yield from find_landmarks(fact.where, state)
-    if isinstance(anchors, str):
-        return anchors
     found = yield from find_objects(fact.object, Scope("room", "", (), fact.where.floor), state)
-    if isinstance(found, str):
-        return found
     counts = [
         (sum(item.id != anchor.id and is_next_to(item, anchor, state) for item in found), anchor) for anchor in anchors
     ]
     if any(count >= fact.object.count for count, _ in counts):
-        return ""
-    assets = yield from find_assets(fact.object, state)
-    if isinstance(assets, str):
-        return assets
+        return
+    assets = yield from _find_assets(fact.object, state)
     reason = f"there is no {fact.where.near} to put it next to"
     for count, anchor in sorted(counts, key=lambda pair: -pair[0])[:MOST_CARRIERS]:
         added: list[str] = []
         for _ in range(fact.object.count - count):
             target = anchor.room if _is_furniture(assets, state) else anchor.parent or anchor.id
-            placed = yield from place_any(assets, target, "on", colour=fact.object.colour, near=anchor.id)
-            if placed[0]:
-                added.append(placed[0])
-            listed = yield Action("Is it near?", "ListObjects", {"id": placed[0] or anchor.id})
-            item = listed.value.objects[0]
-            if not placed[0] or not is_next_to(item, anchor, state):
-                reason = placed[1] or f"no free place next to {anchor.id}"
+            made, fault = yield from _place_any(assets, target, "on", colour=fact.object.colour, near=anchor.id)
+            if made:
+                added.append(made)
+            listed: ObjectList = yield from ask("Is it near?", "ListObjects", {"id": made or anchor.id})
+            if not made or not is_next_to(listed.objects[0], anchor, state):
+                reason = fault or f"no free place next to {anchor.id}"
                 break
         else:
-            return ""
+            return
         for object_id in reversed(added):
             yield Action("That is too far away.", "RemoveObject", {"object_id": object_id})
-    return reason
+    raise Unmet(reason)
 
 
-def remove_objects(fact: AbsentFact, state: SceneState) -> Provisioning:
+def _remove(fact: AbsentFact, state: SceneState) -> Provisioning:
     """Remove objects; those fixed to walls or ceilings stay."""
     if not fact.object.noun:
-        return (yield from _clear(fact, state))
+        yield from _clear(fact, state)
+        return
     found = yield from find_objects(fact.object, fact.where, state)
-    if isinstance(found, str):
-        return found
     loose = [i for i in found if i.mount not in ("ceiling", "wall")]
     if found and not loose:
-        return f"{found[0].id} is fixed to the building"
+        raise Unmet(f"{found[0].id} is fixed to the building")
     if fact.object.count and len(loose) < fact.object.count:
-        return f"there are only {len(loose)} {fact.object.noun} {fact.where}"
-    chosen = loose[: fact.object.count] if fact.object.count else loose
-    for item in chosen:
-        if state.find(item.id) is None:
-            continue
-        answer = yield Action(f"{item.id} should be removed.", "RemoveObject", {"object_id": item.id})
-        if answer.error is not None:
-            return str(answer.error)
-    return ""
+        raise Unmet(f"there are only {len(loose)} {fact.object.noun} {fact.where}")
+    for item in loose[: fact.object.count] if fact.object.count else loose:
+        if state.find(item.id) is not None:
+            yield from ask(f"{item.id} should be removed.", "RemoveObject", {"object_id": item.id})
 
 
 def _clear(fact: AbsentFact, state: SceneState) -> Provisioning:
     carriers = yield from receptacles(fact.where, state)
-    if isinstance(carriers, str):
-        return carriers
     if not carriers:
-        return f"there is no {fact.where.receptacle} {fact.where}"
+        raise Unmet(f"there is no {fact.where.receptacle} {fact.where}")
     for carrier in carriers:
         there: list[ObjectInfo] = []
         for relation in ("on", "in"):
-            seen = yield from list_contents(carrier, relation)
-            if isinstance(seen, str):
-                return seen
-            there += seen
+            there += yield from list_contents(carrier, relation)
         spared = [i for i in there if any(matches(thing, i, state) for thing in fact.spare)]
         if spared:
             gone = [i.id for i in there if i not in spared]
@@ -360,64 +309,54 @@ def _clear(fact: AbsentFact, state: SceneState) -> Provisioning:
         else:
             requests = [{"receptacle_id": carrier.id}] if there else []
         for request in requests:
-            answer = yield Action(f"{carrier.id} should be empty.", "RemoveObject", request)
-            if answer.error is not None:
-                return str(answer.error)
-    return ""
+            yield from ask(f"{carrier.id} should be empty.", "RemoveObject", request)
 
 
-def move_objects(fact: MoveFact, state: SceneState) -> Provisioning:
+def _move(fact: MoveFact, state: SceneState) -> Provisioning:
     """Move objects from one scope to another; those already there count."""
     found = yield from find_objects(fact.object, fact.source, state)
-    if isinstance(found, str):
-        return found
     loose = [i for i in found if i.mount not in ("ceiling", "wall")]
     targets = yield from _targets(fact, state)
-    if isinstance(targets, str):
-        return targets
     there: list[str] = []
     for target in targets:
-        if state.find(target) is not None:
-            carrier = next(iter((yield from _carrier(target))), None)
-            if carrier is not None:
-                relation = relation_of("in", carrier, state)
-                seen = yield from list_contents(carrier, relation)
-                there += [] if isinstance(seen, str) else [i.id for i in seen if matches(fact.object, i, state)]
+        for carrier in (yield from _carrier(target)) if state.find(target) is not None else []:
+            seen = yield from list_contents(carrier, _relation_of("in", carrier, state))
+            there += [i.id for i in seen if matches(fact.object, i, state)]
     if len(there) >= fact.object.count and not fact.source.receptacle and not fact.source.rooms:
-        return ""
+        return
     movable = [i for i in loose if i.id not in there]
     if len(movable) < fact.object.count:
-        return f"there are only {len(movable)} {fact.object.noun} {fact.source} to move"
+        raise Unmet(f"there are only {len(movable)} {fact.object.noun} {fact.source} to move")
     for item in movable[: fact.object.count or len(movable)]:
         reason = "no place for it"
         for target in targets[:6]:
-            answer = yield Action(
-                f"{item.id} should be on {target}.", "MoveObject", {"object_id": item.id, "receptacle_id": target}
-            )
-            if answer.error is None:
-                reason = ""
+            reason = yield from _moved(item, target, f"{item.id} should be on {target}.")
+            if not reason:
                 break
-            reason = answer.error.info.message
         if reason and len(targets) == 1:
             reason = yield from _move_after_clearing(item, targets[0], reason, state)
         if reason:
-            return reason
-    return ""
+            raise Unmet(reason)
 
 
-def _move_after_clearing(item: ObjectInfo, target: str, reason: str, state: SceneState) -> Provisioning:
-    """Move an object to a full surface after clearing a place on it."""
+def _moved(item: ObjectInfo, target: str, thought: str) -> Generator[Action, Outcome, str]:
+    """Move an object, and return why it cannot be moved there, empty when it was."""
+    answer = yield Action(thought, "MoveObject", {"object_id": item.id, "receptacle_id": target})
+    return "" if answer.error is None else answer.error.info.message
+
+
+def _move_after_clearing(
+    item: ObjectInfo, target: str, reason: str, state: SceneState
+) -> Generator[Action, Outcome, str]:
+    """Move an object to a full surface after clearing a place on it; return why that fails, empty when it does not."""
     carriers = yield from _carrier(target)
     found = state.find(item.id)
     if not carriers or found is None:
         return reason
-    freed = yield from free_up(item.name, [found[1].size], carriers[0], state)
+    freed = yield from _free_up(item.name, [found[1].size], carriers[0], state)
     if freed is None:
         return reason
-    answer = yield Action(
-        f"{target} has room for {item.id} now.", "MoveObject", {"object_id": item.id, "receptacle_id": target}
-    )
-    return "" if answer.error is None else answer.error.info.message
+    return (yield from _moved(item, target, f"{target} has room for {item.id} now."))
 
 
 def _carrier(object_id: str) -> Generator[Action, Outcome, list[ObjectInfo]]:
@@ -425,19 +364,15 @@ def _carrier(object_id: str) -> Generator[Action, Outcome, list[ObjectInfo]]:
     return [] if answer.error is not None else answer.value.objects
 
 
-def _targets(fact: MoveFact, state: SceneState) -> Generator[Action, Outcome, list[str] | str]:
+def _targets(fact: MoveFact, state: SceneState) -> Generator[Action, Outcome, list[str]]:
     if fact.target.receptacle:
         carriers = yield from receptacles(fact.target, state)
-        if isinstance(carriers, str):
-            return carriers
         if not carriers:
-            return f"there is no {fact.target.receptacle} {fact.target}"
+            raise Unmet(f"there is no {fact.target.receptacle} {fact.target}")
         return [carrier.id for carrier in carriers]
     if not fact.target.rooms:
-        return "say where to move it, not only to which floor"
-    surfaces = yield from find_surfaces(fact.target, state)
-    if isinstance(surfaces, str):
-        return surfaces
+        raise Unmet("say where to move it, not only to which floor")
+    surfaces = yield from _find_surfaces(fact.target, state)
     categories = vocabulary_of(state.catalogue).nouns(fact.object.noun)
     stands = any(asset.mount == "floor" for name in categories for asset in state.catalogue.by_category(name))
     return [*fact.target.rooms] if stands else surfaces
@@ -446,20 +381,19 @@ def _targets(fact: MoveFact, state: SceneState) -> Generator[Action, Outcome, li
 MOST_TARGETS: Final = 6
 
 
-def make_room(
+def _make_room(
     thing: ObjectDescription, assets: list[AssetInfo], carrier: ObjectInfo, state: SceneState
 ) -> Generator[Action, Outcome, str]:
     """Clear a place on a full surface for a new object and return its id, empty when that fails."""
-    serving = yield from free_up(thing.noun, [asset.size for asset in assets], carrier, state)
+    serving = yield from _free_up(thing.noun, [asset.size for asset in assets], carrier, state)
     if serving is None:
         return ""
-    relation = relation_of("on", carrier, state)
     fitting = [asset for asset in assets if asset.size == serving]
-    placed = yield from place_any(fitting, carrier.id, relation, colour=thing.colour)
-    return placed[0]
+    made, _ = yield from _place_any(fitting, carrier.id, _relation_of("on", carrier, state), colour=thing.colour)
+    return made
 
 
-def free_up(
+def _free_up(
     noun: str, sizes: list[Point3], carrier: ObjectInfo, state: SceneState
 ) -> Generator[Action, Outcome, Point3 | None]:
     """Move one object to another surface of the room, and return the size that fits in its place.
@@ -469,8 +403,7 @@ def free_up(
     touched = {change.id for change in state.pending}
     if any(change.before is not None and change.after is not None for change in state.pending):
         return None
-    there = yield from list_contents(carrier, relation_of("on", carrier, state))
-    for item in [] if isinstance(there, str) else there:
+    for item in (yield from list_contents(carrier, _relation_of("on", carrier, state))):
         found = state.find(item.id)
         if found is None or item.id in touched or not found[1].pickupable:
             continue
@@ -479,14 +412,11 @@ def free_up(
         size = next((size for size in sizes if _fits_without(size, carrier, item, state)), None)
         if size is None:
             continue
-        targets = yield from find_surfaces(Scope("room", "", (item.room,)), state)
-        for target in [] if isinstance(targets, str) else targets[:MOST_TARGETS]:
+        targets = yield from _find_surfaces(Scope("room", "", (item.room,)), state)
+        for target in targets[:MOST_TARGETS]:
             if target == carrier.id:
                 continue
-            answer = yield Action(
-                f"{item.id} makes room for the {noun}.", "MoveObject", {"object_id": item.id, "receptacle_id": target}
-            )
-            if answer.error is None:
+            if not (yield from _moved(item, target, f"{item.id} makes room for the {noun}.")):
                 return size
     return None
 
@@ -498,3 +428,157 @@ def _fits_without(size: Point3, carrier: ObjectInfo, item: ObjectInfo, state: Sc
         return False
     ledges = ledges_of(kind, inside=False)
     return bool(free_places(state.index(found[0]), found[1], ledges, size, {item.id}))
+
+
+def _relation_of(relation: str, carrier: ObjectInfo, state: SceneState) -> str:
+    """Return ``in`` or ``on``: as asked, unless the receptacle can only do the other."""
+    asset = state.catalogue.assets.get(carrier.asset_id)
+    if asset is None:
+        return relation
+    shelf = any(s.kind == "shelf" for s in asset.surfaces)
+    if relation == "in" and not asset.volumes and not shelf:
+        return "on"
+    if relation == "on" and not asset.surfaces:
+        return "in"
+    return relation
+
+
+ENOUGH: Final = 6
+_EASY: Final = ("desk", "table", "counter", "shelf", "shelving_unit", "sideboard", "dresser", "nightstand", "bench")
+"""Endings of categories that receive objects when an instruction names only a room."""
+
+
+def _find_surfaces(where: Scope, state: SceneState, noun: str = "") -> Generator[Action, Outcome, list[str]]:
+    """Return receptacles of a scope with a surface: the usual ones of a noun first, then tables and the like."""
+    found: list[tuple[int, str]] = []
+    kinds = tuple(vocabulary_of(state.catalogue).nouns(noun)[:1]) if noun else ()
+    usual = _usual_receptacles(state.catalogue, kinds)
+    having = {item.room for _, item in state.objects() if item.category in usual}
+    rooms = sorted(rooms_of(where, state), key=lambda name: name not in having)
+    for room in rooms[:40]:
+        listed: ObjectList = yield from ask(f"What stands in {room}?", "ListObjects", {"room": room, "limit": 500})
+        for item in listed.objects:
+            asset = state.catalogue.assets.get(item.asset_id)
+            if asset is not None and asset.surfaces and item.mount in ("floor", "wall"):
+                easy = any(item.category.endswith(end) for end in _EASY)
+                found.append((0 if item.category in usual else 1 if easy else 2, item.id))
+        if sum(rank < 2 for rank, _ in found) >= ENOUGH:
+            break
+    return [name for _, name in sorted(found, key=lambda pair: pair[0])]
+
+
+CROWDED: Final = 0.1
+"""Share of a room's area by which furniture may go beyond what its program covers."""
+
+
+@lru_cache(maxsize=512)
+def _furniture(catalogue: Catalogue, room_type: str) -> frozenset[str]:
+    """Return the categories of furniture in the program of a room type."""
+    out: set[str] = set()
+    for item in catalogue.room_program(room_type).floor:
+        out.update([item.category] if isinstance(item.category, str) else item.category)
+    return frozenset(out)
+
+
+def _in_room_program(state: SceneState, room: SceneRoom, category: str) -> bool:
+    """Whether the program of a room's type has furniture of a category."""
+    return category in _furniture(state.catalogue, room.room_type)
+
+
+@lru_cache(maxsize=512)
+def _usual_receptacles(catalogue: Catalogue, categories: tuple[str, ...]) -> frozenset[str]:
+    """Return the categories of furniture on which the catalogue arranges small objects of some categories."""
+    out: set[str] = set()
+    for arrangement in catalogue.arrangements.values():
+        said = [entry.category for entry in (*arrangement.slots, *arrangement.seats)]
+        said += [entry.category for entry in arrangement.scatter]
+        names = [[name] if isinstance(name, str) else name for name in said]
+        if any(category in group for group in names for category in categories):
+            out.update(arrangement.on)
+    return frozenset(out)
+
+
+def _rooms_for(where: Scope, state: SceneState, category: str, size: tuple[float, float, float]) -> list[str]:
+    """Return the rooms of a scope that may take a piece of furniture, the best first.
+
+    Rooms whose program has it come first, then rooms that are not crowded, then those with the most free floor.
+    Corridors and the like are left out unless the scope names rooms.
+    """
+    ranked: list[tuple[bool, bool, float, str]] = []
+    for floor, room in state.rooms():
+        if where.floor not in (None, floor) or (where.rooms and room.id not in where.rooms):
+            continue
+        index = state.index(floor)
+        belongs = _in_room_program(state, room, category)
+        card = state.catalogue.room_program(room.room_type)
+        if not (belongs or where.rooms) and card.room_type in words_by("uses")["passing"]:
+            continue
+        covered = sum(
+            item.size[0] * item.size[1] for item in index.objects if item.room == room.id and item.mount == "floor"
+        )
+        share = (covered + size[0] * size[1]) / max(room.area, 0.1)
+        free = max((part.area for part in index.passages.parts.get(room.id, ())), default=0.0)
+        ranked.append((not belongs, share > card.cover + CROWDED, -round(free, 3), room.id))
+    return [name for *_, name in sorted(ranked)]
+
+
+MOST_ASSETS: Final = 4
+
+
+def _find_assets(thing: ObjectDescription, state: SceneState) -> Generator[Action, Outcome, list[AssetInfo]]:
+    """Return the assets that fit a description: the best first, then small ones; only those of its colour if any."""
+    words = " ".join(word for word in (thing.colour, thing.noun) if word)
+    question = f"Which asset is {with_article(words)}?"
+    hits: AssetHits = yield from ask(question, "SearchAssets", {"query": words, "top_k": 50})
+    categories = vocabulary_of(state.catalogue).nouns(thing.noun)
+    mine = [a for a in hits.assets if a.category in categories]
+    known = {a.asset_id for a in mine}
+    mine += [
+        AssetInfo(
+            asset_id=asset.key, category=category, name=asset.name, size=asset.size, score=0.0, material=asset.material
+        )
+        for category in categories
+        for asset in state.catalogue.by_category(category)
+        if asset.key not in known
+    ]
+    if not mine:
+        raise Unmet(f"the catalogue has no {words}")
+    exact = vocabulary_of(state.catalogue).exact(stems(thing.noun))
+    mine = [a for a in mine if a.category in exact] or mine
+    first = mine[0].category
+    alike = [a for a in mine if a.category == first]
+    if thing.colour:
+        alike = [a for a in alike if colour_of(a.material) == thing.colour] or alike
+    small = sorted(alike[1:], key=lambda a: a.size[0] * a.size[1] * a.size[2])
+    others = [a for a in mine if a.category != first]
+    return [alike[0], *small[:2], *others]
+
+
+def _place_any(
+    assets: list[AssetInfo], carrier: str, relation: str, *, colour: str = "", near: str = ""
+) -> Generator[Action, Outcome, tuple[str, str]]:
+    """Try variants of an asset on one receptacle; return the new object's id, or an empty id and the reason.
+
+    Parameters
+    ----------
+    near : str
+        Id of an object to put it beside.
+    """
+    reason = ""
+    for asset in assets[:MOST_ASSETS]:
+        arguments = {"asset_id": asset.asset_id}
+        if colour and colour_of(asset.material) != colour:
+            arguments["color"] = colour
+        if relation == "in":
+            tool, arguments["container_id"] = "PlaceInContainer", carrier
+        else:
+            tool, arguments["receptacle_id"] = "PlaceOnSurface", carrier
+            if near:
+                arguments["near"] = near
+        answer = yield Action(f"{asset.asset_id} is missing {relation} {carrier}.", tool, arguments)
+        if answer.error is None:
+            return answer.value.object_ids[0], ""
+        reason = reason or answer.error.info.message
+        if answer.error.code != ErrorCode.INFEASIBLE:
+            break
+    return "", reason

@@ -4,7 +4,8 @@ import re
 from typing import Final
 
 __all__ = [
-    "AT",
+    "BRING_IT",
+    "CARRIER_WITH",
     "CLAUSES",
     "CLEARED",
     "CONJUNCTIONS",
@@ -17,8 +18,15 @@ __all__ = [
     "FETCH",
     "FRAMES",
     "FRONTED_PLACE",
+    "INDEFINITE",
+    "MOVED",
+    "NEGATED",
+    "OBJECT_FIRST",
     "OPENINGS",
+    "OPPOSITES",
     "PARAPHRASES",
+    "PLACED",
+    "PRONOUN",
     "QUESTION",
     "REASONS",
     "REMAINDER",
@@ -26,6 +34,7 @@ __all__ = [
     "REQUEST",
     "SENTENCES",
     "SENTENCE_ENDS",
+    "STATES",
     "UNSUPPORTED",
     "VAGUE",
 ]
@@ -544,3 +553,35 @@ SENTENCES: Final = tuple(
                  r"(?P<v>\w+)"),
     )
 )  # fmt: skip
+
+# Parts of clauses
+CARRIER_WITH: Final = re.compile(
+    r"^(?P<a>.+?) with (?P<b>(?:a|an|one|two|three|four|five|six|some|another|no|cold|\d+)\b.+?)"
+    r"(?: (?P<rel>on|in|inside|within)(?: (?:it|them|top))?)?(?P<loc> (?:in|on|at) (?!it\b|them\b|top\b).+)?$",
+    re.IGNORECASE,
+)
+NEGATED: Final = re.compile(r"^(?:no|not any|none of)\s+", re.IGNORECASE)
+INDEFINITE: Final = re.compile(r"^(?:an?|one|two|three|four|five|six|some|another|\d+) ", re.IGNORECASE)
+PRONOUN: Final = re.compile(r"^(?:it|them|that|this|these|those|both)\b", re.IGNORECASE)
+MOVED: Final = (
+    r"^(?P<what>.+?)(?: from (?P<source>.+?))? (?:over |back |up |down |upstairs |downstairs )?"
+    r"(?P<to>to|into|onto) (?P<target>.+)$",
+    r"^(?P<what>.+?) from (?P<source>.+?) => (?P<to>on|in|inside) "
+    r"(?P<target>(?!(?:the )?(?:\w+ )?(?:floor|storey|level)\b).+)$",
+)
+OBJECT_FIRST: Final = re.compile(
+    r"^(?:i|we) (?:want|would like|need|expect|require) (.+?) to (?=(?:be|have|contain|hold|stand|lie|stay|remain|go|"
+    r"reach)\b)",
+    re.IGNORECASE,
+)
+BRING_IT: Final = re.compile(
+    r"^(?:bring|take|carry|put|move) (?:it|them) (?:over )?(?:to|on|onto|in|into) (.+)$", re.IGNORECASE
+)
+PLACED: Final = re.compile(r" (?:on|onto|in|into|inside|at|next to|from|off|out of) ")
+STATES: Final = {
+    **dict.fromkeys(["open", "opened"], ("open", True)),
+    **dict.fromkeys(["close", "closed", "shut"], ("open", False)),
+    **dict.fromkeys(["on", "switched on", "turned on", "running", "lit", "activate", "start", "light"], ("on", True)),
+    **dict.fromkeys(["off", "switched off", "turned off", "deactivate", "stop"], ("on", False)),
+}  # fmt: skip
+OPPOSITES: Final = {("open", True): "closed", ("open", False): "open", ("on", True): "off", ("on", False): "on"}

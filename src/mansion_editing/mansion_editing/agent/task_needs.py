@@ -2,8 +2,8 @@
 
 from collections.abc import Generator, Iterable
 
-from mansion_editing.agent.candidates import find_objects, rooms_of
-from mansion_editing.agent.protocol import (
+from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
+from mansion_editing.agent.facts import (
     Action,
     Fact,
     ObjectDescription,
@@ -12,12 +12,16 @@ from mansion_editing.agent.protocol import (
     PathFact,
     Policy,
     Scope,
+    Unmet,
     Verdict,
+    find_objects,
+    rooms_of,
 )
 from mansion_editing.agent.provisioning import satisfy
 from mansion_editing.editor import SceneEditor
-from mansion_editing.references import COLOUR_WORDS, find_rooms, stems, vocabulary_of
 from mansion_editing.state import SceneState
+from mansion_editing.tools.perception import find_rooms
+from mansion_language.colours import COLOUR_WORDS
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import Need, Task, TaskStart
 
@@ -132,8 +136,11 @@ def _ends(facts: Iterable[Fact], state: SceneState) -> Generator[Action, Outcome
         if isinstance(fact, PathFact):
             out[fact.end] = None
         elif isinstance(fact, ObjectFact):
-            found = yield from find_objects(fact.object, fact.where, state)
-            if not isinstance(found, str) and found:
+            try:
+                found = yield from find_objects(fact.object, fact.where, state)
+            except Unmet:
+                continue
+            if found:
                 out[found[0].room] = None
     return list(out)
 

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass, field
-from math import prod
 from typing import Final, NamedTuple, Protocol
 
 from shapely import Polygon
@@ -21,15 +20,11 @@ __all__ = [
     "SettleResult",
     "StaticEngine",
     "engine_named",
-    "mass",
 ]
 
 SLOW: Final = 0.01
 SLOW_TURN: Final = 0.1
 """Speed limits of rest, m/s and rad/s."""
-
-DENSITY: Final = 300.0
-LEAST_MASS: Final = 0.02
 
 
 class PosedBox(NamedTuple):
@@ -38,11 +33,6 @@ class PosedBox(NamedTuple):
     center: Point3
     size: Point3
     rotation: float = 0.0
-
-
-def mass(box: PosedBox) -> float:
-    """Return the mass of an object's box, kilograms."""
-    return max(LEAST_MASS, DENSITY * prod(box.size))
 
 
 @dataclass(frozen=True)

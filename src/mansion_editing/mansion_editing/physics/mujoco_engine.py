@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from mansion_editing.physics.engine import SLOW, SLOW_TURN, PosedBox, SettleProblem, SettleResult, mass
+from mansion_editing.physics.engine import SLOW, SLOW_TURN, PosedBox, SettleProblem, SettleResult
+from mansion_geometry.building_models import object_mass
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["MujocoEngine"]
@@ -87,7 +88,7 @@ def _world(problem: SettleProblem) -> str:
 
 
 def _free(name: str, box: PosedBox, kind: int, touches: int) -> str:
-    geom = _geom(box, f'mass="{mass(box):.5g}"', kind, touches)
+    geom = _geom(box, f'mass="{object_mass(box.size):.5g}"', kind, touches)
     return f'<body name="{name}" pos="{_numbers(box.center)}" {_turn(box)}><freejoint/>{geom}</body>'
 
 

@@ -10,8 +10,9 @@ from typing import Any, Final, NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from mansion_editing.physics.engine import SLOW, SLOW_TURN, PosedBox, SettleProblem, SettleResult, mass
+from mansion_editing.physics.engine import SLOW, SLOW_TURN, PosedBox, SettleProblem, SettleResult
 from mansion_export.thor.runtime_assets import box_asset, box_node, empty_house
+from mansion_geometry.building_models import object_mass
 from mansion_geometry.thor.controller import Controller, act, first_line, start_controller
 from mansion_geometry.thor.house_format import floor_point, rotation_matrix
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -199,7 +200,7 @@ def _settle(controller: Controller, problem: SettleProblem) -> SettleResult:
     # An empty scene is at rest, and a scene at rest simulates itself again: hence the second pause.
     _do(controller, "PausePhysicsAutoSim")
     for body in bodies:
-        asset = box_asset(body.name, body.box.size, mass=mass(body.box), fixed=body.fixed)
+        asset = box_asset(body.name, body.box.size, mass=object_mass(body.box.size), fixed=body.fixed)
         _do(controller, "CreateRuntimeAsset", asset=asset)
     _do(controller, "CreateHouse", house=house_of(bodies, shift))
     _do(controller, "PausePhysicsAutoSim")

@@ -6,10 +6,10 @@ import msgspec
 from shapely import STRtree
 
 from mansion_editing.physics.engine import PhysicsEngine
-from mansion_editing.references import object_named
 from mansion_editing.state import SceneState
-from mansion_editing.tools.perception import contents, on_top
-from mansion_editing.tools.placement import free_floor_places, settle_on
+from mansion_editing.tools.floor_places import free_floor_places
+from mansion_editing.tools.perception import contents, object_named, on_top
+from mansion_editing.tools.placement import settle_on
 from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.editing import MoveObjectArgs, RemoveObjectArgs, SetStateArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError

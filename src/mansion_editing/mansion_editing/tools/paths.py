@@ -7,8 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_editing.passages import LOW
-from mansion_editing.references import place_named
 from mansion_editing.state import SceneState
+from mansion_editing.tools.perception import place_named
 from mansion_geometry.robot_body import CLEARANCE, ROBOT_RADIUS
 from mansion_msgs_py.editing import CheckPathArgs, PathReport, PathStep
 from mansion_msgs_py.errors import ErrorCode, MansionError

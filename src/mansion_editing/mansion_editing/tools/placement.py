@@ -1,44 +1,137 @@
-"""PlaceOnSurface and PlaceInContainer: find a free place, settle the object by physics, check its pose."""
+"""PlaceOnSurface and PlaceInContainer: find a free place on a ledge, settle the object by physics, check its pose."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 import msgspec
-from shapely import LineString, Polygon, STRtree
-from shapely.prepared import prep
+import numpy as np
+import numpy.typing as npt
 
+from mansion_assets.builder import Box
 from mansion_assets.catalogue import Asset
 from mansion_assets.catalogue.palette import COLOURS
+from mansion_assets.meshes import collision_boxes, mesh
 from mansion_editing.physics.engine import PhysicsEngine, PosedBox, SettleProblem, SettleResult
-from mansion_editing.receptacles import (
-    Ledge,
-    Place,
-    free_places,
-    half_diagonal,
-    ledges_of,
-    receptacle_shell,
-    support_boxes,
-)
-from mansion_editing.references import COLOUR_WORDS, colour_of, object_named
-from mansion_editing.state import SceneState
-from mansion_geometry.object_footprints import footprint, footprint_at
+from mansion_editing.state import FloorIndex, SceneState
+from mansion_editing.tools.floor_places import Accept, stand_on_floor
+from mansion_editing.tools.perception import object_named
+from mansion_language.colours import COLOUR_WORDS, colour_of
 from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point, Point3
 from mansion_msgs_py.wording import with_article
-from mansion_scene.decor.frames import room_polygon, scene_object, to_floor, to_local, wall_edges
+from mansion_scene.decor.frames import scene_object, to_floor, to_local
 
 __all__ = [
-    "Accept",
     "COOLING",
-    "free_floor_places",
+    "Ledge",
+    "Place",
+    "free_places",
+    "half_diagonal",
+    "ledges_of",
     "place_in_container",
-    "place_on_floor",
     "place_on_surface",
+    "receptacle_shell",
     "recoloured",
     "settle_on",
+    "support_boxes",
 ]
+
+COOLING = ("fridge", "freezer", "minibar", "display_fridge", "freezer_chest")
+"""Containers that make cold what lies in them."""
+
+
+class Ledge(NamedTuple):
+    """A flat place of a receptacle, in its frame: a surface, or the floor of an inner box.
+
+    Attributes
+    ----------
+    z : float
+        Of the flat, above the centre of the receptacle's box.
+    clearance : float
+        Free height above it.
+    vessel : bool
+        Of something open at the top (a bowl), out of which a thing may stand by less than half.
+    """
+
+    kind: str
+    inside: bool
+    x: float
+    y: float
+    z: float
+    w: float
+    d: float
+    clearance: float
+    round: bool = False
+    vessel: bool = False
+
+    @property
+    def headroom(self) -> float:
+        """Greatest height of what lies there, metres."""
+        return self.clearance * (2.0 if self.vessel else 1.0)
+
+
+class Place(NamedTuple):
+    """A free place: centre in the receptacle's frame, degrees of turn, and its cost (less is better)."""
+
+    ledge: Ledge
+    x: float
+    y: float
+    turn: float
+    cost: float
+
+
+def place_on_surface(
+    state: SceneState, args: PlaceOnSurfaceArgs, engine: PhysicsEngine, accept: Accept | None = None
+) -> SceneObject:
+    """Put a new object on a receptacle, or furniture on the floor of a room.
+
+    Parameters
+    ----------
+    accept : callable, optional
+        Judges a place on the floor before it is taken.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for an unknown asset or receptacle, ``INFEASIBLE`` with the reason where it finds no place.
+    """
+    asset = state.catalogue.asset(args.asset_id)
+    room = state.room(args.receptacle_id)
+    landmark = object_named(state, args.near, "$.near")[1] if args.near else None
+    if room is not None:
+        floor = room[0]
+        placed = stand_on_floor(state, _new(state, asset, *room, args.color), *room, near=landmark, accept=accept)
+    else:
+        floor, receptacle = object_named(state, args.receptacle_id, "$.receptacle_id")
+        new = _new(state, asset, floor, receptacle, args.color)
+        placed = settle_on(state, new, floor, receptacle, engine, inside=False, near=landmark)
+    state.add(floor, placed)
+    return placed
+
+
+def place_in_container(state: SceneState, args: PlaceInContainerArgs, engine: PhysicsEngine) -> SceneObject:
+    """Put a new object into a container, its door open while it is placed.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for an unknown asset or container, ``INFEASIBLE`` with the reason where it finds no place.
+    """
+    asset = state.catalogue.asset(args.asset_id)
+    floor, container = object_named(state, args.container_id, "$.container_id")
+    placed = settle_on(state, _new(state, asset, floor, container, args.color), floor, container, engine, inside=True)
+    state.add(floor, placed)
+    return placed
+
+
+def _new(state: SceneState, asset: Asset, floor: int, place: SceneRoom | SceneObject, colour: str) -> SceneObject:
+    """Return a new object in the room that is, or that has, its place; where exactly is found later."""
+    room = place.room if isinstance(place, SceneObject) else place.id
+    new = scene_object(asset, state.new_id(floor, room, asset.category), room, (0.0, 0.0, 0.0), 0.0)
+    return recoloured(new, colour)
 
 
 def recoloured(item: SceneObject, colour: str) -> SceneObject:
@@ -72,141 +165,6 @@ def recoloured(item: SceneObject, colour: str) -> SceneObject:
     return msgspec.structs.replace(item, material=f"{family}_{name}", color=COLOURS[name])
 
 
-DOOR_DEPTH = 0.75
-"""Depth of the area before a door that stays clear, metres."""
-
-FRONT = 0.65
-"""Free depth before the front of furniture, for a robot to stand in, metres."""
-
-LOW = 0.03
-STEP = 0.25
-APART = 0.6
-"""Distance between places that are judged, metres."""
-
-MOST_REFUSED = 8
-BACK_GAP = 0.01
-
-
-Accept = Callable[[int, SceneObject], bool]
-"""Whether the building stays free of new faults with an object on a floor."""
-
-
-def place_on_floor(
-    state: SceneState,
-    asset: Asset,
-    floor: int,
-    room: SceneRoom,
-    *,
-    color: str = "",
-    near: SceneObject | None = None,
-    accept: Accept | None = None,
-) -> SceneObject:
-    """Put a new piece of furniture on the floor of a room, and return it; the state is left as it is.
-
-    Parameters
-    ----------
-    near : SceneObject, optional
-        What it shall stand beside.
-    accept : callable, optional
-        Judges a place; others are tried while it refuses.
-
-    Raises
-    ------
-    MansionError
-        ``INFEASIBLE`` for what does not stand on floors, and where the room has no free place.
-    """
-    if asset.mount in ("wall", "ceiling"):
-        raise MansionError(
-            ErrorCode.INFEASIBLE, f"{with_article(asset.name)} hangs on {with_article(asset.mount)}, not on the floor"
-        )
-    new = scene_object(
-        asset, state.new_id(floor, room.id, asset.category), room.id, (0.0, 0.0, asset.size[2] / 2), 0.0, mount="floor"
-    )
-    refused: list[Point] = []
-    for x, y, rotation in free_floor_places(state, floor, room, new, near):
-        if any(math.dist((x, y), other) < APART for other in refused):
-            continue
-        placed = scene_object(asset, new.id, room.id, (x, y, asset.size[2] / 2), rotation, mount="floor")
-        placed = recoloured(placed, color)
-        if accept is None or accept(floor, placed):
-            return placed
-        refused.append((x, y))
-        if len(refused) == MOST_REFUSED:
-            break
-    w, d, _ = asset.size
-    why = "keeps all rooms and objects within a robot's reach" if refused else "is free"
-    raise MansionError(
-        ErrorCode.INFEASIBLE,
-        f"no place for {with_article(asset.name)} of {w:.2f} x {d:.2f} m in {room.id} {why}; remove something first",
-    )
-
-
-def free_floor_places(
-    state: SceneState, floor: int, room: SceneRoom, thing: SceneObject, near: SceneObject | None = None
-) -> Iterator[tuple[float, float, float]]:
-    """Yield places (x, y, rotation) on the floor of a room: with the back to a wall first, then amid the room.
-
-    Those next to `near` come first where it is given.
-    """
-    area = room_polygon(room.net_polygon, room.net_holes)
-    inner = prep(area.buffer(1e-4))
-    scene = state.scenes[floor]
-    others = [
-        footprint(item)
-        for item in scene.objects
-        if item.id != thing.id
-        and item.room == room.id
-        and item.parent is None
-        and item.size[2] > LOW
-        and item.position[2] - item.size[2] / 2 < thing.size[2] + 0.02
-    ]
-    doors = [
-        LineString(door.segment).buffer(DOOR_DEPTH, cap_style="flat") for door in scene.doors if room.id in door.rooms
-    ]
-    furniture = STRtree(others)
-    kept_clear = STRtree(doors)
-    w, d, _ = thing.size
-    poses = list(_poses(room, area, w, d))
-    if near is not None:
-        poses.sort(key=lambda pose: round(math.dist(pose[:2], near.position[:2]), 6))
-    for x, y, rotation in poses:
-        body = footprint_at((x, y), (w + 0.02, d), rotation)
-        if not inner.covers(footprint_at((x, y), (w, d), rotation)):
-            continue
-        turn = math.radians(rotation)
-        ahead = (d + FRONT) / 2
-        before = footprint_at((x - math.sin(turn) * ahead, y + math.cos(turn) * ahead), (w, FRONT), rotation)
-        if furniture.query(body, predicate="intersects").size:
-            continue
-        if kept_clear.query(body, predicate="intersects").size:
-            continue
-        if furniture.query(before, predicate="intersects").size or not inner.covers(before):
-            continue
-        yield x, y, rotation
-
-
-def _poses(room: SceneRoom, area: Polygon, w: float, d: float) -> Iterator[tuple[float, float, float]]:
-    for wall in wall_edges(room.net_polygon, room.net_holes):
-        if wall.length < w:
-            continue
-        count = int((wall.length - w) / STEP)
-        slack = wall.length - w
-        offsets = [slack * k / max(1, count) for k in range(count + 1)]
-        for offset in offsets:
-            x, y = wall.point(offset + w / 2, d / 2 + BACK_GAP)
-            yield x, y, wall.rotation
-    x0, y0, x1, y1 = area.bounds
-    turn = wall_edges(room.net_polygon)[0].rotation if len(room.net_polygon) > 2 else 0.0
-    center: Point = (area.centroid.x, area.centroid.y)
-    points = [
-        (x0 + STEP * i, y0 + STEP * j)
-        for i in range(int((x1 - x0) / STEP) + 1)
-        for j in range(int((y1 - y0) / STEP) + 1)
-    ]
-    for x, y in sorted(points, key=lambda p: (round(math.dist(p, center), 6), p)):
-        yield x, y, turn
-
-
 MOST_PENETRATION = 0.002
 MOST_TILT = 3.0
 """Degrees; scene objects are upright, so one that tilts more is refused."""
@@ -218,76 +176,6 @@ MOST_SLIDE = 0.03
 DROP = 0.003
 NEAR = 0.20
 """Neighbours within this distance take part in the physics, metres."""
-
-COOLING = ("fridge", "freezer", "minibar", "display_fridge", "freezer_chest")
-"""Containers that make cold what lies in them."""
-
-
-def place_on_surface(
-    state: SceneState, args: PlaceOnSurfaceArgs, engine: PhysicsEngine, accept: Accept | None = None
-) -> SceneObject:
-    """Put a new object on a receptacle, or furniture on the floor of a room.
-
-    Parameters
-    ----------
-    accept : callable, optional
-        Judges a place on the floor before it is taken.
-
-    Raises
-    ------
-    MansionError
-        ``NOT_FOUND`` for an unknown asset or receptacle, ``INFEASIBLE`` with the reason where it finds no place.
-    """
-    asset = state.catalogue.asset(args.asset_id)
-    room = state.room(args.receptacle_id)
-    landmark = object_named(state, args.near, "$.near")[1] if args.near else None
-    if room is not None:
-        placed = place_on_floor(state, asset, *room, color=args.color, near=landmark, accept=accept)
-        state.add(room[0], placed)
-        return placed
-    floor, receptacle = object_named(state, args.receptacle_id, "$.receptacle_id")
-    return _place(state, asset, floor, receptacle, engine, inside=False, color=args.color, near=landmark)
-
-
-def place_in_container(state: SceneState, args: PlaceInContainerArgs, engine: PhysicsEngine) -> SceneObject:
-    """Put a new object into a container, its door open while it is placed.
-
-    Raises
-    ------
-    MansionError
-        ``NOT_FOUND`` for an unknown asset or container, ``INFEASIBLE`` with the reason where it finds no place.
-    """
-    asset = state.catalogue.asset(args.asset_id)
-    floor, container = object_named(state, args.container_id, "$.container_id")
-    return _place(state, asset, floor, container, engine, inside=True, color=args.color)
-
-
-def _place(
-    state: SceneState,
-    asset: Asset,
-    floor: int,
-    receptacle: SceneObject,
-    engine: PhysicsEngine,
-    *,
-    inside: bool,
-    color: str = "",
-    near: SceneObject | None = None,
-) -> SceneObject:
-    if asset.mount in ("wall", "ceiling"):
-        raise _refusal(
-            f"{with_article(asset.name)} hangs on {with_article(asset.mount)}, it cannot be put anywhere else"
-        )
-    new = scene_object(
-        asset,
-        state.new_id(floor, receptacle.room, asset.category),
-        receptacle.room,
-        receptacle.position,
-        receptacle.rotation,
-    )
-    new = recoloured(new, color)
-    placed = settle_on(state, new, floor, receptacle, engine, inside=inside, near=near)
-    state.add(floor, placed)
-    return placed
 
 
 def settle_on(
@@ -315,6 +203,10 @@ def settle_on(
     MansionError
         ``INFEASIBLE`` with what stood in the way at each place that was tried.
     """
+    if thing.mount in ("wall", "ceiling"):
+        raise _refusal(
+            f"{with_article(thing.name)} hangs on {with_article(thing.mount)}, it cannot be put anywhere else"
+        )
     asset = state.asset(receptacle)
     ledges = [] if asset is None else ledges_of(asset, inside=inside)
     if asset is None or not ledges:
@@ -428,3 +320,280 @@ def _settled(thing: SceneObject, receptacle: SceneObject, place: Place, result: 
         parent=receptacle.id,
         states=states,
     )
+
+
+GAP = 0.008
+"""Least distance between neighbours, metres."""
+
+HAND = 0.05
+"""Distance to neighbours that leaves room for a hand, metres."""
+
+HEADROOM = 0.01
+STEP = 0.02
+"""Least distance between places that are tried, metres."""
+
+EDGE = 0.01
+BESIDE = 20.0
+"""Cost of a metre from what an object shall lie beside."""
+
+MOST_ROWS = 80
+
+
+def ledges_of(asset: Asset, *, inside: bool) -> list[Ledge]:
+    """Return the ledges on, or in, a receptacle; those at a good height for a hand first.
+
+    Shelves count as both.
+    """
+    out = [
+        Ledge(s.kind, False, s.x, s.y, s.z, s.w, s.d, s.clearance, s.round)
+        for s in asset.surfaces
+        if not inside or s.kind == "shelf"
+    ]
+    if inside:
+        bare = asset.pickupable and not asset.openable
+        out = [Ledge(v.kind, True, v.x, v.y, v.z - v.h / 2, v.w, v.d, v.h, vessel=bare) for v in asset.volumes] + out
+    return out
+
+
+def free_places(
+    index: FloorIndex,
+    receptacle: SceneObject,
+    ledges: Sequence[Ledge],
+    size: Point3,
+    skip: Iterable[str] = (),
+    most: int = 6,
+    near: Sequence[float] | None = None,
+) -> list[Place]:
+    """Return free places for an object, the best first.
+
+    Parameters
+    ----------
+    size : (w, d, h)
+        Of the object.
+    skip : iterable of str
+        Objects that are no obstacle, because they are what is being moved.
+    most : int
+        Greatest number of places, spread over ledges and over each ledge.
+    near : (x, y), optional
+        Point of the floor that the object shall lie close to.
+    """
+    landmark = None if near is None else to_local(receptacle, near)
+    boxes = _obstacles(index, receptacle, {receptacle.id, *skip})
+    found: list[Place] = []
+    for order, ledge in enumerate(_by_height(ledges, receptacle)):
+        if size[2] > ledge.headroom - HEADROOM:
+            continue
+        places = [
+            place
+            for turn in (0.0, 90.0)
+            for place in _on_ledge(ledge, boxes, size, turn, 0.4 * order + turn / 450.0, landmark)
+        ]
+        places.sort(key=lambda p: p.cost)
+        found += _apart(places, 3)
+    found.sort(key=lambda p: p.cost)
+    return found[:most]
+
+
+def _by_height(ledges: Sequence[Ledge], receptacle: SceneObject) -> list[Ledge]:
+    return sorted(ledges, key=lambda ledge: abs(receptacle.position[2] + ledge.z - 1.0))
+
+
+def _obstacles(index: FloorIndex, receptacle: SceneObject, skip: set[str]) -> npt.NDArray[np.float64]:
+    """Objects near a receptacle in its frame: x, y, half extents along its axes, lower and upper end."""
+    ancestors = set(skip)
+    above = receptacle.parent
+    while above is not None and above not in ancestors and above in index.at:
+        ancestors.add(above)
+        above = index.objects[index.at[above]].parent
+    boxes = index.boxes
+    reach = math.hypot(receptacle.size[0], receptacle.size[1]) / 2 + 0.5
+    spread = np.hypot(boxes[:, 3], boxes[:, 4]) / 2
+    distance = np.hypot(boxes[:, 0] - receptacle.position[0], boxes[:, 1] - receptacle.position[1])
+    rows = []
+    for number in np.flatnonzero(distance < reach + spread):
+        item = index.objects[int(number)]
+        if item.id in ancestors:
+            continue
+        x, y = to_local(receptacle, item.position)
+        turn = math.radians(item.rotation - receptacle.rotation)
+        c, s = abs(math.cos(turn)), abs(math.sin(turn))
+        z = item.position[2] - receptacle.position[2]
+        rows.append(
+            (
+                x,
+                y,
+                (c * item.size[0] + s * item.size[1]) / 2,
+                (s * item.size[0] + c * item.size[1]) / 2,
+                z - item.size[2] / 2,
+                z + item.size[2] / 2,
+            )
+        )
+    return np.array(rows, dtype=float).reshape(-1, 6)
+
+
+def _on_ledge(
+    ledge: Ledge,
+    boxes: npt.NDArray[np.float64],
+    size: Point3,
+    turn: float,
+    handicap: float,
+    landmark: Point | None = None,
+) -> list[Place]:
+    hw, hd = (size[0] / 2, size[1] / 2) if turn == 0.0 else (size[1] / 2, size[0] / 2)
+    rx, ry = ledge.w / 2 - hw - 0.002, ledge.d / 2 - hd - 0.002
+    if rx < 0 or ry < 0:
+        return []
+    xs, ys = ledge.x + _steps(rx), ledge.y + _steps(ry)
+    gx, gy = (grid.ravel() for grid in np.meshgrid(xs, ys))
+    if ledge.round:
+        ratio = np.hypot((np.abs(gx - ledge.x) + hw) / (ledge.w / 2), (np.abs(gy - ledge.y) + hd) / (ledge.d / 2))
+        gx, gy = gx[ratio <= 1.0], gy[ratio <= 1.0]
+    near = boxes[(boxes[:, 4] < ledge.z + size[2] + 0.002) & (boxes[:, 5] > ledge.z + 0.002)]
+    gap = np.full(len(gx), 1.0)
+    for x, y, half_w, half_d, _, _ in near:
+        apart = np.maximum(np.abs(gx - x) - hw - half_w, np.abs(gy - y) - hd - half_d)
+        gap = np.minimum(gap, apart)
+    edge = np.minimum(ledge.w / 2 - np.abs(gx - ledge.x) - hw, ledge.d / 2 - np.abs(gy - ledge.y) - hd)
+    front = ledge.y + ledge.d / 2 - hd - gy
+    cost = (
+        handicap
+        + 2.0 * np.maximum(0.0, HAND - gap) / HAND
+        + np.maximum(0.0, EDGE - edge) / EDGE * 0.5
+        + np.abs(front - min(0.08, ry)) * 1.5
+        + 0.3 * np.abs(gx - ledge.x)
+    )
+    if landmark is not None:
+        cost += BESIDE * np.hypot(gx - landmark[0], gy - landmark[1])
+    free = np.flatnonzero(gap >= GAP)
+    order = free[np.argsort(cost[free], kind="stable")]
+    return [Place(ledge, float(gx[k]), float(gy[k]), turn, round(float(cost[k]), 6)) for k in order[:40]]
+
+
+def _steps(reach: float) -> npt.NDArray[np.float64]:
+    count = min(MOST_ROWS, int(2 * reach / STEP))
+    return np.linspace(-reach, reach, count + 1) if count else np.zeros(1)
+
+
+def _apart(places: Sequence[Place], most: int) -> list[Place]:
+    """Keep the best places that are not all beside each other."""
+    kept: list[Place] = []
+    for place in places:
+        if all(math.dist((place.x, place.y), (p.x, p.y)) > 0.1 for p in kept):
+            kept.append(place)
+        if len(kept) == most:
+            break
+    return kept
+
+
+SLAB = 0.03
+"""Thickness of what carries, metres."""
+
+SOFT = ("seat", "mattress")
+"""Kinds of surface whose mesh swells and sags."""
+
+MOST_SWELL = 0.05
+WALL = 0.01
+
+
+def support_boxes(
+    item: SceneObject, asset: Asset, ledge: Ledge, spot: tuple[float, float], reach: float
+) -> list[PosedBox]:
+    """Return the support below a ledge: a slab, and on soft tops the cushion below the object.
+
+    Parameters
+    ----------
+    spot : (x, y)
+        Where the object is to lie, in the receptacle's frame.
+    reach : float
+        Half diagonal of the object's rectangle, metres.
+    """
+    slab = Box((ledge.x, ledge.y, ledge.z - SLAB / 2), (ledge.w, ledge.d, SLAB))
+    boxes = [_posed(item, slab)]
+    if ledge.kind in SOFT:
+        swell = _swell(item, asset, ledge, spot, reach)
+        if swell > 1e-4:
+            side = min(2 * reach, ledge.w), min(2 * reach, ledge.d)
+            cushion = Box((*spot, ledge.z + swell / 2 - 0.01), (*side, swell + 0.02))
+            boxes.append(_posed(item, cushion))
+    return boxes
+
+
+def _swell(item: SceneObject, asset: Asset, ledge: Ledge, spot: tuple[float, float], reach: float) -> float:
+    """Height of the mesh above a ledge below an object, so that it lies on the cushion and not in it."""
+    steps = np.linspace(-0.7 * reach, 0.7 * reach, 5)
+    xs = np.clip(spot[0] + steps, ledge.x - ledge.w / 2, ledge.x + ledge.w / 2)
+    ys = np.clip(spot[1] + steps, ledge.y - ledge.d / 2, ledge.y + ledge.d / 2)
+    points = np.array([(x, y) for x in xs for y in ys])
+    heights = _heights(asset, points, ledge.z - MOST_SWELL, ledge.z + MOST_SWELL)
+    return float(max(0.0, heights.max() - ledge.z)) if heights.size else 0.0
+
+
+def _heights(asset: Asset, points: npt.NDArray[np.float64], low: float, high: float) -> npt.NDArray[np.float64]:
+    """Heights within [low, high] at which verticals through the points meet the mesh."""
+    found = []
+    for part in mesh(asset):
+        corners = part.vertices[part.faces]
+        a, b, c = (corners[:, k, :] for k in range(3))
+        area: npt.NDArray[np.float64]
+        area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
+        flat = np.abs(area) > 1e-12
+        a, b, c, area = a[flat], b[flat], c[flat], area[flat]
+        for x, y in points:
+            u = ((x - a[:, 0]) * (c[:, 1] - a[:, 1]) - (y - a[:, 1]) * (c[:, 0] - a[:, 0])) / area
+            v = ((b[:, 0] - a[:, 0]) * (y - a[:, 1]) - (b[:, 1] - a[:, 1]) * (x - a[:, 0])) / area
+            hit = (u >= 0) & (v >= 0) & (u + v <= 1)
+            z = a[hit, 2] + u[hit] * (b[hit, 2] - a[hit, 2]) + v[hit] * (c[hit, 2] - a[hit, 2])
+            found += z[(z >= low) & (z <= high)].tolist()
+    return np.array(found)
+
+
+def receptacle_shell(item: SceneObject, asset: Asset, ledge: Ledge, size: Point3) -> list[PosedBox]:
+    """Return the boxes that an object on a ledge could run into.
+
+    Notes
+    -----
+    Inside a container these are the walls of its inner box, its door open: the front is left free. Elsewhere they are
+    the asset's collision boxes, less those that fill the room above the whole ledge, which stand for a hollow body.
+    """
+    if ledge.inside:
+        return [_posed(item, wall) for wall in _walls(ledge)]
+    return [
+        _posed(item, box)
+        for box in collision_boxes(asset)
+        if box.center[2] + box.size[2] / 2 > ledge.z + 0.004
+        and box.center[2] - box.size[2] / 2 < ledge.z + size[2] + 0.01
+        and not _fills(box, ledge)
+    ]
+
+
+def _walls(ledge: Ledge) -> Sequence[Box]:
+    middle = ledge.z + ledge.clearance / 2
+    left, right = ledge.x - ledge.w / 2 - WALL / 2, ledge.x + ledge.w / 2 + WALL / 2
+    upright = (WALL, ledge.d, ledge.clearance)
+    return [
+        Box((left, ledge.y, middle), upright),
+        Box((right, ledge.y, middle), upright),
+        Box((ledge.x, ledge.y - ledge.d / 2 - WALL / 2, middle), (ledge.w, WALL, ledge.clearance)),
+    ]
+
+
+def _fills(box: Box, ledge: Ledge) -> bool:
+    over = [
+        min(box.center[k] + box.size[k] / 2, center + extent / 2)
+        - max(box.center[k] - box.size[k] / 2, center - extent / 2)
+        for k, center, extent in ((0, ledge.x, ledge.w), (1, ledge.y, ledge.d))
+    ]
+    covered = max(0.0, over[0]) * max(0.0, over[1])
+    through = box.center[2] - box.size[2] / 2 < ledge.z + 0.004
+    return through and covered > 0.9 * ledge.w * ledge.d
+
+
+def _posed(item: SceneObject, box: Box) -> PosedBox:
+    x, y = to_floor(item, (box.center[0], box.center[1]))
+    sizes = tuple(max(float(value), 1e-3) for value in box.size)
+    return PosedBox((x, y, item.position[2] + box.center[2]), (sizes[0], sizes[1], sizes[2]), item.rotation)
+
+
+def half_diagonal(size: Point3) -> float:
+    """Return half the diagonal of an object's rectangle, metres."""
+    return math.hypot(size[0], size[1]) / 2

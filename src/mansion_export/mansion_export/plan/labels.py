@@ -5,11 +5,12 @@ from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
-import numpy.typing as npt
 
 from mansion_export.plan.palette import INK, room_tint
 from mansion_export.plan.shapes import Area, Canvas, Label, Shape
 from mansion_export.presentation import room_title
+from mansion_geometry.compiled import Bools, Floats
+from mansion_geometry.rasters import ring_mask
 from mansion_msgs_py.scene import FloorScene, SceneRoom
 from mansion_msgs_py.shapes import Point
 
@@ -27,9 +28,6 @@ _LETTER_SHARE, _LETTERS = 0.014, (0.2, 0.45)
 _SHARES = (1.0, 0.85, 0.7, 0.58, 0.48)
 """Heights of letters that are tried, over the largest."""
 
-Floats = npt.NDArray[np.float64]
-
-Bools = npt.NDArray[np.bool_]
 
 _CELL, _MOST = 0.12, 90
 """Side of a cell, metres, and most cells along a side of a room."""
@@ -212,9 +210,9 @@ def _cells(ring: Sequence[Point], holes: Sequence[Sequence[Point]]) -> tuple[Flo
     ny = int(np.clip((y1 - y0) / _CELL, 3, _MOST))
     xs = x0 + (np.arange(nx) + 0.5) * (x1 - x0) / nx
     ys = y0 + (np.arange(ny) + 0.5) * (y1 - y0) / ny
-    inside = _inside(points, xs, ys)
+    inside = ring_mask(points, xs, ys)
     for hole in holes:
-        inside &= ~_inside(np.asarray(hole, dtype=float), xs, ys)
+        inside &= ~ring_mask(np.asarray(hole, dtype=float), xs, ys)
     if not inside.any():
         inside[ny // 2, nx // 2] = True
     return xs, ys, inside
@@ -224,21 +222,10 @@ def _clear_of_walls(room: SceneRoom, xs: Floats, ys: Floats) -> Bools:
     """Return the cells of the room that no wall takes."""
     clear = np.ones((len(ys), len(xs)), dtype=bool)
     for dx, dy in ((-_WALL, -_WALL), (-_WALL, _WALL), (_WALL, -_WALL), (_WALL, _WALL)):
-        clear &= _inside(np.asarray(room.polygon, dtype=float), xs + dx, ys + dy)
+        clear &= ring_mask(np.asarray(room.polygon, dtype=float), xs + dx, ys + dy)
         for hole in room.holes:
-            clear &= ~_inside(np.asarray(hole, dtype=float), xs + dx, ys + dy)
+            clear &= ~ring_mask(np.asarray(hole, dtype=float), xs + dx, ys + dy)
     return clear
-
-
-def _inside(ring: Floats, xs: Floats, ys: Floats) -> Bools:
-    result = np.zeros((len(ys), len(xs)), dtype=bool)
-    for (ax, ay), (bx, by) in zip(ring, np.roll(ring, -1, axis=0)):
-        if ay == by:
-            continue
-        rows = (ay > ys) != (by > ys)
-        cross = (bx - ax) * (ys - ay) / (by - ay) + ax
-        result ^= rows[:, None] & (xs[None, :] < cross[:, None])
-    return result
 
 
 def _sums(cells: Bools) -> Floats:

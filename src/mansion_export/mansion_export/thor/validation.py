@@ -7,9 +7,9 @@ from typing import Any, NamedTuple, TypeAlias
 
 from shapely.geometry import Point, Polygon
 
-from mansion_export.door_sides import contains
 from mansion_export.thor.reachability import ENOUGH_POSITIONS, reachable_positions
 from mansion_export.thor.vocabulary import AGENT_MODES, HORIZONS, LAYERS, LIGHT_TYPES, SCHEMA
+from mansion_geometry.plane import inside_ring
 from mansion_geometry.rings import signed_area
 from mansion_geometry.thor.house_format import object_nodes
 
@@ -353,7 +353,7 @@ def _check_reachability(house: Json) -> list[HouseFault]:
     counts = {room["id"]: 0 for room in house["rooms"]}
     rings = {room["id"]: [(p["x"], p["z"]) for p in room["floorPolygon"]] for room in house["rooms"]}
     for x, z in positions:
-        home = next((name for name, ring in rings.items() if contains(ring, x, z)), None)
+        home = next((name for name, ring in rings.items() if inside_ring(ring, x, z)), None)
         if home is None:
             found.append(HouseFault("reach", f"({x}, {z})", "reachable, and in no room"))
         else:

@@ -5,9 +5,9 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
 from mansion_export.thor.vocabulary import DOORFRAMES, DOORWAYS, WINDOWS, best_fitting, wall_material
+from mansion_geometry.compiled import Floats
 from mansion_geometry.rings import signed_area
 from mansion_geometry.thor.house_format import thor_point
 from mansion_msgs_py.scene import Door, FloorScene, SceneRoom, Window
@@ -18,7 +18,6 @@ __all__ = ["Stretch", "Structure", "build_structure", "stretches"]
 
 Json: TypeAlias = dict[str, Any]
 
-FloatArray = npt.NDArray[np.float64]
 
 COLLINEAR = 0.02
 """Metres by which two edges may lie apart and still be one boundary."""
@@ -94,7 +93,7 @@ def stretches(polygons: Mapping[str, Sequence[Ring]]) -> list[Stretch]:
     return found
 
 
-def _edges(polygons: Mapping[str, Sequence[Ring]]) -> tuple[list[str], FloatArray, FloatArray]:
+def _edges(polygons: Mapping[str, Sequence[Ring]]) -> tuple[list[str], Floats, Floats]:
     owners: list[str] = []
     starts: list[Point] = []
     ends: list[Point] = []
@@ -112,7 +111,7 @@ def _edges(polygons: Mapping[str, Sequence[Ring]]) -> tuple[list[str], FloatArra
 
 
 def _opposites(
-    i: int, owners: list[str], starts: FloatArray, ends: FloatArray, units: FloatArray, lengths: FloatArray
+    i: int, owners: list[str], starts: Floats, ends: Floats, units: Floats, lengths: Floats
 ) -> list[tuple[int, float, float]]:
     """Return later edges that run against edge `i` on its line, with the interval of `i` that they cover."""
     later = slice(i + 1, len(owners))
@@ -130,7 +129,7 @@ def _opposites(
 
 
 def _fill(
-    owner: str, start: FloatArray, unit: FloatArray, length: float, shared: list[tuple[float, float, Stretch]]
+    owner: str, start: Floats, unit: Floats, length: float, shared: list[tuple[float, float, Stretch]]
 ) -> list[Stretch]:
     """Return the shared stretches of one edge in order, and outer ones between them."""
     found: list[Stretch] = []
@@ -145,7 +144,7 @@ def _fill(
     return found
 
 
-def _along(start: FloatArray, unit: FloatArray, distance: float) -> Point:
+def _along(start: Floats, unit: Floats, distance: float) -> Point:
     x, y = start + unit * distance
     return (round(float(x), 6), round(float(y), 6))
 

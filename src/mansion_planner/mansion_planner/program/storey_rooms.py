@@ -278,18 +278,6 @@ def _share_area(rooms: list[PlannedRoom], area: float) -> None:
 
 MOST_ROOMS = 34
 
-_GENERAL = {
-    "home": ("home_office", "library_room", "playroom", "game_room", "storage", "laundry_room"),
-    "office": ("team_room", "meeting_room", "lounge", "training_room", "archive", "private_office"),
-    "education": ("study_room", "computer_lab", "art_room", "common_room", "meeting_room"),
-    "health": ("treatment_room", "lounge", "meeting_room", "private_office", "storage"),
-    "culture": ("lounge", "training_room", "cafe", "study_room", "meeting_room", "archive"),
-    "lodging": ("lounge", "common_room", "laundry_room", "study_room", "gym", "storage"),
-    "industry": ("storage", "workshop", "private_office", "meeting_room", "archive"),
-    "retail": ("stock_room", "shop", "lounge", "private_office", "break_room"),
-    "civic": ("meeting_room", "lounge", "private_office", "training_room", "storage", "common_room"),
-}
-
 
 def base_rooms(storey: Storey, allocation: Allocation, knowledge: KnowledgeBase) -> list[PlannedRoom]:
     """Return the rooms that the brief asks for on a storey, as rooms to be placed."""
@@ -357,7 +345,7 @@ def _top_up(
     storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, rooms: list[PlannedRoom], budget: float
 ) -> None:
     """Add rooms of general use where the brief settles the number of those that would fill the storey."""
-    kinds = [knowledge.room(name) for name in _GENERAL.get(storey.use.family, _GENERAL["civic"])]
+    kinds = [knowledge.room(name) for name in knowledge.groups.filler_of(storey.use.family)]
     kinds = [kind for kind in kinds if allocation.adds(kind.name, storey.index)]
     for kind in kinds * 3:
         used = sum(room.gross for room in rooms)

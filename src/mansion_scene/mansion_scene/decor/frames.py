@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from shapely import Polygon
 
 from mansion_assets.catalogue import Asset
+from mansion_geometry.plane import turned
 from mansion_msgs_py.scene import Mount, SceneObject
 from mansion_msgs_py.shapes import Point, Point3, Segment
 
@@ -102,10 +103,7 @@ def to_floor(obj: SceneObject, point: Point) -> Point:
 
 def to_local(obj: SceneObject, point: Sequence[float]) -> Point:
     """Return a floor point in an object's own frame."""
-    angle = math.radians(-obj.rotation)
-    c, s = math.cos(angle), math.sin(angle)
-    dx, dy = point[0] - obj.position[0], point[1] - obj.position[1]
-    return (c * dx - s * dy, s * dx + c * dy)
+    return turned(point[0] - obj.position[0], point[1] - obj.position[1], -obj.rotation)
 
 
 def scene_object(

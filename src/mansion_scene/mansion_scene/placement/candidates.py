@@ -4,16 +4,14 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-import numpy.typing as npt
 
 from mansion_geometry.boxes import unit_vector
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Floats, kernel
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.room_model import Wall, wall_array
 
 __all__ = ["floor_poses", "flush_poses", "ring_poses", "ring_rows", "wall_poses", "wall_rows"]
 
-Floats = npt.NDArray[np.float64]
 
 _SERIES = 41
 """Greatest number of positions in the regular series along a wall."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from mansion_geometry.compiled import Bools, Floats
 from mansion_geometry.fitting import feasible_poses
 from mansion_scene.placement.groups import Spec
 from mansion_scene.placement.options import PlacementOptions
@@ -13,9 +14,6 @@ from mansion_scene.placement.room_model import RoomModel
 
 __all__ = ["Effort", "Floor", "Placed"]
 
-
-Floats = npt.NDArray[np.float64]
-Bools = npt.NDArray[np.bool_]
 
 _POCKET = 0.15
 """Free floor that one addition may cut off, square metres."""

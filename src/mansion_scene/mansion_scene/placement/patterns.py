@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
-import numpy.typing as npt
 
 from mansion_geometry.boxes import compose, unit_vector
+from mansion_geometry.compiled import Floats
 from mansion_scene.placement.candidates import floor_poses, flush_poses, wall_poses
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
@@ -26,7 +26,6 @@ __all__ = [
     "row_gaps",
 ]
 
-Floats = npt.NDArray[np.float64]
 
 _OFFSETS = 6
 """Positions of a lattice that are tried at each pitch."""

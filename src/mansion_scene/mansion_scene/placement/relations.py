@@ -3,16 +3,14 @@
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from mansion_geometry.boxes import gap_matrix
+from mansion_geometry.compiled import Bools, Floats
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Spec
 
 __all__ = ["FIRST", "LIMITS", "Rating", "rate", "relation_count", "relation_holds"]
 
-Floats = npt.NDArray[np.float64]
-Bools = npt.NDArray[np.bool_]
 
 LIMITS = {"near": 1.0, "far": 1.5, "in_front_of": 1.5, "around": 0.5, "side_of": 1.0}
 """Largest gap between footprints (``far``: the least), metres."""

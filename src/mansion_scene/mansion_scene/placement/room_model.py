@@ -4,11 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 import shapely
 from shapely.geometry import LineString, Polygon
 
 from mansion_geometry.boxes import point_inside
+from mansion_geometry.compiled import Floats
 from mansion_geometry.free_space import FreeGrid
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.placement import PlacementOpening, PlacementRoom
@@ -17,7 +17,6 @@ from mansion_scene.placement.roles import is_public_room
 
 __all__ = ["RoomModel", "Wall", "build_room", "wall_array"]
 
-Floats = npt.NDArray[np.float64]
 
 _SNAP = 0.35
 """A door is moved to the boundary from at most this far (a segment on the wall's centre line), metres."""

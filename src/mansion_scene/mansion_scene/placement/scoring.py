@@ -1,9 +1,9 @@
 """Scores of feasible poses: clear fronts, storage without gaps, centred beds and desks, even use, aligned rows."""
 
 import numpy as np
-import numpy.typing as npt
 
 from mansion_geometry.boxes import gap_matrix
+from mansion_geometry.compiled import Floats
 from mansion_geometry.fitting import front_clearance
 from mansion_scene.placement.floor import Floor
 from mansion_scene.placement.groups import Spec
@@ -11,7 +11,6 @@ from mansion_scene.placement.units import Unit
 
 __all__ = ["pose_scores"]
 
-Floats = npt.NDArray[np.float64]
 
 _FAR = 1.5
 

@@ -4,6 +4,7 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_geometry.boxes import compose, gap_matrix
+from mansion_geometry.compiled import Floats
 from mansion_scene.placement.candidates import floor_poses, ring_poses, wall_poses
 from mansion_scene.placement.floor import Floor, Placed
 from mansion_scene.placement.groups import Spec
@@ -13,8 +14,6 @@ from mansion_scene.placement.units import Unit
 
 __all__ = ["examine", "find_placement", "relation_mask"]
 
-Floats = npt.NDArray[np.float64]
-Bools = npt.NDArray[np.bool_]
 
 _RELATED, _SCORED = 900, 200
 """Feasible poses whose relations are tested, and of these how many are scored; more are thinned out at random."""

@@ -10,9 +10,9 @@ from itertools import product
 from typing import TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
 from mansion_geometry.boxes import boxes_overlap, unit_vector
+from mansion_geometry.compiled import Floats
 from mansion_scene.placement.groups import Spec
 
 __all__ = [
@@ -145,7 +145,6 @@ def near_slots(anchor: Size, member: Size, *, seat: bool, backed: bool, mirrored
             yield 0.0, -(anchor[1] + member[1]) / 2 - gap, 0.0
 
 
-Floats = npt.NDArray[np.float64]
 Size3 = tuple[float, float, float]
 
 _BACK = 0.14

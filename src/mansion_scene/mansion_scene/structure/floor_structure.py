@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from shapely.geometry import Polygon
 
 from mansion_geometry.robot_body import PASSAGE_WIDTH
+from mansion_knowledge import default_knowledge
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.scene import Door, SceneCore, SceneRoom, Wall, Window
@@ -19,7 +20,7 @@ from mansion_scene.structure.door_swings import hang_doors
 from mansion_scene.structure.interiors import Partition, partition_floor, usable_boundaries, walkable_parts
 from mansion_scene.structure.materials import facade_material
 from mansion_scene.structure.openings import make_frontages, open_passages, other_places, place_doors, with_doors
-from mansion_scene.structure.outer_doors import entrance_room, is_residential, place_entrance, place_garage_doors
+from mansion_scene.structure.outer_doors import entrance_room, place_entrance, place_garage_doors
 from mansion_scene.structure.payloads import number_doors, number_walls, number_windows, scene_rooms
 from mansion_scene.structure.regions import FloorRegions, floor_regions
 from mansion_scene.structure.windows import place_windows
@@ -84,7 +85,7 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
     frontages = make_frontages(floor, partition)
     openings = open_passages(partition)
     if ground:
-        residential = is_residential(request.building_type)
+        residential = default_knowledge().groups.is_dwelling(request.building_type)
         openings.append(place_entrance(floor, usable, root, frontages, partition.nets, residential=residential))
     frontages = with_doors(frontages, openings)
     wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets)

@@ -14,28 +14,8 @@ from mansion_scene.structure.door_positions import Frontage, approach_zone, choo
 from mansion_scene.structure.openings import Opening, OpeningKind, entrance_kind, is_circulation, with_doors
 from mansion_scene.structure.regions import FloorRegions, Region
 
-__all__ = ["entrance_room", "facades_of", "is_residential", "place_entrance", "place_garage_doors"]
+__all__ = ["entrance_room", "facades_of", "place_entrance", "place_garage_doors"]
 
-_RESIDENTIAL = frozenset(
-    [
-        "house",
-        "apartment",
-        "villa",
-        "residential",
-        "flat",
-        "townhouse",
-        "cabin",
-        "studio",
-        "home",
-        "duplex",
-        "cottage",
-        "bungalow",
-        "condo",
-        "loft",
-        "mansion",
-        "residence",
-    ]
-)
 _ENTRANCE_WALL = CLEAR_WIDTH + 2 * WALL_END
 
 _GARAGE_WIDTHS = (5.0, 3.5, 2.5)
@@ -52,18 +32,6 @@ _HALL = 60.0
 
 _TWO_CARS = 30.0
 """Area from which a room gets a door wider than for one car, square metres."""
-
-
-def is_residential(building_type: str) -> bool:
-    """Whether a building type is a dwelling, which gets a house door.
-
-    Examples
-    --------
-    >>> is_residential("single_family_house"), is_residential("office")
-    (True, False)
-    """
-    words = building_type.lower().replace("-", "_").replace(" ", "_").split("_")
-    return any(word in _RESIDENTIAL for word in words)
 
 
 def facades_of(floor: FloorRegions, boundaries: Sequence[BoundarySegment], region: str) -> list[BoundarySegment]:

@@ -4,6 +4,7 @@ from math import dist, hypot
 from typing import Annotated, Any
 
 from mansion_geometry.doorways import LEAFLESS
+from mansion_geometry.plane import segment_distance
 from mansion_geometry.robot_body import FLAT
 from mansion_msgs_py.scene import Door
 from mansion_msgs_py.skills import SessionArgs
@@ -12,7 +13,7 @@ from mansion_msgs_py.world import SkillChange, SkillResult, SkillStatus
 from mansion_skills.skills.declaration import Action, Argument, Card, skill
 from mansion_skills.skills.references import door_named
 from mansion_skills.skills.results import Run, Step, done, invalid, unmet
-from mansion_skills.world.objects import box_distance, segment_distance
+from mansion_skills.world.objects import box_distance
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 

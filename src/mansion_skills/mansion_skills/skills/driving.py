@@ -7,13 +7,14 @@ from math import atan2, cos, degrees, dist, floor, radians, sin
 
 from mansion_geometry.doorways import LEAFLESS
 from mansion_geometry.floor_grid import RESOLUTION
+from mansion_geometry.plane import segment_distance
 from mansion_geometry.robot_body import in_the_way as blocks_robot
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.world import Pose2D
 from mansion_skills.navigation.paths import SNAP, find_path, free_run
 from mansion_skills.skills.results import Step
 from mansion_skills.world.floor_view import Landmark, bodies_of
-from mansion_skills.world.objects import box_distance, segment_distance
+from mansion_skills.world.objects import box_distance
 from mansion_skills.world.robot_body import RobotBody, turn_between
 from mansion_skills.world.world import World
 

@@ -16,6 +16,7 @@ from mansion_skills.world.world import World
 __all__ = [
     "CAMERA_HEIGHT",
     "REACH",
+    "SIGHT_END",
     "TOP_REACH",
     "VIEW_ANGLE",
     "VIEW_RANGE",
@@ -40,7 +41,7 @@ VIEW_ANGLE = 90.0
 
 CAMERA_HEIGHT = 1.2
 
-_THIN = 3.0
+SIGHT_END = 3.0
 """Cells before its centre where a line of sight ends, so that objects on walls are seen."""
 
 
@@ -72,7 +73,7 @@ def in_sight(world: World, floor: int, place: Point, state: ObjectState, points:
     r0, c0 = frame.coordinates(*place)
     for x, y in points:
         r1, c1 = frame.coordinates(x, y)
-        if sees(view.map.view, r0, c0, r1, c1, _THIN, ours):
+        if sees(view.map.view, r0, c0, r1, c1, SIGHT_END, ours):
             yield x, y
 
 

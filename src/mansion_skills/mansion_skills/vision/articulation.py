@@ -8,19 +8,11 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from mansion_geometry.building_models import ASIDE, JAMB, OPEN_ANGLE
 from mansion_geometry.doorways import LEAFLESS
 from mansion_msgs_py.scene import Door, SceneObject
 
 __all__ = ["Hinge", "Leaf", "Triangles", "hinges_of", "leaves_of", "part_of", "read_stl"]
-
-OPEN_ANGLE = 86.0
-"""Degrees by which an open leaf stands off its frame, as in the building's models."""
-
-JAMB = 0.04
-"""Metres of the frame on either side."""
-
-ASIDE = 0.92
-"""How far an open sliding panel has moved, in its widths."""
 
 PROBE = 0.25
 """Metres from the door at which a side is asked which room it belongs to."""

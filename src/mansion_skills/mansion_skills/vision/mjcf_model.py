@@ -11,6 +11,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 import numpy.typing as npt
 
+from mansion_geometry.building_models import COLLISION_GROUP
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneCore, SceneObject, StairDetails
 from mansion_skills.vision.articulation import Triangles, hinges_of, part_of, read_stl
@@ -36,9 +37,6 @@ __all__ = [
 PIXELS = 256
 
 _Grey = npt.NDArray[np.float64]
-
-COLLISION_GROUP = "3"
-"""Geom group of boxes for collisions only."""
 
 SHAFT, BELOW = "/shaft", "/below"
 """Added to a stair's id: the bodies of its shaft, and of the flights below."""
@@ -212,7 +210,7 @@ class ModelFile:
         bodies = {}
         for body in root.iterfind("worldbody/body"):
             for geom in body.findall("geom"):
-                if geom.get("group") == COLLISION_GROUP:
+                if geom.get("group") == str(COLLISION_GROUP):
                     body.remove(geom)
             bodies[body.get("name", "")] = body
         texture = root.find("asset/texture")

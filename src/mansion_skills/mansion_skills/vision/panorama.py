@@ -6,8 +6,8 @@ from math import atan2, cos, degrees, hypot, pi, radians, sin
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from mansion_geometry.compiled import Floats, Ints
 from mansion_msgs_py.scene import SceneCore
 from mansion_skills.navigation.floor_map import FloorMap
 from mansion_skills.vision.frame import Intrinsics, Picture
@@ -32,10 +32,6 @@ WIDTH, HEIGHT = 1024, 256
 
 SLOPE = HEIGHT * pi / WIDTH
 """Tangent of the highest direction; so pixels are as high as they are wide in the middle."""
-
-_Ints = npt.NDArray[np.int64]
-
-_Floats = npt.NDArray[np.float64]
 
 
 def core_viewpoint(grid: FloorMap, core: SceneCore, farthest: float = FARTHEST) -> tuple[float, float, float]:
@@ -121,7 +117,7 @@ def stitch(views: Sequence[Picture]) -> Picture:
 
 
 @lru_cache(maxsize=1)
-def _map() -> tuple[_Ints, tuple[_Ints, _Ints], tuple[_Floats, _Floats]]:
+def _map() -> tuple[Ints, tuple[Ints, Ints], tuple[Floats, Floats]]:
     """Return for each pixel its view, the upper left of the four pixels that it lies between, and where between."""
     column = (np.arange(WIDTH) + 0.5) / WIDTH
     slope = SLOPE * (1.0 - 2.0 * (np.arange(HEIGHT) + 0.5) / HEIGHT)

@@ -3,12 +3,12 @@
 from collections.abc import Container
 from math import cos, radians, sin
 
+from mansion_geometry.plane import turned
 from mansion_msgs_py.world import ObjectState
 from mansion_skills.vision.articulation import Hinge, hinges_of, leaves_of
 from mansion_skills.vision.floor_model import FloorModel, Turn, turn_about_z
 from mansion_skills.vision.frame import Names
 from mansion_skills.vision.mjcf_model import PART, ROBOTS, robot_body
-from mansion_skills.world.objects import rotated
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
@@ -142,11 +142,11 @@ class WorldSync:
             return (*state.position, state.rotation)
         if state.parent is not None and state.position is not None:
             x, y, z, yaw = self._pose(self._world.objects.state(state.parent))
-            dx, dy = rotated(state.position[0], state.position[1], yaw)
+            dx, dy = turned(state.position[0], state.position[1], yaw)
             return x + dx, y + dy, z + state.position[2], yaw + state.rotation
         robot = self._world.robots[str(state.held_by)]
         _, d, h = self._world.objects.kinds[state.id].size
-        dx, dy = rotated(IN_HAND[0] + d / 2, 0.0, robot.pose.yaw)
+        dx, dy = turned(IN_HAND[0] + d / 2, 0.0, robot.pose.yaw)
         z = max(IN_HAND[1] - h / 2, h / 2)
         return robot.pose.x + dx, robot.pose.y + dy, z, robot.pose.yaw + 90.0
 
@@ -219,7 +219,7 @@ def _hinged(
     ry = py + w * ty + az * tx - ax * tz
     rz = pz + w * tz + ax * ty - ay * tx
     local = [p - r + opening * s for p, r, s in zip(hinge.pivot, (rx, ry, rz), hinge.slide)]
-    dx, dy = rotated(local[0], local[1], yaw)
+    dx, dy = turned(local[0], local[1], yaw)
     cw, _, _, cz = turn_about_z(yaw)
     turn = (cw * w - cz * az, cw * ax - cz * ay, cw * ay + cz * ax, cw * az + cz * w)
     return (center[0] + dx, center[1] + dy, center[2] + local[2]), turn

@@ -1,26 +1,16 @@
 """The objects of a building: where each one is, what it carries, and the distance to its footprint."""
 
 from collections.abc import Iterable, Iterator
-from math import cos, hypot, radians, sin
 
 import msgspec
 
 from mansion_geometry.object_footprints import footprint_corners, footprint_distance
+from mansion_geometry.plane import turned
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_msgs_py.shapes import Point, Point3, Segment
+from mansion_msgs_py.shapes import Point, Point3
 from mansion_msgs_py.world import ObjectState
 
-__all__ = [
-    "ObjectTable",
-    "box_distance",
-    "corners",
-    "placed_at",
-    "put_down",
-    "rotated",
-    "scene_state",
-    "segment_distance",
-    "take_up",
-]
+__all__ = ["ObjectTable", "box_distance", "corners", "placed_at", "put_down", "scene_state", "take_up"]
 
 
 def scene_state(item: SceneObject, floor: int) -> ObjectState:
@@ -198,7 +188,7 @@ def placed_at(
 def _relative(held: ObjectState, state: ObjectState, carrier: ObjectState) -> ObjectState:
     assert state.position is not None and carrier.position is not None
     offset = [a - b for a, b in zip(state.position, carrier.position)]
-    x, y = rotated(offset[0], offset[1], -carrier.rotation)
+    x, y = turned(offset[0], offset[1], -carrier.rotation)
     turn = round((state.rotation - carrier.rotation) % 360.0, 6)
     position = (round(x, 6), round(y, 6), round(offset[2], 6))
     return msgspec.structs.replace(held, position=position, rotation=turn)
@@ -206,7 +196,7 @@ def _relative(held: ObjectState, state: ObjectState, carrier: ObjectState) -> Ob
 
 def _absolute(state: ObjectState, carrier: ObjectState) -> ObjectState:
     assert state.position is not None and carrier.position is not None
-    x, y = rotated(state.position[0], state.position[1], carrier.rotation)
+    x, y = turned(state.position[0], state.position[1], carrier.rotation)
     cx, cy, cz = carrier.position
     return msgspec.structs.replace(
         state,
@@ -216,12 +206,6 @@ def _absolute(state: ObjectState, carrier: ObjectState) -> ObjectState:
         rotation=round((carrier.rotation + state.rotation) % 360.0, 6),
         held_by=None,
     )
-
-
-def rotated(x: float, y: float, degrees: float) -> Point:
-    """Return a vector of the plan turned counter-clockwise."""
-    c, s = cos(radians(degrees)), sin(radians(degrees))
-    return c * x - s * y, s * x + c * y
 
 
 def box_distance(point: Point, state: ObjectState, kind: SceneObject) -> float:
@@ -234,14 +218,3 @@ def corners(state: ObjectState, kind: SceneObject, scale: float = 1.0) -> list[P
     """Return the corners of an object's box in plan, scaled about its centre."""
     assert state.position is not None
     return footprint_corners(state.position, kind.size, state.rotation, scale=scale)
-
-
-def segment_distance(point: Point, segment: Segment) -> float:
-    """Return the distance from a point to a segment, metres."""
-    (ax, ay), (bx, by) = segment
-    dx, dy = bx - ax, by - ay
-    length2 = dx * dx + dy * dy
-    t = 0.0
-    if length2 > 0.0:
-        t = min(1.0, max(0.0, ((point[0] - ax) * dx + (point[1] - ay) * dy) / length2))
-    return hypot(point[0] - ax - t * dx, point[1] - ay - t * dy)

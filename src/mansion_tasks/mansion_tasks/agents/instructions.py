@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from mansion_language import singular
-from mansion_msgs_py.wording import ORDINALS
+from mansion_language.numbers import ORDINALS
 from mansion_tasks.language.matching import matches
 from mansion_tasks.language.vocabulary import COLOUR_WORDS
 
@@ -195,7 +195,7 @@ class _Floors:
         if found is None:
             return None
         if found["word"]:
-            return ORDINALS.index(found["word"]) + 1
+            return ORDINALS[found["word"]]
         if found["digits"]:
             return int(found["digits"])
         if found["named"]:

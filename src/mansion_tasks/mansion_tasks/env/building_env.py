@@ -8,9 +8,8 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 
-from mansion_msgs_py.codec import decode
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.task import ProgressScore, Task, TaskSet
+from mansion_msgs_py.task import ProgressScore, Task, read_task_set
 from mansion_msgs_py.world import SkillStatus
 from mansion_tasks.env.low_level import Outcome, act, low_level_actions
 from mansion_tasks.env.observations import SLOTS, ObservationEncoder, Values, Vocabulary, state_space
@@ -247,13 +246,7 @@ def _check_option(name: str, value: object, known: tuple[object, ...]) -> None:
 def _tasks(tasks: str | Path | Sequence[Task] | None, sandbox: Sandbox, seed: int) -> list[Task]:
     if tasks is None:
         return generate(sandbox, TASKS_MADE, seed)
-    if not isinstance(tasks, str | Path):
-        found = list(tasks)
-    else:
-        try:
-            found = decode(TaskSet, Path(tasks).read_bytes()).tasks
-        except OSError as error:
-            raise MansionError(ErrorCode.NOT_FOUND, f"{tasks}: {error.strerror}", path="$.tasks") from None
+    found = read_task_set(Path(tasks)).tasks if isinstance(tasks, str | Path) else list(tasks)
     if not found:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, "there are no tasks", path="$.tasks")
     return found

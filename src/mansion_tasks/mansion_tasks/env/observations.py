@@ -8,13 +8,13 @@ import numpy as np
 import numpy.typing as npt
 from gymnasium import spaces
 
+from mansion_geometry.compiled import Ints
 from mansion_geometry.floor_grid import RESOLUTION
+from mansion_language.colours import COLOURS, colour_of
 from mansion_msgs_py.task import Task
 from mansion_skills.navigation.search import cast_rays
 from mansion_skills.skills.visibility import REACH, VIEW_ANGLE, VIEW_RANGE
 from mansion_tasks.env.visibility import View
-from mansion_tasks.language.matching import object_colour
-from mansion_tasks.language.vocabulary import COLOURS
 from mansion_tasks.tasks.sandbox import Sandbox
 
 __all__ = ["BEAMS", "SCAN_RANGE", "SLOTS", "ObservationEncoder", "Vocabulary", "state_space"]
@@ -33,7 +33,6 @@ FEATURES: Final = 7
 
 Values = dict[str, Any]
 Floats = npt.NDArray[np.float32]
-Ints = npt.NDArray[np.int64]
 
 
 @dataclass(frozen=True)
@@ -112,7 +111,7 @@ class ObservationEncoder:
         self._category = {name: numbers[kind.category] for name, kind in kinds.items()}
         colour_numbers = {name: number for number, name in enumerate(COLOURS, start=1)}
         self._row = {name: row for row, name in enumerate(kinds)}
-        colours = {name: colour_numbers.get(object_colour(kind), 0) for name, kind in kinds.items()}
+        colours = {name: colour_numbers.get(colour_of(kind.material), 0) for name, kind in kinds.items()}
         self._codes = np.array([(self._category[name], colours[name]) for name in kinds], dtype=np.int64).reshape(-1, 2)
         self._traits = np.array(
             [(kind.pickupable, kind.receptacle, kind.openable) for kind in kinds.values()], dtype=np.float32

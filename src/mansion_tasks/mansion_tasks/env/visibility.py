@@ -7,23 +7,24 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from mansion_geometry.compiled import kernel
+from mansion_geometry.compiled import Bools, Floats, Ints, kernel
 from mansion_geometry.floor_grid import RESOLUTION
 from mansion_msgs_py.world import ObjectState
 from mansion_skills.navigation.search import sees
-from mansion_skills.skills.visibility import CAMERA_HEIGHT, VIEW_ANGLE, VIEW_RANGE, closed_carrier, sight_points
+from mansion_skills.skills.visibility import (
+    CAMERA_HEIGHT,
+    SIGHT_END,
+    VIEW_ANGLE,
+    VIEW_RANGE,
+    closed_carrier,
+    sight_points,
+)
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 
 __all__ = ["VisibilityIndex", "View"]
 
-Floats = npt.NDArray[np.float64]
 Labels = npt.NDArray[np.int16]
-Bools = npt.NDArray[np.bool_]
-Ints = npt.NDArray[np.int64]
-
-_THIN = 3.0
-"""Cells before an object that do not hide it: its own box, rounded to the grid."""
 
 _CHAIN = 4
 """Links of a chain of carriers that count: an object on a tray on a table in a crate."""
@@ -291,7 +292,7 @@ def _look(
             if not _in_picture(px - x, py - y, ahead, tilt, heights[i]):
                 continue
             r1, c1 = (py - origin[1]) / RESOLUTION, (px - origin[0]) / RESOLUTION
-            if sees(view, row, column, r1, c1, _THIN, labels[i]):
+            if sees(view, row, column, r1, c1, SIGHT_END, labels[i]):
                 found[count] = i
                 count += 1
                 break

@@ -9,7 +9,7 @@ from mansion_msgs_py.building_folder import is_building_folder
 from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
-from mansion_msgs_py.task import Task, TaskSet
+from mansion_msgs_py.task import Task, TaskSet, read_task_set
 from mansion_msgs_py.world import Progress
 from mansion_tasks.agents.interface import Agent
 from mansion_tasks.agents.registry import LEARNING, check_agents, make_agent
@@ -19,7 +19,6 @@ from mansion_tasks.episodes.port import LocalPort, SkillPort
 from mansion_tasks.episodes.results import BenchResult, EpisodeRow, row_of, summarise
 from mansion_tasks.episodes.running import EpisodeOptions, run_episode
 from mansion_tasks.episodes.worker_pool import in_processes
-from mansion_tasks.tasks.task_files import read_task_set
 
 __all__ = ["TAKEN_OVER", "Bench", "Ports", "Unit", "local_port", "log_path", "run_bench", "run_unit"]
 

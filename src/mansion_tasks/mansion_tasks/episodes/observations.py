@@ -7,6 +7,7 @@ from typing import Any
 
 import msgspec
 
+from mansion_language.colours import colour_of
 from mansion_msgs_py.skills import LandmarkInfo, Landmarks, VisibleObject, VisibleObjects
 from mansion_msgs_py.task import SkillCall, Task
 from mansion_msgs_py.world import SkillResult
@@ -14,7 +15,6 @@ from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
 from mansion_tasks.agents.interface import Access, MapEntry, Observation, Pictures, SeenObject
 from mansion_tasks.episodes.port import SkillPort
-from mansion_tasks.language.matching import object_colour
 
 __all__ = ["HELD", "Anonymizer", "Snapshot", "Observer", "object_map"]
 
@@ -195,7 +195,7 @@ def seen_object(world: World, item: VisibleObject) -> SeenObject:
         category=item.category,
         distance=item.distance,
         bearing=item.bearing,
-        color=object_colour(world.objects.kinds[item.id]),
+        color=colour_of(world.objects.kinds[item.id].material),
         room=item.room or "",
         parent=item.parent or "",
         within_reach=item.within_reach,
@@ -212,6 +212,6 @@ def object_map(world: World) -> list[MapEntry]:
     for name in world.objects:
         state, kind = world.objects.state(name), world.objects.kinds[name]
         found.append(
-            MapEntry(name, kind.category, object_colour(kind), state.floor, state.room or "", state.parent or "")
+            MapEntry(name, kind.category, colour_of(kind.material), state.floor, state.room or "", state.parent or "")
         )
     return found

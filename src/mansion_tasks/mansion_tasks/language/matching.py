@@ -4,9 +4,9 @@ from typing import Final
 
 from mansion_language import singular
 from mansion_msgs_py.scene import SceneObject, SceneRoom
-from mansion_tasks.language.vocabulary import COLOURS, OBJECTS, ROOMS, plain
+from mansion_tasks.language.vocabulary import OBJECTS, ROOMS, plain
 
-__all__ = ["object_colour", "match_score", "matches", "names_room", "names_object"]
+__all__ = ["match_score", "matches", "names_object", "names_room"]
 
 _SYNONYMS: Final = {word: group.same + group.loose for group in (*OBJECTS, *ROOMS) for word in group.same + group.loose}
 
@@ -81,8 +81,3 @@ def names_object(noun: str, item: SceneObject) -> bool:
 def names_room(word: str, room: SceneRoom) -> bool:
     """Whether a word names a room: its type, a synonym, or its own name (``meeting room 2``)."""
     return plain(word) == plain(room.name) or _is_kind_of(word, plain(room.room_type), _ROOM_GROUPS)
-
-
-def object_colour(item: SceneObject) -> str:
-    """Return the colour that an object's material names (``paint_red``), empty when it names none."""
-    return next((part for part in item.material.split("_") if part in COLOURS), "")

@@ -5,9 +5,11 @@ from typing import Final, NamedTuple
 
 from mansion_knowledge import name_groups
 from mansion_language import is_plural
+from mansion_language.colours import COLOURS
+from mansion_language.numbers import ORDINALS
 from mansion_msgs_py.wording import with_article
 
-__all__ = ["COLOURS", "ROOMS", "COLOUR_WORDS", "OBJECTS", "Synonyms", "article", "ordinal", "plain"]
+__all__ = ["ROOMS", "COLOUR_WORDS", "OBJECTS", "Synonyms", "article", "ordinal", "plain"]
 
 
 class Synonyms(NamedTuple):
@@ -55,21 +57,14 @@ ROOMS: Final = tuple(
 )
 
 
-# fmt: off
-COLOURS: Final = (
-    "white", "black", "grey", "red", "blue", "green", "yellow", "orange", "purple", "brown", "beige", "pink",
-)
-"""Colours in the names of materials; observations encode a colour as its position here."""
-
-COLOUR_WORDS: Final = frozenset((
+COLOUR_WORDS: Final = frozenset([
     *COLOURS,
     "gray", "violet", "silver", "gold", "golden", "cream", "turquoise", "teal", "navy", "maroon", "tan", "transparent",
-))
+])  # fmt: skip
 """Words for colours in instructions."""
-# fmt: on
 
 
-_ORDINALS: Final = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
+_ORDINALS: Final = {number: word for word, number in ORDINALS.items() if number <= 10}
 
 
 def plain(text: str) -> str:
@@ -112,7 +107,7 @@ def ordinal(number: int) -> str:
     >>> ordinal(3), ordinal(13), ordinal(22)
     ('third', '13th', '22nd')
     """
-    if 1 <= number <= len(_ORDINALS):
-        return _ORDINALS[number - 1]
+    if number in _ORDINALS:
+        return _ORDINALS[number]
     ending = {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th") if number % 100 // 10 != 1 else "th"
     return f"{number}{ending}"

@@ -9,6 +9,7 @@ import msgspec
 import numpy as np
 
 from mansion_language import is_plural
+from mansion_language.colours import colour_of
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.task import Goal, GoalKind, Need, Task, TaskKind, TaskStart
@@ -16,7 +17,6 @@ from mansion_msgs_py.world import Pose2D
 from mansion_skills.skills.receptacles import can_contain
 from mansion_skills.world.building import LoadedBuilding
 from mansion_skills.world.world import World
-from mansion_tasks.language.matching import object_colour
 from mansion_tasks.language.vocabulary import plain
 from mansion_tasks.tasks.goals import done
 from mansion_tasks.tasks.grounding import missing_needs, proven, with_ids
@@ -126,10 +126,10 @@ def target_need(item: SceneObject, scene: FloorScene, building: LoadedBuilding, 
     carrier = parent if relation != "room" else None
     return Need(
         noun=plain(item.category),
-        color=object_colour(item) if rng.random() < 0.4 else "",
+        color=colour_of(item.material) if rng.random() < 0.4 else "",
         relation="on" if relation == "on" else "in" if relation == "in" else "room",
         receptacle=plain(carrier.category) if carrier is not None else "",
-        receptacle_color=object_colour(carrier) if carrier and rng.random() < 0.3 else "",
+        receptacle_color=colour_of(carrier.material) if carrier and rng.random() < 0.3 else "",
         room=name_of_room(_room_of(item, scene), rng) if with_room else "",
         floor=scene.floor if len(building.floors) > 1 else None,
         role="target",
@@ -140,7 +140,7 @@ def destination_need(item: SceneObject, scene: FloorScene, building: LoadedBuild
     """Describe the furniture where an object is to go."""
     return Need(
         noun=plain(item.category),
-        color=object_colour(item) if rng.random() < 0.3 else "",
+        color=colour_of(item.material) if rng.random() < 0.3 else "",
         room=name_of_room(_room_of(item, scene), rng),
         floor=scene.floor if len(building.floors) > 1 else None,
         role="destination",

@@ -2,10 +2,11 @@
 
 from collections.abc import Iterator
 
+from mansion_language.colours import colour_of
 from mansion_msgs_py.scene import SceneObject
 from mansion_msgs_py.task import Need
 from mansion_skills.world.building import LoadedBuilding
-from mansion_tasks.language.matching import names_object, names_room, object_colour
+from mansion_tasks.language.matching import names_object, names_room
 from mansion_tasks.language.vocabulary import article, ordinal, plain
 
 __all__ = ["describe", "floor_phrase", "matching_objects", "matching_rooms"]
@@ -39,7 +40,7 @@ def matching_objects(need: Need, building: LoadedBuilding) -> list[str]:
 
 
 def _fits(need: Need, item: SceneObject, parent: SceneObject | None) -> bool:
-    if not names_object(need.noun, item) or (need.color and object_colour(item) != plain(need.color)):
+    if not names_object(need.noun, item) or (need.color and colour_of(item.material) != plain(need.color)):
         return False
     if need.relation == "room":
         return True
@@ -47,7 +48,7 @@ def _fits(need: Need, item: SceneObject, parent: SceneObject | None) -> bool:
         return False
     if need.receptacle and not names_object(need.receptacle, parent):
         return False
-    return not need.receptacle_color or object_colour(parent) == plain(need.receptacle_color)
+    return not need.receptacle_color or colour_of(parent.material) == plain(need.receptacle_color)
 
 
 def floor_phrase(floor: int, building: LoadedBuilding | None = None) -> str:

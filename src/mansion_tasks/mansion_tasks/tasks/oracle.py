@@ -4,6 +4,7 @@ from collections.abc import Callable, Collection, Iterable
 from math import dist
 from typing import Final
 
+from mansion_geometry.plane import segment_distance
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.task import Goal, GoalKind, SkillCall, Task
 from mansion_msgs_py.world import ObjectState, SkillResult, SkillStatus
@@ -15,7 +16,6 @@ from mansion_skills.skills.go_to import LANDMARK_SNAP
 from mansion_skills.skills.manipulation import out_of_reach
 from mansion_skills.skills.queries import route_graph
 from mansion_skills.skills.visibility import REACH, closed_carrier, reach_to
-from mansion_skills.world.objects import segment_distance
 from mansion_skills.world.world import World
 from mansion_tasks.tasks.goals import unmet_goals
 

@@ -1,0 +1,118 @@
+"""The categories of the catalogue that English words name."""
+
+import re
+from functools import lru_cache
+from typing import Final
+
+from mansion_assets.catalogue.catalogue import Catalogue
+from mansion_language import singular
+from mansion_language.colours import COLOUR_WORDS
+from mansion_msgs_py.scene import SceneObject
+
+__all__ = ["Vocabulary", "stems", "vocabulary_of"]
+
+_FILLER: Final = frozenset(["a", "an", "the", "some", "any", "of", "one", "piece"])
+_GENERIC: Final = {
+    "table": ("table",),
+    "chair": ("chair",),
+    "lamp": ("lamp", "light"),
+    "plant": ("plant",),
+    "shelf": ("shelf", "shelving_unit", "bookshelf"),
+    "cabinet": ("cabinet",),
+    "bin": ("bin", "garbage_can"),
+    "drink": ("cola_can", "juice_carton", "water_bottle", "beer_bottle", "wine_bottle"),
+    "fruit": ("apple", "banana", "orange", "lemon"),
+    "screen": ("monitor", "television", "wall_tv"),
+}
+"""Words that name many categories: those whose name ends with one of these."""
+
+
+def stems(text: str) -> tuple[str, ...]:
+    """Return the words of a text in small letters and in the singular, without articles.
+
+    Examples
+    --------
+    >>> stems("The coffee-tables")
+    ('coffee', 'table')
+    """
+    words = re.findall(r"[a-z0-9]+", text.lower())
+    return tuple(singular(word) for word in words if word not in _FILLER)
+
+
+class Vocabulary:
+    """The names and synonyms of the catalogue's categories.
+
+    Parameters
+    ----------
+    catalogue : Catalogue
+    """
+
+    def __init__(self, catalogue: Catalogue) -> None:
+        self._names: dict[tuple[str, ...], dict[str, None]] = {}
+        self._synonyms: dict[tuple[str, ...], dict[str, None]] = {}
+        self._memory: dict[tuple[str, ...], frozenset[str]] = {}
+        self.categories = catalogue.categories
+        for category in catalogue.categories:
+            asset = catalogue.by_category(category)[0]
+            for name in (category.replace("_", " "), asset.name):
+                self._names.setdefault(stems(name), {})[category] = None
+            for synonym in asset.synonyms:
+                self._synonyms.setdefault(stems(synonym), {})[category] = None
+
+    def exact(self, words: tuple[str, ...]) -> list[str]:
+        """Return the categories called exactly so; by synonym where none has the name itself."""
+        return list(self._names.get(words) or self._synonyms.get(words, {}))
+
+    def generic(self, words: tuple[str, ...]) -> list[str]:
+        """Return the categories of which a general word (``table``) is the last part."""
+        if len(words) != 1 or words[0] not in _GENERIC:
+            return []
+        ends = _GENERIC[words[0]]
+        return [c for c in self.categories if c.endswith(ends)]
+
+    def containing(self, words: tuple[str, ...]) -> list[str]:
+        """Return the categories whose name has all of these words."""
+        wanted = set(words)
+        return [c for c in self.categories if wanted and wanted <= set(stems(c.replace("_", " ")))]
+
+    def nouns(self, text: str) -> list[str]:
+        """Return the categories that a noun names: by name, synonym or general word, or by the end of the name."""
+        words = _without_colours(stems(text))
+        tails = [c for c in self.containing(words) if stems(c.replace("_", " "))[-1] in words]
+        return list(dict.fromkeys((*self.exact(words), *self.generic(words), *tails)))
+
+    def rank(self, item: SceneObject, text: str) -> int:
+        """Return how well a keyword fits an object.
+
+        3 by name, 2 by synonym or the end of the name (``desk`` of an office desk), 1 by another part of it (a desk
+        phone), 0 not at all.
+        """
+        words = _without_colours(stems(text))
+        if not words:
+            return 0
+        names = (stems(item.category.replace("_", " ")), stems(item.name))
+        if words in names:
+            return 3
+        if item.category in self._meant(words):
+            return 2
+        fits = [name for name in names if set(words) <= set(name)]
+        return max((2 if name[-1] in words else 1 for name in fits), default=0)
+
+    def _meant(self, words: tuple[str, ...]) -> frozenset[str]:
+        if words not in self._memory:
+            if len(self._memory) > 4096:
+                self._memory.clear()
+            self._memory[words] = frozenset((*self.exact(words), *self.generic(words)))
+        return self._memory[words]
+
+
+def _without_colours(words: tuple[str, ...]) -> tuple[str, ...]:
+    """Drop colours, unless nothing else is left (an orange)."""
+    rest = tuple(word for word in words if word not in COLOUR_WORDS)
+    return rest or words
+
+
+@lru_cache(maxsize=4)
+def vocabulary_of(catalogue: Catalogue) -> Vocabulary:
+    """Return the vocabulary of a catalogue, made once."""
+    return Vocabulary(catalogue)
