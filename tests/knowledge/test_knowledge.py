@@ -37,7 +37,7 @@ def test_every_style_has_a_material_for_every_finish() -> None:
 def test_every_building_type_can_be_planned() -> None:
     for building in default_knowledge().buildings.values():
         reply = plan_building(BuildRequest(description=building.synonyms[0]))
-        assert reply.program.building_type == building.name, building.synonyms[0]
+        assert reply.program.kind == building.name, building.synonyms[0]
 
 
 def test_a_users_folder_adds_and_replaces_records(tmp_path: Path) -> None:
@@ -48,7 +48,7 @@ def test_a_users_folder_adds_and_replaces_records(tmp_path: Path) -> None:
     )
     knowledge = load_knowledge([tmp_path])
     reply = plan_building(BuildRequest(description="a pottery studio"), knowledge=knowledge)
-    assert reply.program.building_type == "pottery"
+    assert reply.program.kind == "pottery"
     assert sum(room.room_type == "kiln_room" for room in reply.program.floors[0].rooms) == 2
 
 

@@ -54,6 +54,8 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
         Square metres, of each where there are several; metres.
     unwanted : bool
         None of it is wanted.
+    whole : bool
+        The area is that of a unit: of the room with all that are reached through it alone.
     """
 
     name: str = ""
@@ -64,6 +66,7 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     area: float | None = None
     height: float | None = None
     unwanted: bool = False
+    whole: bool = False
 
 
 class Scope(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
@@ -75,6 +78,8 @@ class Scope(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
         Floor numbers; everywhere when empty.
     room, room_type : str
         The room that furniture is wanted in; anywhere when empty.
+    unit, unit_type : str
+        The flat or other unit of which each holds the rooms for itself; the count is for each.
     each : bool
         The count is for every such floor or room, not for all together.
     """
@@ -82,6 +87,8 @@ class Scope(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     floors: list[int] = []
     room: str = ""
     room_type: str = ""
+    unit: str = ""
+    unit_type: str = ""
     each: bool = False
 
 

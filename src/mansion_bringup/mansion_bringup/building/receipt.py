@@ -3,10 +3,12 @@
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import pairwise
 
 import msgspec
+import networkx as nx
 from shapely.geometry import LineString, MultiLineString, Polygon
 
 from mansion_assets.catalogue import load_catalogue
@@ -75,12 +77,32 @@ class _State:
     program: BuildingProgram
     rooms: Sequence[_Room]
     touching: frozenset[tuple[str, str]]
+    doors: frozenset[tuple[str, str]] = frozenset()
+    hubs: frozenset[str] = frozenset()
 
     def called(self, name: str, kind: str, floors: Sequence[int] = ()) -> list[_Room]:
         """Return the rooms of a name; where none has it, those of a type."""
         rooms = [room for room in self.rooms if not floors or room.floor in floors]
         own = [room for room in rooms if name in room.names]
         return own or [room for room in rooms if kind and room.type == kind]
+
+    def behind(self, owner: _Room) -> list[_Room]:
+        """Return the rooms of a storey that are reached through a room alone."""
+        here = {room.full_id for room in self.rooms if room.floor == owner.floor}
+        graph = nx.Graph(pair for pair in self.doors if pair[0].startswith(f"F{owner.floor}/"))
+        graph.remove_nodes_from([owner.full_id])
+        hubs = [hub for hub in self.hubs if hub in graph]
+        reached = set().union(*(nx.node_connected_component(graph, hub) for hub in hubs))
+        if not hubs:
+            return []
+        return [room for room in self.rooms if room.full_id in here - reached and room is not owner]
+
+    @cached_property
+    def private(self) -> frozenset[str]:
+        """The rooms that the units of the brief have for themselves."""
+        scopes = [wish.scope for wish in self.program.wishes if wish.scope.unit]
+        owners = [owner for scope in scopes for owner in self.called(scope.unit, scope.unit_type, scope.floors)]
+        return frozenset(room.full_id for owner in owners for room in self.behind(owner))
 
     def near(self, first: _Room, second: _Room) -> bool:
         """Whether two rooms share a wall."""
@@ -100,7 +122,13 @@ def receipt(wishes: Iterable[Wish], program: BuildingProgram, scenes: Sequence[F
         All floors.
     """
     rooms = [_built_room(scene, number) for scene in scenes for number in range(len(scene.rooms))]
-    state = _State(program, rooms, frozenset(pair for scene in scenes for pair in _touching(scene)))
+    state = _State(
+        program,
+        rooms,
+        frozenset(pair for scene in scenes for pair in _touching(scene)),
+        frozenset((door.rooms[0], door.rooms[1]) for scene in scenes for door in scene.doors if door.rooms[1]),
+        frozenset(room.id for scene in scenes for room in scene.rooms if room.kind == "main"),
+    )
     return [_judged(wish, state) for wish in wishes]
 
 
@@ -125,7 +153,14 @@ def receipt_of_plan(program: BuildingProgram, topologies: Sequence[FloorTopology
         for graph in topologies
         for edge in graph.edges
     )
-    state = _State(program, rooms, edges)
+    doors = frozenset(
+        (f"F{graph.floor}/{edge.source}", f"F{graph.floor}/{edge.target}")
+        for graph in topologies
+        for edge in graph.edges
+        if edge.kind == "access"
+    )
+    hubs = frozenset(f"F{graph.floor}/{node.id}" for graph in topologies for node in graph.nodes if node.type == "main")
+    state = _State(program, rooms, edges, doors, hubs)
     return [_judged(wish, state) for wish in program.wishes]
 
 
@@ -307,7 +342,12 @@ def _core(wish: Wish, state: _State) -> _Verdict:
 
 def _room(wish: Wish, state: _State) -> _Verdict:
     value, floors = wish.value, wish.scope.floors
+    if wish.scope.unit:
+        return _held(wish, state)
     rooms = state.called(value.name, value.type, floors)
+    rooms = [room for room in rooms if room.full_id not in state.private] or rooms
+    if value.whole:
+        rooms = [replace(room, area=room.area + sum(other.area for other in state.behind(room))) for room in rooms]
     ids = [room.full_id for room in rooms]
     if not rooms:
         elsewhere = state.called(value.name, value.type)
@@ -330,11 +370,38 @@ def _room(wish: Wish, state: _State) -> _Verdict:
     if bare:
         return _Verdict("partly", f"{_listed(bare[:3])} has none beside it", ids)
     if value.area is not None:
-        close = [room for room in rooms if abs(room.area - value.area) <= _AREA * 1.5 * value.area]
+        close = [room for room in rooms if _close(room.area, value.area)]
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
             sizes = ", ".join(f"{room.area:.0f}" for room in rooms[:4])
             return _Verdict("partly", f"{sizes} m2 instead of {value.area:.0f} m2", ids)
     return _Verdict("met", "", ids)
+
+
+def _held(wish: Wish, state: _State) -> _Verdict:
+    """Judge what each flat or other unit is to hold: the room itself and those behind it count."""
+    owners = state.called(wish.scope.unit, wish.scope.unit_type, wish.scope.floors)
+    if not owners:
+        return _Verdict("not_met", f"there is no {_words(wish.scope.unit)}")
+    wanted, ids, other, small = _wanted(wish, state), [], [], []
+    for owner in owners:
+        there = [owner, *state.behind(owner)]
+        rooms = [room for room in there if wish.value.name in room.names]
+        rooms = rooms or [room for room in there if room.type == wish.value.type]
+        ids += [room.full_id for room in rooms]
+        if len(rooms) != wanted and (wanted is not None or len(rooms) < 2):
+            other.append(f"{owner.full_id} has {len(rooms)}")
+        close = [room for room in rooms if _close(room.area, wish.value.area)]
+        needed = len(rooms) if len(_alike(wish, state)) < 2 else min(wish.value.count or 1, len(rooms))
+        if len(close) < needed:
+            small.append(f"{owner.full_id} has {_listed([f'{room.area:.0f}' for room in rooms])} m2")
+    if other:
+        return _Verdict("partly" if ids else "not_met", _listed(other[:3]), ids)
+    return _met(not small, _listed(small[:3]), partly=True, rooms=ids)
+
+
+def _close(area: float, wanted: float | None) -> bool:
+    """Whether a room has the area that is asked for, if any is."""
+    return wanted is None or abs(area - wanted) <= _AREA * 1.5 * wanted
 
 
 def _wanted(wish: Wish, state: _State) -> int | None:
@@ -355,7 +422,9 @@ def _alike(wish: Wish, state: _State) -> list[Wish]:
     return [
         other
         for other in state.program.wishes
-        if other.kind == "room" and other.value.name == wish.value.name and other.scope.floors == wish.scope.floors
+        if other.kind == "room"
+        and other.value.name == wish.value.name
+        and (other.scope.floors, other.scope.unit) == (wish.scope.floors, wish.scope.unit)
     ]
 
 

@@ -5,9 +5,10 @@ which gives a wish its status when a building is built.
 """
 
 import re
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from statistics import median_high
 
 from shapely import Polygon
@@ -82,6 +83,37 @@ class _Finished:
     def rooms(self, floors: Sequence[int] = ()) -> list[tuple[int, SceneRoom]]:
         """Return the rooms of some floors, or of all, each with its floor."""
         return [(scene.floor, room) for scene in self.scenes if _on(scene.floor, floors) for room in scene.rooms]
+
+    def suite(self, floor: int, owner: SceneRoom) -> list[SceneRoom]:
+        """Return a room of a floor with the rooms that nobody enters without passing through it."""
+        scene = next(scene for scene in self.scenes if scene.floor == floor)
+        beside: dict[str, list[str]] = defaultdict(list)
+        for door in scene.doors:
+            first, second = door.rooms
+            if second is not None:
+                beside[first].append(second)
+                beside[second].append(first)
+        entrances = [core.id for core in scene.cores]
+        entrances += [door.rooms[0] for door in scene.doors if door.kind == "entrance"]
+        waiting = [name for name in entrances if name != owner.id]
+        passed = {owner.id, *waiting}
+        while waiting:
+            further = [name for name in beside[waiting.pop()] if name not in passed]
+            passed.update(further)
+            waiting += further
+        return [owner, *(room for room in scene.rooms if room.id not in passed)]
+
+    @cached_property
+    def owned(self) -> set[str]:
+        """The rooms inside the units that the ledger speaks of."""
+        units = {(wish.scope.unit, wish.scope.unit_type, tuple(wish.scope.floors)) for wish in self.ledger}
+        return {
+            room.id
+            for unit, kind, floors in units
+            if unit
+            for floor, owner in self.meant(unit, kind, floors)
+            for room in self.suite(floor, owner)[1:]
+        }
 
     def meant(self, name: str, kind: str, floors: Sequence[int] = ()) -> list[tuple[int, SceneRoom]]:
         """Return the rooms that people call so; where there are none, those of the type."""
@@ -230,13 +262,19 @@ def _core(wish: Wish, finished: _Finished) -> str:
 
 def _room(wish: Wish, finished: _Finished) -> str:
     value, floors = wish.value, wish.scope.floors
+    if wish.scope.unit:
+        return _inside(wish, finished)
     rooms = finished.meant(value.name, value.type, floors)
+    rooms = [entry for entry in rooms if entry[1].id not in finished.owned] or rooms
     if not rooms:
         return "there is no such room where it is wanted"
     alike = [
         entry.value.count
         for entry in finished.ledger
-        if entry.kind == "room" and entry.value.name == value.name and entry.scope.floors == floors
+        if entry.kind == "room"
+        and entry.value.name == value.name
+        and entry.scope.floors == floors
+        and not entry.scope.unit
     ]
     if wish.scope.each and floors:
         there = Counter(floor for floor, _ in rooms)
@@ -255,9 +293,39 @@ def _room(wish: Wish, finished: _Finished) -> str:
     if value.area is None:
         return ""
     wanted = value.area
-    fitting = sum(abs(room.area - wanted) <= ROOM_TOLERANCE * wanted + 1e-6 for _, room in rooms)
+    areas = [
+        sum(part.area for part in finished.suite(floor, room)) if value.whole else room.area for floor, room in rooms
+    ]
+    fitting = sum(_as_large(area, wanted) for area in areas)
     needed = (value.count or 1) * (len(floors) if wish.scope.each and floors else 1) if len(alike) > 1 else len(rooms)
     return "" if fitting >= min(needed, len(rooms)) else f"{fitting} of {len(rooms)} have that area"
+
+
+def _inside(wish: Wish, finished: _Finished) -> str:
+    """Say which unit does not hold what each is to hold."""
+    value, scope = wish.value, wish.scope
+    alike = [
+        entry.value.count
+        for entry in finished.ledger
+        if entry.kind == "room"
+        and (entry.value.name, entry.scope.unit, entry.scope.floors) == (value.name, scope.unit, scope.floors)
+    ]
+    units = finished.meant(scope.unit, scope.unit_type, scope.floors)
+    for floor, unit in units:
+        parts = finished.suite(floor, unit)
+        rooms = [room for room in parts if value.name in _labels(room)]
+        rooms = rooms or [room for room in parts if room.room_type == value.type]
+        several = None in alike
+        if (several and len(rooms) < 2) or (not several and len(rooms) != sum(count or 0 for count in alike)):
+            return f"{unit.id} has {len(rooms)}"
+        needed = len(rooms) if len(alike) == 1 else min(value.count or 1, len(rooms))
+        if value.area is not None and sum(_as_large(room.area, value.area) for room in rooms) < needed:
+            return f"{unit.id} has them of another area"
+    return "" if units else "there is no such unit"
+
+
+def _as_large(area: float, wanted: float) -> bool:
+    return abs(area - wanted) <= ROOM_TOLERANCE * wanted + 1e-6
 
 
 def _no_room(wish: Wish, finished: _Finished) -> str:

@@ -101,6 +101,8 @@ class RoomFact:
         Rooms that each of these has for itself ("each with a bathroom").
     known : bool
         The knowledge base has the user's words; otherwise `room_type` is only the nearest kind.
+    unit : bool
+        A dwelling or another unit of several rooms: `suite` is what the brief says it holds, `area` that of all.
     """
 
     room_type: str
@@ -114,6 +116,7 @@ class RoomFact:
     label: str = ""
     suite: tuple["RoomFact", ...] = ()
     known: bool = True
+    unit: bool = False
 
 
 @dataclass(frozen=True)
@@ -222,6 +225,8 @@ class BriefFacts:
 
     Attributes
     ----------
+    households : list of RoomFact
+        What every unit of a kind holds whose number the brief leaves open ("every flat has two bedrooms").
     excluded : list of (str, Span)
         Room types that are nowhere wanted; ``basement``.
     excluded_on : list of (str, FloorRef, Span)
@@ -251,6 +256,7 @@ class BriefFacts:
     building_like: str = ""
     building_span: list[Span] = field(default_factory=list)
     rooms: list[RoomFact] = field(default_factory=list)
+    households: list[RoomFact] = field(default_factory=list)
     uses: list[UseFact] = field(default_factory=list)
     excluded: list[tuple[str, Span]] = field(default_factory=list)
     excluded_on: list[tuple[str, FloorRef, Span]] = field(default_factory=list)

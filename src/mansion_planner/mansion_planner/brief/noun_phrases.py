@@ -52,6 +52,7 @@ _VERBAL_MODIFIERS = frozenset(
 )
 _PARTS = frozenset("roof window door wall ceiling view light equipment furniture roofed".split())
 """Nouns that make a room before them their modifier: "flat roof", "kitchen window"."""
+_SUPERLATIVES = frozenset("largest biggest smallest only same best first last next whole entire".split())
 _NO_HEADS = frozenset({"area", "space", "section", "zone", "corner", "place", "center", "centre"})
 
 
@@ -204,6 +205,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
             room = _hall_of(reading, begin, end)
         head: Head = "room" if mention.room or not mention.building else "building"
         return finished_phrase(reading, head, begin, end, room=room, building=mention.building, mention=mention)
+    if last == "room" and reading.word(end - 2) in _SUPERLATIVES:
+        return None
     bare = last == "room" and all(word in PLAIN or word in ("guest",) for word in reading.words(begin, end - 1))
     if bare and reading.plural(end - 1) and count_before(reading, begin, end)[2]:
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)

@@ -9,13 +9,15 @@ is proportional to the length of the text.
 from dataclasses import replace
 
 from mansion_knowledge import KnowledgeBase
-from mansion_planner.brief.attachment import Attachment, attach_storeys
+from mansion_planner.brief.attachment import Attachment
 from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.exclusions import negated_phrases, read_completeness
 from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact, Quantity, RoomFact, Span, UseFact
 from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.furnishings import read_furnishings
+from mansion_planner.brief.furniture_words import furniture_of
+from mansion_planner.brief.households import are_dwellings, are_units, attach_units, read_households, told_apart
 from mansion_planner.brief.measures import Measure, find_measures, give_measures, read_heights
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
@@ -80,11 +82,14 @@ class _Reader:
         self.building = self._name_building(phrases)
         self.phrases = [self._plain_rooms(phrase) for phrase in give_measures(reading, measures, phrases)]
         self._late_counts()
+        self.phrases, self.households = read_households(reading, self.phrases, self.places, self.building)
+        self._find_building()
         self._containers()
+        self._fittings()
         self._elliptical()
         self.relations = read_relations(reading, self.phrases, set() if self.building is None else {self.building})
         self.negated = negated_phrases(reading, self.phrases)
-        self.attached = attach_storeys(reading, self.places, self.phrases, self.building)
+        self.attached = attach_units(reading, self.places, self.phrases, self.building, self.households)
         for number, phrase in enumerate(self.phrases):
             if phrase.first in self.shared and number in self.attached:
                 self.attached[number] = Attachment(self.attached[number].refs)
@@ -114,6 +119,8 @@ class _Reader:
     def _name_building(self, phrases: list[Phrase]) -> int | None:
         reading = self.reading
         number = building_phrase(reading, phrases, self.places)
+        if number is not None and are_units(phrases[number]):
+            number = None
         opening = self.opening
         if opening is not None:
             rooms_before = any(p.begin < opening[2] for p in phrases if p.head == "room")
@@ -182,6 +189,21 @@ class _Reader:
             ):
                 self.phrases[number] = replace(phrase, head="unknown")
 
+    def _fittings(self) -> None:
+        """Read "every cell fitted with bunk, toilet and desk" as furniture, though a toilet can be a room as well."""
+        reading = self.reading
+        for number, phrase in enumerate(self.phrases):
+            if phrase.head != "room" or phrase.areas:
+                continue
+            start = phrase.first
+            while start > 0 and reading.sentence[start - 1] == reading.sentence[phrase.first]:
+                start -= 1
+                if reading.word(start) in ("fitted", "equipped", "furnished") and reading.word(start + 1) == "with":
+                    category, _ = furniture_of(reading.words(phrase.begin, phrase.noun_end))
+                    if category:
+                        self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
+                    break
+
     def _bedrooms_of_building(self, phrase: Phrase) -> None:
         """Read "three-bedroom" before the building's name."""
         reading = self.reading
@@ -198,18 +220,19 @@ class _Reader:
         reading = self.reading
         for index in range(min(len(reading.tokens) - 1, 14)):
             word = reading.word(index + 1)
-            if reading.kind(index) != "number" or index in reading.taken:
+            if reading.kind(index) != "number" or index in reading.taken or reading.plural(index + 2):
                 continue
-            if word == "br" or (
-                word == "bed" and reading.word(index + 2) in ("/", ",") and reading.kind(index + 3) == "number"
-            ):
+            singular = not reading.plural(index + 1)
+            several = reading.value(index) > 1 or index + 2 in reading.mention_at
+            if word in ("br", "bhk") or (word == "bed" and singular and several and index not in reading.taken):
                 self._advert("bedroom", index, index + 2)
-            elif (
-                word in ("bath", "ba")
-                and reading.word(index - 1) in ("/", ",")
-                and reading.word(index - 2) in ("bed", "br", "bedroom")
-            ):
+            elif word in ("bath", "ba") and singular and self._follows_advert(index):
                 self._advert("bathroom", index, index + 2)
+
+    def _follows_advert(self, index: int) -> bool:
+        """Whether "2 bath" stands right after "3 bed"."""
+        before = index - 1 - (self.reading.word(index - 1) in ("/", ",", "+", "and", "&"))
+        return self.reading.word(before) in ("bed", "br", "bedroom", "bhk")
 
     def _advert(self, room_type: str, first: int, last: int, *, inside: bool = False) -> None:
         span = self.reading.span(first, last)
@@ -237,7 +260,10 @@ class _Reader:
             before = [
                 n
                 for n, p in enumerate(self.phrases)
-                if p.last <= index and p.head == "room" and reading.sentence[p.first] == reading.sentence[index]
+                if p.last <= index
+                and (p.head == "room" or p.first in self.households.units)
+                and reading.sentence[p.first] == reading.sentence[index]
+                and p.first not in self.households.inner
             ]
             if not before or reading.word(index - 1) not in (",", ":", "and", "-", "(", "–"):
                 continue
@@ -268,6 +294,10 @@ class _Reader:
             if whole or (not total.counted and total.plural):
                 self.phrases[number] = replace(total, head="unknown")
         self.phrases = sorted([*self.phrases, *(p for _, p in extra)], key=lambda p: p.first)
+        self._find_building()
+
+    def _find_building(self) -> None:
+        """Find the phrase that names the building again, after phrases were added or left out."""
         if self.building is not None:
             span = self.facts.building[0][1]
             self.building = next(
@@ -372,6 +402,7 @@ class _Reader:
                     and reading.sentence[phrase.first] == reading.sentence[index]
                     and phrase.count == 1
                     and phrase.determiner not in ("the",)
+                    and phrase.first not in self.households.read
                 ):
                     self.phrases[number] = replace(phrase, count=counts[subject], counted=True)
             reading.take(index, index + 2)
@@ -390,7 +421,9 @@ class _Reader:
         self.twins: dict[int, list[int]] = {}
         reading = self.reading
         rooms = [
-            n for n, p in enumerate(self.phrases) if p.head == "room" and n != self.building and n not in self.negated
+            n
+            for n, p in enumerate(self.phrases)
+            if p.head == "room" and n != self.building and n not in self.negated and p.first not in self.households.read
         ]
         for position, number in enumerate(rooms):
             phrase = self.phrases[number]
@@ -404,7 +437,9 @@ class _Reader:
                 ),
                 None,
             )
-            if owner is None:
+            if owner is None or any(
+                self.phrases[owner].last <= first < phrase.first for first in self.households.inner
+            ):
                 continue
             gap_words = reading.words(self.phrases[owner].last, phrase.begin)
             gap = set(gap_words)
@@ -416,7 +451,9 @@ class _Reader:
             owner = self.same.get(owner, owner)
             several = (self.phrases[owner].count or 2) > 1 or distributed
             if owner in suites:
-                joined = gap <= {"and", "a", "an", "its", "own", ",", "the", "one"} and "and" in gap
+                joined = (
+                    _outside_brackets(gap_words) <= {"and", "a", "an", "its", "own", ",", "the", "one"} and "and" in gap
+                )
                 if joined:
                     suites[number] = suites[owner]
                 continue
@@ -514,9 +551,13 @@ class _Reader:
             if (
                 phrase.head not in ("room", "building")
                 or number == self.building
-                or number in self.same
+                or (number in self.same and phrase.first not in self.households.units)
                 or number in self.suites
+                or phrase.first in self.households.read
             ):
+                continue
+            if phrase.first in self.households.unnumbered:
+                self.facts.households += self._room_facts(number, replace(phrase, count=None), Attachment())
                 continue
             place = self.attached.get(number, Attachment())
             if number in self.negated:
@@ -529,6 +570,7 @@ class _Reader:
                 self.facts.uses.append(UseFact(name, place.refs, self.reading.span(phrase.first, phrase.last)))
                 continue
             self.facts.rooms += self._room_facts(number, phrase, place)
+        self.facts.rooms[:] = told_apart(self.facts.rooms)
 
     def _exclude(self, number: int, phrase: Phrase, place: Attachment) -> None:
         first, last = self.negated[number]
@@ -558,7 +600,10 @@ class _Reader:
     def _room_facts(self, number: int, phrase: Phrase, place: Attachment) -> list[RoomFact]:
         """Return a phrase's rooms: one fact, or one for each of several areas."""
         span = self._span(phrase)
-        children = [n for n, owner in self.suites.items() if owner == number or number in self.twins.get(n, ())]
+        children = [
+            self.phrases[n] for n, owner in self.suites.items() if owner == number or number in self.twins.get(n, ())
+        ]
+        held = self.households.units.get(phrase.first, [])
         suite = tuple(
             RoomFact(
                 child.room_type,
@@ -569,7 +614,7 @@ class _Reader:
                 label=child.label,
                 known=child.known,
             )
-            for child in (self.phrases[n] for n in children)
+            for child in (*held, *children)
             if child.room_type
         )
         fact = RoomFact(
@@ -583,6 +628,7 @@ class _Reader:
             label=phrase.label,
             suite=suite,
             known=phrase.known,
+            unit=bool(held) or (self.reading.knowledge.room(phrase.room_type).unit and are_dwellings(phrase)),
         )
         if self._said_before(fact, phrase):
             return []
@@ -658,6 +704,16 @@ _SLEEPING = frozenset(
 _PRIVATE = frozenset(
     {"bathroom", "ensuite_bathroom", "toilet", "walk_in_closet", "dressing_room", "shower_area", "restroom", "pantry"}
 )
+
+
+def _outside_brackets(words: tuple[str, ...]) -> set[str]:
+    """Return the words that do not stand in brackets."""
+    found, depth = set(), 0
+    for word in words:
+        depth += (word == "(") - (word == ")")
+        if depth == 0 and word != ")":
+            found.add(word)
+    return found
 
 
 def _identifier(name: str) -> str:

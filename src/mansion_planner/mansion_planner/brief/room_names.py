@@ -260,9 +260,12 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         headed = any(i in reading.taken and reading.word(i) == ":" for i in range(start, begin)) or (
             start in reading.taken and reading.word(start) not in _LIST_STARTS
         )
-        if sentence not in rooms_in and not headed:
-            continue
         before = reading.word(begin - 1)
+        measured = _has_measure(reading, end)
+        if not measured and sentence not in rooms_in and not headed:
+            continue
+        if reading.word(begin - 2) in _HOLDS and reading.plural(end - 1) and reading.kind(begin - 1) == "number":
+            continue  # "a hall holding eight steel tanks"
         counted = reading.kind(begin - 1) == "number" and begin - 1 not in reading.taken
         opens = before in _LIST_STARTS or counted or begin - 1 in reading.taken
         joined = (
@@ -273,7 +276,8 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
                 and reading.word(begin - 2) in (",", "and", ":", "a", "|", "with", "has")
             )
         )
-        if not opens or not (joined or begin - 1 in reading.taken) or reading.word(end) not in _LIST_ENDS:
+        listed = opens and (joined or begin - 1 in reading.taken) and reading.word(end) in _LIST_ENDS
+        if not listed and not measured:
             continue
         words = reading.words(begin, end)
         if counted and reading.plural(end - 1) and words[-1].endswith(("er", "or", "ist", "ant", "ian", "eer")):
@@ -281,7 +285,12 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         if any(word in PLAIN or word.endswith(("ly", "ed")) or word in _NO_ROOMS for word in words[-1:]):
             continue
         bare = before in (",", "and", "&", "|") and not counted
-        if bare and begin - 2 not in ends and (begin - 3 not in ends or reading.word(begin - 2) != ","):
+        if (
+            bare
+            and not measured
+            and begin - 2 not in ends
+            and (begin - 3 not in ends or reading.word(begin - 2) != ",")
+        ):
             continue
         name = name_of(reading, begin, end)
         phrase = finished_phrase(
@@ -293,6 +302,14 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
     return found
 
 
+def _has_measure(reading: Reading, end: int) -> bool:
+    """Whether an area follows that can only be of what stands before it: "men's majlis 40 m2", "arena (250 m2)"."""
+    index = end + (reading.word(end) in ("(", "of", ":", "-", "=", "with", "–"))
+    index += reading.word(index) in ("about", "approx", "around", "ca", "roughly")
+    return reading.kind(index) == "number" and index in reading.taken and reading.kind(index + 1) == "unit"
+
+
+_HOLDS = frozenset("holding containing with houses housing has have holds".split())
 _NO_ROOMS = frozenset(
     """
     style look feel window door wall ceiling roof floor view light noise smell garden outside street visitor guest

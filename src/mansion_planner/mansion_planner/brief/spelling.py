@@ -95,6 +95,13 @@ GRAMMAR = frozenset(
 )
 
 
+_SHORT = {
+    "rm": "room", "bedrm": "bedroom", "bdrm": "bedroom", "bathrm": "bathroom", "apt": "apartment", "flr": "floor",
+    "bldg": "building", "bsmt": "basement", "mtg": "meeting", "ofc": "office", "kit": "kitchen",
+}  # fmt: skip
+"""Short forms in notes, and what they stand for."""
+
+
 def corrected(tokens: list[Token], words: frozenset[str], known: frozenset[str] = frozenset()) -> list[Token]:
     """Return the tokens with misspelt words replaced by the vocabulary's nearest word.
 
@@ -109,6 +116,9 @@ def corrected(tokens: list[Token], words: frozenset[str], known: frozenset[str] 
     found: dict[str, str] = {}
     result: list[Token] = []
     for token in tokens:
+        if token.text in _SHORT:
+            result.append(replace(token, text=_SHORT[token.text]))
+            continue
         if token.kind != "word" or len(token.text) < 4 or len(token.text) > 20:
             result.append(token)
             continue

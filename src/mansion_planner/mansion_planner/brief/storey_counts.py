@@ -17,8 +17,8 @@ STOREY_ADJECTIVES = frozenset(
     """
     full whole habitable residential office guest typical additional more storied underground basement parking
     subterranean identical sale
-    trading exhibition teaching production main equal different separate small large big classroom hotel retail working usable
-    living successive consecutive more
+    trading exhibition teaching production main equal different separate small large big classroom hotel retail
+    working usable living successive consecutive more
     """.split()
 )
 _BELOW = frozenset({"underground", "basement", "subterranean", "below"})

@@ -55,15 +55,7 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
             and ({"plan", "layout"} & set(reading.words(index + 1, index + 5)))
         )
         typical = token.text == "typical" and reading.word(index + 1) in FLOOR_WORDS
-        like = token.text in ("like", "as") and reading.word(index - 1) in (
-            "just",
-            "exactly",
-            "same",
-            "is",
-            "are",
-            "look",
-            "repeat",
-        )
+        like = token.text in ("like", "as") and reading.word(index - 1) in ("just", "exactly", "look", "repeat")
         if not (token.text in _EQUAL or sharing or typical or like) or reading.word(index + 1) in (
             "time",
             "building",

@@ -116,7 +116,8 @@ def _span_of(entry: Any) -> Span:
 
 def _names(*, without: Iterable[str] = ("building_name", "unread")) -> list[str]:
     """Return the names of the lists of facts."""
-    return [entry.name for entry in fields(BriefFacts) if entry.name not in without]
+    words = {"building_name", "building_like"}
+    return [entry.name for entry in fields(BriefFacts) if entry.name not in without and entry.name not in words]
 
 
 def _fills_in(name: str, span: Span, model: StatementFacts) -> bool:

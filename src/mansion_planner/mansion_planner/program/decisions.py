@@ -129,7 +129,8 @@ def _infer_building(facts: BriefFacts, knowledge: KnowledgeBase) -> str:
         return facts.uses[0].building_type
     votes: dict[str, float] = {}
     for room in facts.rooms:
-        hint = knowledge.room(room.room_type).suggests
+        kinds = [knowledge.room(part.room_type) for part in (room, *room.suite)]
+        hint = next((kind.suggests for kind in kinds if kind.suggests), "")
         if hint:
             votes[hint] = votes.get(hint, 0.0) + min(room.count or 2, 4)
     for occupants in facts.occupants:

@@ -12,7 +12,7 @@ from mansion_msgs_py.program import Downgrade
 from mansion_msgs_py.wording import with_article
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
 from mansion_planner.program.model import CoreBox, Massing, Storey, Wing
-from mansion_planner.program.storey_rooms import Allocation, base_rooms, hub_area, planned_room
+from mansion_planner.program.storey_rooms import Allocation, base_rooms, hub_area
 from mansion_planner.program.storeys import entries_of, is_hall
 
 __all__ = [
@@ -185,8 +185,7 @@ def _typical(
         for entry in entries_of(storey):
             if not allocation.adds(entry.room_type, storey.index) or entry.repeat:
                 continue
-            kind = knowledge.room(entry.room_type)
-            total += entry.count * planned_room(kind, knowledge, area=entry.area).gross
+            total += entry.count * allocation.added(entry, knowledge).gross
         most = max(most, total)
     return (most + fixed) / (1.0 - share)
 
@@ -199,8 +198,7 @@ def typical_room(storeys: list[Storey], allocation: Allocation, knowledge: Knowl
             continue
         areas += [room.gross for room in base_rooms(storey, allocation, knowledge)]
         for entry in entries_of(storey):
-            kind = knowledge.room(entry.room_type)
-            gross = planned_room(kind, knowledge, area=entry.area).gross
+            gross = allocation.added(entry, knowledge).gross
             areas += [gross] * (entry.count + 2 * entry.repeat)
     areas = sorted(area for area in areas if 8.0 <= area <= 90.0)
     return areas[len(areas) // 2] if areas else 40.0

@@ -61,6 +61,8 @@ class PlannedRoom:
         The name that the brief or the type gives it; rooms of one name differ by the number in their `id`.
     label : str
         What the user calls it, as written; empty for a room that the brief does not name.
+    serves_as : tuple of str
+        Names of rooms that the brief asks for and this one is too: a flat's main room is its living room.
     """
 
     id: str
@@ -74,6 +76,7 @@ class PlannedRoom:
     notes: str = ""
     base: str = ""
     label: str = ""
+    serves_as: tuple[str, ...] = ()
 
     @property
     def gross(self) -> float:
@@ -82,7 +85,7 @@ class PlannedRoom:
 
     def called(self, name: str) -> bool:
         """Whether a name means this room: its own, or its type's."""
-        return name in (self.base, self.kind.name)
+        return name in (self.base, self.kind.name, *self.serves_as)
 
     def each(self) -> list["PlannedRoom"]:
         """Return the room and its suite, the room first."""
@@ -360,5 +363,5 @@ def aliases_of(room: PlannedRoom) -> list[str]:
     if not room.label:
         return []
     plain = room.label.lower()
-    names = [room.base.replace("_", " "), room.kind.name.replace("_", " ")]
+    names = [name.replace("_", " ") for name in (room.base, room.kind.name, *room.serves_as)]
     return list(dict.fromkeys(name for name in names if name != plain))

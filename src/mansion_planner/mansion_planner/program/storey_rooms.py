@@ -1,11 +1,12 @@
 """Choose the rooms of each storey: those that the brief asks for, and its type's own, with their areas."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from mansion_knowledge import KnowledgeBase, RoomType
+from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_areas
+from mansion_planner.program.household import household_of, is_whole, main_room, private_types
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import entries_of, floors_of
 
@@ -28,6 +29,8 @@ class Allocation:
         The brief wants no room but those that it names.
     furniture : dict of str to float
         Square metres that the furniture wanted in rooms of a name needs.
+    households : dict of str to RoomFact
+        What every unit holds that a storey adds by itself, by the room type that it counts as.
     """
 
     wanted: dict[int, list[RoomFact]] = field(default_factory=dict)
@@ -35,6 +38,15 @@ class Allocation:
     unwanted: dict[int, set[str]] = field(default_factory=dict)
     complete: bool = False
     furniture: dict[str, float] = field(default_factory=dict)
+    households: dict[str, RoomFact] = field(default_factory=dict)
+
+    def added(self, entry: RoomEntry, knowledge: KnowledgeBase) -> PlannedRoom:
+        """Return a room of a storey's list, with the rooms that the brief gives to every such unit."""
+        kind = knowledge.room(entry.room_type)
+        fact = self.households.get(kind.counts_as)
+        if fact is not None:
+            return planned_room(knowledge.room(fact.room_type), knowledge, fact=fact)
+        return planned_room(kind, knowledge, area=entry.area)
 
     def adds(self, room_type: str, floor: int) -> bool:
         """Whether a storey may have rooms of a type that the brief does not ask for."""
@@ -97,6 +109,9 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
     for name, ref, _ in decisions.facts.excluded_on:
         for floor in floors_of((ref,), decisions):
             allocation.unwanted.setdefault(floor, set()).update({name}, _same_head(name, knowledge))
+    allocation.households = {knowledge.room(fact.room_type).counts_as: fact for fact in decisions.facts.households}
+    for floor, facts in allocation.wanted.items():
+        allocation.unwanted.setdefault(floor, set()).update(private_types(facts, knowledge))
     return allocation
 
 
@@ -186,6 +201,8 @@ def planned_room(
     kind: RoomType, knowledge: KnowledgeBase, *, area: float | None = None, fact: RoomFact | None = None
 ) -> PlannedRoom:
     """Make a room of a type with its suite; the area of a fact is kept."""
+    if fact is not None and fact.unit:
+        return _planned_unit(kind, knowledge, fact)
     stated = fact is not None and fact.area is not None
     wish = fact.area if fact is not None and fact.area is not None else area or kind.usual
     furnished = fact is not None and wish > kind.usual
@@ -212,6 +229,51 @@ def planned_room(
         if not stated_suite or child_kind.zone not in taken:
             room.suite.append(planned_room(child_kind, knowledge, area=entry.area))
     return room
+
+
+def _planned_unit(kind: RoomType, knowledge: KnowledgeBase, fact: RoomFact) -> PlannedRoom:
+    """Make the main room of a unit with the rooms that are reached through it; all share a stated area."""
+    whole = fact.area if is_whole(fact, knowledge) else None
+    main = main_room(fact, knowledge)
+    stated, added = household_of(fact, knowledge)
+    own = main.area if main is not None else None if whole else fact.area
+    room = planned_room(kind, knowledge, fact=replace(fact, unit=False, suite=(), area=own))
+    if kind.zone == "public" and not (kind.unit or room.fixed):
+        room.area = min(room.area, max(kind.least, _HALL))
+    room.notes = f"from {fact.label!r}"
+    room.suite = [
+        planned_room(knowledge.room(child.room_type), knowledge, fact=child)
+        for child in stated
+        for _ in range(child.count or 2)
+    ]
+    room.suite += [
+        planned_room(knowledge.room(entry.room_type), knowledge, area=entry.area)
+        for entry in added
+        for _ in range(entry.count)
+    ]
+    if main is not None:
+        room.serves_as = tuple(dict.fromkeys((main.room_type, main.name)))
+    if whole:
+        _share_area(room.each(), whole)
+    return room
+
+
+_HALL = 20.0
+"""Square metres of the room that a cluster's or an office unit's other rooms are reached through."""
+
+_LEAST_SHARE = 0.4
+"""Of its usual area, what a room of a dwelling keeps whatever the area of the whole."""
+
+
+def _share_area(rooms: list[PlannedRoom], area: float) -> None:
+    """Scale the rooms of a unit without a stated area of their own so that all have `area` together, square metres."""
+    loose = [room for room in rooms if not room.fixed]
+    spare = area - sum(room.area for room in rooms if room.fixed)
+    factor = max(spare / max(sum(room.area for room in loose), 1.0), _LEAST_SHARE)
+    for room in loose:
+        room.area *= factor
+        room.least = room.most = room.area
+        room.fixed = True
 
 
 MOST_ROOMS = 34
@@ -274,7 +336,7 @@ def fill_storey(
             continue
         count = 0 if entry.repeat else max(entry.count - (kind.name in present), 0)
         for _ in range(count):
-            room = planned_room(kind, knowledge, area=entry.area)
+            room = allocation.added(entry, knowledge)
             small = min(room.gross, room.gross * 0.5 + 0.5 * kind.least)
             if used + small <= budget * 1.03 or (not rooms and used + kind.least <= budget):
                 rooms.append(room)
@@ -282,7 +344,7 @@ def fill_storey(
     for entry in repeats:
         kind = knowledge.room(entry.room_type)
         while allocation.adds(kind.name, storey.index) and len(rooms) < MOST_ROOMS:
-            room = planned_room(kind, knowledge, area=entry.area)
+            room = allocation.added(entry, knowledge)
             if used + 0.72 * room.gross > budget:
                 break
             rooms.append(room)

@@ -7,6 +7,7 @@ from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
 from mansion_planner.brief.facts import AdjacencyFact, FloorRef, ObjectFact, RoomFact, Span
 from mansion_planner.program.decisions import Decisions
 from mansion_planner.program.furniture_areas import usually_has
+from mansion_planner.program.household import is_whole
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import floors_of
 
@@ -141,7 +142,8 @@ class _Ledger:
         """Go through all facts."""
         facts = self.facts
         for name, span in facts.building[:1]:
-            self.add("building_type", span, WishValue(name=facts.building_name or name, type=name))
+            if span.words:
+                self.add("building_type", span, WishValue(name=facts.building_name or name, type=name))
         for span in facts.building_span[:1]:
             kind = self.decisions.building.name
             reason = f"no such kind of building is known; planned like {kind.replace('_', ' ')}"
@@ -181,7 +183,7 @@ class _Ledger:
         for span in facts.only:
             self.add("only", span, WishValue())
         self._vertical()
-        for room in facts.rooms:
+        for room in (*facts.rooms, *facts.households):
             self._room(room)
         for name, span in facts.excluded:
             self.add("no_room", span, WishValue(name=name, type=name, unwanted=True))
@@ -206,8 +208,12 @@ class _Ledger:
         reason = ""
         if not room.known:
             reason = f"no such room is known; planned and furnished like {room.room_type.replace('_', ' ')}"
-        value = WishValue(name=room.name, type=room.room_type, count=room.count, area=room.area)
+        whole = room.area is not None and is_whole(room, self.knowledge)
+        value = WishValue(name=room.name, type=room.room_type, count=room.count, area=room.area, whole=whole)
         self.add("room", room.span, value, Scope(floors=self.floors(room.floors), each=room.each), reason=reason)
+        if room.unit:
+            self._unit(room)
+            return
         owners = room.count
         for child in room.suite:
             many = None if owners is None else owners * (child.count or 1)
@@ -215,6 +221,16 @@ class _Ledger:
             self.add(
                 "room", child.span, WishValue(name=child.name, type=child.room_type, count=many, area=child.area), scope
             )
+
+    def _unit(self, room: RoomFact) -> None:
+        """Add what each unit holds."""
+        scope = Scope(floors=self.floors(room.floors), unit=room.name, unit_type=room.room_type)
+        for child in room.suite:
+            reason = ""
+            if not child.known:
+                reason = f"no such room is known; planned and furnished like {child.room_type.replace('_', ' ')}"
+            value = WishValue(name=child.name, type=child.room_type, count=child.count, area=child.area)
+            self.add("room", child.span, value, scope, reason=reason)
 
     def _relation(self, kind: WishKind, fact: AdjacencyFact) -> None:
         value = WishValue(
