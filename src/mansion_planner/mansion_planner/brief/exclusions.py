@@ -97,15 +97,8 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
         if after is not None:
             found[number] = (phrase.first, phrase.last + len(after))
             reading.take(phrase.last, phrase.last + len(after))
-<<<<<<< HEAD
-            while number and reading.words(phrases[number - 1].last, phrase.first) in (("or",), ("nor",)):
-                number -= 1  # "a television or a dining room are not wanted"
-                phrase = phrases[number]
-                found[number] = (phrase.first, phrase.last)
-=======
             for earlier in _joined_before(reading, phrases, number):
                 found[earlier] = (phrases[earlier].first, phrase.last + len(after))
->>>>>>> furniture-wishes
     for index in range(len(reading.tokens)):
         refused = _refused(reading, phrases, index)
         if refused is not None:
