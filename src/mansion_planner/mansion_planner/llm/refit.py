@@ -190,7 +190,7 @@ def _filled(
                 adjacent_to=beside.get(room.id, []),
                 name=room.label,
                 aliases=aliases_of(placement.room),
-                objects=requested_objects(planned.decisions, placement.room, storey),
+                objects=requested_objects(planned.decisions, placement.room.id, storey),
             )
         )
     total = sum(room.area_estimate for room in rooms)
