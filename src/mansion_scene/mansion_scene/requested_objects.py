@@ -5,11 +5,14 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Literal
 
 import msgspec
+from shapely import MultiPolygon, Polygon, union_all
 
 from mansion_assets.catalogue import Asset, Catalogue, HangRequest, RoomFurnishing, RugRequest
 from mansion_assets.catalogue.kinds import added_for, answers, pieces, single_seat, single_seat_categories, stand_ins
 from mansion_assets.catalogue.requested import is_rug
+from mansion_geometry.object_footprints import footprint
 from mansion_geometry.randomness import item_generator
+from mansion_geometry.robot_body import BODY_RADIUS, ROBOT_RADIUS, ROBOT_REACH
 from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacedObject, PlacementObject, SingleStructure
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.scene import Discard, SceneObject
@@ -28,6 +31,7 @@ __all__ = [
     "with_displaced",
     "with_extra",
     "with_usual",
+    "within_reach",
     "without_surplus_seats",
 ]
 
@@ -251,6 +255,19 @@ def single_seats(catalogue: Catalogue, row: Asset, placement: PlacedObject) -> l
     x, y = placement.center
     steps = [(k - (number - 1) / 2) * width for k in range(number)]
     return [(seat, (x + step * math.cos(angle), y + step * math.sin(angle))) for step in steps]
+
+
+def within_reach(objects: Sequence[SceneObject], net: Polygon) -> list[SceneObject]:
+    """Return a room's objects without the single seats that a robot on its free floor cannot reach."""
+    singles = single_seat_categories()
+    if not any(o.category in singles for o in objects):
+        return list(objects)
+    shapes = [footprint(o) for o in objects]
+    free = net.difference(union_all(shapes)).buffer(-BODY_RADIUS)
+    parts = list(free.geoms) if isinstance(free, MultiPolygon) else [free]
+    way = max(parts, key=lambda part: part.area)
+    near = ROBOT_RADIUS + ROBOT_REACH
+    return [o for o, shape in zip(objects, shapes) if o.category not in singles or shape.distance(way) <= near]
 
 
 def without_surplus_seats(objects: Sequence[SceneObject], counts: Mapping[str, int]) -> list[SceneObject]:

@@ -30,6 +30,7 @@ from mansion_scene.requested_objects import (
     with_displaced,
     with_extra,
     with_usual,
+    within_reach,
     without_surplus_seats,
 )
 from mansion_scene.structure import FloorStructure
@@ -208,7 +209,7 @@ class RoomFurnisher:
                         mount="floor",
                     )
                 )
-        return without_surplus_seats(objects, counts)
+        return without_surplus_seats(within_reach(objects, Polygon(room.net_polygon, room.net_holes)), counts)
 
     def _decorated(
         self,
