@@ -66,8 +66,22 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     numbered = designated_nouns(reading)
     phrases = [part for phrase in phrases for part in with_designators(reading, phrase, numbered)]
     phrases += listed_unknowns(reading, chunks, phrases)
+    phrases += _named_again(reading, chunks, phrases)
     named = [own for phrase in phrases for own in with_own_names(reading, with_purpose(reading, phrase))]
     return sorted(named, key=lambda phrase: phrase.first)
+
+
+def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[Phrase]) -> list[Phrase]:
+    """Return later mentions of rooms of unknown kinds: "keep the scriptorium apart from the kitchen"."""
+    unknown = {reading.words(p.begin, p.noun_end): p for p in phrases if p.head == "room" and not p.known}
+    found = []
+    for begin, end in chunks:
+        first = unknown.get(reading.words(begin, end))
+        if first is not None and reading.free(begin, end):
+            phrase = finished_phrase(reading, "room", begin, end, room=first.room_type, known=False)
+            reading.take(phrase.first, phrase.last)
+            found.append(phrase)
+    return found
 
 
 def _chunks(reading: Reading) -> list[tuple[int, int]]:

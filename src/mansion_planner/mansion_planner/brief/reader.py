@@ -306,15 +306,18 @@ class _Reader:
 
     def _other_names_of_building(self) -> None:
         """Leave out what only names the building again: "penthouse-style flat", "an old barn to turn into a home"."""
-        if self.building is None:
-            return
-        named = self.phrases[self.building]
-        sentence = self.reading.sentence[named.first]
+        named = self.phrases[self.building] if self.building is not None else None
+        sentence = self.reading.sentence[named.first] if named is not None else -1
         buildings = self.reading.knowledge.buildings
         for number, phrase in enumerate(self.phrases):
             if number == self.building or not phrase.building or phrase.plural or phrase.counted or phrase.areas:
                 continue
+            if phrase.determiner == "the" and not phrase.areas and phrase.name in _HOMES:
+                self.phrases[number] = replace(phrase, head="unknown")  # "all over the house"
+                continue
             if self.reading.sentence[phrase.first] != sentence or number in self.attached or number in self.negated:
+                continue
+            if named is None:
                 continue
             before = {phrase.determiner, self.reading.word(phrase.first - 1), self.reading.word(phrase.first - 2)}
             if phrase.first > named.first and before & {"with", "and", ",", "plus", "containing", "has", "have", "a"}:
@@ -461,7 +464,7 @@ class _Reader:
                 bool(gap & {"each", "every", "apiece"}) or tail in (("each",), ("apiece",)) or distributed
             )
             both = phrase.determiner in ("both", "all", "each") and phrase.room_type == "ensuite_bathroom"
-            mine = "own" in gap or phrase.determiner == "own"
+            mine = "own" in gap or phrase.determiner == "own" or reading.word(phrase.begin) in ("own", "private")
             own = has and (mine or (("its" in gap or phrase.determiner == "its") and phrase.room_type in _PRIVATE))
             plain = (
                 has
@@ -680,6 +683,9 @@ class _Reader:
             return list(zip(relation.lefts, relation.rights))
         return [(left, right) for left in relation.lefts for right in relation.rights]
 
+
+_HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "bungalow"})
+"""Nouns that with "the" mean the whole building."""
 
 _PLAIN = {
     "hotel": "hotel_room",

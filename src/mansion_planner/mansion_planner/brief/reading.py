@@ -141,10 +141,24 @@ def _compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
     return joined
 
 
+def _open_decks(tokens: list[Token]) -> list[Token]:
+    """Tell the deck that one sits on from the decks of a ship, which are counted or said to be upper and lower."""
+    texts = [token.text for token in tokens]
+    storeys = any(
+        text == "deck"
+        and (token.plural or before in ("upper", "lower", "main") or tokens[at].kind in ("number", "ordinal"))
+        for at, (before, text, token) in enumerate(zip(texts, texts[1:], tokens[1:], strict=False))
+    )
+    if storeys:
+        return tokens
+    return [replace(token, text="sundeck") if token.text == "deck" else token for token in tokens]
+
+
 def start_reading(text: str, knowledge: KnowledgeBase) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens = _compounds(corrected(tokenize(text), lexicon.words, furniture_vocabulary()), lexicon.words)
+    tokens = _open_decks(tokens)
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

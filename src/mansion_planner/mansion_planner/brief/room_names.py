@@ -304,7 +304,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
 
 def _has_measure(reading: Reading, end: int) -> bool:
     """Whether an area follows that can only be of what stands before it: "men's majlis 40 m2", "arena (250 m2)"."""
-    index = end + (reading.word(end) in ("(", "of", ":", "-", "=", "with", "–"))
+    index = end + (reading.word(end) in ("(", "of", "-", "=", "with", "–"))
     index += reading.word(index) in ("about", "approx", "around", "ca", "roughly")
     return reading.kind(index) == "number" and index in reading.taken and reading.kind(index + 1) == "unit"
 
@@ -312,7 +312,7 @@ def _has_measure(reading: Reading, end: int) -> bool:
 _HOLDS = frozenset("holding containing with houses housing has have holds".split())
 _NO_ROOMS = frozenset(
     """
-    style look feel window door wall ceiling roof floor view light noise smell garden outside street visitor guest
+    style look feel window door wall ceiling roof floor view light noise smell garden outside street visitor guest gate fence plot river lake sea hill park field forest
     material colour color area interior facade terrace steps step ramp way time year day night week money budget lot
     plenty kind sort type size shape plan layout entrance access room place part one none whole wood oak brick stone
     glass steel concrete marble gold silver white black green blue red furniture gross net total rectangle footprint

@@ -144,6 +144,15 @@ def _infer_building(facts: BriefFacts, knowledge: KnowledgeBase) -> str:
     return "house" if not any(q.value > 300 for q in facts.area) else "office"
 
 
+def _names_two_storeys(facts: BriefFacts) -> bool:
+    """Whether rooms lie on a ground floor and on one "upper storey" or "upstairs", and on no other."""
+    refs = [ref for room in facts.rooms for ref in room.floors]
+    upper = [ref for ref in refs if ref.kind == "upper" and not ref.first]
+    others = [ref for ref in refs if ref.kind not in ("upper", "every", "basement") and ref.last != 1]
+    plural = any(ref.span.words.lower().endswith(("floors", "storeys", "levels", "stories")) for ref in upper)
+    return bool(upper) and not others and not plural
+
+
 def _infer_floors(
     facts: BriefFacts, building: BuildingType, needed: int, trace: list[TraceEntry], generator: np.random.Generator
 ) -> int:
@@ -155,6 +164,8 @@ def _infer_floors(
         count, reason = _STOREYS[sized[0]], f'"{sized[1].words}"'
         if building.name == "penthouse" or (sized[0] == "high_rise" and building.family == "home"):
             count = usual
+    elif _names_two_storeys(facts):
+        count, reason = 2, "the brief names a ground floor and one above"
     elif facts.area and facts.floor_area:
         ratio = facts.area[0].value / facts.floor_area[0].value
         count = max(1, min(round(ratio), MOST_FLOORS))

@@ -84,6 +84,9 @@ def vertical_method(
 _SQUEEZE = 1.3
 """By how much rooms may ask for more than the stated area, at their least usual sizes: they are then made smaller."""
 
+_TINY, _TINY_SQUEEZE = 60.0, 1.7
+"""Storeys of up to so many square metres are asked for by people who want small rooms: these may ask for so much more."""
+
 _HOPELESS = 1.5
 """From what share of the stated area on no building can hold the rooms asked for."""
 
@@ -122,9 +125,10 @@ def storey_area(
         if wished + hub > need:
             need, fullest = wished + hub, storey
     if decisions.area_stated:
-        if least > decisions.area * _SQUEEZE:
+        squeeze = _TINY_SQUEEZE if decisions.area <= _TINY else _SQUEEZE
+        if least > decisions.area * squeeze:
             least = _grown(decisions, storeys, allocation, fullest, least)
-        return decisions.area if least <= decisions.area * _SQUEEZE else least
+        return decisions.area if least <= decisions.area * squeeze else least
     asked = (need + fixed) / (1.0 - share) * 1.02
     usual = decisions.area
     if decisions.building.parti != "spine":
