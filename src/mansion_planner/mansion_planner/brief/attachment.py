@@ -14,7 +14,7 @@ from mansion_planner.brief.reading import Place, Reading
 
 __all__ = ["Attachment", "attach_storeys"]
 
-_SHARED_OUT = frozenset({"spread", "distributed", "divided", "split", "evenly", "total", "altogether", "shared"})
+_SHARED_OUT = frozenset({"spread", "distributed", "divided", "split", "evenly", "total", "altogether"})
 _GLUE = frozenset(
     """
     is are be goes go stay stays sit sits lie lies located situated placed both all only right directly up that
@@ -255,7 +255,12 @@ class _Walk:
         phrase = self.phrases[number]
         near = self.reading.words(max(phrase.first - 4, 0), place.first if trailing else phrase.first)
         rest = self.reading.words(phrase.last, phrase.last + 3)
-        shared = not _SHARED_OUT.isdisjoint(near) or not _SHARED_OUT.isdisjoint(rest) or phrase.determiner == "all"
+        shared = (
+            ("shared", "between") in itertools.pairwise(rest)
+            or not _SHARED_OUT.isdisjoint(near)
+            or not _SHARED_OUT.isdisjoint(rest)
+            or phrase.determiner == "all"
+        )
         self.found[number] = Attachment(place.refs, several and not shared)
 
     def _plural_upper(self, place: Place) -> bool:

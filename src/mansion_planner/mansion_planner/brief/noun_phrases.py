@@ -24,6 +24,7 @@ from mansion_planner.brief.room_names import (
     with_designators,
     with_own_names,
     with_purpose,
+    with_users,
 )
 from mansion_planner.brief.similarity import HEAD_TYPES, room_of_building, similar_room_type
 
@@ -52,6 +53,8 @@ _VERBAL_MODIFIERS = frozenset(
 )
 _PARTS = frozenset("roof window door wall ceiling view light equipment furniture roofed".split())
 """Nouns that make a room before them their modifier: "flat roof", "kitchen window"."""
+_FURNITURE = frozenset("desk lane checkout till counter workstation register bed seat chair".split())
+"""Nouns that name a room where there is one of it ("check-in desk"), and furniture where there are many."""
 _SUPERLATIVES = frozenset("largest biggest smallest only same best first last next whole entire".split())
 _NO_HEADS = frozenset({"area", "space", "section", "zone", "corner", "place", "center", "centre"})
 
@@ -67,6 +70,7 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     phrases = [part for phrase in phrases for part in with_designators(reading, phrase, numbered)]
     phrases += listed_unknowns(reading, chunks, phrases)
     phrases += _named_again(reading, chunks, phrases)
+    phrases = [part for phrase in phrases for part in with_users(reading, phrase)]
     named = [own for phrase in phrases for own in with_own_names(reading, with_purpose(reading, phrase))]
     return sorted(named, key=lambda phrase: phrase.first)
 
@@ -211,6 +215,13 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     if mention is not None and (mention.room or mention.building):
         room = mention.room or room_of_building(mention.building, reading.knowledge)
         if (
+            last == "studio"
+            and end - begin > 1
+            and mention.last - mention.first == 1
+            and _names_use(reading, begin, end)
+        ):
+            return finished_phrase(reading, "room", begin, end, room=HEAD_TYPES[last], known=False)
+        if (
             last == "hall"
             and mention.last - mention.first == 1
             and end - begin > 1
@@ -243,6 +254,11 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
 
 _STANDS_ALONE = frozenset({"surgery", "booth", "cabin", "cell", "ward", "salon", "loft", "kiosk", "chapel", "atelier"})
 """Nouns that name a room without a word before them, where they are counted or stand in the plural."""
+
+
+def _names_use(reading: Reading, begin: int, end: int) -> bool:
+    """Whether the words before a studio say what is done there ("pottery studio"), so that nobody lives in it."""
+    return name_of(reading, begin, end) not in ("studio", "flat_studio", "apartment_studio")
 
 
 def _hall_of(reading: Reading, begin: int, end: int) -> str:

@@ -8,7 +8,15 @@ from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase, finished
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 
-__all__ = ["coordinated", "designated_nouns", "listed_unknowns", "with_designators", "with_own_names", "with_purpose"]
+__all__ = [
+    "coordinated",
+    "designated_nouns",
+    "listed_unknowns",
+    "with_designators",
+    "with_users",
+    "with_own_names",
+    "with_purpose",
+]
 
 
 def with_own_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
@@ -312,7 +320,8 @@ def _has_measure(reading: Reading, end: int) -> bool:
 _HOLDS = frozenset("holding containing with houses housing has have holds".split())
 _NO_ROOMS = frozenset(
     """
-    style look feel window door wall ceiling roof floor view light noise smell garden outside street visitor guest gate fence plot river lake sea hill park field forest
+    group team year department style look feel window door wall ceiling roof floor view light noise smell garden outside
+    street visitor guest gate fence plot river lake sea hill park field forest
     material colour color area interior facade terrace steps step ramp way time year day night week money budget lot
     plenty kind sort type size shape plan layout entrance access room place part one none whole wood oak brick stone
     glass steel concrete marble gold silver white black green blue red furniture gross net total rectangle footprint
@@ -328,6 +337,47 @@ _PURPOSEFUL = frozenset(
 )
 
 
+_PEOPLE_APART = frozenset(
+    "man woman boy girl staff guest visitor student teacher male female lady gentleman patient".split()
+)
+
+
+def with_users(reading: Reading, phrase: Phrase) -> list[Phrase]:
+    """Read "changing rooms for men and for women", "an ablution room for men and another for women" as two rooms."""
+    last = phrase.last
+    if phrase.head != "room" or reading.word(last) != "for" or reading.word(last + 1) not in _PEOPLE_APART:
+        return [phrase]
+    users, index = [last + 1], last + 2
+    while reading.word(index) in ("and", ",", "&"):
+        index += 1 + (reading.word(index + 1) == "and")
+        index += reading.words(index, index + 1) in (("another",), ("one",), ("others",))
+        index += reading.word(index) == "for"
+        if reading.word(index) not in _PEOPLE_APART:
+            break
+        users.append(index)
+        index += 1
+    if len(users) < 2 or (phrase.counted and phrase.count not in (1, len(users))):
+        return [phrase]
+    end = users[-1] + 1
+    reading.take(last, end)
+    noun = singular(phrase.label.lower())
+    return [
+        replace(
+            phrase,
+            name=f"{reading.word(user)}_{phrase.name}"[:60],
+            label=f"{reading.word(user)}'s {noun}",
+            count=1,
+            counted=True,
+            plural=False,
+            first=phrase.first if n == 0 else user,
+            begin=phrase.begin if n == 0 else user,
+            noun_end=phrase.noun_end if n == 0 else user + 1,
+            last=end if n == len(users) - 1 else user + 1,
+        )
+        for n, user in enumerate(users)
+    ]
+
+
 def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     """Add what a room is for to its name: "a room for the bicycles" is a bicycle room."""
     last = phrase.last
@@ -338,6 +388,8 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     ):
         return phrase
     if reading.word(last) == "of" and phrase.noun_end - phrase.begin > 1:
+        return phrase
+    if reading.word(last + 1) in _PEOPLE_APART:
         return phrase
     begin = last + 1 + (reading.word(last + 1) in ("the", "our", "all", "my", "a"))
     end = begin

@@ -25,7 +25,7 @@ def read_shape(reading: Reading) -> None:
         ):
             reading.facts.shapes.append((_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped"))))
             reading.take(i, i + 2)
-        elif word == "courtyard" and reading.word(i - 1) not in _NEGATIONS:
+        elif word == "courtyard" and reading.word(i - 1) not in _NEGATIONS and reading.word(i + 1) not in FLOOR_WORDS:
             reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
             reading.take(i, i + 1)
         elif word in ("rectangular", "rectangle", "oblong"):

@@ -85,7 +85,7 @@ _SQUEEZE = 1.3
 """By how much rooms may ask for more than the stated area, at their least usual sizes: they are then made smaller."""
 
 _TINY, _TINY_SQUEEZE = 60.0, 1.7
-"""Storeys of up to so many square metres are asked for by people who want small rooms: these may ask for so much more."""
+"""Storeys of up to so many square metres are for people who want small rooms; these may ask for so much more."""
 
 _HOPELESS = 1.5
 """From what share of the stated area on no building can hold the rooms asked for."""
