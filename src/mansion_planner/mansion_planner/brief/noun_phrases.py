@@ -114,6 +114,15 @@ def _chunks(reading: Reading) -> list[tuple[int, int]]:
             and reading.word(index + 1) in UNITS_OF_ROOMS | {"height"}
             and begin >= 0
         )
+        named = (
+            begin >= 0
+            and reading.kind(index) == "number"
+            and index not in reading.taken
+            and not reading.tokens[index].spaced
+            and reading.kind(index + 1) == "word"
+            and reading.kind(index - 1) == "word"
+        )
+        glued = glued or named
         soft = content or (index < len(reading.tokens) and index not in reading.taken and index in inside)
         if soft or glued:
             begin = index if begin < 0 else begin

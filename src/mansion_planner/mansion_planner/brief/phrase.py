@@ -165,6 +165,8 @@ def count_before(reading: Reading, begin: int, end: int) -> tuple[int, int | Non
         ):
             index -= 1  # "two-bedroom" is an adjective
             continue
+        if reading.kind(index) == "number" and not reading.tokens[index].spaced and reading.kind(index - 1) == "word":
+            break  # "BSL-3 laboratory" has the number in its name
         if reading.kind(index) == "number" and index not in reading.taken:
             value = reading.value(index)
             adjective = (

@@ -24,6 +24,7 @@ from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.stacking import read_stacking
+from mansion_planner.brief.storey_sequences import other_storeys
 from mansion_planner.brief.storeys import read_storeys
 from mansion_planner.brief.wishes import read_copies, read_massing, read_shape, read_sizes
 
@@ -573,7 +574,19 @@ class _Reader:
                 self.facts.uses.append(UseFact(name, place.refs, self.reading.span(phrase.first, phrase.last)))
                 continue
             self.facts.rooms += self._room_facts(number, phrase, place)
+            self._only_there(phrase, place)
         self.facts.rooms[:] = told_apart(self.facts.rooms)
+
+    def _only_there(self, phrase: Phrase, place: Attachment) -> None:
+        """Read "toilets on the odd floors only" as no toilets on the others."""
+        found = next((p for p in self.places if p.refs == place.refs and 0 <= p.first - phrase.last <= 4), None)
+        if found is None or not self.facts.floors:
+            return
+        if self.reading.word(found.last) != "only" and self.reading.word(found.first - 1) != "only":
+            return
+        others = other_storeys(place.refs, int(self.facts.floors[0].value))
+        span = self.reading.span(phrase.begin, found.last)
+        self.facts.excluded_on += [(phrase.room_type, ref, span) for ref in others]
 
     def _exclude(self, number: int, phrase: Phrase, place: Attachment) -> None:
         first, last = self.negated[number]

@@ -118,6 +118,8 @@ _MUTUAL = [
     ("alongside",),
     ("beside",),
 ]
+_LEADS = frozenset({"between", "each", *(words[0] for words in (*_BESIDE, *_APART, *_MUTUAL))})
+"""Words that a relation can begin with."""
 _NEGATIONS = frozenset({"not", "no", "never", "neither", "nor", "without", "nowhere", "avoid"})
 _PRONOUNS = frozenset({"it", "them", "this", "that", "which", "these"})
 
@@ -170,6 +172,8 @@ def read_relations(reading: Reading, phrases: list[Phrase], excluded_phrases: se
 
 
 def _relation_at(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
+    if reading.word(index) not in _LEADS:
+        return None
     if reading.word(index) == "between" and index not in reading.taken:
         return _between(reading, phrases, rooms, index)
     if reading.words(index, index + 3) == ("each", "leading", "into") or reading.words(index, index + 3) == (

@@ -6,7 +6,7 @@ from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_counts import CLOSERS
 
-__all__ = ["StoreySequence", "resolve_rest"]
+__all__ = ["StoreySequence", "other_storeys", "resolve_rest"]
 
 _UP = frozenset({"up", "above", "higher", "upward", "upwards"})
 _DOWN = frozenset({"down", "below", "lower", "beneath", "under", "downward", "downwards"})
@@ -129,6 +129,21 @@ def _moved(base: FloorRef | None, steps: int) -> FloorRef:
         return FloorRef("number", steps, steps) if steps > 0 else FloorRef("basement")
     number = (base.last if steps > 0 else base.first) + steps
     return FloorRef("number", number, number) if number >= 1 else FloorRef("basement")
+
+
+def other_storeys(refs: tuple[FloorRef, ...], storeys: int) -> tuple[FloorRef, ...]:
+    """Return the storeys that references leave out, of `storeys` above the ground; none where that is not known."""
+    named: set[int] = set()
+    for ref in refs:
+        if ref.kind in ("number", "range"):
+            named.update(range(ref.first, ref.last + 1))
+        elif ref.kind in ("odd", "even"):
+            named.update(range(1 if ref.kind == "odd" else 2, storeys + 1, 2))
+        elif ref.kind == "top":
+            named.update(range(storeys - max(ref.first, 1) + 1, storeys + 1))
+        else:
+            return ()
+    return tuple(FloorRef("number", n, n, refs[0].span) for n in range(1, storeys + 1) if n not in named)
 
 
 def resolve_rest(places: list[Place], storeys: int) -> list[Place]:

@@ -78,6 +78,8 @@ class _Scanner:
             )
             for i in range(len(reading.tokens))
         )
+        if _counts_above_ground(reading):
+            self.british = self.zero_based = True
         texts = [token.text for token in reading.tokens]
         self.has_floors = not FLOOR_WORDS.isdisjoint(texts) or "ground" in texts or "upstairs" in texts
         self.numbered_headings = sum(
@@ -613,6 +615,20 @@ def _counts_from_ground(reading: Reading) -> bool:
         int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
     ]
     return not (stated and max(stated) == highest)
+
+
+def _counts_above_ground(reading: Reading) -> bool:
+    """Whether the storeys of "G+7" are numbered above the ground floor: the highest that is named is the seventh."""
+    stated = [int(reading.value(i + 2)) for i in range(len(reading.tokens)) if reading.words(i, i + 2) == ("g", "+")]
+    named = [
+        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "ordinal" and b.text in FLOOR_WORDS
+    ]
+    named += [
+        int(reading.value(i + 1))
+        for i in range(len(reading.tokens) - 1)
+        if reading.word(i) in FLOOR_WORDS and reading.kind(i + 1) == "number"
+    ]
+    return bool(stated and named) and max(named) == stated[0]
 
 
 def _lists_ground_and_first(reading: Reading) -> bool:
