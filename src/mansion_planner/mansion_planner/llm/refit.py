@@ -8,7 +8,7 @@ import msgspec
 from mansion_knowledge import RoomType
 from mansion_msgs_py.program import AreaSummary, CorePlan, FloorProgram, RoomProgram
 from mansion_planner.llm.palette import Palette
-from mansion_planner.program.arrangement import apart_pairs, wanted_pairs
+from mansion_planner.program.arrangement import apart_pairs, unwanted_pairs, wanted_pairs
 from mansion_planner.program.building import PlannedBuilding
 from mansion_planner.program.footprint import sketch_free
 from mansion_planner.program.hall import sketch_hall
@@ -165,9 +165,9 @@ def _sketch(planned: PlannedBuilding, storey: Storey, *, placed: bool) -> Sketch
         asked = sum(r.gross for r in storey.rooms)
         share = max(storey.hub.usual, 0.38 * room)
         fit_areas(storey.rooms, min(room - share, max(asked, 0.45 * room)))
-        return sketch_hall(massing, storey, hub, wanted_pairs(decisions))
+        return sketch_hall(massing, storey, hub, wanted_pairs(decisions), unwanted_pairs(decisions))
     fit_areas(storey.rooms, room)
-    return sketch_storey(massing, storey, hub, wanted_pairs(decisions))
+    return sketch_storey(massing, storey, hub, wanted_pairs(decisions), unwanted_pairs(decisions))
 
 
 def _filled(

@@ -17,6 +17,7 @@ from mansion_planner.program.model import (
     Sketch,
     Storey,
     box_area,
+    joined_pairs,
     loosened,
     misses_areas,
     short_edges,
@@ -26,7 +27,7 @@ from mansion_planner.program.outline import Envelope, Frame, envelope_of
 from mansion_planner.program.sketch import capacity, sketch_storey
 from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_areas, hub_area, name_rooms
 
-__all__ = ["Arrangement", "apart_pairs", "best_arrangement", "neighbours", "wanted_pairs"]
+__all__ = ["Arrangement", "apart_pairs", "best_arrangement", "neighbours", "unwanted_pairs", "wanted_pairs"]
 
 
 Arrangement = tuple[Massing, Frame, dict[int, Sketch], dict[int, Envelope]]
@@ -56,7 +57,10 @@ def best_arrangement(
         )
         apart = sum(len(apart_pairs(decisions, s, layout[2][s.index])) for s in storeys)
         short = sum(len(short_edges(layout[2][s.index])) for s in storeys if s.copy is None)
-        missed = apart + short + sum(misses_areas(layout[2][s.index]) for s in storeys if s.copy is None)
+        beside = sum(
+            len(joined_pairs(layout[2][s.index], unwanted_pairs(decisions))) for s in storeys if s.copy is None
+        )
+        missed = apart + short + beside + sum(misses_areas(layout[2][s.index]) for s in storeys if s.copy is None)
         if decisions.area_stated and abs(gross_area(layout[0]) - wish.area) > 0.06 * wish.area:
             missed += _AREA_MISSED
         if best is None or missed < best[0]:
@@ -78,6 +82,11 @@ def wanted_pairs(decisions: Decisions) -> list[tuple[str, str]]:
     """Return room types to be side by side: the brief's wishes last, so that they win."""
     usual = [("kitchen", "dining_room"), ("commercial_kitchen", "restaurant"), ("commercial_kitchen", "cafeteria")]
     return usual + [_names(fact) for fact in decisions.facts.adjacent]
+
+
+def unwanted_pairs(decisions: Decisions) -> list[tuple[str, str]]:
+    """Return the rooms that the brief wants apart."""
+    return [_names(fact) for fact in decisions.facts.apart]
 
 
 def _names(fact: AdjacencyFact) -> tuple[str, str]:
@@ -175,7 +184,7 @@ def _sketch(decisions: Decisions, massing: Massing, storey: Storey, pairs: list[
         cores = sum(box_area(core.box) for core in massing.cores)
         return sketch_free(storey, storey.hub.name, decisions.outline.area - cores)
     lay_out = sketch_hall if massing.hall else sketch_storey
-    return lay_out(massing, storey, storey.hub.name, pairs)
+    return lay_out(massing, storey, storey.hub.name, pairs, unwanted_pairs(decisions))
 
 
 def _furnish(

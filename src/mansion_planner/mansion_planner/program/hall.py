@@ -1,5 +1,6 @@
 """Sketch a storey whose hub is its main room: a living room, a sales floor, a restaurant; the other rooms line it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mansion_planner.program.bands import Block, Segment, bring_together, front_order, group_blocks, lay_block, widened
@@ -13,8 +14,10 @@ from mansion_planner.program.model import (
     PlannedRoom,
     Sketch,
     Storey,
+    joined_pairs,
     short_edges,
 )
+from mansion_planner.program.separation import keep_apart
 
 __all__ = ["sketch_hall"]
 
@@ -37,20 +40,22 @@ class _Arrangement:
     under: bool = False
 
 
-def sketch_hall(massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]) -> Sketch:
+def sketch_hall(
+    massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]], apart: Sequence[tuple[str, str]] = ()
+) -> Sketch:
     """Line the north side of the hub with rooms, then its far side when the north is full.
 
     The band's depth follows from the rooms, so that the hub gets what they leave. Where a room would share too little
     wall with the hub, the other ways to divide the rooms between the two sides are tried.
     """
-    best = _arranged(massing, storey, hub_id, pairs, _Arrangement())
-    short = len(short_edges(best))
+    best = _arranged(massing, storey, hub_id, pairs, apart, _Arrangement())
+    short = len(short_edges(best)) + len(joined_pairs(best, apart))
     if not short:
         return best
     price = (short, float("inf"))
     for arrangement in _others(len(storey.rooms)):
-        sketch = _arranged(massing, storey, hub_id, pairs, arrangement)
-        found = (len(short_edges(sketch)), _ill_shape(sketch))
+        sketch = _arranged(massing, storey, hub_id, pairs, apart, arrangement)
+        found = (len(short_edges(sketch)) + len(joined_pairs(sketch, apart)), _ill_shape(sketch))
         if found < price:
             best, price = sketch, found
     return best
@@ -82,7 +87,12 @@ def _ill_shape(sketch: Sketch) -> float:
 
 
 def _arranged(
-    massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]], arrangement: _Arrangement
+    massing: Massing,
+    storey: Storey,
+    hub_id: str,
+    pairs: list[tuple[str, str]],
+    apart: Sequence[tuple[str, str]],
+    arrangement: _Arrangement,
 ) -> Sketch:
     length = massing.length - storey.setback + storey.extension
     depth = massing.depth
@@ -101,8 +111,10 @@ def _arranged(
         slim = any(room.area / band < 1.5 for room in chosen)
         north = group_blocks(chosen, band, pairs) if slim else [Block(room) for room in chosen]
         east = [Block(room) for room in rest]
+    row = [Segment("main", True, 0.0, 1.0, 0.0, band, blocks=north)]
     for first, second in pairs:
-        bring_together([Segment("main", True, 0.0, 1.0, 0.0, band, blocks=north)], first, second)
+        bring_together(row, first, second)
+    keep_apart(row, apart, pairs)
     area = sum(block.gross for block in east)
     under = arrangement.under and bool(east)
     if under and north:

@@ -4,12 +4,14 @@ The massing frame has its x axis along the main corridor and the first stair in 
 `mansion_planner.program.outline` turns and mirrors the finished plan.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Literal
 
 from mansion_knowledge import BuildingType, RoomType
 
 __all__ = [
+    "joined_pairs",
     "Box",
     "CoreBox",
     "Corridor",
@@ -344,6 +346,16 @@ def _longest_run(spans: list[tuple[float, float]]) -> float:
         end = max(end, high)
         best = max(best, end - begin)
     return best
+
+
+def joined_pairs(sketch: Sketch, apart: Iterable[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Return the pairs of rooms that are to be apart and share a wall."""
+    found = []
+    for one, other in apart:
+        firsts, seconds = ([p for p in sketch.rooms if p.room.called(name)] for name in (one, other))
+        if any(a is not b and touching(a, b) for a in firsts for b in seconds):
+            found.append((one, other))
+    return found
 
 
 def short_edges(sketch: Sketch) -> list[tuple[str, str]]:

@@ -1,6 +1,7 @@
 """Sketch a storey with corridors: where they run, which rooms they serve, and the place of each room."""
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import replace
 
 from mansion_planner.program.bands import Segment, fill_segments, front_order, group_blocks, lay_block
@@ -16,6 +17,7 @@ from mansion_planner.program.model import (
     lobby_length,
     pocket,
 )
+from mansion_planner.program.separation import keep_apart
 
 __all__ = ["capacity", "sketch_storey"]
 
@@ -27,7 +29,9 @@ _AT_END = "@end"
 """Stands for the last piece of the main corridor until the corridors are known."""
 
 
-def sketch_storey(massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]]) -> Sketch:
+def sketch_storey(
+    massing: Massing, storey: Storey, hub_id: str, pairs: list[tuple[str, str]], apart: Sequence[tuple[str, str]] = ()
+) -> Sketch:
     """Lay out the rooms of a storey along its corridors.
 
     Parameters
@@ -38,6 +42,8 @@ def sketch_storey(massing: Massing, storey: Storey, hub_id: str, pairs: list[tup
     hub_id : str
     pairs : list of (str, str)
         Room types to be side by side.
+    apart : sequence of (str, str)
+        Those that must not share a wall.
     """
     length = _extent(massing, storey)
     ends, rest = _end_rooms(massing, storey.rooms, length)
@@ -46,6 +52,7 @@ def sketch_storey(massing: Massing, storey: Storey, hub_id: str, pairs: list[tup
     depth = max(segment.depth for segment in segments)
     blocks = group_blocks(front_order(rest), depth, pairs)
     fill_segments(segments, blocks, pairs)
+    keep_apart(segments, apart, pairs)
     return _assemble(massing, storey, hub_id, segments, ends, stop, length)
 
 
