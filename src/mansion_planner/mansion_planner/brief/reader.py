@@ -171,7 +171,10 @@ class _Reader:
             before = [
                 n for n, p in enumerate(self.phrases) if p.last <= index and p.head in ("room", "building", "object")
             ]
-            if before and self.phrases[before[-1]].plural and self.phrases[before[-1]].counted == corrects:
+            several = bool(before) and (
+                self.phrases[before[-1]].plural or self.phrases[before[-1]].determiner in ("every", "each")
+            )
+            if several and self.phrases[before[-1]].counted == corrects:
                 self.phrases[before[-1]] = replace(self.phrases[before[-1]], count=int(token.value), counted=True)
                 reading.take(index, index + (3 if of_them else 1))
 
@@ -752,6 +755,12 @@ def _leave_unread(reading: Reading) -> None:
             first = -1
 
 
+_REQUESTS = frozenset(
+    "design generate imagine think thank suppose assume kindly hereby attach attached regards".split()
+)
+"""Words that ask for a building and say nothing of it."""
+
+
 def _is_content(reading: Reading, index: int) -> bool:
     token = reading.tokens[index]
     if token.kind == "number":
@@ -761,5 +770,6 @@ def _is_content(reading: Reading, index: int) -> bool:
         and token.text not in FUNCTION_WORDS
         and token.text not in PLAIN
         and token.text not in FLOOR_WORDS
+        and token.text not in _REQUESTS
         and len(token.text) > 1
     )

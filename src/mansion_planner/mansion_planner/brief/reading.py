@@ -98,6 +98,8 @@ class Reading:
         """Whether a full stop belongs to an abbreviation: "approx.", "sq.m. each"."""
         if self.word(index) != "." or self.tokens[index].spaced:
             return False
+        if self.word(index - 1) == "no" and self.kind(index + 1) != "number":
+            return False
         unit = self.kind(index - 1) == "unit" and self.text[self.tokens[index - 1].end - 1] in "mt"
         lower = index + 1 < len(self.tokens) and self.text[self.tokens[index + 1].start].islower()
         return self.word(index - 1) in _ABBREVIATIONS or (unit and lower)

@@ -320,6 +320,7 @@ def _has_measure(reading: Reading, end: int) -> bool:
 _HOLDS = frozenset("holding containing with houses housing has have holds".split())
 _NO_ROOMS = frozenset(
     """
+    surface built gfa extension capacity volume rest remainder minimum maximum footprint
     group team year department style look feel window door wall ceiling roof floor view light noise smell garden outside
     street visitor guest gate fence plot river lake sea hill park field forest
     material colour color area interior facade terrace steps step ramp way time year day night week money budget lot
@@ -381,6 +382,8 @@ def with_users(reading: Reading, phrase: Phrase) -> list[Phrase]:
 def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     """Add what a room is for to its name: "a room for the bicycles" is a bicycle room."""
     last = phrase.last
+    if phrase.head == "building" and phrase.name == "office" and reading.word(last) == "of":
+        phrase = replace(phrase, head="room", building="", room_type="private_office")  # "the office of the director"
     if (
         phrase.head != "room"
         or reading.word(phrase.noun_end - 1) not in _PURPOSEFUL
