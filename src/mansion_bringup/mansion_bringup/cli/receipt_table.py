@@ -8,6 +8,7 @@ from rich.text import Text
 from mansion_bringup.cli.console import out
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.wishes import Wish
+from mansion_msgs_py.wording import counted
 
 __all__ = ["print_receipt", "receipt_summary", "receipt_table", "refuse_unmet"]
 
@@ -44,7 +45,7 @@ def receipt_summary(wishes: Sequence[Wish]) -> str:
     """
     counts = {status: sum(wish.status == status for wish in wishes) for status in _MARKS}
     parts = [f"{count} {_MARKS[status][0]}" for status, count in counts.items() if count]
-    return f"{len(wishes)} wishes: {', '.join(parts)}" if wishes else "nothing was asked for"
+    return f"{counted(len(wishes), 'wish', 'wishes')}: {', '.join(parts)}" if wishes else "nothing was asked for"
 
 
 def print_receipt(wishes: Sequence[Wish]) -> None:

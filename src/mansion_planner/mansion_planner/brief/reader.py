@@ -230,7 +230,7 @@ class _Reader:
             several = reading.value(index) > 1 or index + 2 in reading.mention_at
             if word in ("br", "bhk") or (word == "bed" and singular and several and index not in reading.taken):
                 self._advert("bedroom", index, index + 2)
-            elif word in ("bath", "ba") and singular and self._follows_advert(index):
+            elif word in ("bath", "ba", "bathroom") and singular and self._follows_advert(index):
                 self._advert("bathroom", index, index + 2)
 
     def _follows_advert(self, index: int) -> bool:

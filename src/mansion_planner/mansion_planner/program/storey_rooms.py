@@ -108,7 +108,8 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
     allocation.furniture = furniture_areas(decisions.facts.rooms, decisions.facts.objects)
     for name, ref, _ in decisions.facts.excluded_on:
         for floor in floors_of((ref,), decisions):
-            allocation.unwanted.setdefault(floor, set()).update({name}, _same_head(name, knowledge))
+            like = next((group for group in _SAME_USE if name in group), frozenset())
+            allocation.unwanted.setdefault(floor, set()).update({name}, like, _same_head(name, knowledge))
     allocation.households = {knowledge.room(fact.room_type).counts_as: fact for fact in decisions.facts.households}
     for floor, facts in allocation.wanted.items():
         allocation.unwanted.setdefault(floor, set()).update(private_types(facts, knowledge))

@@ -1,0 +1,87 @@
+"""What rooms and buildings are called."""
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_msgs_py.request import BuildRequest
+from mansion_planner.brief import read_brief
+from mansion_planner.brief.facts import RoomFact
+from mansion_planner.plan import plan_building
+
+
+def rooms(text: str) -> dict[str, RoomFact]:
+    return {fact.name: fact for fact in read_brief(text, default_knowledge()).rooms}
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("A house. Bedroom 1, bedroom 2 and a kitchen.", {"bedroom_1", "bedroom_2", "kitchen"}),
+        ("Language school with the classes 1A and 1B.", {"class_1a", "class_1b"}),
+        ("TV station. Studio A (200 m2), Studio B (90 m2).", {"studio_a", "studio_b"}),
+        ("High school. Chemistry and physics labs.", {"chemistry_lab", "physics_lab"}),
+        ("Gym with changing rooms for men and for women.", {"man_changing_room", "woman_changing_room"}),
+        ("Mosque with an ablution room for men and another for women.", {"man_ablution_room", "woman_ablution_room"}),
+        ("Film house with a live room, a make-up room and a touch pool room.",
+         {"live_room", "make_up_room", "touch_pool_room"}),
+        ("Institute with two BSL-3 laboratories.", {"bsl_3_laboratory"}),
+        ("We need a company building with the office of the director and a gym.", {"director_office", "gym"}),
+    ],
+)  # fmt: skip
+def test_rooms_keep_the_names_that_the_brief_gives_them(text: str, names: set[str]) -> None:
+    assert set(rooms(text)) == names
+
+
+def test_numbered_rooms_have_areas_of_their_own() -> None:
+    found = rooms("One-family house:\nBedroom 1 - 16 m²\nBedroom 2 - 12 m²\nBathroom - 7 m²")
+    assert (found["bedroom_1"].area, found["bedroom_2"].area, found["bathroom"].area) == (16, 12, 7)
+
+
+def test_an_area_makes_a_room_of_an_unknown_noun() -> None:
+    assert rooms("Villa, two floors. Ground floor has men majlis 40 sqm and a kitchen.")["man_majlis"].area == 40
+
+
+def test_a_room_of_unknown_kind_is_known_where_it_is_named_again() -> None:
+    text = "A monastery with a kitchen, scriptorium and chapel. Keep the scriptorium apart from the kitchen."
+    facts = read_brief(text, default_knowledge())
+    assert [(fact.first_name, fact.second_name) for fact in facts.apart] == [("scriptorium", "kitchen")]
+
+
+@pytest.mark.parametrize(
+    ("text", "own", "kind"),
+    [
+        ("a two-storey beach house", "beach_house", "detached_house"),
+        ("Advertising agency over five floors", "advertising_agency", "office"),
+        ("We need a robotics test facility on one floor", "robotics_test_facility", "factory"),
+        ("Food bank: delivery room, sorting hall, cold store", "food_bank", "community_center"),
+        ("a three-storey office", "office", "office"),
+    ],
+)
+def test_a_building_is_called_what_the_brief_calls_it(text: str, own: str, kind: str) -> None:
+    program = plan_building(BuildRequest(description=text)).program
+    assert (program.building_type, program.kind) == (own, kind)
+
+
+def test_what_only_names_the_building_again_is_no_room() -> None:
+    assert set(rooms("We turn an old barn into a home with a kitchen. The house is quiet.")) == {"kitchen"}
+
+
+@pytest.mark.parametrize("text", ["3 bed 2 bath cottage", "Cottage: 3 bed / 2 bath", "3 bedrm + 2 bathrm cottage"])
+def test_advertisements_of_homes_are_read(text: str) -> None:
+    found = rooms(text)
+    assert (found["bedroom"].count, found["bathroom"].count) == (3, 2)
+
+
+def test_a_count_that_is_corrected_counts() -> None:
+    assert rooms("A house with four bedrooms, no sorry, five.")["bedroom"].count == 5
+
+
+def test_each_of_some_people_has_rooms_of_their_own() -> None:
+    bedroom = rooms("We are five friends. Each of us needs an own bedroom with an own bathroom.")["bedroom"]
+    assert bedroom.count == 5 and [child.room_type for child in bedroom.suite] == ["bathroom"]
+
+
+def test_what_a_cell_is_fitted_with_is_furniture() -> None:
+    facts = read_brief("A prison with ten cells, every cell fitted with bunk, toilet and desk.", default_knowledge())
+    assert [fact.name for fact in facts.rooms] == ["cell"]
+    assert {fact.category for fact in facts.objects} >= {"toilet", "desk"}

@@ -1,0 +1,56 @@
+"""Rooms that are to be apart."""
+
+import itertools
+
+import pytest
+
+from mansion_knowledge import default_knowledge
+from mansion_planner.program.bands import Block, Segment
+from mansion_planner.program.model import PlannedRoom
+from mansion_planner.program.separation import keep_apart, parted
+from mansion_planner.program.storey_rooms import planned_room
+
+
+def block(name: str, area: float = 12.0) -> Block:
+    room: PlannedRoom = planned_room(default_knowledge().room(name), default_knowledge(), area=area)
+    return Block(room)
+
+
+def row(*names: str) -> Segment:
+    return Segment("main", True, 0.0, 4.0 * len(names), 0.0, 3.0, blocks=[block(name) for name in names])
+
+
+def names(segment: Segment) -> list[str]:
+    return [entry.host.id for entry in segment.blocks]
+
+
+def test_neighbours_are_parted_within_their_row() -> None:
+    segment = row("kitchen", "bedroom", "toilet", "home_office")
+    keep_apart([segment], [("kitchen", "bedroom")], [])
+    pairs = [{a, b} for a, b in itertools.pairwise(names(segment))]
+    assert {"kitchen", "bedroom"} not in pairs and sorted(names(segment)) == [
+        "bedroom",
+        "home_office",
+        "kitchen",
+        "toilet",
+    ]
+
+
+def test_rooms_that_are_to_be_together_stay_so() -> None:
+    segment = row("dining_room", "kitchen", "bedroom", "home_office", "toilet")
+    keep_apart([segment], [("kitchen", "bedroom")], [("dining_room", "kitchen")])
+    pairs = [{a, b} for a, b in itertools.pairwise(names(segment))]
+    assert {"kitchen", "bedroom"} not in pairs and {"dining_room", "kitchen"} in pairs
+
+
+@pytest.mark.parametrize("apart", [[], [("gym", "sauna")]])
+def test_nothing_moves_where_nothing_is_wrong(apart: list[tuple[str, str]]) -> None:
+    segment = row("kitchen", "bedroom", "toilet")
+    keep_apart([segment], apart, [])
+    assert names(segment) == ["kitchen", "bedroom", "toilet"]
+
+
+def test_a_small_room_in_a_block_counts() -> None:
+    first, second = block("kitchen"), block("bedroom")
+    first.smalls.append(block("toilet").host)
+    assert parted(first, second, [("kitchen", "toilet")]) and not parted(first, second, [("toilet", "bedroom")])
