@@ -21,6 +21,9 @@ from mansion_planner.program.separation import keep_apart
 
 __all__ = ["sketch_hall"]
 
+_LEAST_HUB = 2.4
+"""Metres of the outline's length that stay for the hub and the north side."""
+
 MOST_DIVIDED = 5
 """Rooms whose every division between the two sides is tried."""
 
@@ -119,7 +122,9 @@ def _arranged(
     under = arrangement.under and bool(east)
     if under and north:
         north[-1].least = area / (depth - band) + DOOR_WALL + 0.1
-    column = area / depth
+    # Rooms that ask for more than there is are laid smaller, so that the hub and the north side keep their places.
+    widest = max(length - begin - _LEAST_HUB, 1.0)
+    column = min(area / depth, widest)
     end = length if under else length - column
     placements: list[Placement] = []
     if north and sum(block.gross for block in north) < 0.97 * (end - begin) * band:
@@ -129,7 +134,7 @@ def _arranged(
         massing, hub_id, placements,
     )  # fmt: skip
     reach = depth - band if under else depth
-    column = area / reach
+    column = min(area / reach, widest)
     _place_column(east, (length - column, reach, column), hub_id, placements)
     hub = Corridor(hub_id, _hub_boxes(massing, begin, length - column, band, lined=bool(north)))
     return Sketch([hub], placements, {core.id: hub_id for core in massing.cores})
