@@ -88,6 +88,10 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     earlier = [p for p in phrases[:number] if p.head in ("room", "building") and reading.sentence[p.first] == sentence]
     if earlier:
         score -= 2.0 if not is_room else 4.0
+    if phrase.building == "studio_flat" and not {"share", "shared", "pottery", "work", "working"}.isdisjoint(
+        reading.words(phrase.begin, phrase.noun_end)
+    ):
+        return 0.0
     if is_room and before[-3:-1] in (("it", "need"), ("they", "need")):
         return 0.0  # "it needs a shop" speaks of a part
     lead = reading.word(phrase.first - 1)

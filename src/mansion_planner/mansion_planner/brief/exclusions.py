@@ -19,6 +19,12 @@ _PHRASES = (
     ("get", "rid", "of"),
     ("do", "without"),
     ("anything", "but"),
+    ("rule", "out"),
+    ("ruled", "out"),
+    ("nobody", "want"),
+    ("nobody", "need"),
+    ("no", "one", "want"),
+    ("not", "want", "any"),
 )
 _AFTER = (
     ("not", "needed"),
@@ -42,6 +48,11 @@ _AFTER = (
     ("we", "not", "want"),
     ("is", "outside"),
     ("not", "allowed"),
+    *[
+        (*verb, "not", participle)
+        for verb in ((), ("is",), ("are",))
+        for participle in ("contemplated", "foreseen", "planned", "desired", "wished", "asked", "requested", "included")
+    ],
 )
 _ENDS = frozenset(
     {

@@ -483,6 +483,9 @@ class _Households:
         """Return where a list may begin, and whether a link, a word for each and a storey stand before it."""
         reading, index = self.reading, start
         linked = strong = placed = False
+        opened = self._opened_list(start)
+        if opened:
+            return opened, True, strong, placed
         while index < len(reading.tokens) and index - start < _REACH:
             place = next((p for p in self.places if p.first <= index < p.last), None)
             if place is not None:
@@ -503,6 +506,19 @@ class _Households:
             strong = strong or (word in _STRONG and not of_area and reading.word(index + 1) != ",")
             index += 1
         return index, linked, strong, placed
+
+    def _opened_list(self, start: int) -> int:
+        """Return where the list of "a flat for the caretaker: ..." or of "ABOVE: flat. ..." begins, or 0."""
+        reading = self.reading
+        if reading.word(start) == "for":
+            colon = next((i for i in range(start + 1, start + 6) if reading.word(i) == ":"), 0)
+            return colon + 1 if colon and self._room_at(colon + 1) is not None else 0
+        headed = reading.word(start) == "." and any(
+            reading.word(i) == ":"
+            for i in range(max(start - 5, 0), start)
+            if reading.sentence[i] == reading.sentence[start]
+        )
+        return start + 1 if headed and self._room_at(start + 1) is not None else 0
 
     def _in_measure(self, index: int) -> bool:
         return any(self.reading.kind(i) == "unit" for i in range(index + 1, index + 3))

@@ -23,6 +23,12 @@ _TOTALS = frozenset(
     total overall altogether gross gfa together whole all gia net
     """.split()
 )
+_LINKS = frozenset(
+    """
+    of at with ( is has are each about measuring around measure have not max maximum up roughly gets should must area
+    size approx
+    """.split()
+)
 _PLOT = frozenset({"plot", "site", "lot"})
 _PLATE = frozenset({"plate", "footprint"})
 
@@ -180,25 +186,7 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
             index -= 1
         if reading.word(index) in FLOOR_WORDS:
             plural = reading.plural(index) or _many_before(reading, index)
-            linked = (
-                reading.word(index + 1)
-                in (
-                    "of",
-                    "at",
-                    "with",
-                    "(",
-                    "is",
-                    "has",
-                    "are",
-                    "each",
-                    "about",
-                    "measuring",
-                    "around",
-                    "measure",
-                    "have",
-                )
-                or apiece
-            )
+            linked = reading.word(index + 1) in _LINKS or apiece
             each = any(word in ("each", "every", "per", "all") for word in before)
             return (plural or each or apiece) and linked
     return False

@@ -67,7 +67,8 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
         phrases += _phrases_of(reading, begin, end)
     phrases = [part for phrase in phrases for part in coordinated(reading, chunks, phrase)]
     numbered = designated_nouns(reading)
-    phrases = [part for phrase in phrases for part in with_designators(reading, phrase, numbered)]
+    counted = {phrase.name for phrase in phrases if phrase.counted and (phrase.count or 0) > 1}
+    phrases = [part for phrase in phrases for part in with_designators(reading, phrase, numbered, counted)]
     phrases += listed_unknowns(reading, chunks, phrases)
     phrases += _named_again(reading, chunks, phrases)
     phrases = [part for phrase in phrases for part in with_users(reading, phrase)]

@@ -199,6 +199,12 @@ def count_before(reading: Reading, begin: int, end: int) -> tuple[int, int | Non
             if reading.word(first - 1) in ("the", "these", "those", "both", "all", "our", "each", "every"):
                 determiner = determiner or reading.word(first - 1)
             return first, int(value), True, determiner
+        if word in ("nos", "no", "pcs", "pc") and reading.kind(index - 1) == "number":
+            index -= 1  # "30 nos. chairs"
+            continue
+        if word == "." and reading.word(index - 1) in ("nos", "no", "pcs") and reading.kind(index - 2) == "number":
+            index -= 2
+            continue
         if word == "of" and reading.kind(index - 1) == "number" and reading.tokens[index - 1].soft:
             index -= 1
             continue

@@ -143,6 +143,33 @@ def _compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
     return joined
 
 
+_FOREIGN_STOREYS = {"etage": "floor", "niveau": "level", "niveaux": "level", "planta": "floor"}
+
+
+def _foreign_storeys(tokens: list[Token]) -> list[Token]:
+    """Read words for storeys that writers carry over from their language: "two etages", "of two plants", "low plant"."""
+    result = []
+    for index, token in enumerate(tokens):
+        before = tokens[index - 1] if index else None
+        counted = before is not None and (
+            before.kind in ("number", "ordinal") or before.text in ("low", "high", "each")
+        )
+        if token.text in ("etage", "niveau", "niveaux", "planta"):
+            token = replace(token, text=_FOREIGN_STOREYS[token.text], plural=token.plural or token.text == "niveaux")
+        elif (
+            token.text == "plant"
+            and counted
+            and (token.plural or (before is not None and before.text in ("low", "high")))
+        ):
+            token = replace(token, text="floor")
+        result.append(token)
+    texts = {"low": "ground", "high": "upper", "superior": "upper", "principal": "ground", "inferior": "ground"}
+    for index in range(len(result) - 1):
+        if result[index].text in texts and result[index + 1].text in ("floor", "level"):
+            result[index] = replace(result[index], text=texts[result[index].text])
+    return result
+
+
 def _open_decks(tokens: list[Token]) -> list[Token]:
     """Tell the deck that one sits on from the decks of a ship, which are counted or said to be upper and lower."""
     texts = [token.text for token in tokens]
@@ -160,7 +187,7 @@ def start_reading(text: str, knowledge: KnowledgeBase) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
     tokens = _compounds(corrected(tokenize(text), lexicon.words, furniture_vocabulary()), lexicon.words)
-    tokens = _open_decks(tokens)
+    tokens = _foreign_storeys(_open_decks(tokens))
     mentions = lexicon.find(tokens)
     reading = Reading(
         text=text,

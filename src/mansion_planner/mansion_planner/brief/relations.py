@@ -347,6 +347,8 @@ def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int)
 
 
 def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
+    if reading.word(index + 1) == "them" or reading.words(index + 1, index + 3) == ("the", "two"):
+        return _between_them(phrases, [n for n in rooms if phrases[n].last <= index], index)
     following = _in_sentence(reading, phrases, rooms, index, before=False)[:2]
     before = _in_sentence(reading, phrases, rooms, index, before=True)
     if not following or not before or (reading.kind(index + 1) == "number" and not phrases[following[0]].plural):
@@ -360,6 +362,18 @@ def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: i
         return None
     # One room between two: both are its neighbours, so each is a pair of its own.
     return Relation(lefts * len(following), tuple(following), False, index, index + 1), phrases[following[-1]].last
+
+
+def _between_them(phrases: list[Phrase], before: list[int], index: int) -> tuple[Relation, int] | None:
+    """Read "two bedrooms, the bathroom is between them" and "a bedroom, a bathroom, a cupboard between them"."""
+    if len(before) < 2:
+        return None
+    subject, others = before[-1], before[:-1]
+    several = [n for n in others if (phrases[n].count or 2) > 1]
+    if phrases[others[-1]].count == 1 and len(others) > 1 and not (several and several[-1] == others[-1]):
+        return Relation((subject, subject), tuple(others[-2:]), False, index, index + 2), index + 2
+    owner = several[-1] if several else others[-1]
+    return Relation((subject,), (owner,), False, index, index + 2), index + 2
 
 
 def _postposed(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int) -> Relation | None:

@@ -1,6 +1,7 @@
 """Read what rooms are called beyond their kind: own names, what they are for, and kinds that nobody knows."""
 
 import re
+from collections.abc import Collection
 from dataclasses import replace
 
 from mansion_language import singular
@@ -194,13 +195,19 @@ def _next_designator(reading: Reading, index: int) -> int:
     return index + step if letter else 0
 
 
-def with_designators(reading: Reading, phrase: Phrase, nouns: frozenset[str]) -> list[Phrase]:
-    """Read "Bedroom 1" and "class 1A and 1B" as rooms of these names."""
+def with_designators(
+    reading: Reading, phrase: Phrase, nouns: frozenset[str], counted: Collection[str] = ()
+) -> list[Phrase]:
+    """Read "Bedroom 1" and "class 1A and 1B" as rooms of these names, or as one of those that are `counted` before."""
     noun = reading.word(phrase.noun_end - 1)
     if phrase.head not in ("room", "building") or phrase.counted or noun not in nouns:
         return [phrase]
     if phrase.building and noun in HEAD_TYPES:
         phrase = replace(phrase, head="room", building="", room_type=HEAD_TYPES[noun])
+    if phrase.name in counted:
+        length = _designator(reading, phrase.noun_end)
+        reading.take(phrase.noun_end, phrase.noun_end + length)
+        return [replace(phrase, determiner="the", last=phrase.noun_end + length)]
     found, index = [], phrase.noun_end
     first = phrase.first
     while index:
@@ -390,7 +397,8 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
         or reading.word(last) not in ("for", "of")
     ):
         return phrase
-    if reading.word(last) == "of" and phrase.noun_end - phrase.begin > 1:
+    after = reading.word(last + 1 + (reading.word(last + 1) in ("the", "our")))
+    if reading.word(last) == "of" and phrase.noun_end - phrase.begin > 1 and after not in _PEOPLE_APART:
         return phrase
     if reading.word(last + 1) in _PEOPLE_APART:
         return phrase

@@ -167,7 +167,11 @@ class StoreyCounts:
         if reading.word(last) in ("of", "or") and reading.word(last + 1) in ("those", "these", "the"):
             return index
         adjectives: list[str] = []
-        while reading.word(last) in STOREY_ADJECTIVES | PLAIN | {"upper"} and len(adjectives) < 2:
+        while (
+            reading.word(last) in STOREY_ADJECTIVES | PLAIN | {"upper", "only"}
+            and (reading.word(last) not in FLOOR_WORDS or reading.word(last + 1) in FLOOR_WORDS)
+            and len(adjectives) < 2
+        ):
             adjectives.append(reading.word(last))
             last += 1
         if reading.word(last) not in FLOOR_WORDS or value != int(value) or not 0 < value < 10_000:

@@ -314,7 +314,13 @@ class _Scanner:
             return ground, index + 1
         if word in ("downstair", "downstairs"):
             return ground, index + 1
-        if word in ("gf", "g/f") and following in CLOSERS | {"has", "with"}:
+        if (
+            word in ("eg", "gnd")
+            and following in CLOSERS | {"has", "with"}
+            and reading.word(index - 1) in ("the", "in", "")
+        ):
+            return ground, index + 1
+        if word in ("gf", "g/f", "gnd") and following in CLOSERS | {"has", "with"}:
             return ground, index + 1
         if word == "ff" and following in CLOSERS and self.british:
             return [FloorRef("number", 2, 2)], index + 1
@@ -425,6 +431,10 @@ class _Scanner:
             (reading.starts(index) and following in (":", ",", "are", "is", "there", "we", "i", "you", "a"))
             or (following in CLOSERS | {"with"} and (self._is_storeyed_adverb(index) or reading.word(index - 1) == ","))
         ):
+            return upper, index + 1
+        if word in ("upper", "og") and reading.starts(index) and following in (":", "-", "–"):
+            return upper, index + 1
+        if word == "og" and following in CLOSERS:
             return upper, index + 1
         if word == "up" and reading.starts(index) and following == ":":
             return upper, index + 1
