@@ -1,4 +1,4 @@
-"""Every Python example of the pages runs, and every command that they show exists with its options.
+"""Every Python example of the pages runs, and every command, source file and link that they show exists.
 
 An example that needs what no test machine has is preceded by ``<!-- not run: REASON -->``.
 """
@@ -19,6 +19,12 @@ BLOCK = re.compile(r"(<!-- not run: [^>]+-->\s*)?```python\n(.*?)```", re.DOTALL
 COMMAND = re.compile(r"^\s*(?:\$ )?(?:\./)?mansion ((?!.*…)[a-z].*)$", re.MULTILINE)
 USAGE_ERROR = typer.BadParameter.__base__
 """Of typer's own copy of click, or of click, which older ones import."""
+SOURCE = re.compile(r"`((?:\w+/)*[a-z]\w*\.py)`|(?<![\w/.])((?:tests|benchmarks)/[\w/.-]*\w)")
+SOURCES = {
+    f"/{path.relative_to(ROOT)}"
+    for folder in ("src", "tests", "benchmarks", "examples", "docs")
+    for path in (ROOT / folder).rglob("*")
+}
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
 
 
@@ -65,4 +71,11 @@ def test_a_command_that_a_page_shows_exists(page: str, line: str) -> None:
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_links_lead_to_files(page: Path) -> None:
     missing = [target for target in LINK.findall(page.read_text()) if not (page.parent / target).exists()]
+    assert missing == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_the_sources_that_a_page_names_exist(page: Path) -> None:
+    named = {file or path for file, path in SOURCE.findall(page.read_text())} - {"tests/NAME"}
+    missing = [name for name in sorted(named) if not any(path.endswith(f"/{name}") for path in SOURCES)]
     assert missing == []

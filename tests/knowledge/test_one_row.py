@@ -59,3 +59,22 @@ def test_a_kin_that_cannot_be_is_named(tmp_path: Path, row: str, fault: str) -> 
     (tmp_path / "room_types.csv").write_text(f"name,synonyms,kin\n{row}\n")
     with pytest.raises(MansionError, match=fault):
         load_knowledge([tmp_path])
+
+
+def test_the_kin_of_a_row_decides_and_not_what_its_name_was_known_as(folder: Path) -> None:
+    (folder / "mine/room_types.csv").write_text("name,synonyms,kin\ntea_room,tearoom,living_room\n")
+    assert load_catalogue([folder]).room_program("tea_room").room_type == "living_room"
+
+
+def test_a_later_folder_takes_names_from_the_room_types_before_it(folder: Path) -> None:
+    (folder / "room_types.csv").write_text("name,synonyms,kin\nsento,public bath;hot spring,bathroom\n")
+    assert "hot spring" in default_knowledge().rooms["onsen"].synonyms
+    rooms = load_knowledge([folder]).rooms
+    assert rooms["sento"].synonyms == ("public bath", "hot spring")
+    assert rooms["onsen"].synonyms == ()
+
+
+def test_two_rows_of_a_file_with_the_same_synonym_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "room_types.csv").write_text("name,synonyms,kin\nonsen,hot spring,bathroom\nsento,hot spring,pool\n")
+    with pytest.raises(MansionError, match="'sento': 'hot spring' is a name of 'onsen' too"):
+        load_knowledge([tmp_path])

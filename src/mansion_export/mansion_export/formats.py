@@ -1,7 +1,8 @@
 """Export formats: what each is called, which functions make its files, and which of them a build writes.
 
 A format is a module and a registration below. ``mansion export --to`` and its help, the files of ``mansion build`` and
-of ``mansion edit``, the index ``building.json``, and the table in ``docs/exports.md`` follow from the registrations.
+of ``mansion edit``, and the index ``building.json`` follow from the registrations; a test compares the table in
+``docs/exports.md`` with them.
 Functions are named and imported on use, so that the command line can list the formats without loading any.
 """
 

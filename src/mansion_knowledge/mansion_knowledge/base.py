@@ -8,7 +8,7 @@ import csv
 import io
 import os
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -98,7 +98,8 @@ def _load(folders: tuple[Path, ...]) -> KnowledgeBase:
     for folder in (_DATA, *folders):
         if not folder.is_dir():
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no knowledge folder {folder}")
-        rows |= _read_rows(folder / "room_types.csv", "name")
+        added = _read_rows(folder / "room_types.csv", "name")
+        rows = _without_names(rows, _names_of(added)) | added
         words |= {name: _word(file, row) for name, (file, row) in _read_rows(folder / "room_words.csv", "word").items()}
         styles |= _read_styles(folder / "styles.toml")
         buildings |= _read_buildings(folder / "building_types.toml")
@@ -132,6 +133,31 @@ def _read_rows(file: Path, key: str) -> dict[str, tuple[Path, _Row]]:
             raise _fault(file, name, "listed twice")
         rows[name] = (file, row)
     return rows
+
+
+def _names_of(rows: Mapping[str, tuple[Path, _Row]]) -> dict[str, str]:
+    """Return which room type of a file each name and synonym belongs to.
+
+    Raises
+    ------
+    MansionError
+        ``INVALID_PAYLOAD`` where two have the same.
+    """
+    owners = {name.replace("_", " "): name for name in rows}
+    for name, (file, row) in rows.items():
+        for phrase in _parts(row.get("synonyms", "")):
+            owner = owners.setdefault(phrase, name)
+            if owner != name:
+                raise _fault(file, name, f"{phrase!r} is a name of {owner!r} too; take it out of one of them")
+    return owners
+
+
+def _without_names(rows: Mapping[str, tuple[Path, _Row]], claimed: Container[str]) -> dict[str, tuple[Path, _Row]]:
+    """Return rows without the synonyms that a later folder claims for room types of its own."""
+    return {
+        name: (file, {**row, "synonyms": ";".join(p for p in _parts(row.get("synonyms", "")) if p not in claimed)})
+        for name, (file, row) in rows.items()
+    }
 
 
 def _rooms(rows: Mapping[str, tuple[Path, _Row]]) -> dict[str, RoomType]:

@@ -16,7 +16,7 @@ __all__ = ["Robot"]
 
 
 class Robot:
-    """The skills of one session, each as a method; they return what the services answer.
+    """The skills of one session, by name or as methods; they return what the services answer.
 
     Parameters
     ----------

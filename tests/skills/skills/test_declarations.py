@@ -14,8 +14,8 @@ from mansion_msgs_py.codec import convert
 from mansion_skills.skills.declaration import Skill
 from mansion_skills.skills.registry import SKILL_PAYLOADS, SKILLS, skill_named
 
-WAVE = '''
-"""Wave: a skill in a module of its own."""
+ZIGZAG = '''
+"""Zigzag: a skill in a module of its own."""
 
 from typing import Annotated, Any
 
@@ -25,26 +25,26 @@ from mansion_skills.skills.declaration import Action, Argument, Card, skill
 from mansion_skills.skills.results import Step, done, invalid
 
 
-class WaveArgs(SessionArgs, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """How often to wave."""
+class ZigzagArgs(SessionArgs, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """How often to turn."""
 
     times: Annotated[Any, Argument("number", "how often")] = 1
 
 
 @skill(
-    "Wave",
-    "Wave the hand.",
-    arguments=WaveArgs,
+    "Zigzag",
+    "Go in a zigzag.",
+    arguments=ZigzagArgs,
     example=\'{"times": 2}\',
     failures=(SkillStatus.INVALID_ACTION,),
-    card=Card("wave the hand", ("times",), optional=("times",)),
+    card=Card("go in a zigzag", ("times",), optional=("times",)),
     actions=(Action(fixed={"times": 2}),),
 )
-def wave(world, robot, arguments, *, realtime):
+def zigzag(world, robot, arguments, *, realtime):
     if arguments.times != 2:
-        return invalid(world, robot, "Wave", "the hand waves twice", "2")
-    yield Step(1.0, 0.5, "waving")
-    return done(world, robot, "Wave", "waved")
+        return invalid(world, robot, "Zigzag", "it takes two turns", "2")
+    yield Step(1.0, 0.5, "zigzagging")
+    return done(world, robot, "Zigzag", "zigzagged")
 '''
 
 LISTS = """
@@ -64,27 +64,27 @@ print(json.dumps({
     "skills": skill_table(),
     "commands": skill_commands(),
     "cards": card_lines(),
-    "fault": faulty_arguments("Wave", {"times": "often"}),
+    "fault": faulty_arguments("Zigzag", {"times": "often"}),
     "actions": SKILL_ACTIONS,
     "call": skill_call([last, 0, 0, 0], [], [], [1]).arguments,
-    "done": robot.skill("Wave", times=2).message,
-    "refused": robot.skill("wave").status,
+    "done": robot.skill("Zigzag", times=2).message,
+    "refused": robot.skill("zigzag").status,
 }))
 """
 
 
 def test_a_new_module_with_a_skill_is_in_every_list(tmp_path: Path, building: Path) -> None:
-    (tmp_path / "waving.py").write_text(WAVE)
+    (tmp_path / "zigzagging.py").write_text(ZIGZAG)
     command = [sys.executable, "-c", LISTS, str(tmp_path), str(building)]
     found = json.loads(subprocess.run(command, capture_output=True, text=True, check=True, timeout=120).stdout)
-    assert "skills/wave" in found["services"] and "WaveArgs" in found["payloads"]
-    assert "| `skills/wave` | `diagnostic_msgs/srv/AddDiagnostics` | WaveArgs | SkillResult |" in found["table"]
-    assert "| Wave | `times`: how often | `INVALID_ACTION` |" in found["skills"]
-    assert "mansion call skills/wave '{\"times\": 2}'" in found["commands"]
-    assert found["cards"].endswith("\n- Wave(times): wave the hand")
-    assert found["fault"] == "times of Wave must be a number, not 'often'"
-    assert found["actions"][-1] == "Wave 2" and found["call"] == {"times": 2}
-    assert (found["done"], found["refused"]) == ("waved", "INVALID_ACTION")
+    assert "skills/zigzag" in found["services"] and "ZigzagArgs" in found["payloads"]
+    assert "| `skills/zigzag` | `diagnostic_msgs/srv/AddDiagnostics` | ZigzagArgs | SkillResult |" in found["table"]
+    assert "| Zigzag | `times`: how often | `INVALID_ACTION` |" in found["skills"]
+    assert "mansion call skills/zigzag '{\"times\": 2}'" in found["commands"]
+    assert found["cards"].endswith("\n- Zigzag(times): go in a zigzag")
+    assert found["fault"] == "times of Zigzag must be a number, not 'often'"
+    assert found["actions"][-1] == "Zigzag 2" and found["call"] == {"times": 2}
+    assert (found["done"], found["refused"]) == ("zigzagged", "INVALID_ACTION")
 
 
 def test_both_names_of_a_skill_find_it() -> None:

@@ -14,6 +14,7 @@ from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.world import Pose2D, SkillStatus
 from mansion_skills import Robot
 from mansion_skills.engine import Engine
+from mansion_skills.skills.driving import TURN_SPEED
 from mansion_skills.skills.go_to import _tilt_towards
 from mansion_skills.skills.visibility import CAMERA_HEIGHT
 from mansion_skills.world.overlay import overlay_path
@@ -323,3 +324,11 @@ def test_a_building_of_one_floor_has_nowhere_to_ride_to(tmp_path: Path) -> None:
     robot = without(write_building(tmp_path / "flat", [1]), "elevator", "stair")
     for result in (robot.call_elevator(), robot.take_stairs("Up")):
         assert result.status is INVALID and "one floor only" in result.message
+
+
+def test_a_turn_goes_all_the_way_round_and_takes_its_time(robot: Robot) -> None:
+    session = robot.engine.session("")
+    before, yaw = session.world.time, session.robot.pose.yaw
+    do(robot, ("Rotate", {"degrees": -540.0}))
+    assert session.world.time - before == pytest.approx(540.0 / TURN_SPEED)
+    assert session.robot.pose.yaw == (yaw + 180.0) % 360.0

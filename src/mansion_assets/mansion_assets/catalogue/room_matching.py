@@ -80,14 +80,15 @@ class RoomIndex:
         return self._memo[asked]
 
     def _find(self, asked: str) -> tuple[str, How]:
-        if asked in self._names:
-            return self._names[asked]
+        found = self._names.get(asked)
+        kin = kin_of(asked)
+        if kin != asked and (found is None or found[1] != "exact"):
+            return self.resolve(kin)[0], "similar"
+        if found is not None:
+            return found
         flat = "_".join(_words(asked))
         if flat in self._names:
             return self._names[flat][0], "synonym"
-        kin = kin_of(asked)
-        if kin != asked:
-            return self.resolve(kin)[0], "similar"
         best, best_score = FALLBACK, 0.34
         for name, (target, _) in self._names.items():
             score = _similarity(asked, name)

@@ -12,6 +12,7 @@ from mansion_export.formats import export_formats
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
+from mansion_msgs_py.wording import counted
 
 __all__ = ["register"]
 
@@ -49,7 +50,7 @@ def export(
     for name, data in files.items():
         write_atomic(target / name, data)
     size = sum(len(data) for data in files.values()) / 1e6
-    err.print(f"wrote {len(files)} files, {size:.1f} MB, to {target}", highlight=False)
+    err.print(f"wrote {counted(len(files), 'file')}, {size:.1f} MB, to {target}", highlight=False)
     for name in [name for name in files if not name.startswith("meshes/")]:
         typer.echo(str(target / name))
 

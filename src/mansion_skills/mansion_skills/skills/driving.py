@@ -161,7 +161,14 @@ def turn(
     world: World, robot: RobotBody, yaw: float, *, realtime: bool, fraction: float = 1.0
 ) -> Generator[Step, None, None]:
     """Turn on the spot to a direction, the shorter way round."""
-    left = turn_between(robot.pose.yaw, yaw)
+    yield from turn_by(world, robot, turn_between(robot.pose.yaw, yaw), realtime=realtime, fraction=fraction)
+
+
+def turn_by(
+    world: World, robot: RobotBody, angle: float, *, realtime: bool, fraction: float = 1.0
+) -> Generator[Step, None, None]:
+    """Turn on the spot by an angle, counter-clockwise; full turns are made too."""
+    left = angle
     most = TURN_SPEED * SLICE if realtime else 360.0
     while abs(left) > 1e-9:
         part = max(-most, min(most, left))

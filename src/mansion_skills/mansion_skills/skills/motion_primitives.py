@@ -6,7 +6,7 @@ from typing import Annotated, Any
 from mansion_msgs_py.skills import SessionArgs
 from mansion_msgs_py.world import SkillChange, SkillResult, SkillStatus
 from mansion_skills.skills.declaration import Action, Argument, Card, skill
-from mansion_skills.skills.driving import LONGEST_MOVE, drive, free_around, in_the_way, turn, way_out
+from mansion_skills.skills.driving import LONGEST_MOVE, drive, free_around, in_the_way, turn_by, way_out
 from mansion_skills.skills.results import Run, Step, done, invalid, number, refused
 from mansion_skills.world.robot_body import RobotBody
 from mansion_skills.world.world import World
@@ -109,7 +109,7 @@ def rotate(world: World, robot: RobotBody, arguments: RotateArgs, *, realtime: b
         text = f"degrees {arguments.degrees!r} is not a number of degrees"
         return invalid(world, robot, name, text, "-3600 to 3600")
     before = robot.pose
-    yield from turn(world, robot, before.yaw + angle, realtime=realtime)
+    yield from turn_by(world, robot, angle, realtime=realtime)
     return done(
         world,
         robot,
