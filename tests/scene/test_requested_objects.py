@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 
 import sample_floors as floors
 from mansion_assets.catalogue import load_catalogue
-from mansion_assets.catalogue.kinds import answers, pieces
+from mansion_assets.catalogue.kinds import pieces
 from mansion_assets.catalogue.records import Item
 from mansion_geometry.object_footprints import footprint
+from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.program import RequestedObject, RoomProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject

@@ -8,11 +8,12 @@ import msgspec
 from shapely import MultiPolygon, Polygon, union_all
 
 from mansion_assets.catalogue import Asset, Catalogue, HangRequest, RoomFurnishing, RugRequest
-from mansion_assets.catalogue.kinds import added_for, answers, pieces, single_seat, single_seat_categories, stand_ins
+from mansion_assets.catalogue.kinds import pieces
 from mansion_assets.catalogue.requested import is_rug
 from mansion_geometry.object_footprints import footprint
 from mansion_geometry.randomness import item_generator
 from mansion_geometry.robot_body import BODY_RADIUS, ROBOT_RADIUS, ROBOT_REACH
+from mansion_knowledge.object_kinds import added_for, answers, single_seat, single_seat_categories, stand_ins
 from mansion_msgs_py.placement import MatrixStructure, PairedStructure, PlacedObject, PlacementObject, SingleStructure
 from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.scene import Discard, SceneObject

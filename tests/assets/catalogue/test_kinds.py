@@ -3,7 +3,8 @@
 import pytest
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_assets.catalogue.kinds import added_for, answers, pieces, stand_ins
+from mansion_assets.catalogue.kinds import pieces
+from mansion_knowledge.object_kinds import added_for, answers, stand_ins
 
 CATALOGUE = load_catalogue()
 

@@ -12,7 +12,8 @@ import networkx as nx
 from shapely.geometry import LineString, MultiLineString, Polygon
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_assets.catalogue.kinds import answers, pieces
+from mansion_assets.catalogue.kinds import pieces
+from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.shapes import Ring

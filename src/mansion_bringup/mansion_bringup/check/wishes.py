@@ -13,10 +13,9 @@ from statistics import median_high
 
 from shapely import Polygon
 
-from mansion_assets.catalogue import load_catalogue
-from mansion_assets.catalogue.kinds import answers, pieces
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.measures import outline_forms, shared_wall
+from mansion_knowledge.object_kinds import answers, seats_of_row
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.layout import FloorLayout
 from mansion_msgs_py.scene import FloorScene, SceneRoom
@@ -377,7 +376,7 @@ def _things(wish: Wish, finished: _Finished) -> dict[str, int]:
     for scene in finished.scenes:
         for thing in scene.objects:
             if wish.value.type and _called_so(thing.category, wish.value):
-                placed[thing.room] += _seats(thing.asset)
+                placed[thing.room] += seats_of_row(thing.category, thing.size[0])
     if scope.room:
         return {room.id: placed[room.id] for _, room in finished.meant(scope.room, scope.room_type, scope.floors)}
     return {
@@ -385,12 +384,6 @@ def _things(wish: Wish, finished: _Finished) -> dict[str, int]:
         for scene in finished.scenes
         if _on(scene.floor, scope.floors)
     }
-
-
-def _seats(key: str) -> int:
-    """Return the seats of a row of seats, 1 for anything else."""
-    asset = load_catalogue().assets.get(key)
-    return 1 if asset is None else pieces(asset.category, asset)
 
 
 def _called_so(category: str, value: WishValue) -> bool:

@@ -147,7 +147,7 @@ _FOREIGN_STOREYS = {"etage": "floor", "niveau": "level", "niveaux": "level", "pl
 
 
 def _foreign_storeys(tokens: list[Token]) -> list[Token]:
-    """Read words for storeys that writers carry over from their language: "two etages", "of two plants", "low plant"."""
+    """Read words for storeys that writers carry over from their language: "two etages", "the low plant"."""
     result = []
     for index, token in enumerate(tokens):
         before = tokens[index - 1] if index else None

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from mansion_knowledge.object_kinds import added_for, answers
 from mansion_planner.brief.facts import ObjectFact, RoomFact
 
 __all__ = ["furniture_areas", "usually_has"]
@@ -56,7 +57,6 @@ def _share(wanted: ObjectFact, rooms: int) -> float:
 
 def _piece(wanted: ObjectFact, room_type: str, others: Sequence[ObjectFact]) -> float:
     """Return the floor that one piece needs in a room of a type."""
-    from mansion_assets.catalogue.kinds import answers
 
     if answers("chair", wanted.category):
         if any(answers(table, o.category) for o in others for table in ("dining_table", "desk")):
@@ -72,7 +72,6 @@ def _typical_size(room_type: str, category: str) -> tuple[float, float]:
     The room's own furniture comes first: a desk of an office is an office desk.
     """
     from mansion_assets.catalogue import load_catalogue
-    from mansion_assets.catalogue.kinds import added_for, answers
 
     catalogue = load_catalogue()
     own = [
@@ -92,7 +91,6 @@ def _typical_size(room_type: str, category: str) -> tuple[float, float]:
 def _seat(room_type: str, category: str) -> float:
     """Return the floor of a seat as rooms of the type have them."""
     from mansion_assets.catalogue import load_catalogue
-    from mansion_assets.catalogue.kinds import answers
 
     catalogue = load_catalogue()
     for item in catalogue.room_program(room_type).floor:
@@ -112,7 +110,6 @@ def _seat(room_type: str, category: str) -> float:
 def usually_has(room_type: str, category: str) -> bool:
     """Whether rooms of a type have furniture of a category, or that answers for it, without being asked."""
     from mansion_assets.catalogue import load_catalogue
-    from mansion_assets.catalogue.kinds import answers
 
     card = load_catalogue().room_program(room_type)
     held = [item.category for item in card.floor] + [item.category for item in card.rugs]

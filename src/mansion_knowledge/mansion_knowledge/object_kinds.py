@@ -1,0 +1,81 @@
+"""Which kinds of objects answer for which: a dining chair is a chair, a wall screen is a television."""
+
+from functools import cache
+from importlib.resources import files
+from typing import Final
+
+import msgspec
+
+__all__ = [
+    "SEAT_WIDTH",
+    "added_for",
+    "answers",
+    "idle_without",
+    "seats_of_row",
+    "single_seat",
+    "single_seat_categories",
+    "stand_ins",
+]
+
+SEAT_WIDTH: Final = 0.64
+"""Width of one seat of a row, metres, halfway between the narrow and the wide ones."""
+
+
+class _Kinds(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    stand_ins: dict[str, list[str]]
+    added: dict[str, str]
+    single_seats: dict[str, str]
+    idle_without: dict[str, list[str]]
+
+
+@cache
+def _kinds() -> _Kinds:
+    text = files("mansion_knowledge").joinpath("data", "object_kinds.json").read_bytes()
+    return msgspec.json.decode(text, type=_Kinds)
+
+
+def stand_ins(category: str) -> list[str]:
+    """Return the categories that answer for one besides itself, the most usual first."""
+    return _kinds().stand_ins.get(category, [])
+
+
+def answers(requested: str, category: str) -> bool:
+    """Tell whether an object of a category is what a brief means by `requested`.
+
+    Examples
+    --------
+    >>> answers("chair", "office_chair"), answers("office_chair", "chair"), answers("bed", "bunk_bed")
+    (True, False, False)
+    """
+    return category == requested or category in stand_ins(requested)
+
+
+def idle_without(category: str) -> list[str]:
+    """Return the categories that a room has no use for without one: a television stand without a television."""
+    return _kinds().idle_without.get(category, [])
+
+
+def added_for(requested: str) -> str:
+    """Return the category that a room gets for `requested` where its program has none that answers."""
+    return _kinds().added.get(requested, requested)
+
+
+def single_seat(category: str) -> str:
+    """Return the category of one seat of a row of seats; `category` itself where it is no such row."""
+    return _kinds().single_seats.get(category, category)
+
+
+def single_seat_categories() -> frozenset[str]:
+    """Return the categories of single seats of rows."""
+    return frozenset(_kinds().single_seats.values())
+
+
+def seats_of_row(category: str, width: float) -> int:
+    """Return how many seats a row of seats of a width has, 1 for what is no such row.
+
+    Examples
+    --------
+    >>> seats_of_row("auditorium_seat", 1.65), seats_of_row("chair", 1.65)
+    (3, 1)
+    """
+    return max(1, round(width / SEAT_WIDTH)) if category in _kinds().single_seats else 1
