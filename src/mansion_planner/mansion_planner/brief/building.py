@@ -92,6 +92,8 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
         reading.words(phrase.begin, phrase.noun_end)
     ):
         return 0.0
+    if is_room and ":" in before:
+        return 0.0  # an entry of a list
     if is_room and before[-3:-1] in (("it", "need"), ("they", "need")):
         return 0.0  # "it needs a shop" speaks of a part
     lead = reading.word(phrase.first - 1)

@@ -23,6 +23,7 @@ from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
+from mansion_planner.brief.similarity import similar_room_type
 from mansion_planner.brief.stacking import read_stacking
 from mansion_planner.brief.storey_sequences import other_storeys
 from mansion_planner.brief.storeys import read_storeys
@@ -147,6 +148,8 @@ class _Reader:
 
     def _plain_rooms(self, phrase: Phrase) -> Phrase:
         """Read "40 rooms" in a hotel, hospital or dormitory as the rooms that it is for; elsewhere they stay unread."""
+        if phrase.head == "building" and not phrase.room_type:
+            return replace(phrase, room_type=similar_room_type(phrase.name, self.reading.knowledge), known=False)
         if phrase.name == "hall" and phrase.room_type == "hallway" and sum(phrase.areas[:1]) >= 40.0:
             return replace(phrase, room_type="assembly_hall")
         if phrase.head != "room" or phrase.name not in ("room", "guest_room") or not phrase.counted:

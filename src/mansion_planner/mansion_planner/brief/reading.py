@@ -107,6 +107,8 @@ class Reading:
     def starts(self, index: int) -> bool:
         """Whether a token is the first of its sentence, bullets and numbering of a list aside."""
         before = index - 1
+        if self.word(before) == "/" and self.tokens[before].spaced and self.tokens[index].spaced:
+            return True
         while self.word(before) in ("*", "-", "(", ")") and before >= 0:
             before -= 1
         numbered = self.kind(before) == "number" and self.word(before + 1) in (".", ")")

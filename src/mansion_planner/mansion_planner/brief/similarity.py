@@ -48,7 +48,8 @@ HEAD_TYPES = {
     "library": "library", "chapel": "prayer_hall",
     "garage": "garage", "bathroom": "bathroom", "bedroom": "bedroom", "archive": "archive", "cafe": "cafe",
     "gym": "gym", "school": "classroom", "wash": "laundry_room", "helpdesk": "open_office",
-    "cellar": "storage", "atelier": "art_room", "arena": "sports_hall", "wing": "common_room",
+    "cellar": "storage", "depot": "storage", "post": "security_room",
+    "atelier": "art_room", "arena": "sports_hall", "wing": "common_room",
     "vault": "vault", "nook": "lounge", "garden": "greenhouse", "pool": "indoor_pool",
 }  # fmt: skip
 

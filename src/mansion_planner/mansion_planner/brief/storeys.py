@@ -21,7 +21,7 @@ _PREPOSITIONS = frozenset(
 )
 _STREET = frozenset(
     """
-    ground street entrance entry garden courtyard water lobby arrival bottom lowest lower public shop pavement
+    ground gnd street entrance entry garden courtyard water lobby arrival bottom lowest lower public shop pavement
     """.split()
 )
 _TOPS = frozenset({"top", "uppermost", "topmost", "highest", "last", "final"})
@@ -290,7 +290,10 @@ class _Scanner:
             )
         if (
             word in FLOOR_WORDS | {"one"}
-            and reading.word(index - 1) == "the"
+            and (
+                reading.word(index - 1) == "the"
+                or (reading.starts(index) and reading.word(index + 2) in (":", "=", "-"))
+            )
             and reading.word(index + 1) in ("above", "over", "below", "under", "beneath")
         ):
             up = reading.word(index + 1) in ("above", "over")
@@ -391,7 +394,9 @@ class _Scanner:
             and led
             and (
                 following
-                in CLOSERS | _COPULAS | {"with", "and", "there", "nothing", "only", "two", "one", "become", "we", "the"}
+                in CLOSERS
+                | _COPULAS
+                | {"with", "and", "there", "nothing", "only", "two", "one", "become", "we", "the", "sit", "come"}
             )
         ):
             return [FloorRef("top")], index + 1
@@ -445,7 +450,7 @@ class _Scanner:
         if (
             word == "middle"
             and reading.words(index - 2, index) == ("in", "the")
-            and following in CLOSERS | {"with"}
+            and following in CLOSERS | {"with", "there", "are", "is", "come", "we"}
             and self.has_floors
         ):
             return [FloorRef("middle")], index + 1
@@ -533,8 +538,9 @@ class _Scanner:
         """Read "third floor", "second and third floors", "third to eighth floors", "second:", "on the second"."""
         reading = self.reading
         number = self._number(index, "ordinal")
-        if number is None:
-            return None
+        mention = reading.mention_at.get(index)
+        if number is None or (mention is not None and mention.last - index > 1 and mention.room):
+            return None  # "first aid"
         numbers, last, ranged = [number], index + 1, False
         while reading.word(last) in ("and", ",", "&", "to", "through", "–", "floor", "-"):
             link = reading.word(last)

@@ -116,7 +116,12 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
     return allocation
 
 
-_SAME_USE = (frozenset({"toilet", "restroom"}), frozenset({"dorm_room", "hostel_dorm", "bunk_room", "holding_cell"}))
+_SAME_USE = (
+    frozenset({"treatment_room", "dental_room", "consultation_room"}),
+    frozenset({"cinema_hall", "auditorium"}),
+    frozenset({"toilet", "restroom"}),
+    frozenset({"dorm_room", "hostel_dorm", "bunk_room", "holding_cell"}),
+)
 """Room types that stand for each other: a stated number of one leaves no room for another."""
 
 _GENERAL_HEADS = frozenset({"room", "hall", "area", "store", "storage", "space", "centre", "center", "section"})
