@@ -145,31 +145,31 @@ def _compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
     return joined
 
 
-_FOREIGN_STOREYS = {"etage": "floor", "niveau": "level", "niveaux": "level", "planta": "floor"}
+_FOREIGN_STOREYS = {"etage": "floor", "niveau": "level", "niveaux": "level", "planta": "floor", "plant": "floor"}
+_FOREIGN_SIDES = {"low": "ground", "high": "upper", "superior": "upper", "principal": "ground", "inferior": "ground"}
 
 
 def _foreign_storeys(tokens: list[Token]) -> list[Token]:
     """Read words for storeys that writers carry over from their language: "two etages", "the low plant"."""
-    result = []
+    result: list[Token] = []
     for index, token in enumerate(tokens):
-        before = tokens[index - 1] if index else None
-        counted = before is not None and (
-            before.kind in ("number", "ordinal") or before.text in ("low", "high", "each")
-        )
-        if token.text in ("etage", "niveau", "niveaux", "planta"):
-            token = replace(token, text=_FOREIGN_STOREYS[token.text], plural=token.plural or token.text == "niveaux")
-        elif (
-            token.text == "plant"
-            and counted
-            and (token.plural or (before is not None and before.text in ("low", "high")))
-        ):
-            token = replace(token, text="floor")
+        side = _FOREIGN_SIDES.get(tokens[index - 1].text, "") if index else ""
+        carried = token.text in _FOREIGN_STOREYS and (token.text != "plant" or _is_storey(tokens, index))
+        if side and (carried or (token.text in ("floor", "level") and tokens[index - 1].text not in ("low", "high"))):
+            result[-1] = replace(result[-1], text=side)
+        if carried:
+            plural = token.plural or token.text == "niveaux"
+            token = replace(token, text=_FOREIGN_STOREYS[token.text], plural=plural)
         result.append(token)
-    texts = {"low": "ground", "high": "upper", "superior": "upper", "principal": "ground", "inferior": "ground"}
-    for index in range(len(result) - 1):
-        if result[index].text in texts and result[index + 1].text in ("floor", "level"):
-            result[index] = replace(result[index], text=texts[result[index].text])
     return result
+
+
+def _is_storey(tokens: list[Token], index: int) -> bool:
+    """Whether a plant is a storey: "a school of two plants", "the low plant", and not "with two plants"."""
+    if index and tokens[index - 1].text in ("low", "high"):
+        return True
+    counted = index > 1 and tokens[index - 1].kind in ("number", "ordinal")
+    return counted and tokens[index].plural and tokens[index - 2].text in ("of", "on", "in", "over")
 
 
 def _open_decks(tokens: list[Token]) -> list[Token]:

@@ -186,7 +186,8 @@ def _infer_floors(
         count, reason = 2, "a lower and an upper one are described"
     pinned = {ref.first for room in facts.rooms for ref in room.floors if ref.kind == "number"}
     if needed >= 2 and pinned >= set(range(1, needed + 1)) and not sized:
-        count, reason = needed, "each of them is described"
+        above = any(ref.kind == "top" for room in facts.rooms for ref in room.floors)
+        count, reason = needed + above, "each of them is described"
     kinds = {ref.kind for room in facts.rooms for ref in room.floors}
     floor_least = 1
     if kinds & {"upper", "top"}:
