@@ -9,6 +9,7 @@ is proportional to the length of the text.
 from dataclasses import replace
 
 from mansion_knowledge import KnowledgeBase
+from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.attachment import Attachment
 from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
 from mansion_planner.brief.coreference import coreferences
@@ -76,7 +77,7 @@ class _Reader:
         """Read everything that noun phrases are part of."""
         reading = self.reading
         self.shared: set[int] = set()
-        self._bedrooms_of_adverts()
+        read_adverts(reading)
         self.opening = unknown_building(reading)
         phrases = noun_phrases(reading)
         stacked = read_stacking(reading, phrases)
@@ -142,7 +143,7 @@ class _Reader:
         name = "apartment_building" if phrase.building == "flat" and phrase.plural else phrase.building
         self.facts.building.append((name, self.reading.span(phrase.begin, phrase.noun_end)))
         self.facts.building_name = own_building_name(self.reading, phrase)
-        self._bedrooms_of_building(phrase)
+        read_bedrooms_of_building(self.reading, phrase)
         read_sizes(self.reading, phrase.first, phrase.noun_end)
         return number
 
@@ -210,43 +211,6 @@ class _Reader:
                     if category:
                         self.phrases[number] = replace(phrase, head="object", category=category, room_type="")
                     break
-
-    def _bedrooms_of_building(self, phrase: Phrase) -> None:
-        """Read "three-bedroom" before the building's name."""
-        reading = self.reading
-        for index in range(max(phrase.begin - 6, 0), phrase.noun_end - 1):
-            if (
-                reading.kind(index) == "number"
-                and reading.word(index + 1) in ("bedroom", "bed", "br")
-                and not reading.tokens[index + 1].spaced
-            ) and reading.sentence[index] == reading.sentence[phrase.begin]:
-                self._advert("bedroom", index, index + 2, inside=True)
-
-    def _bedrooms_of_adverts(self) -> None:
-        """Read "3 bed / 2 bath" and "4BR" as advertisements of homes write them."""
-        reading = self.reading
-        for index in range(min(len(reading.tokens) - 1, 14)):
-            word = reading.word(index + 1)
-            if reading.kind(index) != "number" or index in reading.taken or reading.plural(index + 2):
-                continue
-            singular = not reading.plural(index + 1)
-            several = reading.value(index) > 1 or index + 2 in reading.mention_at
-            if word in ("br", "bhk") or (word == "bed" and singular and several and index not in reading.taken):
-                self._advert("bedroom", index, index + 2)
-            elif word in ("bath", "ba", "bathroom") and singular and self._follows_advert(index):
-                self._advert("bathroom", index, index + 2)
-
-    def _follows_advert(self, index: int) -> bool:
-        """Whether "2 bath" stands right after "3 bed"."""
-        before = index - 1 - (self.reading.word(index - 1) in ("/", ",", "+", "and", "&"))
-        return self.reading.word(before) in ("bed", "br", "bedroom", "bhk")
-
-    def _advert(self, room_type: str, first: int, last: int, *, inside: bool = False) -> None:
-        span = self.reading.span(first, last)
-        if (not inside and not self.reading.free(first, last)) or any(room.span == span for room in self.facts.rooms):
-            return
-        self.facts.rooms.append(RoomFact(room_type, room_type, span, int(self.reading.value(first)), label=room_type))
-        self.reading.take(first, last)
 
     # Phrases that stand for others ----------------------------------------------------------------------------------
 

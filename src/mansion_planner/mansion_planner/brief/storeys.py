@@ -4,12 +4,12 @@ A storey is named absolutely ("the third floor", "L3", "levels 2 to 6"), from ab
 top"), as a set ("every floor", "all but the last") or from the storey named before ("the seven storeys above").
 """
 
-import itertools
 from dataclasses import replace
 
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_counts import CLOSERS, DEFINITE, STOREY_ADJECTIVES, StoreyCounts, settle_counts
+from mansion_planner.brief.storey_numbering import counts_above_ground, counts_from_ground, written_after
 from mansion_planner.brief.storey_sequences import StoreySequence, resolve_rest
 
 __all__ = ["read_storeys"]
@@ -67,7 +67,7 @@ class _Scanner:
         self.reading = reading
         self.places: list[Place] = []
         self.counts = StoreyCounts(reading, self.places)
-        self.british = _counts_from_ground(reading)
+        self.british = counts_from_ground(reading)
         self.sequence = StoreySequence(reading)
         self.previous: FloorRef | None = None
         self.zero_based = any(
@@ -78,7 +78,7 @@ class _Scanner:
             )
             for i in range(len(reading.tokens))
         )
-        if _counts_above_ground(reading):
+        if counts_above_ground(reading):
             self.british = self.zero_based = True
         texts = [token.text for token in reading.tokens]
         self.has_floors = not FLOOR_WORDS.isdisjoint(texts) or "ground" in texts or "upstairs" in texts
@@ -161,7 +161,7 @@ class _Scanner:
         reading = self.reading
         if reading.kind(index) != "level":
             return None
-        shift = int(self.zero_based or (self.british and _written_after(reading, index)))
+        shift = int(self.zero_based or (self.british and written_after(reading, index)))
         numbers, last = [int(reading.value(index)) + shift], index + 1
         while reading.word(last) in ("to", "–", "-", ",", "and", "&", "+", "through"):
             step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
@@ -601,69 +601,3 @@ class _Scanner:
         if reading.word(last) != ":" or max(numbers) > 200:
             return None
         return [FloorRef("number", number, number) for number in numbers], last
-
-
-def _counts_from_ground(reading: Reading) -> bool:
-    """Whether the first floor is the one above the ground floor: the brief uses both names, as the British do.
-
-    A brief that counts as many storeys as its highest ordinal counts from the ground floor as the first all the same.
-    """
-    words = [token.text for token in reading.tokens]
-    pairs = list(itertools.pairwise(words))
-    if _lists_ground_and_first(reading):
-        return True
-    ground = any(
-        (word, floor) in pairs for word in ("ground", "street", "entrance") for floor in ("floor", "level", "storey")
-    )
-    if not ground or not ({("first", "floor"), ("first", "storey")} & set(pairs)):
-        return False
-    if ("second", "storey") in pairs:
-        return False
-    highest = max(
-        (
-            int(token.value)
-            for token, after in itertools.pairwise(reading.tokens)
-            if token.kind == "ordinal" and after.text in FLOOR_WORDS
-        ),
-        default=1,
-    )
-    stated = [
-        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
-    ]
-    return not (stated and max(stated) == highest)
-
-
-def _counts_above_ground(reading: Reading) -> bool:
-    """Whether the storeys of "G+7" are numbered above the ground floor: the highest that is named is the seventh."""
-    stated = [int(reading.value(i + 2)) for i in range(len(reading.tokens)) if reading.words(i, i + 2) == ("g", "+")]
-    named = [
-        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "ordinal" and b.text in FLOOR_WORDS
-    ]
-    named += [
-        int(reading.value(i + 1))
-        for i in range(len(reading.tokens) - 1)
-        if reading.word(i) in FLOOR_WORDS and reading.kind(i + 1) == "number"
-    ]
-    return bool(stated and named) and max(named) == stated[0]
-
-
-def _lists_ground_and_first(reading: Reading) -> bool:
-    """Whether "Ground: ... 1st: ..." or "GF: ... 1F: ..." count the storeys of a list from the one above the ground."""
-    marks = (":", "=", "-", "–", "\n", "&", "and", ",")
-    ground = first = False
-    for index in range(len(reading.tokens)):
-        word, opens = reading.word(index), reading.starts(index)
-        after = index + 1 + (reading.word(index + 1) in FLOOR_WORDS)
-        listed = reading.word(after) in marks
-        ground = ground or (word in ("ground", "gf", "g", "rdc", "eg") and listed and opens)
-        counts = (reading.kind(index) == "ordinal" and opens) or (
-            reading.kind(index) == "level" and _written_after(reading, index)
-        )
-        first = first or (counts and listed and reading.value(index) == 1) or (word == "ff" and listed)
-    return ground and first
-
-
-def _written_after(reading: Reading, index: int) -> bool:
-    """Whether a level is written as "1F", which a ground floor goes before, rather than as "L1" or "F1"."""
-    token = reading.tokens[index]
-    return reading.text[token.start : token.end][:1].isdigit()

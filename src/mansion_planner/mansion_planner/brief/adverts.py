@@ -1,0 +1,50 @@
+"""Read rooms as advertisements of homes write them: "3 bed / 2 bath", "4BR", "three-bedroom house"."""
+
+from mansion_planner.brief.facts import RoomFact
+from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.reading import Reading
+
+__all__ = ["read_adverts", "read_bedrooms_of_building"]
+
+_NEAR_START = 14
+"""An advertisement has its rooms among so many tokens."""
+
+
+def read_adverts(reading: Reading) -> None:
+    """Read "3 bed / 2 bath" and "4BR" at the start of a brief."""
+    for index in range(min(len(reading.tokens) - 1, _NEAR_START)):
+        word = reading.word(index + 1)
+        if reading.kind(index) != "number" or index in reading.taken or reading.plural(index + 2):
+            continue
+        singular = not reading.plural(index + 1)
+        several = reading.value(index) > 1 or index + 2 in reading.mention_at
+        if word in ("br", "bhk") or (word == "bed" and singular and several and index not in reading.taken):
+            _state(reading, "bedroom", index)
+        elif word in ("bath", "ba", "bathroom") and singular and _follows_bedrooms(reading, index):
+            _state(reading, "bathroom", index)
+
+
+def read_bedrooms_of_building(reading: Reading, phrase: Phrase) -> None:
+    """Read "three-bedroom" before the building's name."""
+    for index in range(max(phrase.begin - 6, 0), phrase.noun_end - 1):
+        if (
+            reading.kind(index) == "number"
+            and reading.word(index + 1) in ("bedroom", "bed", "br")
+            and not reading.tokens[index + 1].spaced
+        ) and reading.sentence[index] == reading.sentence[phrase.begin]:
+            _state(reading, "bedroom", index, inside=True)
+
+
+def _follows_bedrooms(reading: Reading, index: int) -> bool:
+    """Whether "2 bath" stands right after "3 bed"."""
+    before = index - 1 - (reading.word(index - 1) in ("/", ",", "+", "and", "&"))
+    return reading.word(before) in ("bed", "br", "bedroom", "bhk")
+
+
+def _state(reading: Reading, room_type: str, first: int, *, inside: bool = False) -> None:
+    last = first + 2
+    span = reading.span(first, last)
+    if (not inside and not reading.free(first, last)) or any(room.span == span for room in reading.facts.rooms):
+        return
+    reading.facts.rooms.append(RoomFact(room_type, room_type, span, int(reading.value(first)), label=room_type))
+    reading.take(first, last)

@@ -1,0 +1,73 @@
+"""Tell how a brief numbers its storeys: from the ground floor as the first, as the British do, or above G."""
+
+import itertools
+
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+
+__all__ = ["counts_above_ground", "counts_from_ground", "written_after"]
+
+
+def counts_from_ground(reading: Reading) -> bool:
+    """Whether the first floor is the one above the ground floor: the brief uses both names, as the British do.
+
+    A brief that counts as many storeys as its highest ordinal counts from the ground floor as the first all the same.
+    """
+    words = [token.text for token in reading.tokens]
+    pairs = list(itertools.pairwise(words))
+    if _lists_ground_and_first(reading):
+        return True
+    ground = any(
+        (word, floor) in pairs for word in ("ground", "street", "entrance") for floor in ("floor", "level", "storey")
+    )
+    if not ground or not ({("first", "floor"), ("first", "storey")} & set(pairs)):
+        return False
+    if ("second", "storey") in pairs:
+        return False
+    highest = max(
+        (
+            int(token.value)
+            for token, after in itertools.pairwise(reading.tokens)
+            if token.kind == "ordinal" and after.text in FLOOR_WORDS
+        ),
+        default=1,
+    )
+    stated = [
+        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
+    ]
+    return not (stated and max(stated) == highest)
+
+
+def counts_above_ground(reading: Reading) -> bool:
+    """Whether the storeys of "G+7" are numbered above the ground floor: the highest that is named is the seventh."""
+    stated = [int(reading.value(i + 2)) for i in range(len(reading.tokens)) if reading.words(i, i + 2) == ("g", "+")]
+    named = [
+        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "ordinal" and b.text in FLOOR_WORDS
+    ]
+    named += [
+        int(reading.value(i + 1))
+        for i in range(len(reading.tokens) - 1)
+        if reading.word(i) in FLOOR_WORDS and reading.kind(i + 1) == "number"
+    ]
+    return bool(stated and named) and max(named) == stated[0]
+
+
+def _lists_ground_and_first(reading: Reading) -> bool:
+    """Whether "Ground: ... 1st: ..." or "GF: ... 1F: ..." count the storeys of a list from the one above the ground."""
+    marks = (":", "=", "-", "–", "\n", "&", "and", ",")
+    ground = first = False
+    for index in range(len(reading.tokens)):
+        word, opens = reading.word(index), reading.starts(index)
+        after = index + 1 + (reading.word(index + 1) in FLOOR_WORDS)
+        listed = reading.word(after) in marks
+        ground = ground or (word in ("ground", "gf", "g", "rdc", "eg") and listed and opens)
+        counts = (reading.kind(index) == "ordinal" and opens) or (
+            reading.kind(index) == "level" and written_after(reading, index)
+        )
+        first = first or (counts and listed and reading.value(index) == 1) or (word == "ff" and listed)
+    return ground and first
+
+
+def written_after(reading: Reading, index: int) -> bool:
+    """Whether a level is written as "1F", which a ground floor goes before, rather than as "L1" or "F1"."""
+    token = reading.tokens[index]
+    return reading.text[token.start : token.end][:1].isdigit()
