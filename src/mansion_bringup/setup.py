@@ -33,6 +33,7 @@ setup(
         "mansion_editing",
         "mansion_export",
         "mansion_geometry",
+        "mansion_knowledge",
         "mansion_llm",
         "mansion_msgs_py",
         "mansion_planner",

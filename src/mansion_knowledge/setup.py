@@ -20,6 +20,6 @@ setup(
         (f"share/{NAME}", ["package.xml"]),
     ],
     zip_safe=False,
-    install_requires=["mansion_msgs_py"],
+    install_requires=["mansion_msgs_py", "msgspec>=0.19"],
     extras_require={"test": ["pytest"]},
 )
