@@ -1,0 +1,64 @@
+"""Bring tokens into the forms that the lexicon and the readers of storeys know, before anything is read from them."""
+
+from dataclasses import replace
+
+from mansion_language import Token
+
+__all__ = ["compounds", "foreign_storeys", "open_decks"]
+
+
+def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
+    """Join hyphenated words that the lexicon writes as one: "co-working", "check-in"."""
+    joined: list[Token] = []
+    for token in tokens:
+        last = joined[-1] if joined else None
+        if (
+            last is not None
+            and not token.spaced
+            and last.kind == token.kind == "word"
+            and last.text + token.text in words
+        ):
+            joined[-1] = replace(last, text=last.text + token.text, end=token.end, plural=token.plural)
+        else:
+            joined.append(token)
+    return joined
+
+
+_FOREIGN_STOREYS = {"etage": "floor", "niveau": "level", "niveaux": "level", "planta": "floor", "plant": "floor"}
+_FOREIGN_SIDES = {"low": "ground", "high": "upper", "superior": "upper", "principal": "ground", "inferior": "ground"}
+
+
+def foreign_storeys(tokens: list[Token]) -> list[Token]:
+    """Read words for storeys that writers carry over from their language: "two etages", "the low plant"."""
+    result: list[Token] = []
+    for index, token in enumerate(tokens):
+        side = _FOREIGN_SIDES.get(tokens[index - 1].text, "") if index else ""
+        carried = token.text in _FOREIGN_STOREYS and (token.text != "plant" or _is_storey(tokens, index))
+        if side and (carried or (token.text in ("floor", "level") and tokens[index - 1].text not in ("low", "high"))):
+            result[-1] = replace(result[-1], text=side)
+        if carried:
+            plural = token.plural or token.text == "niveaux"
+            token = replace(token, text=_FOREIGN_STOREYS[token.text], plural=plural)
+        result.append(token)
+    return result
+
+
+def _is_storey(tokens: list[Token], index: int) -> bool:
+    """Whether a plant is a storey: "a school of two plants", "the low plant", and not "with two plants"."""
+    if index and tokens[index - 1].text in ("low", "high"):
+        return True
+    counted = index > 1 and tokens[index - 1].kind in ("number", "ordinal")
+    return counted and tokens[index].plural and tokens[index - 2].text in ("of", "on", "in", "over")
+
+
+def open_decks(tokens: list[Token]) -> list[Token]:
+    """Tell the deck that one sits on from the decks of a ship, which are counted or said to be upper and lower."""
+    texts = [token.text for token in tokens]
+    storeys = any(
+        text == "deck"
+        and (token.plural or before in ("upper", "lower", "main") or tokens[at].kind in ("number", "ordinal"))
+        for at, (before, text, token) in enumerate(zip(texts, texts[1:], tokens[1:], strict=False))
+    )
+    if storeys:
+        return tokens
+    return [replace(token, text="sundeck") if token.text == "deck" else token for token in tokens]
