@@ -129,8 +129,8 @@ def phone(b: Builder) -> None:
             )
 
 
-@recipe("desk_phone")
-def desk_phone(b: Builder) -> None:
+@recipe("telephone")
+def telephone(b: Builder) -> None:
     """Office telephone."""
     w, d, h = b.w, b.d, b.h
     b.prism([(-d / 2, 0), (d / 2, 0), (d / 2, h * 0.3), (-d / 2, h * 0.75)], (-w / 2, w / 2), b.mat())

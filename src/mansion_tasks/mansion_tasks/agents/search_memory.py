@@ -138,7 +138,7 @@ _KEPT: Final = (
     ),
     (
         ("keyboard", "mouse", "laptop", "notebook", "pen", "pencil", "paper stack", "folder", "stapler", "headphone",
-         "desk phone", "monitor", "tablet", "document", "binder", "calculator", "marker", "desk lamp"),
+         "telephone", "monitor", "tablet", "document", "binder", "calculator", "marker", "reading lamp"),
         "office",
     ),
     (

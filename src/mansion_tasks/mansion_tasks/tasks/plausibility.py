@@ -143,7 +143,7 @@ _LAID_FLAT: Final = frozenset(["cd", "menu_card", "sheet_music", "hymn_book"])
 
 _NEVER_BROUGHT: Final = frozenset([
     "toilet_brush", "toilet_paper", "plunger", "fire_extinguisher", "book_upright", "urine_bottle", "kidney_dish",
-    "table_lamp", "desktop_printer", "monitor", "computer_tower", "desk_phone", "router", "speaker_small",
+    "table_lamp", "desktop_printer", "monitor", "computer_tower", "telephone", "router", "speaker_small",
     "cash_register", "card_reader", "webcam", "dish_rack", "footstool", "napkin_holder",
 ])  # fmt: skip
 """Objects that nobody asks a robot to bring: plugged in, used in one place, or unclean."""
