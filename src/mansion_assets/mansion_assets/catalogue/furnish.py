@@ -259,6 +259,7 @@ class _Draft:
         """Take an item of the program as far as the share of floor allows."""
         least = self.asked.least.get(item.name, 0)
         wanted = max(copies(item.count, self.area, self.numbers, self.rng), least)
+        wanted = min(wanted, self.asked.most.get(item.name, wanted))
         present = self.rng.random() < item.p and item.min_area <= self.area <= item.max_area
         asset = self._asset(item, wanted)
         if asset is None or not present or wanted < 1 or item.name in self.entries or self._stray(item):

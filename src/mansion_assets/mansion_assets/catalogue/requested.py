@@ -31,11 +31,14 @@ class AskedProgram(msgspec.Struct, frozen=True, kw_only=True):
         Floor item to the copies that it must have, whatever the room's share of floor.
     first : frozenset of str
         Floor items that come before the others: those asked for, and what they stand at.
+    most : dict of str to int
+        Floor item to the copies that it may have, where no more are wanted.
     """
 
     card: RoomProgramCard
     least: dict[str, int] = {}
     first: frozenset[str] = frozenset()
+    most: dict[str, int] = {}
 
 
 def laid_categories(arrangement: Arrangement) -> list[str]:
@@ -81,7 +84,8 @@ def with_requested(
     counts : dict of str to int
         Pieces by category (see `asked_counts`).
     exact : collection of str
-        Categories of which no more are wanted: the usual number gives way where they stand at nothing else.
+        Categories of which no more are wanted: the usual number gives way, and so does other furniture of the
+        same noun.
 
     Notes
     -----
@@ -106,6 +110,11 @@ def _only(category: str | list[str], requested: str) -> list[str]:
     """Return the categories of an item that a request means: itself where it is among them, else its stand-ins."""
     names = _names(category)
     return [requested] if requested in names else [name for name in names if answers(requested, name)]
+
+
+def _same_noun(category: str, requested: str) -> bool:
+    """Tell whether a category answers for another and is called by the same noun: a lounge chair for a chair."""
+    return answers(requested, category) and category.rpartition("_")[2] == requested.rpartition("_")[2]
 
 
 _Listed = TypeVar("_Listed", Item, HangItem, RugItem, Slot, Scatter)
@@ -161,6 +170,7 @@ class _Program:
         self._floor = {item.name: item for item in card.floor}
         self._wall, self._ceiling, self._rugs = list(card.wall), list(card.ceiling), list(card.rugs)
         self._least: dict[str, int] = {}
+        self._most: dict[str, int] = {}
         self._first: dict[str, None] = {}
 
     def ask(self, category: str, count: int) -> None:
@@ -184,6 +194,7 @@ class _Program:
             early |= {_counted_by(self._floor[name]) for name in early} & self._floor.keys()
         first = [item for name, item in self._floor.items() if name in early]
         rest = [item for name, item in self._floor.items() if name not in early]
+        rest = [item for item in (self._without_surplus(item) for item in rest) if item is not None]
         card = msgspec.structs.replace(
             self._card,
             floor=(*_hosts_first(first), *rest),
@@ -191,7 +202,12 @@ class _Program:
             ceiling=tuple(self._ceiling),
             rugs=tuple(self._rugs),
         )
-        return AskedProgram(card=card, least=self._least, first=frozenset(self._first))
+        return AskedProgram(card=card, least=self._least, first=frozenset(self._first), most=self._most)
+
+    def _without_surplus(self, item: Item) -> Item | None:
+        """Return an item that nobody asked for without what would be counted with what is wanted in just that number."""
+        names = [name for name in _names(item.category) if not any(_same_noun(name, kind) for kind in self._exact)]
+        return msgspec.structs.replace(item, category=names) if names else None
 
     def _usual_item(self, names: Sequence[str]) -> Item | None:
         """Return the floor item of the program that has most copies of one of these categories."""
@@ -227,11 +243,14 @@ class _Program:
         self._least[item.name] = max(copies, self._least.get(item.name, 0))
         self._floor[item.name] = _certain(msgspec.structs.replace(item, category=names, extent=extent))
         self._first[item.name] = None
-        self._seat(item.name)
-        if category in self._exact and not item.paired and self._host(item) is None:
+        exact = category in self._exact
+        self._seat(item.name, exact=exact)
+        if exact:
+            self._most[item.name] = self._least[item.name]
+        if exact and not item.paired and self._host(item) is None:
             self._floor[item.name] = msgspec.structs.replace(self._floor[item.name], count=self._least[item.name])
 
-    def _seat(self, name: str) -> None:
+    def _seat(self, name: str, *, exact: bool) -> None:
         """Make what an item stands at certain, with as many copies as it needs where the room's area sets them."""
         item = self._floor[name]
         at = self._host(item)
@@ -241,6 +260,8 @@ class _Program:
         ratio = 1.0 if item.paired else max(1.0, self._usual(item) / max(self._usual(at), 1.0))
         if at.name not in self._least and isinstance(at.count, Count) and not at.count.each:
             self._least[at.name] = math.ceil(copies / ratio)
+            if exact:
+                self._most[at.name] = self._least[at.name]
         self._floor[at.name] = _certain(at)
         self._first[at.name] = None
         if at.name in self._least:
@@ -248,7 +269,7 @@ class _Program:
             if not item.paired:
                 count = Count(each=at.name, times=ratio, max=9999)
                 self._floor[name] = msgspec.structs.replace(item, count=count)
-            self._seat(at.name)
+            self._seat(at.name, exact=exact)
         elif not item.paired:
             usual = item.count
             count = Count(min=copies, max=copies) if isinstance(usual, int) else _raised(usual, copies)
