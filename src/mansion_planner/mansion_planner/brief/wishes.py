@@ -6,6 +6,7 @@ from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 __all__ = ["read_copies", "read_massing", "read_shape", "read_sizes"]
 
 _SHAPES: dict[str, Shape] = {"l": "L", "u": "U", "t": "T", "h": "H"}
+_BENT = frozenset("bent folded wrapped laid arranged built shaped planned bends folds wraps".split())
 _NEGATIONS = frozenset({"no", "without", "not", "never"})
 _EQUAL = frozenset(
     """
@@ -22,10 +23,14 @@ def read_shape(reading: Reading) -> None:
             reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed", "outline", "footprint", "layout")
             or " ".join(reading.word(i - k) for k in (3, 2, 1))
             in ("shape of a", "form of a", "shape of an", "form of an")
+            or (reading.word(i - 1) in ("a", "an") and not _BENT.isdisjoint(reading.words(i - 4, i - 1)))
         ):
             reading.facts.shapes.append((_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped"))))
             reading.take(i, i + 2)
         elif word == "courtyard" and reading.word(i - 1) not in _NEGATIONS and reading.word(i + 1) not in FLOOR_WORDS:
+            reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
+            reading.take(i, i + 1)
+        elif _is_court(reading, i):
             reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
             reading.take(i, i + 1)
         elif word in ("rectangular", "rectangle", "oblong"):
@@ -44,6 +49,20 @@ def read_shape(reading: Reading) -> None:
             reading.take(i, i + 2)
         elif word in ("outline", "footprint", "plan") and "square" in reading.words(i + 1, i + 4):
             reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+
+
+_COURTS = frozenset({"courtyard", "garth", "quad", "quadrangle", "atrium", "court", "patio"})
+
+
+def _is_court(reading: Reading, index: int) -> bool:
+    """Whether wings stand around an open yard: "about an open cloister garth", "form a closed quadrangle"."""
+    before = reading.words(index - 5, index)
+    if reading.word(index) not in _COURTS or index in reading.taken or reading.facts.shapes:
+        return False
+    if reading.word(index) in ("quadrangle", "quad", "garth"):
+        return _NEGATIONS.isdisjoint(before)
+    open_yard = "open" in before[-3:] and reading.word(index) != "patio"
+    return open_yard and not {"around", "about", "round"}.isdisjoint(before)
 
 
 def read_copies(reading: Reading, places: list[Place]) -> None:

@@ -59,7 +59,7 @@ def plan_program(
     area = storey_area(decisions, storeys, allocation, knowledge, stairs, lifts)
     wish = MassingWish(
         area, decisions.building, stairs, lifts, exact=decisions.area_stated,
-        room=typical_room(storeys, allocation, knowledge), shape=choose_shape(decisions, area, generator),
+        room=typical_room(storeys, allocation, knowledge), shape=choose_shape(decisions, area, stairs, generator),
     )  # fmt: skip
     massing, frame, sketches, envelopes = best_arrangement(decisions, wish, storeys, allocation, knowledge)
     assign_furniture(decisions, storeys)

@@ -137,7 +137,7 @@ def storey_area(
         usual = typical * 0.85 if small else min(typical, 1.5 * usual)
     result = max(usual, asked, decisions.building.floor_area[0])
     if decisions.facts.shapes:
-        result = max(result, _least_area(decisions.facts.shapes[0][0]))
+        result = max(result, _least_area(decisions.facts.shapes[0][0], stairs))
     if result > usual + 1.0 and asked > usual:
         note(decisions.trace, None, f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}")
     if result > AREA_CAP:
@@ -243,25 +243,32 @@ class MassingWish:
 
 
 _LEAST_AREA = {"L": 110.0, "T": 170.0, "U": 300.0, "H": 380.0, "courtyard": 440.0}
+_LEAST_WITHOUT_STAIR = {**_LEAST_AREA, "U": 190.0}
+"""The least gross area of a storey with an outline of that shape, square metres."""
 
 
-def _least_area(shape: str) -> float:
-    """Return the least gross area of a storey with an outline of that shape, square metres."""
-    return _LEAST_AREA.get(shape, 0.0)
+def _least_area(shape: str, stairs: int) -> float:
+    return (_LEAST_AREA if stairs else _LEAST_WITHOUT_STAIR).get(shape, 0.0)
 
 
-def choose_shape(decisions: Decisions, area: float, generator: np.random.Generator) -> str:
+def _is_narrow(shape: str, area: float, stairs: int) -> bool:
+    """Whether a U has shallow rooms along a narrow corridor, no stair being as deep as they are."""
+    return shape == "U" and not stairs and area < _LEAST_AREA["U"]
+
+
+def choose_shape(decisions: Decisions, area: float, stairs: int, generator: np.random.Generator) -> str:
     """Return the outline's shape: stated, or sampled by use and size; a plan too small for its shape is simpler."""
     draw = float(generator.random())
     if decisions.facts.shapes:
         shape, span = decisions.facts.shapes[0]
-        if area >= _LEAST_AREA.get(shape, 0.0) * 0.98:
+        least = _least_area(shape, stairs)
+        if area >= least * 0.98:
             note(decisions.trace, span, f"{shape} outline")
             return str(shape)
         decisions.downgrades.append(
             Downgrade(
                 wish=f"{shape} outline", got="rectangle", stage="program",
-                reason=f"{with_article(shape)} plan takes at least {_LEAST_AREA[shape]:.0f} m2 a storey, "
+                reason=f"{with_article(shape)} plan takes at least {least:.0f} m2 a storey, "
                 f"there are {area:.0f}",
             )
         )  # fmt: skip
@@ -283,6 +290,9 @@ def _bands(use: BuildingType, area: float, stairs: int, room: float, shape: str)
     """List candidate (north, corridor, south) depths with a whole-metre sum, the most fitting first."""
     corridor = _corridor_width(use, area)
     plain = shape in ("rectangle", "square")
+    if _is_narrow(shape, area, stairs):
+        corridor = 1.4
+        return [((d - corridor) / 2, corridor, (d - corridor) / 2) for d in (8, 9)]
     if shape in ("H", "courtyard", "U") and area < 620:
         corridor = 1.8
         return [(STAIR_DEPTH, corridor, d - STAIR_DEPTH - corridor) for d in (12, 13)]
@@ -389,8 +399,10 @@ def _plan_shape(wish: MassingWish, depth: float, corridor: float, least: int) ->
     if shape in ("rectangle", "square"):
         return max(least, round(area / depth)), (), 0.0
     side = 3.2 if area < 180 else 4.0 if area < 320 else 5.0
-    if shape in ("H", "courtyard") and area < 620:
+    if shape in ("H", "courtyard") and area < 620 or shape == "U" and area < 420:
         side = 3.2
+    if _is_narrow(shape, area, wish.stairs):
+        side = 2.8
     gap = 4 if area < 520 else 6
     lobby = max(4, 2 * wish.lifts) + 1 if wish.lifts else 3
     width = max(6, round(2 * side + corridor))
