@@ -170,6 +170,8 @@ def _negation(reading: Reading, index: int) -> int:
         return 3
     if reading.word(index) == "too" and reading.word(index + 2) == "for" and reading.word(index + 1) in _TIGHT:
         return 3
+    if reading.words(index, index + 2) == ("not", "need") and reading.word(index - 1) in ("do", "does", "would"):
+        return 2  # "we do not need private offices"
     if reading.word(index) not in _BEFORE or reading.word(index + 1) in _COMPARISONS:
         return 0
     if reading.word(index) == "not" and reading.word(index + 1) in (

@@ -147,8 +147,22 @@ def _shared_owner(
     following = owners.get(number + 1)
     if following is None or following[0] is None or phrases[following[0]].first < phrases[number].first:
         return None
+    if _led_by_room(reading, phrases, number):
+        return None
     between = reading.words(phrases[number].last, phrases[number + 1].first)
+    if set(between) == {","} and _shared_owner(reading, phrases, owners, number + 1) is None:
+        return None  # "a fold-down desk, a washing machine in the bathroom" are entries of a list
     return following if set(between) <= {"and", ",", "&", "a", "an", "plus"} and between else None
+
+
+def _led_by_room(reading: Reading, phrases: list[Phrase], number: int) -> bool:
+    """Whether a room has the furniture already: "a hall with five counters and two machines in the porch"."""
+    before = phrases[number - 1] if number else None
+    return (
+        before is not None
+        and before.head == "room"
+        and reading.words(before.last, phrases[number].begin) in (("with",), ("has",), ("have",))
+    )
 
 
 def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: int) -> tuple[int | None, bool]:
@@ -192,7 +206,8 @@ def _owner(reading: Reading, phrases: list[Phrase], rooms: list[int], number: in
 def _listed_with(reading: Reading, phrases: list[Phrase], rooms: list[int], before: int, number: int) -> int:
     """Return the room before furniture, or the one before that where the nearer is furniture too.
 
-    In "every cell fitted with bunk, toilet and writing desk" the desk belongs to the cell, not to the toilet.
+    In "every cell fitted with bunk, toilet and writing desk" the desk belongs to the cell, not to the toilet; in "a
+    foyer with box office and popcorn counter" the counter is the foyer's.
     """
     earlier = [n for n in rooms if n < before]
     if not earlier or not 0 < before < number or phrases[before].determiner or phrases[before].counted:
@@ -200,7 +215,9 @@ def _listed_with(reading: Reading, phrases: list[Phrase], rooms: list[int], befo
     joined = reading.words(phrases[before].last, phrases[number].first) in (("and",), (",", "and"), (",",))
     listed = phrases[before - 1].head == "object" and reading.word(phrases[before].first - 1) in (",", "and")
     same = reading.sentence[phrases[earlier[-1]].first] == reading.sentence[phrases[number].first]
-    return earlier[-1] if joined and listed and same else before
+    within = before - 1 == earlier[-1] and reading.words(phrases[before - 1].last, phrases[before].begin) == ("with",)
+    held = within and reading.words(phrases[before].last, phrases[number].begin) == ("and",)
+    return earlier[-1] if same and (joined and listed or held) else before
 
 
 def _leads_into(gap: tuple[str, ...]) -> bool:
