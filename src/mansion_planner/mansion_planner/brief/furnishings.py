@@ -61,7 +61,7 @@ def read_furnishings(
                 count=phrase.count,
                 room=room.name if room is not None else "",
                 room_type=room.room_type if room is not None else "",
-                each=each,
+                each=each or (room is None and number in attached and attached[number].each),
                 excluded=number in negated,
                 floors=attached[number].refs if number in attached and room is None else (),
                 noun=phrase.label,

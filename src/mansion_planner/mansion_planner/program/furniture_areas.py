@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from mansion_knowledge.object_kinds import added_for, answers
 from mansion_planner.brief.facts import ObjectFact, RoomFact
 
-__all__ = ["furniture_areas", "usually_has"]
+__all__ = ["furniture_area", "furniture_areas", "usual_number", "usually_has"]
 
 _BESIDE, _BEFORE = 0.5, 0.9
 """Free floor beside and before a piece, metres."""
@@ -47,6 +47,11 @@ def furniture_areas(rooms: Sequence[RoomFact], objects: Sequence[ObjectFact]) ->
         if total > 0.0:
             out[name] = total + _REST
     return out
+
+
+def furniture_area(room_type: str, wanted: ObjectFact) -> float:
+    """Return the square metres of a room of a type that has one kind of furniture asked for, all of it."""
+    return _piece(wanted, room_type, [wanted]) * (wanted.count or 2) + _REST
 
 
 def _share(wanted: ObjectFact, rooms: int) -> float:
@@ -116,3 +121,26 @@ def usually_has(room_type: str, category: str) -> bool:
     held += [item.category for item in (*card.wall, *card.ceiling)]
     names = [name for one in held for name in ([one] if isinstance(one, str) else one)]
     return any(answers(category, name) for name in names)
+
+
+def usual_number(room_type: str, category: str, area: float) -> float:
+    """Return about how many pieces of a category rooms of a type and an area in square metres have without being asked."""
+    from mansion_assets.catalogue import load_catalogue
+
+    card = load_catalogue().room_program(room_type)
+    numbers: dict[str, float] = {}
+    most = 0.0
+    for item in card.floor:
+        count = item.count
+        if isinstance(count, int):
+            number = float(count)
+        elif count.each:
+            number = numbers.get(count.each, 0.0) * count.times
+        else:
+            number = (count.min + count.max) / 2 if count.per is None else area / count.per
+            number = min(max(number, count.min), count.max)
+        numbers[item.name] = number = numbers.get(item.paired, number)
+        names = [item.category] if isinstance(item.category, str) else item.category
+        if item.min_area <= area and any(answers(category, name) for name in names):
+            most = max(most, number)
+    return most

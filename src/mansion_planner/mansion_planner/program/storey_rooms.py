@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.decisions import Decisions, note
-from mansion_planner.program.furniture_areas import furniture_areas
+from mansion_planner.program.furniture_areas import furniture_area, furniture_areas, usual_number
 from mansion_planner.program.household import household_of, is_whole, main_room, private_types
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import entries_of, floors_of
@@ -86,6 +86,44 @@ def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFa
     return [RoomFact(kind.name, kind.name, people.span, count)]
 
 
+MANY = 6
+"""From so many pieces on, furniture that the brief puts in no room gets one that usually has as many."""
+
+
+def _furniture_rooms(
+    decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Storey]
+) -> list[tuple[RoomFact, float]]:
+    """Return the rooms for many pieces of furniture that the brief puts in none, and the square metres that they need.
+
+    A room of the brief that usually has many takes them, else one of the building's own.
+    """
+    out = []
+    for wanted in decisions.facts.objects:
+        if wanted.room or wanted.excluded or not wanted.category or (wanted.count or 0) < MANY:
+            continue
+
+        def holds(room_type: str, category: str = wanted.category) -> float:
+            return usual_number(room_type, category, knowledge.room(room_type).usual)
+
+        floors = set(floors_of(wanted.floors, decisions))
+        stated = [
+            fact
+            for fact in decisions.facts.rooms
+            if holds(fact.room_type) >= MANY / 2
+            and not (floors and fact.floors and floors.isdisjoint(floors_of(fact.floors, decisions)))
+        ]
+        own = [entry.room_type for storey in storeys for entry in entries_of(storey) if not floors or storey.index in floors]
+        if stated:
+            out.append((max(stated, key=lambda fact: holds(fact.room_type)), 0.0))
+        elif own and max(holds(name) for name in own) >= MANY / 2:
+            best = max(own, key=holds)
+            out.append((RoomFact(best, best, wanted.span, 1, floors=wanted.floors, each=wanted.each), 0.0))
+        else:
+            continue
+        out[-1] = (out[-1][0], furniture_area(out[-1][0].room_type, wanted))
+    return out
+
+
 def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Storey]) -> Allocation:
     """Distribute the rooms that the brief asks for over the storeys.
 
@@ -106,6 +144,10 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Store
     allocation.settled = frozenset(settled | set(excluded))
     allocation.complete = bool(decisions.facts.only)
     allocation.furniture = furniture_areas(decisions.facts.rooms, decisions.facts.objects)
+    for fact, area in _furniture_rooms(decisions, knowledge, storeys):
+        allocation.furniture[fact.name] = max(area, allocation.furniture.get(fact.name, 0.0))
+        if fact not in decisions.facts.rooms:
+            _distribute(fact, knowledge.room(fact.room_type), decisions, storeys, allocation)
     for name, ref, _ in decisions.facts.excluded_on:
         for floor in floors_of((ref,), decisions):
             like = next((group for group in _SAME_USE if name in group), frozenset())

@@ -6,9 +6,10 @@ from mansion_msgs_py.program import RequestedObject
 from mansion_msgs_py.wishes import Scope, Wish, WishKind, WishValue
 from mansion_planner.brief.facts import AdjacencyFact, FloorRef, ObjectFact, RoomFact, Span
 from mansion_planner.program.decisions import Decisions
-from mansion_planner.program.furniture_areas import usually_has
+from mansion_planner.program.furniture_areas import usual_number, usually_has
 from mansion_planner.program.household import is_whole
 from mansion_planner.program.model import PlannedRoom, Storey
+from mansion_planner.program.storey_rooms import MANY
 from mansion_planner.program.storeys import floors_of
 
 __all__ = ["assign_furniture", "requested_objects", "wishes_of"]
@@ -19,7 +20,8 @@ def assign_furniture(decisions: Decisions, storeys: list[Storey]) -> None:
 
     A number for "each" is for every room of the name; any other is shared out among those of a storey and of no copy
     of it, which has as many. Furniture without a room goes to the room that is most likely to have it: one whose type
-    usually has such things, the largest of those that the brief names, else the largest of all.
+    usually has such things (as many as that, for a number), the largest of those that the brief names, else the largest
+    of all.
     """
     rooms = [
         (storey, room)
@@ -46,7 +48,9 @@ def _shared_out(
         return [(entry, 0) for entry in matching]
     count = 2 if fact.count is None else fact.count
     if not matching or not fact.room:
-        return [(max(matching or rooms, key=lambda entry: _likelihood(fact, entry)), count)]
+        storeys = dict.fromkeys(storey.index for storey, _ in matching) if fact.each else ()
+        groups = [[entry for entry in matching if entry[0].index == index] for index in storeys]
+        return [(max(group, key=lambda entry: _likelihood(fact, entry)), count) for group in groups or [matching or rooms]]
     share = count if fact.each else -(-count // len(matching))
     return [(entry, share) for entry in matching]
 
@@ -74,9 +78,10 @@ def _matching(
     return own or [(s, r) for s, r in named if r.kind.name == fact.room_type]
 
 
-def _likelihood(fact: ObjectFact, entry: tuple[Storey, PlannedRoom]) -> tuple[bool, bool, bool, float]:
+def _likelihood(fact: ObjectFact, entry: tuple[Storey, PlannedRoom]) -> tuple[bool, bool, bool, bool, float]:
     _, room = entry
-    return usually_has(room.kind.name, fact.category), room.stated, room.kind.zone == "public", room.area
+    many = (fact.count or 2) >= MANY and usual_number(room.kind.name, fact.category, room.area) >= MANY / 2
+    return many, usually_has(room.kind.name, fact.category), room.stated, room.kind.zone == "public", room.area
 
 
 def requested_objects(decisions: Decisions, room_id: str, storey: Storey) -> list[RequestedObject]:
