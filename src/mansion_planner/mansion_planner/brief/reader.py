@@ -18,7 +18,7 @@ from mansion_planner.brief.facts import AdjacencyFact, BriefFacts, OccupantFact,
 from mansion_planner.brief.finishes import read_materials, read_style
 from mansion_planner.brief.furnishings import read_furnishings
 from mansion_planner.brief.furniture_words import furniture_of
-from mansion_planner.brief.households import are_dwellings, are_units, attach_units, read_households, told_apart
+from mansion_planner.brief.households import read_households, told_apart
 from mansion_planner.brief.measures import Measure, find_measures, give_measures, read_heights
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
@@ -28,6 +28,8 @@ from mansion_planner.brief.similarity import similar_room_type
 from mansion_planner.brief.stacking import read_stacking
 from mansion_planner.brief.storey_sequences import other_storeys
 from mansion_planner.brief.storeys import read_storeys
+from mansion_planner.brief.unit_storeys import attach_units
+from mansion_planner.brief.units import are_dwellings, are_units
 from mansion_planner.brief.wishes import read_copies, read_massing, read_shape, read_sizes
 
 __all__ = ["read_brief"]
