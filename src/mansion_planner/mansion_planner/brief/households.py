@@ -2,8 +2,8 @@
 
 A unit is a dwelling or another group of rooms with a door of its own; the brief may have many alike. What it holds is
 said in the noun ("two-bedroom flats"), after it ("with", "consisting of", "(each 2 bedrooms)"), of all units in a
-sentence of its own ("Every flat has ..."), or before it ("a bathroom in each flat"). Units of one name that hold different
-rooms get names of their own.
+sentence of its own ("Every flat has ..."), or before it ("a bathroom in each flat"). Units of one name that hold
+different rooms get names of their own.
 """
 
 import itertools
