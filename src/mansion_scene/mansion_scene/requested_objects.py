@@ -67,11 +67,13 @@ def in_usual_order(wishes: RoomFurnishing) -> RoomFurnishing:
 
 
 def asked_alone(wishes: RoomFurnishing) -> Iterator[RoomFurnishing]:
-    """Yield ways to place what is asked for alone: as it is, with broken matrices, and each copy on its own."""
+    """Yield ways to place what is asked for alone: as it is, with broken matrices, each copy on its own, and anywhere."""
     asked = [o for o in wishes.floor if o.name in wishes.asked]
     yield _with_floor(wishes, asked)
     yield _with_floor(wishes, [part for o in asked for part in _broken(o)])
     yield _with_floor(wishes, [_single(o) for o in asked])
+    anywhere = [msgspec.structs.replace(_single(o), global_="unconstrained", relative=[]) for o in asked]
+    yield _with_floor(wishes, anywhere)
 
 
 def with_usual(trial: RoomFurnishing, wishes: RoomFurnishing, share: float) -> RoomFurnishing:

@@ -191,7 +191,7 @@ class _Program:
     def finished(self) -> AskedProgram:
         early = set(self._first)
         for _ in self._floor:
-            early |= {_counted_by(self._floor[name]) for name in early} & self._floor.keys()
+            early |= {name for item in early for name in _before(self._floor[item])} & self._floor.keys()
         first = [item for name, item in self._floor.items() if name in early]
         rest = [item for name, item in self._floor.items() if name not in early]
         rest = [item for item in (self._without_surplus(item) for item in rest) if item is not None]
@@ -399,6 +399,12 @@ def _hosts_first(items: Sequence[Item]) -> list[Item]:
 
 def _needs(item: Item) -> set[str]:
     return {item.paired, _counted_by(item), *(relation.target for relation in item.relative)} - {""}
+
+
+def _before(item: Item) -> set[str]:
+    """Return the items without which this one has no number or no place."""
+    tied = {relation.target for relation in item.relative if relation.kind in ("around", "in_front_of")}
+    return {_counted_by(item), *tied}
 
 
 def _counted_by(item: Item) -> str:
