@@ -42,7 +42,7 @@ def building_phrase(reading: Reading, phrases: list[Phrase], places: list[Place]
 def own_building_name(reading: Reading, phrase: Phrase) -> str:
     """Return what the brief calls a known kind of building, in snake case; empty where that is the kind's own name.
 
-    "A beach house" is planned like a manor and stays a beach house.
+    "A beach house" is planned like a manor and stays a beach house; "an infill building" says nothing of its use.
     """
     lexicon = lexicon_of(reading.knowledge)
     words = reading.words(phrase.begin, phrase.noun_end)
@@ -50,7 +50,8 @@ def own_building_name(reading: Reading, phrase: Phrase) -> str:
         meaning = lexicon.phrases.get(words[-size:])
         if meaning is not None and meaning.building:
             name = "_".join(words[-size:])
-            return "" if name == phrase.building or phrase.plural else name
+            plain = name.endswith("_building") and phrase.building.endswith("_building")
+            return "" if plain or name == phrase.building or phrase.plural else name
     return ""
 
 
@@ -92,7 +93,7 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
         reading.words(phrase.begin, phrase.noun_end)
     ):
         return 0.0
-    if is_room and ":" in before:
+    if is_room and ":" in before and any(p.head in ("room", "building") for p in phrases[:number]):
         return 0.0  # an entry of a list
     if is_room and before[-3:-1] in (("it", "need"), ("they", "need")):
         return 0.0  # "it needs a shop" speaks of a part

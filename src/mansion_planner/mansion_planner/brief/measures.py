@@ -248,6 +248,8 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
         for n, p in enumerate(phrases)
         if p.noun_end <= before + 1 <= p.last and p.head in ("room", "building") and p.room_type
     ]
+    if not candidates:
+        candidates = _described(reading, measure, phrases)
     if not candidates and reading.word(measure.first - 1) in ("(", "of"):  # "the bay for three engines (180 m2)"
         sentence = reading.sentence[measure.first]
         candidates = [
@@ -264,9 +266,23 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     phrase = phrases[number]
     if _is_building(reading, phrase) or (phrase.areas and len(measure.values) == 1):
         return None
-    if comma and not _listed(reading, measure, phrase, after):
+    if comma and phrase.last == before + 1 and not _listed(reading, measure, phrase, after):
         return None
     return number
+
+
+def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:
+    """Return the room before an area that is described in between: "a hall for men, 180 m2", "a loft above of 15 m2"."""
+    sentence = reading.sentence[measure.first]
+    before = [n for n, p in enumerate(phrases) if p.last <= measure.first and reading.sentence[p.first] == sentence]
+    rooms = [n for n in before if phrases[n].head == "room" and not _is_building(reading, phrases[n])]
+    if not rooms or phrases[rooms[-1]].areas:
+        return []
+    gap = reading.words(phrases[rooms[-1]].last, measure.first)
+    people = len(gap) >= 3 and gap[0] == "for" and gap[-1] == "," and len(gap) <= 5
+    above = gap[:1] in (("above",), ("below",), ("upstairs",), ("downstairs",)) and set(gap[1:]) <= _FILLERS
+    relative = gap[:2] == (",", "which") and gap[-1] == "," and "room" in gap and ";" not in gap
+    return rooms[-1:] if people or above or relative else []
 
 
 def _is_building(reading: Reading, phrase: Phrase) -> bool:

@@ -12,6 +12,7 @@ from mansion_knowledge import KnowledgeBase
 from mansion_planner.brief.adverts import read_adverts, read_bedrooms_of_building
 from mansion_planner.brief.attachment import Attachment
 from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
+from mansion_planner.brief.bystanders import without_bystanders
 from mansion_planner.brief.coreference import coreferences
 from mansion_planner.brief.distant_counts import (
     read_counts_by_group,
@@ -87,7 +88,7 @@ class _Reader:
         reading = self.reading
         read_adverts(reading)
         self.opening = unknown_building(reading)
-        phrases = noun_phrases(reading)
+        phrases = without_bystanders(reading, noun_phrases(reading))
         stacked = read_stacking(reading, phrases)
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
@@ -154,6 +155,9 @@ class _Reader:
             known = number is not None and reading.sentence[phrases[number].first] <= reading.sentence[opening[2]]
             if known or rooms_before or not (number is None or opening[1]):
                 opening = None
+        if opening is not None and opening[0] in _BARE:
+            reading.take(opening[2], opening[3])
+            opening = None
         if opening is not None:
             self.facts.building_name, self.facts.building_like, first, last = opening
             self.facts.building_span.append(reading.span(first, last))
@@ -250,10 +254,13 @@ class _Reader:
 
     def _placed_later(self) -> None:
         """Read "wood shop, metal shop. ... Wood shop and metal shop both on level 1" as of the rooms named before."""
+        reading = self.reading
         rooms = [n for n in self._wanted_rooms() if n not in self.same]
         for number in rooms:
             phrase = self.phrases[number]
             if number not in self.attached or phrase.counted or phrase.plural or phrase.determiner not in ("", "the"):
+                continue
+            if not _FURTHER.isdisjoint(reading.words(phrase.first - 1, phrase.begin + 1)):
                 continue
             earlier = next(
                 (
@@ -263,7 +270,7 @@ class _Reader:
                     and n not in self.attached
                     and self.phrases[n].name == phrase.name
                     and self.phrases[n].count == 1
-                    and self.reading.sentence[self.phrases[n].first] < self.reading.sentence[phrase.first]
+                    and reading.sentence[self.phrases[n].first] < reading.sentence[phrase.first]
                 ),
                 None,
             )
@@ -362,8 +369,14 @@ class _Reader:
         return [(left, right) for left in relation.lefts for right in relation.rights]
 
 
+_FURTHER = frozenset("second third another further additional extra".split())
+"""Words for one more of a room that is named before."""
+
 _HOMES = frozenset({"house", "home", "building", "villa", "cottage", "cabin", "bungalow"})
 """Nouns that with "the" mean the whole building."""
+
+_BARE = frozenset({"building", "complex"})
+"""Names of a building that say nothing of its use: its rooms do."""
 
 _PLAIN = {
     "hotel": "hotel_room",

@@ -260,6 +260,10 @@ def _directed(
         if pronoun is None:
             return None
         earlier = [n for n in rooms if phrases[n].last <= index]
+        after_it = next((n for n in rooms if 0 <= phrases[n].first - pronoun - 1 <= 1), None)
+        if before and after_it is not None and reading.word(index - 1) in (",", "and"):
+            # "the mayor's office, next to it the archive"
+            return Relation((after_it,), (before[-1],), negated, index, last), last
         if (
             before and reading.word(pronoun + 1) == "," and reading.word(index - 1) in (",", "and")
         ):  # "a preparation room and, adjoining it, the cold room"
@@ -318,9 +322,10 @@ def _lefts(reading: Reading, phrases: list[Phrase], before: list[int], index: in
     if not before:
         return []
     lefts = [before[-1]]
+    both = reading.word(index - 1) == "both"
     for number in reversed(before[:-1]):
         between = reading.words(phrases[number].last, phrases[lefts[-1]].first)
-        if "nor" in between or ("or" in between and "," not in between):
+        if "nor" in between or (both and set(between) <= {"and", "the", "a", "an"}) or ("or" in between and "," not in between):
             lefts.append(number)
             continue
         break

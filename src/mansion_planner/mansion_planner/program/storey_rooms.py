@@ -162,6 +162,7 @@ _SAME_USE = (
     frozenset({"treatment_room", "dental_room", "consultation_room"}),
     frozenset({"cinema_hall", "auditorium"}),
     frozenset({"toilet", "restroom"}),
+    frozenset({"classroom", "training_room"}),
     frozenset({"dorm_room", "hostel_dorm", "bunk_room", "holding_cell"}),
 )
 """Room types that stand for each other: a stated number of one leaves no room for another."""

@@ -24,6 +24,8 @@ def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> list[Storey]
         if use.parti == "hall" and not hall and role != "basement":
             lead = None if any(name == use.hub for name, _ in decisions.facts.excluded) else knowledge.room(use.hub)
             hub = knowledge.room(_passage_hub(decisions, entrance=entrance))
+        if not hall and hub.name == "lobby" and any(hub.name in (a.first, a.second) for a in decisions.facts.apart):
+            hub = knowledge.room("corridor")  # what all others are reached through is beside all of them
         storeys.append(Storey(index=index, role=role, use=use, hub=hub, lead=lead))
     _mark_copies(decisions, storeys)
     _shape_storeys(decisions, storeys)
