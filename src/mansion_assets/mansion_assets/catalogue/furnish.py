@@ -405,7 +405,10 @@ class _Draft:
         """Draw an asset whose copies fit what is left of the share, the smallest ones where none does."""
         assets = self.catalogue.choose_from(item.category, item.extent)
         long, short = self.extent
-        assets = [a for a in assets if a.size[0] <= long - 0.3 and a.size[1] <= short - 0.3]
+        inside = [a for a in assets if a.size[0] <= long - 0.3 and a.size[1] <= short - 0.3]
+        if not inside and item.name in self.asked.least:  # lengthwise in a narrow room
+            inside = [a for a in assets if max(a.size[:2]) <= long - 0.3 and min(a.size[:2]) <= short - 0.3]
+        assets = inside
         if not assets:
             return None
         assets = self._for_seats(item, assets, wanted)

@@ -14,6 +14,7 @@ from mansion_planner.brief.attachment import Attachment
 from mansion_planner.brief.building import building_phrase, own_building_name, unknown_building
 from mansion_planner.brief.bystanders import without_bystanders
 from mansion_planner.brief.coreference import coreferences
+from mansion_planner.brief.desk_areas import read_desk_areas
 from mansion_planner.brief.distant_counts import (
     read_counts_by_group,
     read_counts_by_person,
@@ -131,6 +132,7 @@ class _Reader:
             self.same,
             suites,
         ).record()
+        read_desk_areas(self.facts)
         self._relations()
         read_completeness(reading)
         self.facts.excluded.sort(key=lambda entry: entry[1].end)

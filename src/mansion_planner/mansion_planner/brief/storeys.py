@@ -74,6 +74,7 @@ class _Scanner:
             last = self.counts.read(index, self.previous)
             if last > index:
                 self.reading.take(index, last)
+                self._counted_upper(index, last)
                 index = last
                 continue
             floors = self.reading.facts.floors
@@ -84,12 +85,29 @@ class _Scanner:
                 continue
             refs, last = self._reference(index)
             if refs:
-                self.places.append(Place(index, last, refs, led=False))
+                self._add(Place(index, last, refs, led=False))
                 self.reading.take(index, last)
                 self.previous = refs[-1]
                 index = last
                 continue
             index += 1
+
+    def _counted_upper(self, index: int, last: int) -> None:
+        """Read "2 upper floors with ..." as the place of what follows, besides the number of storeys that it gives."""
+        holds = self.reading.word(last) in ("with", "have", "contain", "hold", ":")
+        if "upper" in self.reading.words(index, last) and holds:
+            ref = FloorRef("upper", span=self.reading.span(index, last))
+            self.places.append(Place(index, last, (ref,), led=False))
+
+    def _add(self, place: Place) -> None:
+        """Add a place, to the one before it where both are named together: "on floor 2 and on floor 3"."""
+        before = self.places[-1] if self.places else None
+        kinds = {ref.kind for ref in (*place.refs, *(before.refs if before is not None else ()))}
+        together = before is not None and self.reading.words(before.last, place.first) == ("and", "on")
+        if before is not None and together and kinds == {"number"}:
+            self.places[-1] = replace(before, last=place.last, refs=(*before.refs, *place.refs))
+        else:
+            self.places.append(place)
 
     def _reference(self, index: int) -> tuple[tuple[FloorRef, ...], int]:
         """Read a reference at `index`: what it means, and where it ends."""

@@ -105,6 +105,8 @@ def read_suites(
                 twin_rooms[number] = twins
                 suites[number] = owner
                 continue
+        if tail == ("each",) and reading.word(phrases[owner].last) == "each":
+            continue  # "floors with 30 desks each and 4 offices each"
         if (several and distributive) or both or own or plain or (several and tail == ("each",)):
             suites[number] = owner
     return Suites({n: o for n, o in suites.items() if n not in same}, twin_rooms)
