@@ -193,6 +193,8 @@ class _Walk:
             and self.reading.word(place.first - 1) in _OPENERS
         ):
             return False
+        if phrase.head == "people" and self.reading.word(place.last) in ("with", ":", "has", "have", "get"):
+            return False  # "the family upstairs with three bedrooms"
         if len(gap) > 6:
             return False
         measures = all(

@@ -275,7 +275,11 @@ def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> lis
     """Return the room before an area that is described in between: "a hall for men, 180 m2", "a loft above of 15 m2"."""
     sentence = reading.sentence[measure.first]
     before = [n for n, p in enumerate(phrases) if p.last <= measure.first and reading.sentence[p.first] == sentence]
-    rooms = [n for n in before if phrases[n].head == "room" and not _is_building(reading, phrases[n])]
+    rooms = [
+        n
+        for n in before
+        if phrases[n].head in ("room", "building") and phrases[n].room_type and not _is_building(reading, phrases[n])
+    ]
     if not rooms or phrases[rooms[-1]].areas:
         return []
     gap = reading.words(phrases[rooms[-1]].last, measure.first)

@@ -28,6 +28,7 @@ from mansion_planner.brief.furnishings import read_furnishings
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.households import read_households
 from mansion_planner.brief.measures import Measure, find_measures, give_measures, read_heights
+from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading, start_reading
@@ -90,6 +91,7 @@ class _Reader:
         read_adverts(reading)
         self.opening = unknown_building(reading)
         phrases = without_bystanders(reading, noun_phrases(reading))
+        phrases = desks_as_places(reading, rooms_by_name(reading, phrases))
         stacked = read_stacking(reading, phrases)
         phrases = [phrase for number, phrase in enumerate(phrases) if number not in stacked]
         self.building = self._name_building(phrases)
