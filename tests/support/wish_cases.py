@@ -12,10 +12,17 @@ def _room(name: str, count: int | None = 1, area: float | None = None, kind: str
 
 
 def _thing(
-    name: str, category: str, count: int | None, room: str = "", room_type: str = "", *, each: bool = False
+    name: str,
+    category: str,
+    count: int | None,
+    room: str = "",
+    room_type: str = "",
+    *,
+    each: bool = False,
+    exact: bool = False,
 ) -> Wish:
     scope = Scope(room=room, room_type=room_type or room, each=each)
-    return wish("object", WishValue(name=name, type=category, count=count), scope)
+    return wish("object", WishValue(name=name, type=category, count=count, exact=exact), scope)
 
 
 def _pair(first: str, second: str) -> WishValue:
@@ -76,6 +83,8 @@ CASES: list[tuple[str, Wish, WishStatus]] = [
     ("sofa in the kitchen", _thing("sofa", "sofa", 1, "kitchen"), "not_met"),
     ("not in the catalogue", _thing("harp", "", 1), "not_met"),
     ("an office desk is a desk", _thing("desks", "desk", 2, "pottery_room", "study_room"), "met"),
+    ("no more desks", _thing("desks", "desk", 2, "pottery_room", "study_room", exact=True), "met"),
+    ("more desks than asked for", _thing("desk", "desk", 1, "pottery_room", "study_room", exact=True), "partly"),
     ("a coffee table is a table", _thing("tables", "dining_table", 1, "living_room"), "met"),
     ("it is no dining table", _thing("dining_tables", "dining_table", 1, "living_room"), "not_met"),
     ("beds anywhere", _thing("beds", "bed", 3), "met"),

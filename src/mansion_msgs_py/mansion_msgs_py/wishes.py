@@ -56,6 +56,8 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
         None of it is wanted.
     whole : bool
         The area is that of a unit: of the room with all that are reached through it alone.
+    exact : bool
+        No more furniture than `count` is to be called by the same noun in the room.
     """
 
     name: str = ""
@@ -67,6 +69,7 @@ class WishValue(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     height: float | None = None
     unwanted: bool = False
     whole: bool = False
+    exact: bool = False
 
 
 class Scope(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):

@@ -67,7 +67,7 @@ def in_usual_order(wishes: RoomFurnishing) -> RoomFurnishing:
 
 
 def asked_alone(wishes: RoomFurnishing) -> Iterator[RoomFurnishing]:
-    """Yield ways to place what is asked for alone: as it is, with broken matrices, each copy on its own, and anywhere."""
+    """Yield ways to place what is asked for alone: as it is, with broken matrices, one by one, and anywhere."""
     asked = [o for o in wishes.floor if o.name in wishes.asked]
     yield _with_floor(wishes, asked)
     yield _with_floor(wishes, [part for o in asked for part in _broken(o)])

@@ -1,12 +1,16 @@
 """What rooms are furnished with."""
 
+from collections import Counter
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mansion_assets.catalogue import furnish_request, load_catalogue
+from mansion_assets.catalogue.kinds import pieces
 from mansion_msgs_py.codec import encode
 from mansion_msgs_py.placement import MatrixStructure, PairedStructure
+from mansion_msgs_py.program import RequestedObject
 
 CATALOGUE = load_catalogue()
 TYPES = st.sampled_from(CATALOGUE.room_types)
@@ -77,3 +81,50 @@ def test_a_building_keeps_to_its_own_variants_more_often_than_not() -> None:
         for i in range(30)
     ]
     assert max(chairs.count(key) for key in set(chairs)) >= 15
+
+
+def _numbers(room_type: str, area: float, category: str, count: int) -> Counter[str]:
+    request = furnish_request(
+        CATALOGUE, room_type, area, seed=0, requested=[RequestedObject(category=category, count=count, exact=True)]
+    )
+    numbers = Counter[str]()
+    for thing in request.floor:
+        asset = request.floor_assets[thing.name]
+        numbers[asset.category] += thing.quantity * pieces(category, asset)
+    return numbers
+
+
+@pytest.mark.parametrize(
+    ("room_type", "category", "count", "noun"),
+    [
+        ("restaurant", "chair", 8, "chair"),
+        ("waiting_room", "chair", 8, "chair"),
+        ("cafe", "bar_stool", 8, "stool"),
+        ("classroom", "desk", 10, "desk"),
+        ("open_office", "desk", 5, "desk"),
+    ],
+)
+def test_a_room_has_no_more_of_a_noun_than_are_asked_for(room_type: str, category: str, count: int, noun: str) -> None:
+    numbers = _numbers(room_type, 40.0, category, count)
+    assert sum(n for name, n in numbers.items() if name.endswith((f"_{noun}", "_seat")) or name == noun) == count
+
+
+def test_other_nouns_stay_when_a_number_is_asked_for() -> None:
+    numbers = _numbers("bar", 40.0, "chair", 5)
+    assert (numbers["cafe_chair"], numbers["bar_stool"] > 0) == (5, True)
+
+
+def test_seats_of_a_council_stand_though_its_tables_stand_before_the_chair() -> None:
+    request = furnish_request(
+        CATALOGUE, "council_chamber", 185.0, seed=0, requested=[RequestedObject(category="chair", count=60)]
+    )
+    assert (
+        sum(thing.quantity for thing in request.floor if request.floor_assets[thing.name].category == "meeting_chair")
+        >= 60
+    )
+
+
+def test_a_long_piece_that_is_asked_for_stands_lengthwise_in_a_narrow_room() -> None:
+    asked = [RequestedObject(category="exam_table", count=1)]
+    request = furnish_request(CATALOGUE, "consultation_room", 12.5, seed=0, extent=(6.2, 2.05), requested=asked)
+    assert "exam_table" in {asset.category for asset in request.floor_assets.values()}

@@ -78,3 +78,18 @@ def test_what_is_not_wanted_is_wanted_nowhere(brief: str, categories: set[str]) 
 def test_a_number_is_exact_unless_the_text_says_at_least() -> None:
     found = wanted("An office with a lounge with two armchairs, at least four plants and a sofa.")
     assert {fact.category: fact.exact for fact in found} == {"armchair": True, "house_plant": False, "sofa": False}
+
+
+def test_furniture_after_a_room_that_another_has_is_the_other_ones() -> None:
+    found = wanted("A cinema with a foyer with box office and popcorn counter.")
+    assert [(fact.room) for fact in found] == ["foyer"]
+
+
+def test_furniture_that_a_room_is_said_to_have_does_not_move_on_to_the_next_room() -> None:
+    found = wanted("A bank with a banking hall with five teller counters and two ATMs in the vestibule.")
+    assert [(fact.count, fact.room) for fact in found] == [(5, "banking_hall"), (2, "vestibule")]
+
+
+def test_entries_of_a_list_do_not_share_the_room_of_the_last() -> None:
+    found = wanted("A tiny house. A kitchen, a writing desk, a washing machine in the bathroom.")
+    assert {fact.category: fact.room for fact in found} == {"desk": "kitchen", "washing_machine": "bathroom"}

@@ -213,3 +213,79 @@ def test_a_storey_that_is_the_same_as_another_is_a_copy() -> None:
 def test_typical_floors_with_numbers_are_those_floors() -> None:
     facts = read("a 12-storey tower, typical floors 3-11 identical")
     assert [(copy.first.first, copy.first.last) for copy in facts.copies] == [(3, 11)]
+
+
+def test_what_is_not_needed_is_not_wanted() -> None:
+    facts = read("An office with an open office. We do not need private offices.")
+    assert [name for name, _ in facts.excluded] == ["private_office"]
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "area"),
+    [
+        ("A mosque. On the ground floor the prayer hall for men, 180 m2, and an ablution room.", "prayer_hall", 180.0),
+        ("A cabin of 45 m2 with a kitchen and a sleeping loft above of maybe 15 m2.", "sleeping_loft", 15.0),
+        ("An abbey with the church, which should be the largest room, 300 m2 or so, and a library.", "church", 300.0),
+    ],
+)
+def test_an_area_belongs_to_the_room_that_is_described_before_it(text: str, name: str, area: float) -> None:
+    assert {fact.name: fact.area for fact in read(text).rooms}[name] == area
+
+
+def test_storeys_joined_with_a_preposition_each_are_one_place() -> None:
+    facts = read("A care home on three floors. On floor 2 and on floor 3: twelve bedrooms and a nurse station.")
+    assert {fact.name: [ref.first for ref in fact.floors] for fact in facts.rooms} == {
+        "bedroom": [2, 3], "nurse_station": [2, 3],
+    }  # fmt: skip
+
+
+def test_people_upstairs_have_their_rooms_upstairs() -> None:
+    facts = read(
+        "A home, 2 floors. Grandparents on the ground floor: own kitchen. Family upstairs with 3 bedrooms, kitchen."
+    )
+    assert [(fact.name, fact.floors[0].kind) for fact in facts.rooms] == [
+        ("kitchen", "number"), ("bedroom", "upper"), ("kitchen", "upper"),
+    ]  # fmt: skip
+
+
+def test_a_second_room_of_a_kind_is_another_one() -> None:
+    facts = read("A house. The bath and the toilet must be two rooms. Upstairs: three bedrooms and a second toilet.")
+    assert sum(fact.count or 0 for fact in facts.rooms if fact.room_type == "toilet") == 2
+
+
+@pytest.mark.parametrize(
+    ("text", "shape"),
+    [
+        ("A house bent in a U around a patio", "U"),
+        ("A monastery whose buildings form a closed quadrangle", "courtyard"),
+        ("A house about an open garth", "courtyard"),
+    ],
+)
+def test_outlines_are_told_in_many_ways(text: str, shape: str) -> None:
+    assert [name for name, _ in read(text).shapes] == [shape]
+
+
+def test_what_is_next_to_it_is_next_to_the_room_before() -> None:
+    facts = read("A town hall with the archive, the mayor's office, next to it the secretary's office, and a lobby.")
+    assert [(a.first_name, a.second_name) for a in facts.adjacent] == [("secretary_office", "mayor_office")]
+
+
+def test_both_rooms_that_touch_another_are_beside_it() -> None:
+    facts = read("A bath with a pool hall; the showers and the guards' room both touch the pool hall")
+    assert {a.first_name for a in facts.adjacent} == {"shower", "guard_room"}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("We are moving to a 7-level building. L1 lobby, L2 canteen, L3 three meeting rooms, L4 eight offices", ""),
+        ("Film post-production house over three floors", "media_house"),
+        ("police post: 4 holding cells", "police_station"),
+        ("A new public swimming bath with a sauna", "swimming_center"),
+        ("A test bed, please: a single-level apartment of 70 m2", "flat"),
+    ],
+)
+def test_kinds_of_buildings(text: str, kind: str) -> None:
+    facts = read(text)
+    assert [name for name, _ in facts.building] == ([kind] if kind else [])
+    assert not facts.building_name or kind

@@ -61,3 +61,23 @@ def test_the_main_room_of_a_storey_gets_what_is_asked_for_in_it() -> None:
 
 def test_rooms_have_what_their_type_usually_has() -> None:
     assert usually_has("open_office", "desk") and not usually_has("toilet", "desk")
+
+
+def test_many_pieces_without_a_room_get_one_that_usually_has_many() -> None:
+    program = planned("A call centre of two identical floors with 40 workstations on each and one supervisor office")
+    holders = {room.id for floor in program.floors for room in floor.rooms if room.objects}
+    assert holders == {"open_office"}
+    assert rooms(program, "open_office")[0].area_estimate > 80.0
+
+
+def test_a_room_of_the_brief_that_usually_has_many_gets_them() -> None:
+    program = planned("An office with a drawing office, an open office of 200 m2 and 20 desks")
+    assert [(r.id, [o.count for o in r.objects]) for f in program.floors for r in f.rooms if r.objects] == [
+        ("open_office", [20])
+    ]
+
+
+def test_a_number_for_several_rooms_is_shared_out_without_a_rest() -> None:
+    program = planned("A mountain hut, one storey: 4 dormitories, 10 bunk beds in the dormitories, a kitchen")
+    beds = [o.count for f in program.floors for r in f.rooms for o in r.objects if o.category == "bunk_bed"]
+    assert sorted(beds) == [2, 2, 3, 3]

@@ -39,3 +39,18 @@ def test_rooms_for_two_storeys_are_shared_out_without_losing_the_odd_one() -> No
         for floor in sorted(program.floors, key=lambda floor: floor.index)
     ]
     assert bedrooms == [0, 3, 2]
+
+
+@pytest.mark.parametrize("area", [200, 230, 320])
+def test_a_single_storey_bends_into_a_small_u(area: int) -> None:
+    floor = plan_building(BuildRequest(description=f"A U-shaped house, one storey, {area} m2")).program.floors[0]
+    assert len(floor.outline) == 8
+    assert floor.gross_floor_area == pytest.approx(area, rel=0.1)
+
+
+def test_a_lobby_that_rooms_are_to_be_apart_from_is_not_what_all_are_reached_through() -> None:
+    brief = "A police station on one floor: lobby, 4 holding cells, interview room. Cells must not touch the lobby."
+    reply = plan_building(BuildRequest(description=brief))
+    beside = {edge.source if edge.target == "lobby" else edge.target for edge in reply.topologies[0].edges
+              if "lobby" in (edge.source, edge.target)}  # fmt: skip
+    assert beside and not any(name.startswith("holding_cell") for name in beside)

@@ -205,7 +205,7 @@ class _Program:
         return AskedProgram(card=card, least=self._least, first=frozenset(self._first), most=self._most)
 
     def _without_surplus(self, item: Item) -> Item | None:
-        """Return an item that nobody asked for without what would be counted with what is wanted in just that number."""
+        """Return an item that nobody asked for without what would count as what is wanted in just that number."""
         names = [name for name in _names(item.category) if not any(_same_noun(name, kind) for kind in self._exact)]
         return msgspec.structs.replace(item, category=names) if names else None
 

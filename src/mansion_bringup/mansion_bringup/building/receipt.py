@@ -479,7 +479,20 @@ def _object(wish: Wish, state: _State) -> _Verdict:
     status: WishStatus = "met" if least >= wanted else "partly" if having else "not_met"
     where = f" in a {'room' if wish.scope.room else 'storey'}" if wish.scope.each else ""
     reason = "" if status == "met" else f"{least} of {wanted} found a place{where}"
+    most = _of_that_noun(wish, having) if wish.value.exact and wish.scope.room else 0
+    if status == "met" and most > wanted:
+        status, reason = "partly", f"{most} instead of {wanted} are there{where}"
     return _Verdict(status, reason, [room.full_id for room in having], found)
+
+
+def _of_that_noun(wish: Wish, rooms: Sequence[_Room]) -> int:
+    """Return how many objects are called by the wish's noun: in all rooms, or the most in one for a count of each."""
+    noun = wish.value.type.rpartition("_")[2]
+    counts = [
+        sum(n for category, n in room.objects.items() if _is(category, wish) and category.rpartition("_")[2] == noun)
+        for room in rooms
+    ]
+    return max(counts, default=0) if wish.scope.each else sum(counts)
 
 
 def _no_object(wish: Wish, state: _State) -> _Verdict:

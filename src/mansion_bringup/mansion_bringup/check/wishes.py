@@ -361,7 +361,13 @@ def _object(wish: Wish, finished: _Finished) -> str:
     counts = _things(wish, finished)
     wanted = 2 if wish.value.count is None else wish.value.count
     have = min(counts.values(), default=0) if wish.scope.each else sum(counts.values())
-    return "" if wish.value.type and counts and have >= wanted else f"{have} of {wanted} are there"
+    if not (wish.value.type and counts and have >= wanted):
+        return f"{have} of {wanted} are there"
+    if wish.value.exact and wish.scope.room:
+        named = _things(wish, finished, noun=wish.value.type.split("_")[-1]).values()
+        there = max(named) if wish.scope.each else sum(named)
+        return f"{there} are there, more than {wanted}" if there > wanted else ""
+    return ""
 
 
 def _no_object(wish: Wish, finished: _Finished) -> str:
@@ -369,12 +375,17 @@ def _no_object(wish: Wish, finished: _Finished) -> str:
     return f"{places[0]} has one" if places else ""
 
 
-def _things(wish: Wish, finished: _Finished) -> dict[str, int]:
-    """Return how many objects of the wish's category each place has: a room where one is named, a storey elsewhere."""
+def _things(wish: Wish, finished: _Finished, *, noun: str = "") -> dict[str, int]:
+    """Return how many objects of the wish's category each place has: a room where one is named, a storey elsewhere.
+
+    With a noun, those alone whose category ends in it.
+    """
     scope = wish.scope
     placed: Counter[str] = Counter()
     for scene in finished.scenes:
         for thing in scene.objects:
+            if noun and thing.category.split("_")[-1] != noun:
+                continue
             if wish.value.type and _called_so(thing.category, wish.value):
                 placed[thing.room] += seats_of_row(thing.category, thing.size[0])
     if scope.room:

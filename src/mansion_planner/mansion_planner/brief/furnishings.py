@@ -161,7 +161,7 @@ def _led_by_room(reading: Reading, phrases: list[Phrase], number: int) -> bool:
     return (
         before is not None
         and before.head == "room"
-        and reading.words(before.last, phrases[number].begin) in (("with",), ("has",), ("have",))
+        and reading.words(before.last, phrases[number].first) in (("with",), ("has",), ("have",))
     )
 
 
@@ -217,7 +217,7 @@ def _listed_with(reading: Reading, phrases: list[Phrase], rooms: list[int], befo
     same = reading.sentence[phrases[earlier[-1]].first] == reading.sentence[phrases[number].first]
     within = before - 1 == earlier[-1] and reading.words(phrases[before - 1].last, phrases[before].begin) == ("with",)
     held = within and reading.words(phrases[before].last, phrases[number].begin) == ("and",)
-    return earlier[-1] if same and (joined and listed or held) else before
+    return earlier[-1] if same and ((joined and listed) or held) else before
 
 
 def _leads_into(gap: tuple[str, ...]) -> bool:

@@ -272,7 +272,7 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
 
 
 def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:
-    """Return the room before an area that is described in between: "a hall for men, 180 m2", "a loft above of 15 m2"."""
+    """Return the room that is described before its area: "a hall for men, 180 m2", "a loft above of 15 m2"."""
     sentence = reading.sentence[measure.first]
     before = [n for n, p in enumerate(phrases) if p.last <= measure.first and reading.sentence[p.first] == sentence]
     rooms = [

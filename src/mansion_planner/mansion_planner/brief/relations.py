@@ -325,7 +325,11 @@ def _lefts(reading: Reading, phrases: list[Phrase], before: list[int], index: in
     both = reading.word(index - 1) == "both"
     for number in reversed(before[:-1]):
         between = reading.words(phrases[number].last, phrases[lefts[-1]].first)
-        if "nor" in between or (both and set(between) <= {"and", "the", "a", "an"}) or ("or" in between and "," not in between):
+        if (
+            "nor" in between
+            or (both and set(between) <= {"and", "the", "a", "an"})
+            or ("or" in between and "," not in between)
+        ):
             lefts.append(number)
             continue
         break

@@ -23,13 +23,10 @@ def read_shape(reading: Reading) -> None:
             reading.word(i + 1) in ("shaped", "shape", "form", "plan", "formed", "outline", "footprint", "layout")
             or " ".join(reading.word(i - k) for k in (3, 2, 1))
             in ("shape of a", "form of a", "shape of an", "form of an")
-            or (reading.word(i - 1) in ("a", "an") and not _BENT.isdisjoint(reading.words(i - 4, i - 1)))
+            or (reading.word(i - 1) in ("a", "an") and not _BENT.isdisjoint(reading.words(max(i - 4, 0), i - 1)))
         ):
             reading.facts.shapes.append((_SHAPES[word], reading.span(i, i + 1 + (reading.word(i + 1) == "shaped"))))
             reading.take(i, i + 2)
-        elif word == "courtyard" and reading.word(i - 1) not in _NEGATIONS and reading.word(i + 1) not in FLOOR_WORDS:
-            reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
-            reading.take(i, i + 1)
         elif _is_court(reading, i):
             reading.facts.shapes.append(("courtyard", reading.span(i, i + 1)))
             reading.take(i, i + 1)
@@ -51,12 +48,14 @@ def read_shape(reading: Reading) -> None:
             reading.facts.shapes.append(("square", reading.span(i, i + 1)))
 
 
-_COURTS = frozenset({"courtyard", "garth", "quad", "quadrangle", "atrium", "court", "patio"})
+_COURTS = frozenset({"garth", "quad", "quadrangle", "atrium", "court", "patio"})
 
 
 def _is_court(reading: Reading, index: int) -> bool:
-    """Whether wings stand around an open yard: "about an open cloister garth", "form a closed quadrangle"."""
-    before = reading.words(index - 5, index)
+    """Whether a word is of a yard that wings stand around: "about an open cloister garth", "a closed quadrangle"."""
+    before = reading.words(max(index - 5, 0), index)
+    if reading.word(index) == "courtyard":
+        return reading.word(index - 1) not in _NEGATIONS and reading.word(index + 1) not in FLOOR_WORDS
     if reading.word(index) not in _COURTS or index in reading.taken or reading.facts.shapes:
         return False
     if reading.word(index) in ("quadrangle", "quad", "garth"):

@@ -124,7 +124,7 @@ def usually_has(room_type: str, category: str) -> bool:
 
 
 def usual_number(room_type: str, category: str, area: float) -> float:
-    """Return about how many pieces of a category rooms of a type and an area in square metres have without being asked."""
+    """Return about how many pieces of a category rooms of a type and an area (m2) have without being asked."""
     from mansion_assets.catalogue import load_catalogue
 
     card = load_catalogue().room_program(room_type)

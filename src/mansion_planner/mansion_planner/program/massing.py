@@ -399,7 +399,7 @@ def _plan_shape(wish: MassingWish, depth: float, corridor: float, least: int) ->
     if shape in ("rectangle", "square"):
         return max(least, round(area / depth)), (), 0.0
     side = 3.2 if area < 180 else 4.0 if area < 320 else 5.0
-    if shape in ("H", "courtyard") and area < 620 or shape == "U" and area < 420:
+    if (shape in ("H", "courtyard") and area < 620) or (shape == "U" and area < 420):
         side = 3.2
     if _is_narrow(shape, area, wish.stairs):
         side = 2.8

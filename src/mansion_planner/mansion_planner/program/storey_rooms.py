@@ -112,7 +112,12 @@ def _furniture_rooms(
             if holds(fact.room_type) >= MANY / 2
             and not (floors and fact.floors and floors.isdisjoint(floors_of(fact.floors, decisions)))
         ]
-        own = [entry.room_type for storey in storeys for entry in entries_of(storey) if not floors or storey.index in floors]
+        own = [
+            entry.room_type
+            for storey in storeys
+            for entry in entries_of(storey)
+            if not floors or storey.index in floors
+        ]
         if stated:
             out.append((max(stated, key=lambda fact: holds(fact.room_type)), 0.0))
         elif own and max(holds(name) for name in own) >= MANY / 2:

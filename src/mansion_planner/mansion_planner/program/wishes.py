@@ -50,9 +50,13 @@ def _shared_out(
     if not matching or not fact.room:
         storeys = dict.fromkeys(storey.index for storey, _ in matching) if fact.each else ()
         groups = [[entry for entry in matching if entry[0].index == index] for index in storeys]
-        return [(max(group, key=lambda entry: _likelihood(fact, entry)), count) for group in groups or [matching or rooms]]
-    share = count if fact.each else -(-count // len(matching))
-    return [(entry, share) for entry in matching]
+        return [
+            (max(group, key=lambda entry: _likelihood(fact, entry)), count) for group in groups or [matching or rooms]
+        ]
+    if fact.each or not fact.exact or count < len(matching):
+        return [(entry, count if fact.each else -(-count // len(matching))) for entry in matching]
+    shares = [count // len(matching) + (number < count % len(matching)) for number in range(len(matching))]
+    return list(zip(matching, shares))
 
 
 def _hub_of(storey: Storey) -> PlannedRoom:
@@ -250,7 +254,11 @@ class _Ledger:
         kind: WishKind = "no_object" if wanted.excluded else "object"
         name = wanted.words.lower().replace(" ", "_")
         value = WishValue(
-            name=name, type=wanted.category, count=None if wanted.excluded else wanted.count, unwanted=wanted.excluded
+            name=name,
+            type=wanted.category,
+            count=None if wanted.excluded else wanted.count,
+            unwanted=wanted.excluded,
+            exact=wanted.exact and not wanted.excluded,
         )
         self.add(
             kind,
