@@ -115,9 +115,9 @@ class _Reader:
         self.offline = {floor.index: floor for floor in offline}
         self.replaced: set[int] = set()
         decisions, knowledge = reference.decisions, context.knowledge
-        # Allocation notes what it does; the trace of the plan has these notes already.
-        quiet = dataclasses.replace(decisions, trace=[], downgrades=[])
-        self.wanted = allocate(quiet, knowledge, make_storeys(quiet, knowledge)).wanted
+        storeys, _ = make_storeys(decisions, knowledge)
+        allocation, _ = allocate(decisions, knowledge, storeys)
+        self.wanted = allocation.wanted
 
     def faults(self, answer: ProgramAnswer) -> list[Fault]:
         """Return everything that is wrong with an answer."""

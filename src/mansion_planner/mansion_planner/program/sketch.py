@@ -51,9 +51,8 @@ def sketch_storey(
     segments = _segments(massing, stop, lobby_length(massing, storey))
     depth = max(segment.depth for segment in segments)
     blocks = group_blocks(front_order(rest), depth, pairs)
-    fill_segments(segments, blocks, pairs)
-    keep_apart(segments, apart, pairs)
-    return _assemble(massing, storey, hub_id, segments, ends, stop, length)
+    filled = keep_apart(fill_segments(segments, blocks, pairs), apart, pairs)
+    return _assemble(massing, storey, hub_id, filled, ends, stop, length)
 
 
 def _is_main(corridor: Corridor) -> bool:
@@ -273,16 +272,16 @@ def capacity(massing: Massing, storey: Storey) -> float:
 
 
 def _end_rooms(
-    massing: Massing, rooms: list[PlannedRoom], length: float
+    massing: Massing, rooms: Sequence[PlannedRoom], length: float
 ) -> tuple[list[PlannedRoom], list[PlannedRoom]]:
     """Choose the room that closes the bar over its whole depth: one too large for a band."""
     if massing.wings or far_stair(massing):
-        return [], rooms
+        return [], list(rooms)
     deep = max(massing.north, massing.south)
     large = [r for r in rooms if not r.suite and r.area > 2.4 * deep * deep and r.area > 90]
     large = [r for r in large if r.area / massing.depth < 0.55 * length]
     if not large or len(rooms) < 2:
-        return [], rooms
+        return [], list(rooms)
     end = max(large, key=lambda room: (room.area, room.id))
     return [end], [room for room in rooms if room is not end]
 
