@@ -2,8 +2,8 @@
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import replace
 
+import msgspec
 import pytest
 
 from mansion_knowledge import default_knowledge
@@ -51,5 +51,5 @@ def test_nothing_moves_where_nothing_is_wrong(apart: list[tuple[str, str]]) -> N
 
 
 def test_a_small_room_in_a_block_counts() -> None:
-    first, second = replace(block("kitchen"), smalls=(block("toilet").host,)), block("bedroom")
+    first, second = msgspec.structs.replace(block("kitchen"), smalls=(block("toilet").host,)), block("bedroom")
     assert parted(first, second, [("kitchen", "toilet")]) and not parted(first, second, [("toilet", "bedroom")])

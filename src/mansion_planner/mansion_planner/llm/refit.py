@@ -134,7 +134,7 @@ def _storey(storey: Storey, floor: ChosenFloor) -> Storey:
 
 def _with_suite(room: ChosenRoom, floor: ChosenFloor) -> PlannedRoom:
     suite = tuple(_with_suite(child, floor) for child in floor.rooms if child.suite_of == room.id)
-    return replace(_planned(room), suite=suite)
+    return msgspec.structs.replace(_planned(room), suite=suite)
 
 
 def _repeating(storey: Storey, source: Storey) -> Storey:

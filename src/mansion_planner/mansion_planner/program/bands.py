@@ -1,7 +1,8 @@
 """Lay rooms out in bands along corridors: blocks of rooms, and the stretches of band that they are distributed over."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+
+import msgspec
 
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
 
@@ -37,8 +38,7 @@ def widened(widths: list[float], least: list[float]) -> list[float]:
     return [low if width < low else width - (width - low) * need / spare for width, low in zip(widths, least)]
 
 
-@dataclass(frozen=True)
-class Block:
+class Block(msgspec.Struct, frozen=True):
     """A room of full depth with small rooms cut from its front corner.
 
     Attributes
@@ -93,7 +93,7 @@ def group_blocks(rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tup
         ]
         if hosts:
             best = max(hosts, key=lambda number: _fit(blocks[number], room, depth, pairs))
-            blocks[best] = replace(blocks[best], smalls=(*blocks[best].smalls, room))
+            blocks[best] = Block(blocks[best].host, (*blocks[best].smalls, room))
         else:
             blocks.append(Block(room))
     return blocks
@@ -208,8 +208,7 @@ def _lay_columns(host: PlannedRoom, width: float, depth: float, scale: float) ->
     return placed
 
 
-@dataclass(frozen=True)
-class Segment:
+class Segment(msgspec.Struct, frozen=True):
     """A stretch of band: from `begin` to `end` along its corridor, `depth` metres deep.
 
     Attributes
@@ -320,7 +319,8 @@ def fill_segments(
         best.add(number, best.parts(block))
     _balance(share, blocks)
     filled = [
-        replace(entry.segment, blocks=tuple(blocks[number] for number in sorted(entry.members))) for entry in share
+        msgspec.structs.replace(entry.segment, blocks=tuple(blocks[number] for number in sorted(entry.members)))
+        for entry in share
     ]
     for first, second in pairs:
         filled = bring_together(filled, first, second)
@@ -428,8 +428,8 @@ def bring_together(segments: Sequence[Segment], first: str, second: str) -> list
     It moves within its segment, else a block that takes as much of the front makes room for it.
     """
     places = _places_of(segments, first)
-    goals = _places_of(segments, second)
-    if any(s == t and abs(i - j) == 1 for s, i in places for t, j in goals):
+    goals = _places_of(segments, second) if places else []
+    if not goals or any(s == t and abs(i - j) == 1 for s, i in places for t, j in goals):
         return list(segments)
     rows = [list(segment.blocks) for segment in segments]
     within = next(((s, i, j) for s, i in places for t, j in goals if s == t), None)
@@ -447,8 +447,8 @@ def bring_together(segments: Sequence[Segment], first: str, second: str) -> list
 
 
 def with_rows(segments: Sequence[Segment], rows: Sequence[Sequence[Block]]) -> list[Segment]:
-    """Return the segments with other blocks, a row for each."""
-    return [replace(segment, blocks=tuple(row)) for segment, row in zip(segments, rows)]
+    """Return the segments with a row of blocks for each."""
+    return [msgspec.structs.replace(segment, blocks=tuple(row)) for segment, row in zip(segments, rows)]
 
 
 _Place = tuple[int, int]

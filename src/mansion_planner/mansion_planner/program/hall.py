@@ -1,7 +1,9 @@
 """Sketch a storey whose hub is its main room: a living room, a sales floor, a restaurant; the other rooms line it."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+
+import msgspec
 
 from mansion_planner.program.bands import Block, Segment, bring_together, front_order, group_blocks, lay_block, widened
 from mansion_planner.program.model import (
@@ -121,7 +123,7 @@ def _arranged(
     area = sum(block.gross for block in east)
     under = arrangement.under and bool(east)
     if under and north:
-        north[-1] = replace(north[-1], least=area / (depth - band) + DOOR_WALL + 0.1)
+        north[-1] = msgspec.structs.replace(north[-1], least=area / (depth - band) + DOOR_WALL + 0.1)
     # Rooms that ask for more than there is are laid smaller, so that the hub and the north side keep their places.
     widest = max(length - begin - _LEAST_HUB, 1.0)
     column = min(area / depth, widest)

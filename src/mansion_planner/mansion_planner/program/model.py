@@ -5,8 +5,10 @@ The massing frame has its x axis along the main corridor and the first stair in 
 """
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Literal
+
+import msgspec
 
 from mansion_knowledge import BuildingType, RoomType
 
@@ -45,8 +47,7 @@ def box_area(box: Box) -> float:
     return max(box[2] - box[0], 0.0) * max(box[3] - box[1], 0.0)
 
 
-@dataclass(frozen=True)
-class PlannedRoom:
+class PlannedRoom(msgspec.Struct, frozen=True):
     """A room of a storey before it has a place.
 
     Attributes
@@ -98,7 +99,7 @@ class PlannedRoom:
         made = change(self)
         if not self.suite:
             return made
-        return replace(made, suite=tuple(child.changed(change) for child in self.suite))
+        return msgspec.structs.replace(made, suite=tuple(child.changed(change) for child in self.suite))
 
 
 @dataclass(frozen=True)
@@ -230,8 +231,7 @@ class Corridor:
         return self.given or sum(box_area(box) for box in self.boxes)
 
 
-@dataclass(frozen=True)
-class Placement:
+class Placement(msgspec.Struct, frozen=True):
     """A room's place: disjoint boxes, and the room or corridor that it is reached from."""
 
     room: PlannedRoom

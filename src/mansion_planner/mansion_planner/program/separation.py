@@ -46,22 +46,13 @@ def keep_apart(segments: Sequence[Segment], apart: Sequence[Pair], together: Seq
     if not apart:
         return list(segments)
     rows = [list(segment.blocks) for segment in segments]
-    places = [(s, i) for s, row in enumerate(rows) for i in range(len(row))]
+    faults = _faults(rows, apart, together)
     for _ in range(_ROUNDS):
-        now = _faults(rows, apart, together)
-        if now <= 0.0:
+        found = _best_exchange(segments, rows, apart, together) if faults > 0.0 else None
+        if found is None or found[0] >= faults:
             break
-        best: tuple[float, float, int, int] | None = None
-        for m, one in enumerate(places):
-            for n, other in enumerate(places[m + 1 :], m + 1):
-                misfit = 0.0 if one[0] == other[0] else _misfit(segments, rows, one, other)
-                if misfit > _MISFIT:
-                    continue
-                price = (_faults(_exchanged(rows, one, other), apart, together), misfit, m, n)
-                best = price if best is None or price < best else best
-        if best is None or best[0] >= now:
-            break
-        rows = _exchanged(rows, places[best[2]], places[best[3]])
+        faults, one, other = found
+        rows = _exchanged(rows, one, other)
     return with_rows(segments, rows)
 
 
@@ -69,10 +60,25 @@ Rows = list[list[Block]]
 """The blocks of each segment."""
 
 
+def _best_exchange(
+    segments: Sequence[Segment], rows: Rows, apart: Sequence[Pair], together: Sequence[Pair]
+) -> tuple[float, Place, Place] | None:
+    """Return the faults that the best exchange of two blocks leaves, and the places of the two."""
+    places = [(s, i) for s, row in enumerate(rows) for i in range(len(row))]
+    best: tuple[float, float, Place, Place] | None = None
+    for one, other in itertools.combinations(places, 2):
+        misfit = 0.0 if one[0] == other[0] else _misfit(segments, rows, one, other)
+        if misfit > _MISFIT:
+            continue
+        price = (_faults(_exchanged(rows, one, other), apart, together), misfit, one, other)
+        best = price if best is None or price < best else best
+    return (best[0], best[2], best[3]) if best is not None else None
+
+
 def _exchanged(rows: Rows, one: Place, other: Place) -> Rows:
     """Return the rows with two blocks in each other's place."""
     (s, i), (t, k) = one, other
-    made = [list(row) if number in (s, t) else row for number, row in enumerate(rows)]
+    made = [list(row) for row in rows]
     made[s][i], made[t][k] = rows[t][k], rows[s][i]
     return made
 

@@ -4,6 +4,8 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
+import msgspec
+
 from mansion_planner.program.bands import Segment, fill_segments, front_order, group_blocks, lay_block
 from mansion_planner.program.model import (
     Box,
@@ -74,7 +76,9 @@ def _with_pocket(massing: Massing, rooms: list[Placement]) -> list[Placement]:
         if abs(box[0] - edge) < 0.01 and min(box[3], massing.depth) - max(box[1], top) > 1.2
     ]  # fmt: skip
     return [
-        replace(placement, boxes=[*placement.boxes, spare]) if neighbours and placement is neighbours[0] else placement
+        msgspec.structs.replace(placement, boxes=[*placement.boxes, spare])
+        if neighbours and placement is neighbours[0]
+        else placement
         for placement in rooms
     ]
 
@@ -181,8 +185,11 @@ def _with_parents(
         owners[id(room)] = bar
         if bar == "main":
             owners[id(room)] = max(mains, key=lambda c: min(c.boxes[0][2], x1) - max(c.boxes[0][0], x0)).id
-    placed = [replace(placement, parent=owners.get(id(placement.room), placement.parent)) for placement in rooms]
-    return [replace(p, parent=mains[-1].id) if p.parent == _AT_END else p for p in placed]
+    placed = [
+        msgspec.structs.replace(placement, parent=owners.get(id(placement.room), placement.parent))
+        for placement in rooms
+    ]
+    return [msgspec.structs.replace(p, parent=mains[-1].id) if p.parent == _AT_END else p for p in placed]
 
 
 def _closed(
@@ -217,7 +224,7 @@ def _closed(
                 return unchanged
     x0, _, x1, y1 = closing.boxes[0]
     shortened = replace(last, boxes=[(x0c, low, x, high), *last.boxes[1:]])
-    widened = replace(closing, boxes=[(x0, low, x1, y1)])
+    widened = msgspec.structs.replace(closing, boxes=[(x0, low, x1, y1)])
     return [shortened if c is last else c for c in corridors], [widened if p is closing else p for p in rooms]
 
 

@@ -4,6 +4,8 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+import msgspec
+
 from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
 from mansion_msgs_py.program import TraceEntry
 from mansion_planner.brief.facts import RoomFact
@@ -298,7 +300,7 @@ def _planned_unit(kind: RoomType, knowledge: KnowledgeBase, fact: RoomFact) -> P
         for entry in added
         for _ in range(entry.count)
     ]
-    unit = replace(
+    unit = msgspec.structs.replace(
         room,
         area=min(room.area, max(kind.least, _HALL)) if hall else room.area,
         notes=f"from {fact.label!r}",
@@ -325,7 +327,7 @@ def _of_area(unit: PlannedRoom, area: float) -> PlannedRoom:
         if room.fixed:
             return room
         own = room.area * factor
-        return replace(room, area=own, least=own, most=own, fixed=True)
+        return msgspec.structs.replace(room, area=own, least=own, most=own, fixed=True)
 
     return unit.changed(scaled)
 
@@ -429,7 +431,10 @@ def fit_areas(rooms: Sequence[PlannedRoom], capacity: float) -> tuple[PlannedRoo
             factor = spare / total
             areas = [_scaled(room, area, factor, limited=limited) for room, area in zip(loose, areas)]
     found = {id(room): area for room, area in zip(loose, areas)}
-    return tuple(top.changed(lambda room: room if room.fixed else replace(room, area=found[id(room)])) for top in rooms)
+    return tuple(
+        top.changed(lambda room: room if room.fixed else msgspec.structs.replace(room, area=found[id(room)]))
+        for top in rooms
+    )
 
 
 def _scaled(room: PlannedRoom, area: float, factor: float, *, limited: bool) -> float:
@@ -461,4 +466,9 @@ def name_rooms(rooms: Sequence[PlannedRoom], hub_id: str) -> tuple[PlannedRoom, 
                 name = f"{base}_{seen[base]}"
             used.add(name)
         names[id(room)] = name
-    return tuple(top.changed(lambda room: replace(room, id=names[id(room)])) for top in rooms)
+
+    def named(room: PlannedRoom) -> PlannedRoom:
+        name = names[id(room)]
+        return room if name == room.id else msgspec.structs.replace(room, id=name)
+
+    return tuple(top.changed(named) for top in rooms)
