@@ -72,8 +72,7 @@ def best_arrangement(
         if missed == 0:
             break
     assert best is not None
-    # The storeys are those of the last attempt, whichever sketches are taken.
-    return _loosened_where_missed(decisions, replace(best[1], storeys=layout.storeys))
+    return _loosened_where_missed(decisions, best[1])
 
 
 def _missed(decisions: Decisions, wish: MassingWish, layout: Arrangement) -> int:
