@@ -1,9 +1,9 @@
-"""Asset search by words, by embeddings and by both: ``python benchmarks/editing/search.py [LIST.json ...] [--model FOLDER]``.
+"""Asset search by words and by embeddings: ``python benchmarks/editing/search.py [LIST.json ...] [--model FOLDER]``.
 
 A list holds queries with the categories that answer each: rows ``[query, categories]`` or objects with ``query`` and
 ``any_of``. A query is answered when an asset among the first three is of one of them, by its category, name or a
-synonym. Embeddings are measured with the model of a folder (static vectors, or of sentence-transformers with the
-extra ``embeddings``), or else with the one that ``MANSION_EMBEDDINGS_MODEL`` names.
+synonym. Embeddings are measured with the sentence-transformers model of a folder (the extra ``embeddings``), else with
+the one that ``MANSION_EMBEDDINGS_MODEL`` names (``wordllama`` with the extra ``vectors``).
 """
 
 import argparse
@@ -26,6 +26,7 @@ LISTS = (
     TESTS / "search_queries.json",
     TESTS / "search_queries_worded.json",
     Path(__file__).with_name("queries_training.json"),
+    Path(__file__).with_name("queries_checking.json"),
 )
 
 

@@ -6,7 +6,15 @@ from typing import Final
 
 import msgspec
 
-__all__ = ["Description", "Hypernym", "described_categories", "description_of", "hypernyms", "hypernyms_of", "words_alike"]
+__all__ = [
+    "Description",
+    "Hypernym",
+    "described_categories",
+    "description_of",
+    "hypernyms",
+    "hypernyms_of",
+    "words_alike",
+]
 
 _DATA: Final = files("mansion_assets.catalogue").joinpath("data")
 

@@ -73,10 +73,10 @@ def stem(word: str) -> str:
         return word
     for ending in ("ing", "ied", "ed", "ier", "er", "or", "e"):
         root = word[: -len(ending)]
+        if word.endswith(ending) and ending in ("ied", "ier") and len(root) > 1:
+            return root + "y"
         if not word.endswith(ending) or len(root) < 3 or not re.search("[aeiouy]", root):
             continue
-        if ending in ("ied", "ier"):
-            return root + "y"
         if len(root) > 3 and root[-1] == root[-2] and root[-1] not in "lsz":
             return root[:-1]
         return root
@@ -92,8 +92,9 @@ def _looks() -> frozenset[str]:
 def query_words(query: str) -> list[QueryWord]:
     """Return the words of a query that say what is wanted, each with its weight.
 
-    The last word before the first preposition names the thing ("table" in "table for examining patients"), or the first
-    one what is done with it ("to cut bread with"): it counts most. Colours and materials before another word count little, words that follow "without" not at all.
+    The last word before the first preposition names the thing ("table" in "table for examining patients"), or the
+    first one what is done with it ("to cut bread with"): it counts most. Colours and materials before another word
+    count little, words that follow "without" not at all.
     """
     letters = query.lower().replace("'s", "").replace("\u2019s", "")
     raw = re.findall(r"[a-z0-9]+", letters)

@@ -11,7 +11,7 @@ from functools import lru_cache
 from typing import Final
 
 from mansion_assets.catalogue.catalogue import Catalogue
-from mansion_assets.catalogue.descriptions import description_of, hypernyms, words_alike
+from mansion_assets.catalogue.descriptions import description_of, hypernyms, hypernyms_of, words_alike
 from mansion_assets.catalogue.query_words import QueryWord, plain_words, query_words, stem
 from mansion_knowledge.words import common_words
 
@@ -66,7 +66,7 @@ class WordIndex:
 
     def scores(self, query: str) -> list[float]:
         """Return how well each category fits a query, in the order of `categories`."""
-        wanted = self._joined(query_words(query))
+        wanted = self._spelt(self._joined(query_words(query)))
         total = [0.0] * len(self.categories)
         for word in wanted:
             for number, value in self._fits(word.text).items():
@@ -133,6 +133,21 @@ class WordIndex:
                 out.append(word)
         return out
 
+    def _spelt(self, words: Sequence[QueryWord]) -> list[QueryWord]:
+        """Return words in which a compound is its two parts and a clear misspelling is what was meant."""
+        out: list[QueryWord] = []
+        for word in words:
+            known = word.text in self._words or stem(word.text) in self._stems or word.text in words_alike()
+            like = [] if known else self._like(word.text)
+            parts = [other for other, _ in like]
+            if len(like) == 2 and "".join(parts) == word.text:
+                out += [QueryWord(parts[0], min(1.0, word.weight)), QueryWord(parts[1], word.weight)]
+            elif like and like[0][1] >= _SURE:
+                out.append(QueryWord(parts[0], word.weight))
+            else:
+                out.append(word)
+        return out
+
     def _bonus(self, query: str, wanted: Sequence[QueryWord]) -> dict[int, float]:
         """Reward names, synonyms and general notions that the query is, or contains."""
         asked = tuple(plain_words(query))
@@ -162,7 +177,7 @@ def _texts_of(catalogue: Catalogue, category: str) -> dict[str, list[str]]:
         "synonym": list(asset.synonyms),
         "use": [known.use],
         "look": [known.look],
-        "hypernym": [name for notion in hypernyms() if category in notion.categories for name in notion.names],
+        "hypernym": hypernyms_of(category),
         "tag": list(asset.tags),
         "room": [room.replace("_", " ") for room in asset.rooms[:12]],
     }
