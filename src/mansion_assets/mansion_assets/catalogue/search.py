@@ -30,6 +30,8 @@ PROPERTIES: Final[dict[str, str]] = {
 
 _NEAR: Final = 0.25
 """Share of the best score from which other categories come before further variants of the first."""
+_NEAR_NAMED: Final = 0.45
+"""The same where the query is a name, whose variants are wanted rather."""
 
 
 class SearchHit(msgspec.Struct, frozen=True):
@@ -74,15 +76,14 @@ def search_assets(catalogue: Catalogue, query: str, top_k: int = 5, properties: 
         hits.sort(key=lambda hit: -hit.score)
         if hits:
             groups.append(hits)
-    return mixed(groups, top_k)
+    return mixed(groups, top_k, near=_NEAR_NAMED if index.is_name(query) else _NEAR)
 
 
-def mixed(groups: Sequence[Sequence[SearchHit]], top_k: int) -> list[SearchHit]:
+def mixed(groups: Sequence[Sequence[SearchHit]], top_k: int, *, near: float = _NEAR) -> list[SearchHit]:
     """Return the first hits of groups, each sorted: in turn from those that fit about as well as the first group."""
     best = groups[0][0].score if groups else 0.0
-    near = [g[0].score >= _NEAR * best for g in groups]
-    close = [g for g, is_near in zip(groups, near, strict=True) if is_near]
-    far = [hit for g, is_near in zip(groups, near, strict=True) if not is_near for hit in g]
+    close = [group for group in groups if group[0].score >= near * best]
+    far = [hit for group in groups if group[0].score < near * best for hit in group]
     depth = max((len(g) for g in close), default=0)
     turns = [g[level] for level in range(depth) for g in close if level < len(g)]
     return [*turns, *far][:top_k]

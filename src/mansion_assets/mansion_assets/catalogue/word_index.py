@@ -33,9 +33,12 @@ _FORM: Final = 0.75
 """Weight of a word that is there in another form."""
 _ALIKE: Final = 0.55
 """Weight of a word that means about the same."""
-_SURE: Final = 0.56
+_SURE: Final = 0.54
 """Weight from which a word is taken for a misspelling rather than a compound."""
 _EXACT: Final = 14.0
+"""Reward of a category of which the query is a name or synonym."""
+_OWN: Final = 3.0
+"""Further reward of one of which it is the very name."""
 
 
 class WordIndex:
@@ -52,7 +55,8 @@ class WordIndex:
         texts = [_texts_of(catalogue, name) for name in self.categories]
         self._words = _postings(texts, plain_words)
         self._stems = _postings(texts, lambda text: [stem(word) for word in plain_words(text)])
-        self._phrases = _phrases(texts)
+        self._phrases = _phrases(texts, ("name", "synonym"))
+        self._names = _phrases(texts, ("name",))
         self._notions: dict[tuple[str, ...], list[int]] = {}
         for notion in hypernyms():
             members = [numbers[name] for name in notion.categories if name in numbers]
@@ -74,6 +78,12 @@ class WordIndex:
         for number, bonus in self._bonus(query, wanted).items():
             total[number] += bonus
         return total
+
+    def is_name(self, query: str) -> bool:
+        """Return whether a query is the name or a synonym of a category, maybe with an article."""
+        return any(
+            words in self._phrases for words in (tuple(plain_words(query)), tuple(w.text for w in query_words(query)))
+        )
 
     def _fits(self, word: str) -> dict[int, float]:
         """Return how well categories fit one word: as it stands, in another form, by a word alike, or misspelt."""
@@ -156,6 +166,7 @@ class WordIndex:
         out: dict[int, float] = {}
         for phrase in {asked, bare}:
             _raise(out, dict.fromkeys(self._phrases.get(phrase, ()), _EXACT), 1.0)
+            _raise(out, dict.fromkeys(self._names.get(phrase, ()), _EXACT + _OWN), 1.0)
         for start in range(len(bare)):
             for end in range(start + 1, len(bare) + 1):
                 if end - start == len(bare):
@@ -202,10 +213,10 @@ def _postings(texts: Sequence[dict[str, list[str]]], split: Callable[[str], list
     return out
 
 
-def _phrases(texts: Iterable[dict[str, list[str]]]) -> dict[tuple[str, ...], list[int]]:
+def _phrases(texts: Iterable[dict[str, list[str]]], fields: Sequence[str]) -> dict[tuple[str, ...], list[int]]:
     out: dict[tuple[str, ...], list[int]] = {}
     for number, each in enumerate(texts):
-        for phrase in dict.fromkeys(tuple(plain_words(text)) for text in (*each["name"], *each["synonym"])):
+        for phrase in dict.fromkeys(tuple(plain_words(text)) for field in fields for text in each[field]):
             out.setdefault(phrase, []).append(number)
     return out
 
