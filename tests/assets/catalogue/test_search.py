@@ -63,7 +63,7 @@ def test_a_category_is_found_by_what_it_is_used_for() -> None:
         ("a chair without wheels", "chair"),
         ("somewhere to throw rubbish away", "garbage_can"),
         ("bookshelfs", "bookshelf"),
-        ("refridgerator", "fridge"),
+        ("micowave", "microwave"),
     ],
 )
 def test_descriptions_find_what_they_mean_among_the_first_three(query: str, category: str) -> None:
