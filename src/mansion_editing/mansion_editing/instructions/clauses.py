@@ -1,13 +1,13 @@
 """Clauses: a verb or a predicate with its noun phrases and places, read into statements."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import msgspec
 
 from mansion_editing.instructions.lexicon import Lexicon
-from mansion_editing.instructions.noun_phrases import MATERIALS, NounPhrase, noun_phrase
+from mansion_editing.instructions.noun_phrases import MATERIALS, Noun, NounPhrase, noun_phrase
 from mansion_editing.instructions.places import ReadPlace, merged, read_place, with_place
 from mansion_editing.instructions.statements import (
     Add,
@@ -19,6 +19,7 @@ from mansion_editing.instructions.statements import (
     Furnish,
     History,
     Keep,
+    Mention,
     Move,
     Paint,
     Place,
@@ -143,7 +144,8 @@ class ClauseReader:
     ) -> None:
         self.words, self.lexicon, self.floors, self.quote = words, lexicon, floors, quote
         self.frame = Place()
-        self.subject: Item | None = None
+        self.last_noun: Noun | None = None
+        self.topic: Things | None = None
 
     # Pieces
 
@@ -160,7 +162,10 @@ class ClauseReader:
         found: list[ReadPlace] = []
         while True:
             start = at
-            while self.text(at) in PARTICIPLES_OF_REST and not (found and self.text(at) == "there"):
+            while self.text(at) in PARTICIPLES_OF_REST and self.text(at) != "there":
+                if self.text(at) == "that" and self.text(at + 1) in ("can", "could", "may") and self.text(at + 2) == "be":
+                    at += 3
+                    at += self.text(at + 1) in ("on", "off", "up")
                 at += 1
             if self.text(at) in ("is", "are") and self.text(at - 1) in ("that", "which", "who"):
                 at += 1
@@ -193,6 +198,10 @@ class ClauseReader:
         if not places:
             return Item(found, (), found.end)
         following, end = self.places(found.end)
+        counted = self.text(found.end - 1) in ("them", "those") and self.text(found.end) == ","
+        if counted and not following:
+            following, end = self.places(found.end + 1)
+            end = end if following else found.end
         return Item(found, following, end)
 
     def items(self, at: int) -> list[Item]:
@@ -212,18 +221,28 @@ class ClauseReader:
                 raise NotUnderstood(at, self.boundary(at))
             if found and (self.predicate_follows(item.end) or self._is_way(item.phrase)):
                 return found
-            found.append(item)
+            found.append(self._named(item, found))
             after = self.conjunction(item.end)
             if not after or self.starts_clause(after):
                 return found
             at = after
+
+    def _named(self, item: Item, before: Sequence[Item]) -> Item:
+        """Put the noun that came before for ``one``: two red mugs and a blue one."""
+        last = next((i.phrase.noun for i in reversed(before) if i.phrase.noun.kind != "anything"), self.last_noun)
+        if item.phrase.noun.words != ("one",) or last is None:
+            if item.phrase.noun.kind == "object":
+                self.last_noun = item.phrase.noun
+            return item
+        noun = replace(item.phrase.noun, words=last.words, kind=last.kind)
+        return Item(replace(item.phrase, noun=noun), item.places, item.end)
 
     def conjunction(self, at: int) -> int:
         """Return the place after a comma or a conjunction between noun phrases, 0 where there is none."""
         place = at
         if self.text(place) == ",":
             place += 1
-        if self.text(place) in ("and", "plus", "&", "+", "or") or (self.text(place) == "as" and self.text(place + 1) == "well"):
+        if self.text(place) in ("and", "plus", "&", "+", "or", "nor") or (self.text(place) == "as" and self.text(place + 1) == "well"):
             place += 3 if self.text(place) == "as" else 1
         if self.text(place) == "also":
             place += 1
@@ -299,6 +318,8 @@ class ClauseReader:
         NotUnderstood
             Where the words make no clause.
         """
+        if self.words[at].kind == "ordinal" and verb_at(self.words, at + 1, self.lexicon) is not None:
+            at += 1
         for opening in (self._negated, self._existential, self._going, self._desired, self._of_persons, self._with_verb,
                         self._with_predicate):  # fmt: skip
             found = opening(at)
@@ -390,7 +411,7 @@ class ClauseReader:
         if self._is_way(items[0].phrase):
             return self._way(at, items[0].phrase.end)
         end = items[-1].end
-        if all(item.is_room for item in items):
+        if any(item.is_room for item in items):
             return [Mention(quote=self.quote(at, end))], end
         following = self._state_after(items[-1], end, at)
         if following is not None:
@@ -433,7 +454,7 @@ class ClauseReader:
         return Place(), False
 
     def _is_way(self, phrase: NounPhrase) -> bool:
-        return bool(phrase.noun.words) and phrase.noun.words[-1] in ("way", "path", "route", "access", "passage")
+        return bool(phrase.noun.words) and self.lexicon.is_way(phrase.noun.words[-1])
 
     def _desired(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``I want``, ``we need``, ``I would like``, ``can you``, ``make sure that`` and what follows."""
@@ -443,11 +464,21 @@ class ClauseReader:
             place += 1
             while self.text(place) in MODALS or self.text(place) in ("really", "also", "just", "do", "still", "ve", "d", "ll"):
                 place += 1
-            if self.text(place) in ("like", "love", "want", "need", "prefer", "require", "have", "wish", "expect", "fancy"):
+            if self.text(place) == "not" and self.text(place + 1) in ("want", "like", "wish"):
+                return self._unwanted(at, place + 2)
+            if self.text(place) == "rather" and self.text(place + 1) == "not":
+                return self._unwanted(at, place + 2)
+            if self.text(place) in ("was", "am", "were", "are") and self.text(place + 1) in ("hoping", "looking"):
+                return self._wanted(at, place + 2)
+            if self.text(place) in ("like", "love", "want", "need", "prefer", "require", "have", "wish", "expect", "fancy", "appreciate"):
                 return self._wanted(at, place + 1)
             if who in ("you",) and place > at + 1:
                 return self.read(self.skip(place))
             return None
+        if who == "what" and self.text(place + 1) in ("i", "we") and self.text(place + 3) == "is":
+            return self._wanted(at, place + 4)
+        if who in MODALS and self.text(place + 1) == "it" and self.text(place + 3) == "possible":
+            return self._wanted(at, place + 4 + (self.text(place + 4) == "for"))
         if who in MODALS and self.text(place + 1) in ("you", "we", "i", "somebody", "someone"):
             place += 2
             while self.text(place) in ("please", "maybe", "just", "also", "perhaps", "kindly", "possibly"):
@@ -467,20 +498,44 @@ class ClauseReader:
 
     def _of_persons(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the officer on duty wants a phone on the desk``: what persons want, who are no part of the scene."""
-        for place in range(at + 1, min(at + 7, len(self.words))):
+        for place in range(at + 1, min(at + 8, len(self.words))):
             word = self.words[place]
-            if word.kind == "mark" or word.text in MODALS or word.text in BE:
+            having = {"have", "has", "need"} & {w.text for w in self.words[at:place]}
+            if self.lexicon.is_way(word.text) and having:
+                return self._way(at, place + 1)
+            if having:
+                continue
+            if word.kind == "mark" or word.text in BE:
                 return None
-            if word.raw in ("wants", "want", "needs", "need", "likes", "requires") and self.item(at) is None:
+            if word.raw in ("wants", "want", "needs", "need", "likes", "requires", "expects", "lacks") and self.item(at) is None:
                 return self._wanted(at, place + 1)
         return None
+
+    def _unwanted(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``we do not want any chairs in the lobby``: they are to go."""
+        while self.text(place) in ("to", "see", "have", "find", "there", "be"):
+            place += 1
+        place += 2 * (self.text(place) == "you" and self.text(place + 1) == "to")
+        verb = verb_at(self.words, place, self.lexicon)
+        if verb is not None:
+            return self._negated_verb(at, *verb)
+        items = self.items(place)
+        end = items[-1].end
+        while self.text(end) in ("any", "more", "anymore", "at", "all", "there", "longer"):
+            end += 1
+        quote = self.quote(at, end)
+        return [self._removed(items, item, (), (), quote) for item in items if not item.is_room], end
 
     def _wanted(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read what is wanted: a clause after ``to``, a thing with a predicate, or a thing."""
         place += self.text(place) in ("that", "for")
+        if self.text(place) == "nothing":
+            nothing = self._nothing(place)
+            if nothing is not None:
+                return nothing
         if self.text(place) == "to":
             place += 1
-            if self.text(place) in ("have", "see", "get"):
+            if self.text(place) in ("have", "see", "get", "find"):
                 place += 1
             else:
                 return self.read(place)
@@ -524,7 +579,7 @@ class ClauseReader:
             "rename": self._rename, "furnish": self._furnish, "equip": self._equip, "enlarge": self._enlarge,
             "shrink": self._shrink, "make": self._make, "turn": self._rotate, "check": self._check, "undo": self._undo,
             "redo": self._undo, "restore": self._restore, "leave": self._leave, "tidy": self._tidy, "keep": self._keep, "let": self._let,
-            "change": self._change, "give": self._give, "set": self._set, "want": self._want,
+            "change": self._change, "give": self._give, "take": self._take, "go": self._go, "set": self._set, "want": self._want,
             "repeat": self._repeat, "connect": self._connect, "use": self._use,
         }  # fmt: skip
         reader = readers.get(deed)
@@ -551,10 +606,30 @@ class ClauseReader:
         structure = self._new_core(items, at, end)
         if structure is not None:
             return [structure], end
+        if any(w.text in ("or", "either") for w in self.words[place:end]):
+            raise NotUnderstood(place, end)
+        items, further = self._places_after_places(items)
         if any(item.is_room for item in items):
             raise NotUnderstood(place, end)
         out = [self._added(items, item, self.quote(at, end)) for item in items]
+        for extra in further:
+            out += [self._elsewhere(statement, extra) for statement in out[: len(items)]]
         return self._with_companions(items[-1], out, at, end)
+
+    def _places_after_places(self, items: list[Item]) -> tuple[list[Item], list[Item]]:
+        """Tell further places from things: in ``a mug on the table and the desk`` the desk is a place."""
+        at = next((k for k in range(1, len(items)) if items[k - 1].places and not items[k].places and not items[0].phrase.definite
+                   and (items[k].is_room or items[k].phrase.definite)), len(items))  # fmt: skip
+        return items[:at], items[at:]
+
+    def _elsewhere(self, statement: Statement, where: Item) -> Statement:
+        """Return the same at another place."""
+        old = getattr(statement, "place", Place())
+        if where.is_room or (where.phrase.noun.kind == "both" and old.anchor is None):
+            place = msgspec.structs.replace(old, rooms=where.rooms())
+        else:
+            place = Place(relation=old.relation or "on", anchor=where.phrase.things())
+        return msgspec.structs.replace(statement, place=place)
 
     def _with_companions(
         self, item: Item, said: list[Statement], at: int, end: int
@@ -586,6 +661,39 @@ class ClauseReader:
                 where = Place(relation="on", anchor=last) if on_it else main.place
             out.append(Add(things=things, place=where, quote=quote))
         return out, stop
+
+    def _take(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``take the mug to the kitchen``, ``take the mug off the desk``, and ``take the mug and put it ...``."""
+        items = self.items(place)
+        end = items[-1].end
+        places = items[-1].places
+        if any(p.goal and not p.source for p in places):
+            return self._move(at, place)
+        if self.text(end) in ("and", ",", "then") and read_place(self.words, end + 1, self.lexicon, self.floors) is not None:
+            return self._move(at, place)
+        away = self.text(end) in ("away", "out", "off")
+        if self._goes_on_with_it(end) and not away:
+            return self._go(at, place)
+        if away or (any(p.source for p in places) and self.text(at) == "take"):
+            return self._remove(at, place)
+        if self.text(at) in ("grab", "pick") and not items[0].phrase.definite:
+            return self._add(at, place)
+        raise NotUnderstood(at, self.boundary(at))
+
+    def _goes_on_with_it(self, at: int) -> bool:
+        """Whether the next clause does something with what the one before took."""
+        after = self.conjunction(at) or self.skip(at)
+        later = {w.text for w in self.words[after : after + 8]}
+        return self.starts_clause(after) and bool(later & {"it", "them", "that"})
+
+    def _go(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``find the wardrobe and open it``: the thing is only what the next clause is about."""
+        items = self.items(place)
+        end = items[-1].end
+        if not (self._goes_on_with_it(end) or end >= len(self.words) or self.text(end) in (":", ".")):
+            raise NotUnderstood(at, self.boundary(at))
+        self.topic = items[0].things()
+        return [Mention(quote=self.quote(at, end))], end
 
     def _fronted(self, place: int) -> int:
         """Read a place before the object ("put on the desk two mugs") into the frame."""
@@ -736,8 +844,6 @@ class ClauseReader:
         if any(p.source for item in items for p in item.places):
             return self._remove(at, place)
         end = items[-1].end
-        if end >= len(self.words) and at == 0:
-            raise NotUnderstood(at, end)
         return [Mention(quote=self.quote(at, end))], end
 
     def _emptied(self, item: Item) -> Place:
@@ -1063,7 +1169,12 @@ class ClauseReader:
     def _equip(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``equip the office with two desks``, ``fill the basket with apples``."""
         where = self.item(place)
-        if where is not None and self.text(where.end) == ":":
+        if where is not None and self.text(where.end) == "for":
+            colon = next((k for k in range(where.end, min(where.end + 6, len(self.words))) if self.text(k) in (":", "with")), None)
+            if colon is None:
+                raise NotUnderstood(at, self.boundary(at))
+            where = Item(where.phrase, where.places, colon)
+        elif where is not None and self.text(where.end) == ":":
             more, start = self._skip_storey(where.end + 1)
             where = Item(where.phrase, (*where.places, *more), start - 1)
         elif where is None or self.text(where.end) not in ("with",):
@@ -1186,11 +1297,16 @@ class ClauseReader:
 
     def _make(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``make the cafeteria 10 m2 larger``, ``make the sofa red``, ``make sure``, ``make it two``."""
+        if self.text(place) in ("it", "this") and self.text(place + 1) in ("look", "so", "happen", "seem"):
+            end = self.boundary(place)
+            return [Mention(quote=self.quote(at, end))], end
         surface = self._surface(place)
         if surface is not None:
             colour = self._colour_at(surface[1])
             if colour is not None:
                 return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+        if self.text(place) == "it" and place + 1 < len(self.words) and self.words[place + 1].kind == "number":
+            return self._wanted(at, place + 1)
         item = self.item(place)
         if item is None:
             raise NotUnderstood(at, self.boundary(at))
@@ -1290,6 +1406,9 @@ class ClauseReader:
         """Read ``make sure that ...``: a way, or a clause that shall be true."""
         while self.text(place) in ("that", "whether", "if", "for", "to", ",", ":"):
             place += 1
+        found_by = self._found_by_somebody(at, place)
+        if found_by is not None:
+            return found_by
         way = self._reaching(at, place)
         if way is not None:
             return way
@@ -1312,6 +1431,15 @@ class ClauseReader:
             out += self._there(each, self._shared_goal(items, each), self.quote(at, end))
         return out, end
 
+    def _found_by_somebody(self, at: int, place: int) -> tuple[list[Statement], int] | None:
+        """Read ``the robot will find a stapler on the desk``."""
+        somebody = frozenset("robot agent i we one guest visitor people everyone whoever someone subject".split())
+        for k in range(place + 1, min(place + 6, len(self.words))):
+            if self.text(k) in ("find", "see", "grab", "pick") and self.phrase(k + 1) is not None:
+                if somebody & {w.text for w in self.words[place:k]}:
+                    return self._wanted(at, k + 1)
+        return None
+
     # Ways
 
     def _reaching(self, at: int, place: int) -> tuple[list[Statement], int] | None:
@@ -1327,7 +1455,7 @@ class ClauseReader:
                 return self._way(at, joint)
         while place < len(self.words) and place < start + 12:
             word = self.text(place)
-            if word in ("get", "go", "walk", "drive", "reach", "travel", "come", "navigate", "access", "enter", "move", "pass", "roll", "leave", "find", "make"):
+            if self._is_going(place):
                 break
             if self.words[place].kind == "mark" or word in ("to", "on", "in"):
                 going = self.text(place + 1) in ("be", "get", "go", "walk", "drive", "reach", "travel", "come", "move", "enter")
@@ -1342,6 +1470,19 @@ class ClauseReader:
         if self.text(place) == "find" or self.text(place) == "make":
             place += 2
         return self._way(at, place + 1)
+
+    def _is_going(self, at: int) -> bool:
+        """Whether a word is a verb of going, with a direction where it has other meanings."""
+        word, following = self.text(at), self.text(at + 1)
+        if word in ("reach", "access", "enter"):
+            return True
+        if word in ("find", "make"):
+            return following in ("a", "the", "his", "its", "their", "my") and self.text(at + 2) == "way"
+        directions = ("to", "from", "into", "in", "inside", "through", "around", "up", "down", "over", "all", "out", "there",
+                      "everywhere", "anywhere", "across", "freely", "back", "upstairs", "towards", "straight", "safely",
+                      "easily", "between")  # fmt: skip
+        going = ("get", "go", "walk", "drive", "travel", "come", "navigate", "move", "pass", "roll")
+        return word in going and following in directions
 
     def _way(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read the ends of a way."""
@@ -1384,6 +1525,8 @@ class ClauseReader:
             return read.place.rooms, read.end
         while self.text(place) in ("the", "main", "front", "building", "building's"):
             place += 1
+        if self.text(place) in ("door", "doorway") and self.text(place + 1) != "of":
+            return Rooms(same=True), place + 1
         if self.text(place) in ("entrance", "exit", "outside", "street") and self.text(place + 1) != "hall":
             end = place + 1 + (self.text(place + 1) in ("door",))
             places, end = self.places(end)
@@ -1432,6 +1575,10 @@ class ClauseReader:
 
     def _leave(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``leave the sofa alone``, ``leave the door open``, ``leave two mugs on the desk``."""
+        if self.text(place) == "nothing":
+            nothing = self._nothing(place)
+            if nothing is not None:
+                return nothing
         items = self.items(place)
         end = items[-1].end
         item = items[0]
@@ -1526,9 +1673,9 @@ class ClauseReader:
         """Read ``the lamp should be on``, ``the lobby needs two chairs``, ``nothing should be on the table``."""
         if self.text(at) == "nothing":
             return self._nothing(at)
-        if self.text(at) in ("same", "one") and self.text(at + 1) in ("for", "more"):
-            if self.text(at) == "same":
-                return self._repeat(at, at + 1)
+        number = self._number_should_be(at)
+        if number is not None:
+            return number
         surface = self._surface(at)
         if surface is not None:
             end = surface[1]
@@ -1537,17 +1684,71 @@ class ClauseReader:
             colour = self._colour_at(end)
             if colour is not None and end > surface[1] - 1:
                 return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
-        item = self.item(at)
+        return self._of_subjects(at)
+
+    def _of_subjects(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read one subject or several, and what is said of them."""
+        subjects: list[Item] = []
+        place = at + (self.text(at) in ("neither", "both", "either") and self.phrase(at + 1) is not None)
+        while True:
+            item = self.item(place)
+            if item is None:
+                return None
+            subjects.append(self._named(item, subjects))
+            after = self.conjunction(item.end)
+            if self.predicate_follows(item.end) or self.text(item.end) in BE or not after or self.starts_clause(after):
+                break
+            place = after
+        shared = all(s.phrase.definite or s.phrase.noun.plural or s.is_room for s in subjects)
+        if len(subjects) > 1 and not (self.predicate_follows(subjects[-1].end) and (shared or place != at)):
+            return None
+        out: list[Statement] = []
+        end = at
+        for subject in subjects:
+            if self.text(at) == "neither":
+                none = Amount(kind="none", number=0)
+                subject = Item(replace(subject.phrase, amount=none), subject.places, subject.end)
+            found = self._predicate(subject, subjects[-1].end, at)
+            if found is None:
+                return None
+            out += found[0]
+            end = found[1]
+        return out, end
+
+    def _number_should_be(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the number of apples on the desk should be 2``."""
+        place = at + (self.text(at) == "the")
+        if self.text(place) != "number" or self.text(place + 1) != "of":
+            return None
+        item = self.item(place + 2)
         if item is None:
             return None
-        return self._predicate(item, item.end, at)
+        end = item.end
+        while self.text(end) in MODALS or self.text(end) in BE or self.text(end) in ("to", "exactly", "has"):
+            end += 1
+        if end >= len(self.words) or self.words[end].kind != "number":
+            return None
+        amount = Amount(kind="exactly", number=int(self.words[end].value))
+        things = msgspec.structs.replace(item.phrase.things(), amount=amount, definite=False)
+        return [Ensure(things=things, place=self._framed(item.goal())[0], quote=self.quote(at, end + 1))], end + 1
 
     def _nothing(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``nothing should be on the table except the vase``."""
         way = self._reaching(at, at)
         if way is not None:
             return way
+        if self.text(at + 2) == "(":
+            return [Mention(quote=self.quote(at, at + 2))], at + 2
         place = at + 1
+        if self.text(place) in ("but", "except"):
+            items = self.items(place + 1 + (self.text(place + 1) == "for"))
+            goal, _ = self._framed(self._shared_goal(items, items[0]))
+            if goal != Place():
+                end = items[-1].end
+                quote = self.quote(at, end)
+                kept = tuple(self._all(item.phrase.things()) for item in items)
+                there: list[Statement] = [Ensure(things=item.phrase.things(), place=goal, quote=quote) for item in items]
+                return [*there, Clear(place=goal, spare=kept, quote=quote)], end
         spare: tuple[Things, ...] = ()
         place, spare = self._exceptions(place + (self.text(place) == "else"))
         while self.text(place) in MODALS or self.text(place) in BE or self.text(place) in ("else", "left", "remain", "lie", "stand"):
@@ -1592,7 +1793,7 @@ class ClauseReader:
             modal = modal or self.text(place) in MODALS
             place += 1
         for reader in (self._said_state, self._said_participle, self._said_having, self._said_gone, self._said_where,
-                       self._said_colour):  # fmt: skip
+                       self._said_colour, self._said_good):  # fmt: skip
             found = reader(item, place, at, negated)
             if found is not None:
                 return found
@@ -1625,6 +1826,9 @@ class ClauseReader:
             return [Clear(place=self._emptied(item), spare=spare, quote=self.quote(at, after))], after
         if negated:
             return None
+        if deed == "move" and self.text(after) == ":":
+            self.topic = item.things()
+            return [Mention(quote=self.quote(at, after))], after
         if deed in ("move", "add"):
             places, end = self.places(after)
             if places or self.text(after) in ("there", "instead"):
@@ -1662,7 +1866,13 @@ class ClauseReader:
     def _said_having(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``needs two chairs``, ``should have a clock``, ``must not contain any knives``."""
         word = self.text(place)
-        if word not in HAVE and word not in ("need", "require", "lack", "get", "want", "deserve", "miss", "missing", "keep"):
+        if word == "do" and self.text(place + 1) == "with":
+            return self._said_having(item, place + 1, at, negated)
+        if word in ("has", "have") and self.text(place + 1) == "no" and self.text(place + 2) in ("business", "place"):
+            places, end = self.places(place + 3)
+            gone = Item(item.phrase, (*item.places, *places), end).things()
+            return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
+        if word not in HAVE and word not in ("with", "carry", "bear", "store") and word not in ("need", "require", "lack", "get", "want", "deserve", "miss", "missing", "keep"):
             return None
         if self.text(place + 1) == "to":
             return None
@@ -1702,7 +1912,7 @@ class ClauseReader:
             if source != Place():
                 return [Move(things=with_place(item.phrase.things(), source), place=goal, quote=self.quote(at, end))], end
             return [self._added([whole], whole, self.quote(at, end))], end
-        if word in ("belong", "come") and not negated:
+        if word in ("belong", "come", "sit", "stand", "lie", "live", "rest", "hang") and not negated:
             places, end = self.places(place + 1)
             if places:
                 whole = Item(item.phrase, places, end)
@@ -1735,6 +1945,19 @@ class ClauseReader:
         if item.phrase.definite or item.phrase.refers:
             return [self._added([whole], whole, quote)], end
         return self._there(whole, whole.goal(), quote), end
+
+    def _said_good(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``a mug on the desk would be nice``, and ``the desk is too bare``, which tells what comes next is about."""
+        if self.text(place) in ("nice", "good", "great", "lovely", "fine", "helpful", "appreciated", "perfect", "ideal", "welcome"):
+            if negated or not any(w.text in MODALS for w in self.words[item.end : place]):
+                return None
+            return self._there(item, item.goal(), self.quote(at, place + 1)), place + 1
+        indicative = self.text(item.end) in ("is", "are", "look", "seem")
+        too = next((k for k in range(item.end, item.end + 4) if self.text(k) == "too"), 0)
+        if indicative and too and too + 1 < len(self.words):
+            self.topic = None if item.is_room else item.things()
+            return [Mention(quote=self.quote(at, too + 2))], too + 2
+        return None
 
     def _said_colour(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         if negated or place == item.end:

@@ -64,6 +64,10 @@ class Lexicon:
             self._objects[words] = known or (len(words) == 1 and words[0] in HYPERNYMS | WAYS)
         return self._objects[words]
 
+    def is_way(self, word: str) -> bool:
+        """Whether a word names what a robot gets through by."""
+        return word in WAYS
+
     def stands(self, words: tuple[str, ...]) -> bool:
         """Whether words name furniture that stands on the floor."""
         kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))

@@ -1,11 +1,11 @@
 """Noun phrases: an amount, modifiers and a noun for things or rooms."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final, Literal, TypeAlias
 
 from mansion_editing.instructions.lexicon import ANYTHING, HYPERNYMS, Lexicon
-from mansion_editing.instructions.statements import Amount, AmountKind, Rooms, Things
+from mansion_editing.instructions.statements import Amount, AmountKind, Place, Rooms, Things
 from mansion_editing.instructions.storeys import read_storeys
 from mansion_editing.instructions.words import (
     ADVERBS,
@@ -16,6 +16,7 @@ from mansion_editing.instructions.words import (
     MODALS,
     NEED,
     PARTICIPLES_OF_REST,
+    PERSONS,
     PREPOSITIONS,
     STATE_WORDS,
     VAGUE,
@@ -52,7 +53,8 @@ _ENDS_RUN: Final = (
                  "emptied", "cleared", "closed", "shut", "opened", "open", "running", "lit", "already", "too",
                  "instead", "again", "somewhere", "anywhere", "here", "now", "also", "as", "if", "so", "that",
                  "facing", "exactly", "which", "upstairs", "downstairs", "each", "both", "all", "every", "ajar",
-                 "deleted", "reachable", "accessible", "where", "untouched", "alone", "starting", "next", "either"])
+                 "deleted", "reachable", "accessible", "where", "belong", "sit", "lie", "apart", "rather", "wherever", "whose",
+                 "whatever", "short", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
 )  # fmt: skip
 _MAY_BE_NOUN: Final = frozenset(["light", "open", "left", "right", "front", "stand", "set", "middle", "dark", "present"])
 
@@ -72,6 +74,7 @@ class Noun:
     size: Literal["", "largest", "smallest"] = ""
     states: dict[str, bool] = field(default_factory=dict)
     unknown: tuple[str, ...] = ()
+    floors: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -114,6 +117,7 @@ class NounPhrase:
             size=noun.size,
             refers=self.refers,
             owned=noun.owned,
+            place=Place(rooms=Rooms(floors=noun.floors)) if noun.floors else None,
         )
 
     def rooms(self) -> Rooms:
@@ -123,6 +127,7 @@ class NounPhrase:
         several = noun.plural or self.each or self.amount.kind == "all"
         return Rooms(
             words=words,
+            floors=noun.floors,
             every=several and self.amount.kind in ("some", "all"),
             number=self.amount.number if noun.plural and self.amount.number > 1 else 0,
             ordinal=noun.ordinal,
@@ -186,7 +191,9 @@ def read_amount(words: Sequence[Word], at: int) -> Amounted:
                 return Amount(kind=kind, number=number), False, False, place + 1
     first = _text(words, at)
     number = _number(words, at)
-    if first in ("all", "both", "every", "each", "everything", "any", "either") or first == "half":
+    if first == "half" or (first in ("every", "each") and at + 1 < len(words) and words[at + 1].kind == "ordinal"):
+        return Amount(number=0), False, False, len(words)  # no share of things can be asked for
+    if first in ("all", "both", "every", "each", "everything", "any", "either"):
         return _all(words, at)
     if first in ("no", "none", "neither") or (first == "not" and _text(words, at + 1) in ("a", "any", "one")):
         place = at + 1 + (first == "not")
@@ -266,7 +273,9 @@ def _counted(words: Sequence[Word], at: int, number: int, *, definite: bool) -> 
         return Amount(kind="more", number=number), definite, False, place + 1
     if _text(words, place) == "other" and not definite:
         return Amount(kind="more", number=number), definite, False, place + 1
-    place += _text(words, place) in ("x", "time") and words[place].text == "x"
+    place += _text(words, place) == "x"
+    if _text(words, place) == "(" and _number(words, place + 1) == number and _text(words, place + 2) == ")":
+        place += 3
     return Amount(number=number), definite, False, place
 
 
@@ -304,13 +313,17 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         return NounPhrase(noun, amount, True, start, place + 1, refers="last")
     if place == at + 1 and words[at].text in ("this", "that", "these", "those", "both", "another", "all", "each"):
         bare = place >= len(words) or not words[place].text[:1].isalpha() or words[place].text in _ENDS_RUN
-        if bare:
+        if bare and _text(words, place) != "with":
             noun = Noun((), "anything", plural=words[at].text in ("these", "those", "both", "all"))
             return NounPhrase(noun, amount, True, start, place, refers="last")
     if _text(words, place) in ("other", "rest", "remaining", "remainder"):
         others = _others(words, at, place, amount, lexicon, floors)
         if others is not None:
             return others
+    storeys: tuple[int, ...] = ()
+    level = read_storeys(words, place, floors)
+    if level is not None and not level[1] and _end_of_run(words, level[2], lexicon) > level[2]:
+        storeys, place = level[0], level[2]
     end = _end_of_run(words, place, lexicon)
     if end == place:
         return _bare_amount(words, start, place, amount)
@@ -322,6 +335,7 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         amount, end = Amount(number=count[0]), count[1]
     if amount.number == 0 and amount.kind == "some" and not definite and not noun.plural:
         amount = Amount(number=1)
+    noun = replace(noun, floors=storeys)
     return NounPhrase(noun, amount, definite, start, end, each=each)
 
 
@@ -383,6 +397,8 @@ def _end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if word.kind == "number" and _is_compound(words, end):
             end += 2
             continue
+        if word.text == "one" and end > at and not _starts_noun(words, end + 1, end + 1, lexicon):
+            return end + 1
         if word.kind == "number" and end > at and not _names_number(words, end, lexicon, at):
             if word.text not in ("double", "twin", "triple", "single"):
                 break
@@ -477,6 +493,8 @@ def _split(
         if len(span) > 1 and span[0] in COLOUR_WORDS and lexicon.is_object(span[1:]):
             continue
         own, room, thing = lexicon.is_own_room(span), lexicon.is_room(span), lexicon.is_object(span)
+        if span[-1] in PERSONS and not own:
+            continue
         if number and room:
             thing = False
         if not (room or thing) and not (len(span) == 1 and (span[0] in ANYTHING or span[0] in HYPERNYMS)):
@@ -489,8 +507,8 @@ def _split(
         elif own or room:
             kind = "room"
         return _modified(run[:first], span, kind, number, lexicon, plural=run[-1].plural)
-    if len(run) == 1 and run[0].text == "one" and run[0].kind == "number":
-        return Noun((), "anything")
+    if run and run[-1].text == "one" and run[-1].kind == "number":
+        return _modified(run[:-1], ("one",), "anything", "", lexicon, plural=run[-1].plural)
     return None
 
 

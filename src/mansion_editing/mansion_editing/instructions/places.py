@@ -80,6 +80,8 @@ def read_place(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequenc
     """Read one prepositional phrase, or a storey alone; None where there is none."""
     start = at
     place = at
+    if _text(words, place) == "there" and _text(words, place + 1) in ("in", "on", "at", "by"):
+        place += 1
     while _text(words, place) in ("somewhere", "anywhere", "just", "right", "directly", "that", "which", "who", "is", "are",
                                   "all", "still", "already", "currently", "straight", "exactly") and place < at + 3:  # fmt: skip
         if _text(words, place) == "right" and _text(words, place + 1) == "of":
@@ -354,11 +356,12 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
         return one or other
     if other.words and not one.words:
         one, other = other, one
+    here = (SAME_FLOOR,) if other.same and one.words and not one.floors else ()
     return msgspec.structs.replace(
         one,
-        floors=one.floors or other.floors,
+        floors=one.floors or other.floors or here,
         every=one.every or (other.every and not other.words),
-        same=one.same or other.same,
+        same=one.same or (other.same and not here),
         next_to=one.next_to or other.next_to or (other.words if one.words else ""),
     )
 

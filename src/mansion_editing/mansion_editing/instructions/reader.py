@@ -10,6 +10,8 @@ from mansion_editing.instructions.lexicon import Lexicon
 from mansion_editing.instructions.places import SAME_FLOOR, merged, read_place, with_place
 from mansion_editing.instructions.questions import read_question
 from mansion_editing.instructions.statements import (
+    Add,
+    Amount,
     Clear,
     Ensure,
     History,
@@ -58,11 +60,14 @@ class _Reader:
         self.words = split_words(text, self.lexicon.speller, self.lexicon.kept)
         self.statements: list[Statement] = []
         self.unknown: list[str] = []
+        self.topic: Things | None = None
 
     def read(self) -> Instruction:
         """Read all sentences in order."""
         for sentence, marked in _sentences(self.words):
             self._read_sentence(self._owners_named(sentence), marked=marked)
+        if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
+            self.unknown = [self.text.strip()]
         return Instruction(statements=_with_storeys(self.statements), not_understood=self.unknown)
 
     def _owners_named(self, words: Sequence[Word]) -> list[Word]:
@@ -116,15 +121,44 @@ class _Reader:
             found, end = reader.read(at)
         except NotUnderstood as fault:
             stop = max(fault.end, at + 1)
-            if _is_background(words[at:stop]):
+            if _is_background(words[at:stop]) or self._is_label(words, at, stop):
                 self.statements.append(Mention(quote=self._quote(words, at, stop)))
             else:
                 start = min(fault.start, at) if fault.start < len(words) else at
                 self.unknown.append(self._quote(words, start, stop))
             return stop
-        end = self._read_tail(reader, words, at, end)
-        self._take(found)
+        topic, reader.topic = reader.topic, None
+        found = [self._about_topic(statement) for statement in found]
+        if topic is not None or any(not isinstance(statement, Mention) for statement in found):
+            self.topic = topic
+        end, exact = self._read_tail(reader, words, end)
+        self._take([_exactly(statement) for statement in found] if exact else found)
         return end
+
+    def _about_topic(self, statement: Statement) -> Statement:
+        """Put what the clause before was about for ``it``."""
+        if self.topic is None:
+            return statement
+        topic = self.topic
+
+        def named(value: Any) -> Any:
+            if isinstance(value, Things) and value.refers == "last":
+                return topic
+            if not isinstance(value, msgspec.Struct):
+                return tuple(named(part) for part in value) if isinstance(value, tuple) else value
+            return msgspec.structs.replace(value, **{f: named(getattr(value, f)) for f in value.__struct_fields__})
+
+        changed: Statement = named(statement)
+        return changed
+
+    def _is_label(self, words: Sequence[Word], at: int, stop: int) -> bool:
+        """Whether words before a colon are a heading: ``Initial state:``."""
+        if stop >= len(words) or words[stop].text != ":" or stop - at > 9:
+            return False
+        usual = ("thing", "state", "task", "list", "step", "change", "order", "room")
+        nouns = [w.text for w in words[at:stop] if w.text not in usual]
+        named = any(self.lexicon.is_object((noun,)) or self.lexicon.is_own_room((noun,)) for noun in nouns)
+        return not named or words[at].text in ("we", "i")
 
     def _take(self, found: Iterable[Statement]) -> None:
         """Add statements; what stays is an exception of what is cleared or removed just before."""
@@ -139,12 +173,25 @@ class _Reader:
                 continue
             self.statements.append(statement)
 
-    def _read_tail(self, reader: ClauseReader, words: Sequence[Word], at: int, end: int) -> int:
-        """Read what may follow a clause: ``no more``, ``please``, ``if possible``; the rest must begin a new clause."""
+    def _read_tail(self, reader: ClauseReader, words: Sequence[Word], end: int) -> tuple[int, bool]:
+        """Read what may follow a clause: ``please``, ``if possible``; the rest must begin a new clause.
+
+        Returns
+        -------
+        end : int
+        exact : bool
+            The number that was named is meant exactly ("two forks, no more").
+        """
+        exact = False
         while end < len(words):
+            comma = words[end].text in (",", "and")
+            limit = tuple(w.text for w in words[end + comma : end + comma + 2])
+            if limit in (("no", "more"), ("no", "less"), ("not", "more"), ("no", "fewer")):
+                end, exact = end + comma + 2, True
+                continue
             text = words[end].text
             pair = (text, words[end + 1].text if end + 1 < len(words) else "")
-            if pair in (("no", "more"), ("no", "less"), ("nothing", "else"), ("no", "other"), ("as", "well"), ("at", "all"),
+            if pair in (("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"), ("at", "all"),
                         ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
                         ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so")):  # fmt: skip
                 end += 2
@@ -156,12 +203,19 @@ class _Reader:
             else:
                 break
         if end >= len(words) or words[end].kind == "mark" or words[end].text in ("and", "but", "then", "while", "plus", "so", "&"):
-            return end
+            return end, exact
         if _background(words, end) > end or reader.starts_clause(end):
-            return end
+            return end, exact
         stop = reader.boundary(end)
+        if words[end].text == "for" and not self._names_anything(words[end:stop]):
+            self.statements.append(Mention(quote=self._quote(words, end, stop)))
+            return stop, exact
         self.unknown.append(self._quote(words, end, stop))
-        return stop
+        return stop, exact
+
+    def _names_anything(self, words: Sequence[Word]) -> bool:
+        """Whether words name an object or a room of the building."""
+        return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)
 
     def _reads_question(self, reader: ClauseReader, words: Sequence[Word], at: int, *, marked: bool) -> bool:
         try:
@@ -257,6 +311,15 @@ class _Reader:
         return True
 
 
+def _exactly(statement: Statement) -> Statement:
+    """Return a statement of exactly the number that it names."""
+    if isinstance(statement, Ensure | Add) and statement.things.amount.kind == "some":
+        amount = Amount(kind="exactly", number=statement.things.amount.number)
+        things = msgspec.structs.replace(statement.things, amount=amount)
+        return Ensure(things=things, place=statement.place, each=statement.each, quote=statement.quote)
+    return statement
+
+
 def _sentences(words: Sequence[Word]) -> Iterable[tuple[list[Word], bool]]:
     """Yield sentences, each with whether a question mark ends it."""
     sentence: list[Word] = []
@@ -282,6 +345,9 @@ def _background(words: Sequence[Word], at: int) -> int:
     purpose = (first == "so" and following in ("that", "we", "i", "they", "people", "the", "it", "everyone", "guest", "nobody")) or (
         first == "in" and following in ("case", "order")
     )
+    if first in ("for", "before", "during", "after", "when") and at == 0:
+        comma = next((k for k in range(at, min(len(words), at + 9)) if words[k].text in (",", ":")), None)
+        return at if comma is None else comma
     if not (reason or purpose):
         return at
     end = at + 1

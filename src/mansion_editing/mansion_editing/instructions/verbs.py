@@ -9,7 +9,7 @@ from mansion_editing.instructions.words import DETERMINERS, PREPOSITIONS, PRONOU
 __all__ = ["Deed", "PARTICIPLES", "verb_at"]
 
 Deed: TypeAlias = Literal[
-    "add", "bring", "remove", "take", "clear", "tidy", "move", "swap", "replace", "switch", "open", "close", "paint", "rename",
+    "add", "bring", "remove", "take", "clear", "tidy", "go", "move", "swap", "replace", "switch", "open", "close", "paint", "rename",
     "furnish", "equip", "enlarge", "shrink", "number", "make", "turn", "check", "undo", "redo", "leave", "keep", "let",
     "change", "tell", "give", "set", "want", "go", "restore", "repeat", "start", "stop", "connect", "use",
 ]  # fmt: skip
@@ -17,16 +17,18 @@ Deed: TypeAlias = Literal[
 
 _VERBS: Final[dict[Deed, str]] = {
     "add": "add|put|place|lay|install|position|supply|provide|insert|drop|stick|deposit|park|stand|hang|mount|spawn|"
-           "create|include|store|hide|stack|pile|serve|spread|fix|arrange|distribute|rest|toss|shelve|line up|set up|"
+           "create|include|store|hide|serve|spread|fix|arrange|distribute|rest|toss|shelve|line up|set up|"
            "set out|lay out|squeeze|tuck|fit|attach|introduce|order|buy|build in|throw in|lean|display|plug in|assemble|"
            "scatter|drape|put up|put down|put out|add in|put in|put back|place back|set down|put on|dock|situate|"
-           "generate|organise|organize|prepare|decorate|procure|leave behind|slot|slide in|nest|sit|locate|"
+           "generate|organise|organize|prepare|decorate|procure|leave behind|slot|slide in|nest|sit|"
            "lay down|rack|file|organize",
-    "bring": "bring|fetch|deliver|get|grab|carry|return",
+    "bring": "bring|fetch|deliver|get|carry|return",
     "remove": "remove|delete|take away|take out|take off|take down|get rid of|throw away|throw out|dispose of|discard|"
               "eliminate|clear away|erase|bin|scrap|drop off|rid|ditch|lose|junk|trash|chuck out|chuck|"
-              "uninstall|dump|clear off|clear out|withdraw|take|subtract|pull out|do away with|kick out|toss out|"
+              "uninstall|dump|clear off|clear out|withdraw|subtract|pull out|do away with|kick out|toss out|"
               "move out|put away|destroy|strip out",
+    "take": "take|grab|pick up|pick|collect|catch",
+    "go": "go to|walk to|look at|find|approach|search for|go over to|drive to|take a look at|consider|locate|look for",
     "clear": "clear|empty|clean out|clear up|strip|empty out|vacate|free|free up",
     "tidy": "tidy|tidy up|clean|clean up|declutter|wipe|clean off|sort out",
     "move": "move|relocate|transfer|shift|transport|haul|push|pull|slide|drag|shove|reposition|migrate|walk|"

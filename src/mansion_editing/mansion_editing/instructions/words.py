@@ -113,7 +113,7 @@ VAGUE: Final = frozenset(
     "normal usual standard regular suitable matching similar different own personal certain main existing current "
     "single individual separate loose dirty tasty hot warm tidy cute elegant cheap sturdy soft heavy light dark "
     "bright stylish random correct appropriate several whole entire more other further free available ripe "
-    "unused used broken possible actual particular required necessary freestanding stray second-hand visible "
+    "unused used broken cold chilled cool iced refrigerated favourite favorite old-fashioned possible actual particular required necessary freestanding stray second-hand visible "
     "matching useless unneeded unnecessary remaining respective".split()
 )
 BREAKS: Final = frozenset([",", ";", ".", ":", "!", "?", "\n", "-", "(", ")", '"', "*", "/", "=", "#", "|", "[", "]"])
