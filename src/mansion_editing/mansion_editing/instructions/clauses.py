@@ -36,7 +36,8 @@ from mansion_editing.instructions.statements import (
     Things,
     Turn,
 )
-from mansion_editing.instructions.verbs import PARTICIPLES, Deed, verb_at
+from mansion_editing.instructions.verb_words import PARTICIPLES, Deed
+from mansion_editing.instructions.verbs import verb_at
 from mansion_editing.instructions.words import (
     ADVERBS,
     BE,
@@ -162,6 +163,7 @@ class ClauseReader:
         found: list[ReadPlace] = []
         while True:
             start = at
+            relative = self.text(at) in ("that", "which", "who")
             while self.text(at) in PARTICIPLES_OF_REST and self.text(at) != "there":
                 if self.text(at) == "that" and self.text(at + 1) in ("can", "could", "may") and self.text(at + 2) == "be":
                     at += 3
@@ -176,7 +178,7 @@ class ClauseReader:
                 read = self._place_after_comma(at, found)
             if read is None:
                 return tuple(found), start
-            found.append(read)
+            found.append(replace(read, relative=True) if relative else read)
             at = read.end
 
     def _place_after_comma(self, at: int, found: list[ReadPlace]) -> ReadPlace | None:
@@ -265,7 +267,7 @@ class ClauseReader:
         word = self.text(at)
         if word in (",", "-", ":"):
             return False
-        if word in MODALS or word in ("is", "are", "need", "has", "have", "go", "get", "belong", "lack", "want"):
+        if word in MODALS or word in ("is", "are", "need", "has", "have", "go", "get", "belong", "lack", "want", "face"):
             return True
         if word in STATE_WORDS:
             nominal = word in ("on", "off") and self.phrase(at + 1) is not None
@@ -528,7 +530,7 @@ class ClauseReader:
 
     def _wanted(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read what is wanted: a clause after ``to``, a thing with a predicate, or a thing."""
-        place += self.text(place) in ("that", "for")
+        place += self.text(place) in ("that", "for", "me", "us")
         if self.text(place) == "nothing":
             nothing = self._nothing(place)
             if nothing is not None:
@@ -597,6 +599,12 @@ class ClauseReader:
         for_whom = self.text(place) in ("me", "us") and self.text(place + 1) != "to"
         items = self.items(place + for_whom)
         end = items[-1].end
+        back = self.text(end) == "back" or "back" in (w.text for w in self.words[at:place])
+        if back and len(items) == 1 and not items[0].places and (items[0].phrase.refers or items[0].phrase.definite):
+            end += self.text(end) == "back"
+            while self.text(end) in ("where", "it", "they", "was", "were", "to", "its", "place", "there", "again"):
+                end += 1
+            return [History(what="restore", things=items[0].things(), quote=self.quote(at, end))], end
         verb = self.text(at)
         if len(items) == 1 and verb in ("put", "leave") and self.text(end) in ("on", "off"):
             state, value = STATE_WORDS[self.text(end)]
@@ -713,6 +721,9 @@ class ClauseReader:
         phrase = item.phrase
         shared = item.places or not any(other.places for other in items)
         source = _joined([p for p in item.places if p.source])[0] if shared else Place()
+        if any(p.relative or p.goal for p in item.places) and (phrase.definite or phrase.refers):
+            source, goal, each = self._source_and_goal(item.places)
+            goal, each = self._framed((goal, each))
         moved = phrase.definite or phrase.refers or source != Place() or phrase.amount.kind in ("all", "all_but")
         if not moved:
             if phrase.amount.kind in ("exactly", "at_least", "at_most"):
@@ -792,6 +803,9 @@ class ClauseReader:
         own = item.places or next((other.places for other in items[items.index(item) :] if other.places), ())
         place, _ = self._framed(_joined([*own, *more]))
         things = item.phrase.things()
+        told = next((b.place for b in besides if b.place is not None), None)
+        if place == Place() and told is not None:
+            place = told
         if things.noun == "" and not things.refers:
             return Clear(place=place, spare=besides, quote=quote)
         if item.phrase.amount.kind == "some" and item.phrase.amount.number == 0 and item.phrase.plural:
@@ -901,6 +915,9 @@ class ClauseReader:
     def _source_and_goal(self, places: Sequence[ReadPlace]) -> tuple[Place, Place, bool]:
         """Return where things come from and where they go: the goal begins with ``to``, or is the last place."""
         explicit = next((k for k, p in enumerate(places) if p.goal), None)
+        told = max((k for k, p in enumerate(places) if p.relative), default=-1)
+        if explicit is None and 0 <= told < len(places) - 1:
+            explicit = told + 1
         leaving = next((k for k, p in enumerate(places) if p.source), None)
         if explicit is None:
             related = [k for k, p in enumerate(places) if not p.source and (p.place.relation or p.place.spot or p.place.facing)]
@@ -924,6 +941,11 @@ class ClauseReader:
         quote = self.quote(at, end)
         if len(items) == 2 and items[0].is_room and items[1].is_room:
             return [Swap(one=items[0].rooms(), other=items[1].rooms(), quote=quote)], end
+        if len(items) == 1 and items[0].is_room and self.text(end) == ":":
+            named = self.items(end + 1)
+            if len(named) == 2:
+                quote = self.quote(at, named[1].end)
+                return [Swap(one=named[0].rooms(), other=named[1].rooms(), quote=quote)], named[1].end
         if len(items) == 1 and items[0].is_room and items[0].phrase.amount.number == 2:
             return [Swap(one=items[0].rooms(), other=Rooms(same=True), quote=quote)], end
         joint = next((k for k in range(place, len(self.words)) if self.text(k) in ("for", "with", "by", "to", "against")
@@ -1202,6 +1224,8 @@ class ClauseReader:
     def _given(self, item: Item, goal: Place, quote: str, *, each: bool) -> Statement:
         own = item.goal()[0]
         place = goal if own == Place() else merged(own, goal)
+        if place.relation == "on" and place.anchor is not None and self.lexicon.stands(item.phrase.noun.words):
+            place = msgspec.structs.replace(place, relation="around" if item.phrase.plural else "beside")
         if item.phrase.amount.kind in ("exactly", "at_least", "at_most"):
             return Ensure(things=item.phrase.things(), place=place, each=each, quote=quote)
         return Add(things=item.phrase.things(), place=place, each=each, quote=quote)
@@ -1529,7 +1553,6 @@ class ClauseReader:
             return Rooms(same=True), place + 1
         if self.text(place) in ("entrance", "exit", "outside", "street") and self.text(place + 1) != "hall":
             end = place + 1 + (self.text(place + 1) in ("door",))
-            places, end = self.places(end)
             return Rooms(words="entrance"), end
         item = self.item(at)
         if item is None:
@@ -1952,6 +1975,11 @@ class ClauseReader:
             if negated or not any(w.text in MODALS for w in self.words[item.end : place]):
                 return None
             return self._there(item, item.goal(), self.quote(at, place + 1)), place + 1
+        if self.text(place) in ("face", "facing"):
+            goal = self.item(place + 1)
+            if goal is not None and not goal.is_room:
+                quote = self.quote(at, goal.end)
+                return [Turn(things=self._all_if_plural(item.things()), facing=goal.things(), quote=quote)], goal.end
         indicative = self.text(item.end) in ("is", "are", "look", "seem")
         too = next((k for k in range(item.end, item.end + 4) if self.text(k) == "too"), 0)
         if indicative and too and too + 1 < len(self.words):

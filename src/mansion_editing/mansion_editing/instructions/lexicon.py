@@ -9,6 +9,7 @@ from mansion_editing.state import SceneState
 from mansion_knowledge import interchangeable_names
 from mansion_knowledge.words import common_words
 from mansion_language.spelling import Speller
+from mansion_editing.instructions.verb_words import VERB_WORDS
 from mansion_editing.instructions.words import FUNCTION_WORDS, VAGUE
 
 __all__ = ["ANYTHING", "HYPERNYMS", "WAYS", "Lexicon"]
@@ -24,6 +25,12 @@ HYPERNYMS = frozenset(
 
 WAYS = frozenset(["way", "path", "route", "access", "passage", "walkway"])
 """Nouns for what a robot gets through by."""
+
+_PERSONS_OF_ROOMS = frozenset("child guest staff patient nurse teacher family man woman doctor".split())
+"""Persons that rooms are named after, whose name alone does not mean the room."""
+
+_NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "place", "side"])
+"""Nouns that end names of objects but do not name any by themselves."""
 
 _CORES = frozenset(["stair", "staircase", "elevator", "entrance", "exit", "stairwell"])
 
@@ -60,6 +67,8 @@ class Lexicon:
         """Whether words in the singular name objects, by the catalogue or by the scene."""
         if words not in self._objects:
             text = " ".join(words)
+            if len(words) == 1 and words[0] in _NO_OBJECTS:
+                return False
             known = bool(vocabulary_of(self._state.catalogue).nouns(text)) or words in self._object_names
             self._objects[words] = known or (len(words) == 1 and words[0] in HYPERNYMS | WAYS)
         return self._objects[words]
@@ -77,7 +86,7 @@ class Lexicon:
     def speller(self) -> Speller:
         """Mends words to names of the building and the catalogue, and to the words of instructions."""
         own = {word for name in self._room_names | self._object_names for word in name}
-        return Speller(own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE)
+        return Speller(own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS)
 
     @cached_property
     def kept(self) -> frozenset[str]:
@@ -97,6 +106,8 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
             yield name
             if len(name) > 1 and name[-1].isdecimal():
                 yield name[:-1]
+            if len(name) == 2 and name[0] in _PERSONS_OF_ROOMS:
+                continue
             if len(name) > 1 and name[-1] in ("room", "area", "office", "suite", "studio", "hall"):
                 yield name[:-1]
 
@@ -105,7 +116,7 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
 def _kinds_of_rooms(catalogue: Catalogue) -> frozenset[tuple[str, ...]]:
     kinds = {stems(kind.replace("_", " ")) for kind in catalogue.room_types}
     others = {stems(name) for names in interchangeable_names().values() for name in names}
-    return frozenset(kinds | others | {(core,) for core in _CORES})
+    return frozenset(kinds | others | {(core,) for core in _CORES} | {("room",)})
 
 
 @lru_cache(maxsize=4)

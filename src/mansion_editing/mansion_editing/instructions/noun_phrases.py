@@ -54,7 +54,7 @@ _ENDS_RUN: Final = (
                  "instead", "again", "somewhere", "anywhere", "here", "now", "also", "as", "if", "so", "that",
                  "facing", "exactly", "which", "upstairs", "downstairs", "each", "both", "all", "every", "ajar",
                  "deleted", "reachable", "accessible", "where", "belong", "sit", "lie", "apart", "rather", "wherever", "whose",
-                 "whatever", "short", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
+                 "whatever", "short", "anew", "afresh", "want", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
 )  # fmt: skip
 _MAY_BE_NOUN: Final = frozenset(["light", "open", "left", "right", "front", "stand", "set", "middle", "dark", "present"])
 
@@ -124,6 +124,7 @@ class NounPhrase:
         """Return the phrase as a description of rooms."""
         noun = self.noun
         words = " ".join((*filter(None, [noun.owned]), *noun.words, *filter(None, [noun.number])))
+        words = "" if words == "room" else words
         several = noun.plural or self.each or self.amount.kind == "all"
         return Rooms(
             words=words,
@@ -407,10 +408,23 @@ def _end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
                 break
         if text in DETERMINERS and end >= at and text != "own":
             break
+        if end > at and _is_colour_after(words, end, at, lexicon):
+            break
         end += 1
         if word.genitive and end < len(words) and words[end].text in PREPOSITIONS:
             break
     return end
+
+
+def _is_colour_after(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
+    """Whether a colour stands after the noun that takes it: ``make the sofa dark red``."""
+    shaded = words[end].text in _SHADES and end + 1 < len(words) and words[end + 1].text in COLOUR_WORDS
+    if not (shaded or words[end].text in COLOUR_WORDS):
+        return False
+    before = tuple(w.text for w in words[at:end])
+    named = any(lexicon.is_object(before[k:]) or lexicon.is_room(before[k:]) for k in range(len(before)))
+    last = end + 1 + shaded
+    return named and (last >= len(words) or not lexicon.is_object((words[last].text,)))
 
 
 def _starts_noun(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
@@ -432,10 +446,12 @@ def _names_number(words: Sequence[Word], end: int, lexicon: Lexicon, at: int) ->
     if not (word.raw.isdecimal() or word.kind == "code"):
         return False
     before = tuple(w.text for w in words[at:end])
-    rooms = any(lexicon.is_room(before[k:]) for k in range(len(before)))
+    rooms = any(lexicon.is_room(before[k:]) or lexicon.is_object(before[k:]) for k in range(len(before)))
     following = words[end + 1] if end + 1 < len(words) else None
+    own = any(lexicon.is_room(before[k:]) for k in range(len(before)))
     counts = following is not None and (following.kind == "unit" or lexicon.is_object((following.text,)))
-    return rooms and not counts
+    ends = own or following is None or following.kind == "mark" or following.text in PREPOSITIONS
+    return rooms and ends and not counts
 
 
 def _noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> tuple[Noun | None, int]:
@@ -453,6 +469,8 @@ def _noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> tupl
     if len(run) > 1 and run[-1].text in _OPENING and lexicon.is_object(tuple(w.text for w in run[-2:-1])):
         run = run[:-1]
     found = _split(run, lexicon, number)
+    if found is not None and found.kind == "object" and number.isdecimal():
+        found = replace(found, number="", ordinal=int(number))
     if found is None and number:
         found = _split([*run, words[end - 1]], lexicon, "")
     return found, end

@@ -30,6 +30,8 @@ class ReadPlace:
         It tells where something comes from ("from", "off", "out of").
     each : bool
         Every one of several places is meant ("on each desk").
+    relative : bool
+        In a relative clause ("that is on the desk"): where the thing is now.
     """
 
     place: Place
@@ -38,12 +40,15 @@ class ReadPlace:
     goal: bool = False
     source: bool = False
     each: bool = False
+    relative: bool = False
 
 
 _ON: Final = ("on", "onto", "atop")
 _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
     (("on", "top", "of"), "on"), (("on", "to"), "on"), (("in", "to"), "in"), (("inside", "of"), "in"),
     (("in", "front", "of"), "front"), (("on", "either", "side", "of"), "around"), (("on", "both", "side", "of"), "around"),
+    (("to", "the", "left", "and", "right", "of"), "around"), (("on", "the", "left", "and", "right", "of"), "around"),
+    (("left", "and", "right", "of"), "around"), (("on", "each", "side", "of"), "around"), (("to", "both", "side", "of"), "around"),
     (("to", "the", "left", "of"), "left"), (("left", "of"), "left"), (("to", "the", "right", "of"), "right"),
     (("right", "of"), "right"), (("on", "the", "left", "of"), "left"), (("on", "the", "right", "of"), "right"),
     (("on", "the", "left", "side", "of"), "left"), (("on", "the", "right", "side", "of"), "right"),
@@ -82,8 +87,7 @@ def read_place(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequenc
     place = at
     if _text(words, place) == "there" and _text(words, place + 1) in ("in", "on", "at", "by"):
         place += 1
-    while _text(words, place) in ("somewhere", "anywhere", "just", "right", "directly", "that", "which", "who", "is", "are",
-                                  "all", "still", "already", "currently", "straight", "exactly") and place < at + 3:  # fmt: skip
+    while _text(words, place) in ("somewhere", "anywhere", "just", "right", "directly", "all", "still", "already", "currently", "straight", "exactly") and place < at + 3:  # fmt: skip
         if _text(words, place) == "right" and _text(words, place + 1) == "of":
             break
         if _text(words, place) == "all" and _text(words, place + 1) not in ("over", "around", "along", "across"):

@@ -105,6 +105,8 @@ class _Reader:
         if self._reads_question(reader, words, at, marked=marked):
             return
         at = self._read_frame(reader, at)
+        if self._repeats(reader, words, at):
+            return
         while at < len(words):
             at = reader.skip(at)
             if at >= len(words):
@@ -115,6 +117,50 @@ class _Reader:
                 at = end
                 continue
             at = self._read_clause(reader, words, at)
+
+    def _repeats(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
+        """Read what only repeats an earlier instruction: ``and in the bedroom too``, ``one more``, ``the same upstairs``."""
+        if self.statements:
+            return False
+        if reader.text(at) in ("same", "likewise", "ditto") or (reader.text(at) == "the" and reader.text(at + 1) == "same"):
+            at += 1 + (reader.text(at) == "the")
+            at += reader.text(at) in ("thing", "again")
+            if reader.text(at) == "for":
+                return self._repeats_for(reader, words, at + 1)
+        elif not (words[0].text in ("and", "also", "now", "then") or "too" in (words[-1].text, reader.text(len(words) - 2))):
+            return self._one_more(reader, words, at)
+        places, end = reader.places(at)
+        if not places or reader.skip(end) < len(words):
+            return self._one_more(reader, words, at)
+        place = places[0].place
+        for read in places[1:]:
+            place = merged(place, read.place)
+        self.statements.append(History(what="repeat", place=place, quote=self._quote(words, 0, len(words))))
+        return True
+
+    def _repeats_for(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
+        quote = self._quote(words, 0, len(words))
+        if tuple(w.text for w in words[at : at + 3]) in (("the", "next", "room"), ("the", "next", "one")):
+            place = Place(rooms=Rooms(next_to="room", same=True))
+            self.statements.append(History(what="repeat", place=place, quote=quote))
+            return True
+        item = reader.item(at)
+        if item is None or reader.skip(item.end) < len(words):
+            return False
+        if item.phrase.noun.kind in ("room", "both"):
+            self.statements.append(History(what="repeat", place=Place(rooms=item.rooms()), quote=quote))
+        else:
+            self.statements.append(History(what="repeat", things=item.things(), quote=quote))
+        return True
+
+    def _one_more(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
+        phrase = reader.phrase(at)
+        bare = phrase is not None and phrase.refers == "last" and phrase.amount.kind == "more"
+        if phrase is None or not bare or reader.skip(phrase.end) < len(words):
+            return False
+        quote = self._quote(words, 0, len(words))
+        self.statements.append(History(what="repeat", things=phrase.things(), quote=quote))
+        return True
 
     def _read_clause(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         try:

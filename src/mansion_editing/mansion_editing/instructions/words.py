@@ -129,7 +129,8 @@ _SHORT: Final = {
     "cuz": "because", "cos": "because", "tv": "tv", "bedrm": "bedroom", "rm": "room", "flr": "floor", "ppl": "people",
     "wanna": "want", "gonna": "will", "lemme": "let", "gimme": "give", "n": "and", "smth": "something", "centre": "middle",
     "center": "middle", "storey": "floor", "story": "floor", "level": "floor", "upon": "on", "onto": "onto",
-    "meter": "metre", "lift": "elevator", "kid": "child",
+    "meter": "metre", "lift": "elevator", "kid": "child", "teh": "the", "adn": "and", "taht": "that", "hte": "the",
+    **dict.fromkeys("dont doesnt shouldnt isnt arent cant wont mustnt didnt".split(), "not"),
 }  # fmt: skip
 _ID: Final = re.compile(r"\b[fF]-?\d+/[A-Za-z0-9_./-]*[A-Za-z0-9_]|\b[a-z]+(?:_[a-z0-9]+)+\b")
 _VERB_BEFORE_NOUN: Final = frozenset(["is", "has", "was", "does"])
