@@ -164,7 +164,9 @@ class ClauseReader:
         while True:
             start = at
             relative = self.text(at) in ("that", "which", "who")
-            while self.text(at) in PARTICIPLES_OF_REST and self.text(at) != "there":
+            while self.text(at) in PARTICIPLES_OF_REST and self.text(at) != "there" and not (
+                self.text(at) == "left" and self.text(at + 1) in ("and", "of")
+            ):
                 if self.text(at) == "that" and self.text(at + 1) in ("can", "could", "may") and self.text(at + 2) == "be":
                     at += 3
                     at += self.text(at + 1) in ("on", "off", "up")

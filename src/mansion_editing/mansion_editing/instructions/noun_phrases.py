@@ -7,6 +7,7 @@ from typing import Final, Literal, TypeAlias
 from mansion_editing.instructions.lexicon import ANYTHING, HYPERNYMS, Lexicon
 from mansion_editing.instructions.statements import Amount, AmountKind, Place, Rooms, Things
 from mansion_editing.instructions.storeys import read_storeys
+from mansion_editing.instructions.verb_words import BY_WORDS
 from mansion_editing.instructions.words import (
     ADVERBS,
     BE,
@@ -37,6 +38,7 @@ MATERIALS: Final = {
 """Words for materials, and the family that a palette has for each."""
 
 _SHADES: Final = frozenset(["light", "dark", "pale", "bright", "deep", "pastel", "soft"])
+_ARTICLES_AFTER_VERBS: Final = frozenset("a an the all every each two three four five six some another my our its".split())
 _HOLDERS: Final = frozenset(
     "cup mug glass bottle can bowl plate jar box bag basket carton pot jug tin tray vase packet loaf slice bunch stack "
     "pile pair piece set couple row group".split()
@@ -407,6 +409,8 @@ def _end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
             if not (text in _MAY_BE_NOUN and _starts_noun(words, end, at, lexicon)):
                 break
         if text in DETERMINERS and end >= at and text != "own":
+            break
+        if end > at and (text,) in BY_WORDS and end + 1 < len(words) and words[end + 1].text in _ARTICLES_AFTER_VERBS:
             break
         if end > at and _is_colour_after(words, end, at, lexicon):
             break
