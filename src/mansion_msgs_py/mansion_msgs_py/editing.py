@@ -5,7 +5,7 @@ D.2): CheckPath, SearchAssets, ListObjects, CheckSurface, SearchContents, PlaceI
 PlaceOnSurface. Every one takes `editor` besides, the name that ``scene/open`` gave a building on the server.
 """
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
 
@@ -41,12 +41,20 @@ __all__ = [
     "SearchAssetsArgs",
     "SearchContentsArgs",
     "SetStateArgs",
+    "Side",
+    "Spot",
     "ToolArgs",
     "Transaction",
 ]
 
 Text = Annotated[str, msgspec.Meta(max_length=400)]
 Coordinate = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
+
+Side: TypeAlias = Literal["", "beside", "left", "right", "behind", "front", "under", "above", "between", "around"]
+"""Where something is, seen from another object; left and right are the object's own (of a sofa, those of who sits on it)."""
+
+Spot: TypeAlias = Literal["", "wall", "corner", "window", "door", "middle"]
+"""A part of a room."""
 
 
 class ToolArgs(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -372,6 +380,10 @@ class AgentReport(msgspec.Struct, kw_only=True, frozen=True):
         What was asked, in words; and what could not be met, each with its reason.
     edits : int
         Tools that changed something.
+    question : bool
+        It was only asked about the building; `message` is the answer.
+    candidates : list of str
+        Ids of what words may mean that fit several things.
     """
 
     message: str
@@ -383,3 +395,5 @@ class AgentReport(msgspec.Struct, kw_only=True, frozen=True):
     saved: bool = False
     transaction: int | None = None
     object_ids: list[str] = []
+    question: bool = False
+    candidates: list[str] = []
