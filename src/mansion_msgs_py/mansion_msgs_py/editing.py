@@ -5,7 +5,7 @@ D.2): CheckPath, SearchAssets, ListObjects, CheckSurface, SearchContents, PlaceI
 PlaceOnSurface. Every one takes `editor` besides, the name that ``scene/open`` gave a building on the server.
 """
 
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal
 
 import msgspec
 
@@ -41,20 +41,12 @@ __all__ = [
     "SearchAssetsArgs",
     "SearchContentsArgs",
     "SetStateArgs",
-    "Side",
-    "Spot",
     "ToolArgs",
     "Transaction",
 ]
 
 Text = Annotated[str, msgspec.Meta(max_length=400)]
 Coordinate = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
-
-Side: TypeAlias = Literal["", "beside", "left", "right", "behind", "front", "under", "above", "between", "around"]
-"""Where something is, seen from another object; left and right are the object's own (of a sofa, those of who sits on it)."""
-
-Spot: TypeAlias = Literal["", "wall", "corner", "window", "door", "middle"]
-"""A part of a room."""
 
 
 class ToolArgs(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -106,8 +106,15 @@ def _exists(question: Ask, found: Sequence[SceneObject], said: str, state: Scene
 def _where(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:
     if not found:
         return f"There is no {_noun(question)}{said or ' in the building'}."
-    places = [f"{item.id} is {whereabouts(state, item)} in {room_title(state, item.room)}" for item in found[:12]]
+    places = [f"{item.id} is {_in_full(item, state)}" for item in found[:12]]
     return "; ".join(places) + (f"; and {len(found) - 12} more." if len(found) > 12 else ".")
+
+
+def _in_full(item: SceneObject, state: SceneState) -> str:
+    room = room_title(state, item.room)
+    if item.mount == "floor":
+        return f"in {room}"
+    return f"{whereabouts(item)} in {room}" if item.parent is not None else f"on the {item.mount} in {room}"
 
 
 def _what(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:

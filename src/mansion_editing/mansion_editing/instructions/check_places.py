@@ -4,6 +4,7 @@ import math
 
 import msgspec
 
+from mansion_editing.instructions.check_numbers import check_add
 from mansion_editing.instructions.differences import Differences, carried_below
 from mansion_editing.instructions.finding import Finding, at_shares, shares_of
 from mansion_editing.instructions.references import (
@@ -28,8 +29,6 @@ def check_move(statement: Move, before: SceneState, after: SceneState, context: 
     things, place = statement.things, statement.place
     fitting = things_of(before, things, context)
     if not fitting and statement.or_new:
-        from mansion_editing.instructions.check_numbers import check_add
-
         new = msgspec.structs.replace(things, definite=False, place=None)
         return check_add(Add(things=new, place=place), before, after, context, diff)
     gone_to = diff.relocated()

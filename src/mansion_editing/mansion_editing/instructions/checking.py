@@ -4,8 +4,9 @@ Each statement is looked up in the scene before and the scene after it. What dif
 statement asks for, or follow from it (what furniture carries, a small thing that made room); anything else is a fault.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any, Final
 
 from mansion_editing.instructions.check_changes import check_paint, check_reach, check_rooms, check_state
 from mansion_editing.instructions.check_numbers import check_add, check_clear, check_ensure, check_remove, check_replace
@@ -90,26 +91,27 @@ def fault(statement: Statement, before: SceneState, after: SceneState, context: 
 def _finding(
     statement: Statement, before: SceneState, after: SceneState, context: Context, diff: Differences
 ) -> Finding:
-    for kinds, check in _CHECKS:
-        if isinstance(statement, kinds):
-            return check(statement, before, after, context, diff)  # type: ignore[operator, no-any-return]
-    return Finding()
+    check = _CHECKS.get(type(statement))
+    return Finding() if check is None else check(statement, before, after, context, diff)
 
 
-_CHECKS = (
-    (Add, check_add),
-    (Ensure, check_ensure),
-    (Remove, check_remove),
-    (Clear, check_clear),
-    (Replace, check_replace),
-    (Move, check_move),
-    (Swap, check_swap),
-    (Turn, check_turn),
-    (SetState, check_state),
-    (Paint, check_paint),
-    (Reach, check_reach),
-    ((Rename, Finish, Furnish, Reshape), check_rooms),
-)
+_CHECKS: Final[dict[type[Any], Callable[[Any, SceneState, SceneState, Context, Differences], Finding]]] = {
+    Add: check_add,
+    Ensure: check_ensure,
+    Remove: check_remove,
+    Clear: check_clear,
+    Replace: check_replace,
+    Move: check_move,
+    Swap: check_swap,
+    Turn: check_turn,
+    SetState: check_state,
+    Paint: check_paint,
+    Reach: check_reach,
+    Rename: check_rooms,
+    Finish: check_rooms,
+    Furnish: check_rooms,
+    Reshape: check_rooms,
+}
 
 
 def _aside(diff: Differences, finding: Finding) -> list[str]:

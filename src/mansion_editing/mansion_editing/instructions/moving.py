@@ -43,7 +43,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     if (found and not away) or (there and single and not means_one(things) and not statement.or_new):
         return Done(f"{listed(sorted(there))} {_is(there)} there already; nothing had to move", context)
     chosen = _to_move(state, statement, away, targets, context)
-    before = [(item, whereabouts(state, item)) for item in chosen]
+    before = [(item, whereabouts(item).removeprefix("in ")) for item in chosen]
     ids: list[str] = []
     replies = []
     for item, where in before:
@@ -51,7 +51,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         ids.append(new)
         (now,) = live(state, [new])
         name = item.id if new == item.id else f"{item.id} (now {new})"
-        replies.append(f"{name} moved from {where} to {whereabouts(state, now)}")
+        replies.append(f"{name} moved from {where} to {whereabouts(now)}")
     rooms = tuple(dict.fromkeys(item.room for item in live(state, ids)))
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
 
@@ -95,7 +95,7 @@ def _to_move(
         return [item for item in chosen if item.id in ids]
     going = [item for item in chosen if item.id in ids]
     spare = [item for item in (*prefer, *away) if item not in chosen]
-    return [*going, *dict((item.id, item) for item in spare).values()][: len(chosen)]
+    return [*going, *{item.id: item for item in spare}.values()][: len(chosen)]
 
 
 def _moved_to_any(

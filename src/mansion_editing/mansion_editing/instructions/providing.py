@@ -124,8 +124,8 @@ def _groups(
     if not targets:
         targets = [(yield from _new_carrier(place, state, context))]
     if not several and plural_rooms:
-        rooms = list(dict.fromkeys(target.room for target in targets))
-        return [[target for target in targets if target.room == room] for room in rooms]
+        names = list(dict.fromkeys(target.room for target in targets))
+        return [[target for target in targets if target.room == name] for name in names]
     anchor = place.anchor
     if several or (anchor is not None and anchor.definite and means_several(anchor) and place.relation != "between"):
         return [[target] for target in targets]
@@ -162,7 +162,7 @@ def _kind(anchor: Things, place: Place) -> str:
 
 
 def wishes_of(place: Place, target: Target) -> dict[str, Any]:
-    """Return the arguments of a place tool that say where from its anchor, in which part of the room, and how turned."""
+    """Return the arguments of a place tool that say where from its anchor, where in the room, and how turned."""
     out: dict[str, Any] = {}
     if target.anchor is not None and place.relation not in ("on", "in"):
         out["near"] = target.anchor.id
@@ -312,23 +312,24 @@ def replace_things(statement: Replace, state: SceneState, context: Context) -> W
     for order, old in enumerate(olds):
         gone += yield from removed([old], state)
         share = number // len(olds) + (order < number % len(olds))
-        for _ in range(share):
-            made.append((yield from _in_place_of(old, by, state)))
+        made += yield from _in_place_of(old, by, share, state)
     carried = [name for name in gone if name not in {old.id for old in olds}]
     reply = f"{listed(olds)} replaced by {listed(made)}" + (f"; gone with it: {listed(carried)}" if carried else "")
     rooms = tuple(dict.fromkeys(old.room for old in olds))
     return Done(reply, context.followed(made, rooms, by.noun))
 
 
-def _in_place_of(old: SceneObject, by: Things, state: SceneState) -> Generator[Action, Outcome, str]:
-    """Place a new thing as close to an old one's place as there is room."""
+def _in_place_of(old: SceneObject, by: Things, number: int, state: SceneState) -> Made:
+    """Place new things as close to an old one's place as there is room."""
+    if not number:
+        return []
     parent = live(state, [old.parent or ""])
     relation = "in" if old.mount == "inside" else "on"
     place = Place(relation=relation) if parent else Place()  # type: ignore[arg-type]
-    (made,) = yield from place_at(by, 1, place, [Target(old.room, parent[0] if parent else None)], state)
-    (new,) = live(state, [made])
-    if new.mount == old.mount and new.parent == old.parent:
+    made = yield from place_at(by, number, place, [Target(old.room, parent[0] if parent else None)], state)
+    first = live(state, made[:1])[0]
+    if first.mount == old.mount and first.parent == old.parent:
         x, y, _ = old.position
-        arguments = {"object_id": made, "x": x, "y": y, "rotation": old.rotation}
-        yield Action(f"{made} should stand where {old.id} was.", "MoveObject", arguments)
+        arguments = {"object_id": first.id, "x": x, "y": y, "rotation": old.rotation}
+        yield Action(f"{first.id} should stand where {old.id} was.", "MoveObject", arguments)
     return made

@@ -14,6 +14,7 @@ from mansion_editing.instructions.statements import Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.relations import relation_holds
+from mansion_msgs_py.editing import Side
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 
@@ -279,7 +280,7 @@ class _Placed:
                 for other in ends
                 if one.id != other.id
             )
-        side = "" if relation in ("", "near") else relation
+        side: Side = "" if relation in ("", "near") else relation  # type: ignore[assignment]
         return any(relation_holds(self.state, item, side, anchor.id, within=within) for anchor in near)
 
 
@@ -405,8 +406,8 @@ def _ids(found: Sequence[SceneObject]) -> str:
 def _any_of(state: SceneState, found: list[SceneObject], number: int) -> list[SceneObject]:
     """Return so many of the objects: those that carry nothing first, then the last in the order of ids."""
     bearing = {item.parent for _, item in state.objects() if item.parent is not None}
-    order = sorted(reversed(found), key=lambda item: item.id in bearing)
-    kept = {item.id for item in order[:number]}
+    order = sorted(enumerate(found), key=lambda pair: (pair[1].id in bearing, -pair[0]))
+    kept = {item.id for _, item in order[:number]}
     return [item for item in found if item.id in kept]
 
 

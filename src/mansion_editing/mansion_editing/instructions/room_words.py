@@ -47,7 +47,7 @@ def _numbered(words: str) -> tuple[str, str | None]:
 
 
 def _rank(room: SceneRoom, name: str, number: str | None) -> int:
-    """Return 6 for its own name, 5 for its kind, 4 for that without "room", 3 for a synonym, 2 for its end, 1 for a part."""
+    """Return how well a name fits: 6 its own, 5 its kind, 4 that without "room", 3 a synonym, 2 its end, 1 a part."""
     wanted = stems(name)
     own = [stems(text) for text in (room.name, *room.aliases, room.id.rsplit("/", 1)[-1].replace("_", " ")) if text]
     if number is not None:

@@ -56,9 +56,9 @@ def live(state: SceneState, ids: Iterable[str]) -> list[SceneObject]:
     return [pair[1] for pair in found if pair is not None]
 
 
-def whereabouts(state: SceneState, item: SceneObject) -> str:
+def whereabouts(item: SceneObject) -> str:
     """Return where an object is: on or in what, and in which room."""
     if item.parent is not None:
         return f"{'in' if item.mount == 'inside' else 'on'} {item.parent}"
-    hangs = {"wall": "on the wall of ", "ceiling": "on the ceiling of "}.get(item.mount, "in ")
+    hangs = {"wall": "on a wall in ", "ceiling": "on the ceiling in "}.get(item.mount, "in ")
     return f"{hangs}{item.room}"
