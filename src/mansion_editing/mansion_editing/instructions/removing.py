@@ -19,7 +19,7 @@ from mansion_editing.instructions.references import (
     things_of,
 )
 from mansion_editing.instructions.statements import Clear, Place, Remove, Things
-from mansion_editing.instructions.work import Done, Work, listed, live
+from mansion_editing.instructions.work import Done, Work, counted, listed, live
 from mansion_editing.state import SceneState
 from mansion_msgs_py.scene import SceneObject
 
@@ -56,7 +56,7 @@ def remove(statement: Remove, state: SceneState, context: Context) -> Work:
     before = len(things_of(state, things, context))
     gone = yield from removed(chosen, state)
     own = {item.id for item in chosen}
-    carried = [name for name in gone if name not in own]
+    carried = sorted(name for name in gone if name not in own)
     reply = f"{listed(chosen)} removed" + (f", with what stood on it: {listed(carried)}" if carried else "")
     if before > len(chosen):
         reply += f"; {before - len(chosen)} of {before} left"
@@ -93,9 +93,11 @@ def _nothing_to_remove(things: Things, state: SceneState, context: Context) -> D
         one_room_each(state, place.rooms, context, lambda room: True)
     if place is not None and place.anchor is not None and not anchors_of(state, place, context):
         raise Unmet(f"there is no {thing_words(msgspec.structs.replace(place.anchor, definite=False))}")
-    found = len(things_of(state, things, context))
-    left = f"there {'is' if found == 1 else 'are'} {found or 'no'} {thing_words(things)}".replace(" the ", " ")
-    return Done(f"there was nothing to remove: {left}", context)
+    found = things_of(state, things, context)
+    where = "" if place is None else f" {place_words(place)}"
+    verb = "is" if len(found) == 1 else "are"
+    left = counted(len(found), things.noun or "thing").replace("0 ", "no ", 1 if not found else 0)
+    return Done(f"there was nothing to remove: there {verb} {left}{where}", context)
 
 
 def to_clear(statement: Clear, state: SceneState, context: Context) -> list[SceneObject]:
