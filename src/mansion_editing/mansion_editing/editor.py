@@ -1,7 +1,7 @@
 """The editor of one building: tools by name, edits that wait or land at once, undo and redo."""
 
-from collections.abc import Callable
-from typing import Any, Final
+from collections.abc import Callable, Mapping, Set
+from typing import Any, Final, TypeAlias
 
 import msgspec
 
@@ -11,7 +11,7 @@ from mansion_editing.passages import passages_of
 from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.state import SceneState, net_changes
 from mansion_editing.storage import BuildingStore
-from mansion_editing.tools import manipulation, paths, perception, placement
+from mansion_editing.tools import manipulation, painting, paths, perception, placement, swapping
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.editing import (
     CheckPathArgs,
@@ -21,19 +21,23 @@ from mansion_msgs_py.editing import (
     ListObjectsArgs,
     MoveObjectArgs,
     ObjectChange,
+    PaintObjectArgs,
     PlaceInContainerArgs,
     PlaceOnSurfaceArgs,
     RemoveObjectArgs,
     SearchAssetsArgs,
     SearchContentsArgs,
     SetStateArgs,
+    SwapObjectsArgs,
     ToolArgs,
     Transaction,
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.scene import FloorScene, SceneObject
 
 __all__ = ["ACTION_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "TOOLS", "SceneEditor"]
+
+Scenes: TypeAlias = Mapping[int, FloorScene]
 
 PERCEPTION_TOOLS: Final[dict[str, type[Any]]] = {
     "CheckPath": CheckPathArgs,
@@ -48,6 +52,8 @@ ACTION_TOOLS: Final[dict[str, type[Any]]] = {
     "RemoveObject": RemoveObjectArgs,
     "MoveObject": MoveObjectArgs,
     "SetState": SetStateArgs,
+    "PaintObject": PaintObjectArgs,
+    "SwapObjects": SwapObjectsArgs,
 }
 HISTORY_TOOLS: Final[dict[str, type[Any]]] = {"Undo": ToolArgs, "Redo": ToolArgs, "Diff": ToolArgs, "Save": ToolArgs}
 TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **HISTORY_TOOLS}
@@ -162,25 +168,42 @@ class SceneEditor:
             return f"{item.id} is in {item.parent}"
         if tool == "PlaceOnSurface":
             item = placement.place_on_surface(state, args, engine, self._acceptable)
-            return f"{item.id} is on {item.parent or 'the floor of ' + item.room}"
+            return f"{item.id} is {_where(item)}"
         if tool == "RemoveObject":
             gone = manipulation.remove_object(state, args)
             return f"removed {', '.join(gone)}" if gone else "there was nothing to remove"
         if tool == "MoveObject":
-            item = manipulation.move_object(state, args, engine)
-            return f"{item.id} is now on {item.parent or 'the floor of ' + item.room}"
+            item = manipulation.move_object(state, args, engine, self._acceptable)
+            return f"{item.id} is now {_where(item)}"
+        if tool == "SwapObjects":
+            one, other = swapping.swap_objects(state, args, engine, self._sound)
+            return f"{one.id} is now {_where(one)}, {other.id} {_where(other)}"
+        if tool == "PaintObject":
+            item = painting.paint_object(state, args)
+            return f"{item.id} is of {item.material}, {item.color}"
         item = manipulation.set_state(state, args)
         return f"{item.id}: {encode(item.states)}"
 
     def _acceptable(self, floor: int, item: SceneObject) -> bool:
         """Whether an object causes no new fault of the check and cuts no room for a robot."""
         before = dict(self.state.scenes)
-        objects = [*before[floor].objects, item]
-        after = {**before, floor: msgspec.structs.replace(before[floor], objects=objects)}
+        return self._sound(before, {**before, floor: manipulation.scene_with(self.state, floor, item)})
+
+    def _sound(self, before: Scenes, after: Scenes) -> bool:
+        """Whether the floors have no new fault of the check and no room that is newly cut for a robot."""
         if self.store.new_faults(before, after):
             return False
-        cuts = passages_of(after[floor]).cuts
-        return cuts.keys() <= self.state.index(floor).passages.cuts.keys()
+        return all(
+            passages_of(scene).cuts.keys() <= self._cuts(before[floor])
+            for floor, scene in after.items()
+            if scene is not before[floor]
+        )
+
+    def _cuts(self, scene: FloorScene) -> Set[str]:
+        """Return the rooms of a floor that are cut for a robot; those of the floor as it is are remembered."""
+        if self.state.scenes[scene.floor] is scene:
+            return self.state.index(scene.floor).passages.cuts.keys()
+        return passages_of(scene).cuts.keys()
 
     def diff(self) -> DiffReport:
         """Say what waits to be saved."""
@@ -232,6 +255,15 @@ class SceneEditor:
         done = self.store.redo(self.who)
         self.reload()
         return _landed(done.what, done)
+
+
+def _where(item: SceneObject) -> str:
+    """Return in words what carries an object."""
+    if item.mount in ("wall", "ceiling"):
+        return f"on the {item.mount} of {item.room}"
+    if item.mount == "floor":
+        return f"below {item.parent}" if item.parent else f"on the floor of {item.room}"
+    return f"on {item.parent}"
 
 
 def _landed(message: str, done: Transaction) -> EditResult:

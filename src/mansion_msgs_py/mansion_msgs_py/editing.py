@@ -5,7 +5,7 @@ D.2): CheckPath, SearchAssets, ListObjects, CheckSurface, SearchContents, PlaceI
 PlaceOnSurface. Every one takes `editor` besides, the name that ``scene/open`` gave a building on the server.
 """
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
 
@@ -30,10 +30,12 @@ __all__ = [
     "ObjectInfo",
     "ObjectList",
     "OpenEditorArgs",
+    "PaintObjectArgs",
     "PathReport",
     "PathStep",
     "PlaceInContainerArgs",
     "PlaceOnSurfaceArgs",
+    "PlacingWishes",
     "ProvisionArgs",
     "ReceptacleContents",
     "ReceptacleReport",
@@ -41,12 +43,23 @@ __all__ = [
     "SearchAssetsArgs",
     "SearchContentsArgs",
     "SetStateArgs",
+    "Side",
+    "Spot",
+    "SwapObjectsArgs",
     "ToolArgs",
     "Transaction",
 ]
 
 Text = Annotated[str, msgspec.Meta(max_length=400)]
 Coordinate = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
+Degrees = Annotated[float, msgspec.Meta(ge=-3600.0, le=3600.0)]
+Gap = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
+
+Side: TypeAlias = Literal["", "beside", "left", "right", "behind", "front", "under", "above", "between", "around"]
+"""Where something is, seen from another object; left and right are the object's own."""
+
+Spot: TypeAlias = Literal["", "wall", "corner", "window", "door", "middle"]
+"""A part of a room."""
 
 
 class ToolArgs(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -129,21 +142,46 @@ class PlaceInContainerArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, f
     color: Text = ""
 
 
-class PlaceOnSurfaceArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """A new object of the catalogue, and what to put it on; a room's id is its floor, for furniture.
+class PlacingWishes(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """Wishes for the place of an object: seen from another object, in its room, and which way it looks.
+
+    Attributes
+    ----------
+    near : str
+        An object. Alone it is a preference: as close to it as there is room. With `side` or `within` it must hold.
+    side : str
+        Where from `near`, in its own frame: its front is where it looks, its left that of who looks out of it.
+        ``above`` is for what hangs, ``under`` for what stands on the floor; ``around`` is any side, turned to `near`.
+    other : str
+        The second object of ``between``.
+    within : float, optional
+        Greatest gap between the footprints of the object and `near` (and `other`), metres.
+    spot : str
+        A part of the room: at a wall, in a corner, at a window or a door, in the middle.
+    facing : str
+        An object that its front shall be turned to.
+    """
+
+    near: Text = ""
+    side: Side = ""
+    other: Text = ""
+    within: Gap | None = None
+    spot: Spot = ""
+    facing: Text = ""
+
+
+class PlaceOnSurfaceArgs(PlacingWishes, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A new object of the catalogue, and what to put it on; a room's id is its floor, or its walls and its ceiling.
 
     Attributes
     ----------
     color : str
         A word for its main material; that of the asset when empty.
-    near : str
-        An object that it shall lie or stand beside, where there is room.
     """
 
     asset_id: Text
     receptacle_id: Text
     color: Text = ""
-    near: Text = ""
 
 
 class RemoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
@@ -153,22 +191,26 @@ class RemoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, froze
     receptacle_id: Text = ""
 
 
-class MoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+class MoveObjectArgs(PlacingWishes, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Where an object goes: on or in a receptacle, or to a point of its floor; with it goes what it carries.
 
     Attributes
     ----------
     receptacle_id : str
-        A surface, a container, or a room for furniture.
+        A surface, a container, or a room for furniture and what hangs. With a wish it may be left out: the room or
+        the surface of `near` then, else its own.
     x, y, rotation : float, optional
-        Metres and degrees on its own floor.
+        Metres and degrees on its own floor. A rotation alone turns it where it is.
+    turn : float, optional
+        Degrees to turn it by, counter-clockwise.
     """
 
     object_id: Text
     receptacle_id: Text = ""
     x: Coordinate | None = None
     y: Coordinate | None = None
-    rotation: Annotated[float, msgspec.Meta(ge=-3600.0, le=3600.0)] | None = None
+    rotation: Degrees | None = None
+    turn: Degrees | None = None
 
 
 class SetStateArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
@@ -177,6 +219,29 @@ class SetStateArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=Tr
     object_id: Text
     open: bool | None = None
     on: bool | None = None
+
+
+class PaintObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A colour, a material or both for an object that is there.
+
+    Attributes
+    ----------
+    color : str
+        A word for a colour; the one that it has when empty.
+    material : str
+        A family of the palette (``wood``, ``metal``, ...); the one that it has when empty.
+    """
+
+    object_id: Text
+    color: Text = ""
+    material: Text = ""
+
+
+class SwapObjectsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """Two objects that change places, each with what it carries."""
+
+    object_id: Text
+    other_id: Text
 
 
 class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
@@ -372,6 +437,10 @@ class AgentReport(msgspec.Struct, kw_only=True, frozen=True):
         What was asked, in words; and what could not be met, each with its reason.
     edits : int
         Tools that changed something.
+    question : bool
+        It was only asked about the building; `message` is the answer.
+    candidates : list of str
+        Ids of what words may mean that fit several things.
     """
 
     message: str
@@ -383,3 +452,5 @@ class AgentReport(msgspec.Struct, kw_only=True, frozen=True):
     saved: bool = False
     transaction: int | None = None
     object_ids: list[str] = []
+    question: bool = False
+    candidates: list[str] = []

@@ -18,6 +18,7 @@ from mansion_msgs_py.editing import (
     MoveObjectArgs,
     ObjectList,
     OpenEditorArgs,
+    PaintObjectArgs,
     PathReport,
     PlaceInContainerArgs,
     PlaceOnSurfaceArgs,
@@ -27,6 +28,7 @@ from mansion_msgs_py.editing import (
     SearchAssetsArgs,
     SearchContentsArgs,
     SetStateArgs,
+    SwapObjectsArgs,
     ToolArgs,
 )
 from mansion_msgs_py.interface_types import (
@@ -369,6 +371,22 @@ _EDITING_SERVICES: tuple[ServiceInterface, ...] = (
         SetStateArgs,
         EditResult,
         '{"object_id": "F1/kitchen/fridge_1", "open": true}',
+    ),
+    ServiceInterface(
+        "scene/paint_object",
+        "scene_editor",
+        "Give an object another colour or material.",
+        PaintObjectArgs,
+        EditResult,
+        '{"object_id": "F1/kitchen/table_1", "color": "red"}',
+    ),
+    ServiceInterface(
+        "scene/swap_objects",
+        "scene_editor",
+        "Exchange the places of two objects with what they carry.",
+        SwapObjectsArgs,
+        EditResult,
+        '{"object_id": "F1/kitchen/mug_1", "other_id": "F1/kitchen/bowl_1"}',
     ),
     ServiceInterface("scene/undo", "scene_editor", "Take back the last edit.", ToolArgs, EditResult, "{}"),
     ServiceInterface("scene/redo", "scene_editor", "Do again what was undone last.", ToolArgs, EditResult, "{}"),

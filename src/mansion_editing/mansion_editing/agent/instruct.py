@@ -183,6 +183,8 @@ class _Run:
             facts=verdict.facts,
             failed=list(verdict.failed),
             edits=self.edits,
+            question=verdict.question,
+            candidates=verdict.candidates,
         )
         if verdict.failed:
             self.editor.reload()

@@ -1,0 +1,81 @@
+"""What the check of one statement finds: why it does not hold, and which differences it accounts for."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import msgspec
+
+from mansion_editing.instructions.references import Context, all_at, anchors_of, rooms_of
+from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
+from mansion_editing.state import SceneState
+from mansion_msgs_py.scene import SceneObject
+
+__all__ = ["Finding", "any_number", "at_shares", "least_number", "shares_of"]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Outcome of a check.
+
+    Attributes
+    ----------
+    fault : str
+        Why the statement does not hold; empty where it does.
+    accounted : set of str
+        Ids of the objects that may differ because of it.
+    rooms : set of str
+        Ids of the rooms, and ``floor N`` for structure, that may differ because of it.
+    makes_room : bool
+        A small thing may have been moved aside for it.
+    """
+
+    fault: str = ""
+    accounted: set[str] = field(default_factory=set)
+    rooms: set[str] = field(default_factory=set)
+    makes_room: bool = False
+
+
+def least_number(things: Things) -> int:
+    """Return the number that words for new things ask for; a bare plural asks for two."""
+    bare = things.amount.number < 1 or (things.plural and things.amount.number == 1)
+    return 2 if bare and things.amount.kind in ("some", "more", "all", "at_least") else things.amount.number
+
+
+def any_number(things: Things) -> Things:
+    """Return the words for the kind alone, with its looks: any number, new or not, anywhere."""
+    return msgspec.structs.replace(
+        things,
+        amount=Amount(kind="all", number=0),
+        place=None,
+        definite=False,
+        refers="",
+        ordinal=0,
+        size="",
+        owned="",
+        beside=(),
+    )
+
+
+def shares_of(place: Place, before: SceneState, after: SceneState, context: Context) -> list[Place]:
+    """Return the place once for each thing or room that it names, by id.
+
+    They are looked up before the statement, so that new things do not become places of it; after it, where none was
+    there.
+    """
+    if place.relation == "between":
+        return [place]
+    if place.anchor is not None:
+        found = anchors_of(before, place, context) or anchors_of(after, place, context)
+        return [msgspec.structs.replace(place, anchor=Things(noun=item.id), rooms=None) for item in found]
+    rooms = place.rooms
+    if rooms is None:
+        rooms = Rooms(same=True) if context.rooms else Rooms(every=True)
+    named = rooms_of(before, rooms, context)
+    return [msgspec.structs.replace(place, rooms=Rooms(words=room)) for room in named]
+
+
+def at_shares(
+    state: SceneState, items: Sequence[SceneObject], shares: Sequence[Place], context: Context
+) -> list[set[str]]:
+    """Return the ids of the objects at each share of a place."""
+    return [{item.id for item in all_at(state, items, share, context)} for share in shares]

@@ -1,0 +1,78 @@
+"""Carry out an instruction that was read: each statement with tools, the whole checked, and landed or dropped."""
+
+from mansion_editing.agent.facts import Policy, Unmet, Verdict
+from mansion_editing.agent.instruct import run_agent, undo_or_redo
+from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.carrying_out import carry
+from mansion_editing.instructions.checking import Step, faults, moved_aside
+from mansion_editing.instructions.references import Context
+from mansion_editing.instructions.statements import Ask, History, Instruction, Mention
+from mansion_editing.state import SceneState
+from mansion_msgs_py.editing import AgentReport
+from mansion_msgs_py.errors import MansionError
+
+__all__ = ["carry_out"]
+
+
+def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> AgentReport:
+    """Carry out an instruction and check the scene; its edits land together or not at all.
+
+    Parameters
+    ----------
+    text : str
+        The instruction's own words, for the log.
+
+    Returns
+    -------
+    AgentReport
+        `message` says what was there and what changed, or answers the question, or why nothing was done.
+
+    Raises
+    ------
+    MansionError
+        ``CONFLICT`` when edits wait in the editor already.
+    """
+    (first, *more) = instruction.statements or [Mention()]
+    if isinstance(first, History) and first.what in ("undo", "redo") and not more and not instruction.not_understood:
+        return undo_or_redo(editor, "Undo" if first.what == "undo" else "Redo")
+    return run_agent(editor, _policy(editor, instruction), text)
+
+
+def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
+    if instruction.not_understood:
+        words = "; ".join(repr(part) for part in instruction.not_understood)
+        return Verdict(f"not understood: {words}", failed=[f"not understood: {words}"])
+    asked = [statement for statement in instruction.statements if not isinstance(statement, Mention)]
+    if not asked:
+        return Verdict("the words ask for nothing", failed=["the words ask for nothing"])
+    state = editor.state
+    context, steps, replies = Context(), [], []
+    before = _copied(state)
+    for statement in instruction.statements:
+        try:
+            done = yield from carry(statement, state, context)
+        except (Unmet, MansionError) as error:
+            return _refused(error, statement.quote)
+        after = _copied(state)
+        step = Step(statement, context, before, after)
+        steps.append(step)
+        replies += [done.reply] if done.reply else []
+        replies += moved_aside(step)
+        before, context = after, done.context
+    found = faults(steps)
+    if found:
+        return Verdict(f"the edit was dropped: {'; '.join(found)}", failed=found)
+    question = all(isinstance(statement, Ask) for statement in asked)
+    return Verdict("; ".join(replies) if not question else " ".join(replies), replies, question=question)
+
+
+def _copied(state: SceneState) -> SceneState:
+    """Return the scenes as they are now; scenes are never changed in place."""
+    return SceneState([state.scenes[floor] for floor in state.floors], state.catalogue, state.retriever)
+
+
+def _refused(error: Unmet | MansionError, quote: str) -> Verdict:
+    reason = error.info.message if isinstance(error, MansionError) else str(error)
+    candidates = error.info.details.get("candidates", []) if isinstance(error, MansionError) else []
+    message = f"{quote}: {reason}" if quote else reason
+    return Verdict(message, failed=[message], candidates=[str(name) for name in candidates])
