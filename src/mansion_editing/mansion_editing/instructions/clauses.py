@@ -359,7 +359,7 @@ class ClauseReader:
         return self._negated_verb(at, *verb)
 
     def _negated_verb(self, at: int, deed: Deed, place: int) -> tuple[list[Statement], int]:
-        if deed in ("leave", "keep", "let", "want") or (deed == "bring" and False):
+        if deed in ("leave", "keep", "let", "want"):
             return self._not_left(at, place)
         if deed == "switch":
             place += self.text(place) in ("on", "off")
@@ -382,10 +382,14 @@ class ClauseReader:
 
     def _not_left(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``do not leave the lamp on`` and ``do not keep any knives in the kitchen``."""
-        item = self.item(place)
+        most = self.text(place) == "more" and self.text(place + 1) == "than"
+        item = self.item(place + 2 * most)
         if item is None:
             raise NotUnderstood(at, self.boundary(at))
         end = item.end
+        if most and item.phrase.amount.number:
+            things = msgspec.structs.replace(item.phrase.things(), amount=Amount(kind="at_most", number=item.phrase.amount.number))
+            return [Ensure(things=things, place=self._framed(item.goal())[0], quote=self.quote(at, end))], end
         while self.text(end) in ("switched", "turned", "be"):
             end += 1
         if self.text(end) in STATE_WORDS:
@@ -490,6 +494,12 @@ class ClauseReader:
             if self.text(place) in ("have", "get") and who in ("can", "could", "may", "might"):
                 return self._wanted(at, place + 1)
             return self.read(place)
+        if who in MODALS and self.text(place + 1) not in ("not", "it"):
+            asked = self.item(place + 1)
+            if asked is not None and self.text(asked.end) == "be":
+                found = self._predicate(asked, asked.end, at)
+                if found is not None:
+                    return found
         if who in ("let",) and self.text(place + 1) in ("us", "me", "there"):
             return self.read(place + 1 + (self.text(place + 1) != "there"))
         return None
@@ -552,6 +562,8 @@ class ClauseReader:
         item = self.item(place)
         if item is None:
             raise NotUnderstood(place, self.boundary(place))
+        if self._is_way(item.phrase):
+            return self._way(at, item.phrase.end)
         if self.text(item.end) in ("to", "be") or self.predicate_follows(item.end):
             found = self._predicate(item, item.end, at)
             if found is not None:
@@ -790,7 +802,7 @@ class ClauseReader:
         while self.text(end) in ("away", "out", "off", "completely", "altogether", "entirely", "too"):
             end += 1
         more, end = self.places(end)
-        end, besides = self._exceptions(end)
+        end, besides = self.exceptions(end)
         out: list[Statement] = []
         quote = self.quote(at, end)
         for item in items:
@@ -815,7 +827,7 @@ class ClauseReader:
         things = msgspec.structs.replace(things, beside=besides)
         return Remove(things=with_place(things, place) if place != Place() else things, quote=quote)
 
-    def _exceptions(self, at: int) -> tuple[int, tuple[Things, ...]]:
+    def exceptions(self, at: int) -> tuple[int, tuple[Things, ...]]:
         """Read ``except the vase and the lamp``."""
         place = at + (self.text(at) == ",")
         for phrase in (("except", "for"), ("apart", "from"), ("other", "than"), ("aside", "from"), ("except",),
@@ -850,7 +862,7 @@ class ClauseReader:
             return self._cleared_of(at, item)
         while self.text(end) in ("up", "out", "off", "completely", "totally", "entirely"):
             end += 1
-        end, spare = self._exceptions(end)
+        end, spare = self.exceptions(end)
         quote = self.quote(at, end)
         return [Clear(place=self._emptied(each), spare=spare, quote=quote) for each in items], end
 
@@ -1002,7 +1014,7 @@ class ClauseReader:
         if self.text(place) in ("on", "off"):
             value = self.text(place) == "on"
             items = self.items(place + 1)
-            end, besides = self._exceptions(items[-1].end)
+            end, besides = self.exceptions(items[-1].end)
             quote = self.quote(at, end)
             return [self._state_of(items, i, "on", besides, quote, value=value) for i in items], end
         items = self.items(place)
@@ -1011,7 +1023,7 @@ class ClauseReader:
             end += self.text(end) == "back"
             value = self.text(end) == "on"
             places, stop = self.places(end + 1)
-            stop, besides = self._exceptions(stop)
+            stop, besides = self.exceptions(stop)
             quote = self.quote(at, stop)
             out: list[Statement] = []
             for item in items:
@@ -1048,7 +1060,7 @@ class ClauseReader:
 
     def _set_state(self, at: int, place: int, state: str, *, value: bool) -> tuple[list[Statement], int]:
         items = self.items(place)
-        end, besides = self._exceptions(items[-1].end)
+        end, besides = self.exceptions(items[-1].end)
         quote = self.quote(at, end)
         return [self._state_of(items, item, state, besides, quote, value=value) for item in items], end
 
@@ -1289,8 +1301,9 @@ class ClauseReader:
         item = self.item(place)
         if item is None:
             raise NotUnderstood(at, self.boundary(at))
-        cut = next((p for p in item.places if self.words[p.start].text in ("to", "by")), None)
+        cut = next((p for p in item.places if self.words[p.start].text in ("to", "by", "down", "up")), None)
         end = cut.start if cut is not None else item.end
+        end += self.text(end) in ("down", "up")
         kept = Item(item.phrase, tuple(p for p in item.places if p.end <= end), end)
         area = self._amount_of_area(end)
         room = item.phrase.noun.kind in ("room", "both") and self.text(start + 1) not in ("number", "amount", "count")
@@ -1630,6 +1643,10 @@ class ClauseReader:
         found = self._predicate(item, item.end, at) if self.text(item.end) in STATE_WORDS or self.predicate_follows(item.end) else None
         if found is not None:
             return found
+        if (item.phrase.definite or item.phrase.refers) and self.text(item.end) not in ("as", "where", "alone", "untouched"):
+            items = self.items(place)
+            quote = self.quote(at, items[-1].end)
+            return [Keep(things=self._all(i.things()), quote=quote) for i in items if not i.is_room], items[-1].end
         if item.phrase.definite or item.phrase.refers:
             return self._leave(at, place)
         if not item.phrase.definite:
@@ -1698,7 +1715,7 @@ class ClauseReader:
         """Read ``the lamp should be on``, ``the lobby needs two chairs``, ``nothing should be on the table``."""
         if self.text(at) == "nothing":
             return self._nothing(at)
-        number = self._number_should_be(at)
+        number = self._number_should_be(at) or self._only_thing(at)
         if number is not None:
             return number
         surface = self._surface(at)
@@ -1714,7 +1731,8 @@ class ClauseReader:
     def _of_subjects(self, at: int) -> tuple[list[Statement], int] | None:
         """Read one subject or several, and what is said of them."""
         subjects: list[Item] = []
-        place = at + (self.text(at) in ("neither", "both", "either") and self.phrase(at + 1) is not None)
+        joined = self.text(at) in ("neither", "both", "either") and self.phrase(at + 1) is not None
+        place = at + joined
         while True:
             item = self.item(place)
             if item is None:
@@ -1725,7 +1743,7 @@ class ClauseReader:
                 break
             place = after
         shared = all(s.phrase.definite or s.phrase.noun.plural or s.is_room for s in subjects)
-        if len(subjects) > 1 and not (self.predicate_follows(subjects[-1].end) and (shared or place != at)):
+        if len(subjects) > 1 and not (self.predicate_follows(subjects[-1].end) and (shared or joined)):
             return None
         out: list[Statement] = []
         end = at
@@ -1739,6 +1757,21 @@ class ClauseReader:
             out += found[0]
             end = found[1]
         return out, end
+
+    def _only_thing(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the only thing on the table should be a vase``."""
+        if self.text(at) != "the" or self.text(at + 1) != "only" or self.text(at + 2) not in ("thing", "object", "item"):
+            return None
+        places, end = self.places(at + 3)
+        while self.text(end) in MODALS or self.text(end) in BE:
+            end += 1
+        if not places or end == places[-1].end:
+            return None
+        kept = self.items(end)
+        place, quote = _joined(places)[0], self.quote(at, kept[-1].end)
+        out: list[Statement] = [Ensure(things=item.phrase.things(), place=place, quote=quote) for item in kept]
+        spare = tuple(self._all(item.phrase.things()) for item in kept)
+        return [*out, Clear(place=place, spare=spare, quote=quote)], kept[-1].end
 
     def _number_should_be(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the number of apples on the desk should be 2``."""
@@ -1775,14 +1808,14 @@ class ClauseReader:
                 there: list[Statement] = [Ensure(things=item.phrase.things(), place=goal, quote=quote) for item in items]
                 return [*there, Clear(place=goal, spare=kept, quote=quote)], end
         spare: tuple[Things, ...] = ()
-        place, spare = self._exceptions(place + (self.text(place) == "else"))
+        place, spare = self.exceptions(place + (self.text(place) == "else"))
         while self.text(place) in MODALS or self.text(place) in BE or self.text(place) in ("else", "left", "remain", "lie", "stand"):
             place += 1
         places, end = self.places(place)
         if not places:
             return None
         if not spare:
-            end, spare = self._exceptions(end)
+            end, spare = self.exceptions(end)
         return [Clear(place=self._framed(_joined(places))[0], spare=spare, quote=self.quote(at, end))], end
 
     def _state_after(self, item: Item, end: int, at: int) -> tuple[list[Statement], int] | None:
@@ -1847,7 +1880,7 @@ class ClauseReader:
                 gone = self.items(after + 1)
                 return self._gone_from(item, gone, self.quote(at, gone[-1].end)), gone[-1].end
             after += self.text(after) in ("up", "out", "off")
-            after, spare = self._exceptions(after)
+            after, spare = self.exceptions(after)
             return [Clear(place=self._emptied(item), spare=spare, quote=self.quote(at, after))], after
         if negated:
             return None

@@ -56,7 +56,7 @@ _ENDS_RUN: Final = (
                  "instead", "again", "somewhere", "anywhere", "here", "now", "also", "as", "if", "so", "that",
                  "facing", "exactly", "which", "upstairs", "downstairs", "each", "both", "all", "every", "ajar",
                  "deleted", "reachable", "accessible", "where", "belong", "sit", "lie", "apart", "rather", "wherever", "whose",
-                 "whatever", "short", "anew", "afresh", "want", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
+                 "whatever", "short", "away", "anew", "afresh", "want", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
 )  # fmt: skip
 _MAY_BE_NOUN: Final = frozenset(["light", "open", "left", "right", "front", "stand", "set", "middle", "dark", "present"])
 
@@ -310,6 +310,9 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     if at < len(words) and words[at].kind == "id":
         noun = Noun((words[at].raw,), "object")
         return NounPhrase(noun, Amount(number=1), True, start, at + 1)
+    whatever = _whatever(words, at)
+    if whatever is not None:
+        return whatever
     amount, definite, each, place = read_amount(words, at)
     if _text(words, place) in ("it", "them", "they", "those", "these") and place <= at + 2:
         noun = Noun((), "anything", plural=words[place].text != "it")
@@ -340,6 +343,25 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         amount = Amount(number=1)
     noun = replace(noun, floors=storeys)
     return NounPhrase(noun, amount, definite, start, end, each=each)
+
+
+def _whatever(words: Sequence[Word], at: int) -> NounPhrase | None:
+    """Read ``whatever stands open``, ``everything that is on``."""
+    place = at + 1
+    if _text(words, at) not in ("whatever", "everything", "anything", "all"):
+        return None
+    place += _text(words, place) in ("that", "which")
+    if _text(words, place) not in ("is", "are", "stand", "remain", "stay"):
+        return None
+    place += 1
+    place += _text(words, place) in ("still", "switched", "turned", "left", "currently")
+    if _text(words, place) not in STATE_WORDS:
+        return None
+    name, value = STATE_WORDS[_text(words, place)]
+    if name == "on" and place + 1 < len(words) and words[place + 1].text in ("the", "a", "my"):
+        return None
+    noun = Noun((), "anything", plural=True, states={name: value})
+    return NounPhrase(noun, Amount(kind="all", number=0), True, at, place + 1)
 
 
 def _bare_amount(words: Sequence[Word], start: int, place: int, amount: Amount) -> NounPhrase | None:
@@ -409,6 +431,8 @@ def _end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
             if not (text in _MAY_BE_NOUN and _starts_noun(words, end, at, lexicon)):
                 break
         if text in DETERMINERS and end >= at and text != "own":
+            break
+        if text == "other" and _text(words, end + 1) == "than":
             break
         if end > at and (text,) in BY_WORDS and end + 1 < len(words) and words[end + 1].text in _ARTICLES_AFTER_VERBS:
             break
