@@ -268,9 +268,11 @@ class _Reader:
                 continue
             text = words[end].text
             pair = (text, words[end + 1].text if end + 1 < len(words) else "")
-            if pair in (("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"), ("at", "all"),
+            if tuple(w.text for w in words[end : end + 3]) == ("from", "now", "on"):
+                end += 3
+            elif pair in (("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"), ("at", "all"),
                         ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
-                        ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so")):  # fmt: skip
+                        ("from", "now"), ("now", "on"), ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so")):  # fmt: skip
                 end += 2
             elif text in COURTESIES or text in ("too", "also", "again", "instead", "anymore", "altogether", "now", "there", "here",
                                                "already", "completely", "together", "each", "only", ")", "first", "back",
@@ -438,6 +440,8 @@ def _is_background(words: Sequence[Word]) -> bool:
     texts = [w.text for w in words]
     if not texts:
         return False
+    if words[0].raw in ("it's", "its", "they're", "that's") and len(words) <= 4:
+        return True
     people = PERSONS | frozenset(["my", "our", "one", "somebody", "her", "his", "their", "daughter", "son", "mother", "father", "boss"])
     past = any(w.raw.endswith("ed") or w.raw in ("is", "are", "was", "were", "has", "have", "had", "will", "like", "likes", "stole", "came", "got", "said", "left", "arrive", "arrives", "visit") for w in words)
     return texts[0] in people and past and "not" not in texts[:3] and not set(texts) & {"want", "need", "should", "must", "please"}
