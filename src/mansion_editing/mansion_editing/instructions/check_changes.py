@@ -1,9 +1,9 @@
 """Checks of statements about what things and rooms are like: SetState, Paint, Reach and those of rooms."""
 
 from mansion_editing.instructions.differences import Differences
-from mansion_editing.instructions.finding import Finding
+from mansion_editing.instructions.finding import Finding, numbers_meant
 from mansion_editing.instructions.nouns import has_colour, has_material
-from mansion_editing.instructions.references import Context, means_several, rooms_of, thing_words, things_of
+from mansion_editing.instructions.references import Context, rooms_of, thing_words, things_of
 from mansion_editing.instructions.statements import (
     Finish,
     Furnish,
@@ -50,19 +50,13 @@ def _only_state(old: SceneObject, new: SceneObject, name: str) -> bool:
 
 
 def _number_fault(things: Things, fitting: list[SceneObject], good: set[str], changed: list[str]) -> str:
-    several = means_several(things)
-    number = things.amount.number if things.amount.number > 1 else 1
-    whole = things.amount.kind == "all" or (things.plural and things.amount.number <= 1)
-    least = len(fitting) if whole else number
-    if len(good) < max(1, least):
+    low, high = numbers_meant(things, fitting)
+    if len(good) < max(1, low):
         return f"{len(good)} of {len(fitting)} {thing_words(things)} are as they should be"
     wrong = [name for name in changed if name not in good]
     if wrong:
         return f"{listed(wrong)} changed, but not to this"
-    free = several or bool(things.refers) or "light" in things.noun or "lamp" in things.noun
-    if not free and len(changed) > number:
-        return f"{listed(changed)} changed, though one was meant"
-    return ""
+    return f"{listed(changed)} changed, though {high} were meant" if len(changed) > high else ""
 
 
 def check_paint(

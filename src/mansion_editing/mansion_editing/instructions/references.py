@@ -326,7 +326,12 @@ def anchors_of(state: SceneState, place: Place, context: Context) -> list[SceneO
 
 
 def things_meant(
-    state: SceneState, things: Things, context: Context, prefer: Callable[[SceneObject], bool] | None = None
+    state: SceneState,
+    things: Things,
+    context: Context,
+    prefer: Callable[[SceneObject], bool] | None = None,
+    *,
+    surplus: bool = False,
 ) -> list[SceneObject]:
     """Return the objects that words mean, their number looked at.
 
@@ -336,6 +341,8 @@ def things_meant(
     ----------
     prefer : callable, optional
         Tells which is meant where words for one thing fit several.
+    surplus : bool
+        ``exactly`` and ``at_most`` mean those beyond the number, not the number.
 
     Raises
     ------
@@ -357,7 +364,9 @@ def things_meant(
         if amount.number > 1 and amount.number != count:
             raise _too_few(things, found)
         return found
-    if amount.kind in ("all_but", "exactly", "at_most"):
+    if amount.kind == "all_but" or (surplus and amount.kind in ("exactly", "at_most")):
+        if amount.kind == "all_but" and count <= amount.number:
+            raise _too_few(things, found)
         return _any_of(state, found, max(0, count - amount.number))
     if amount.kind == "none":
         return []
@@ -393,7 +402,7 @@ def _names_lights(things: Things) -> bool:
 
 
 def _too_few(things: Things, found: list[SceneObject]) -> MansionError:
-    only = "only " if things.amount.number > len(found) else ""
+    only = "only " if things.amount.number >= len(found) else ""
     verb = "is" if len(found) == 1 else "are"
     message = f"there {verb} {only}{len(found)} {_bare(things)}{_at(things.place)}, not {things.amount.number}: "
     return MansionError(ErrorCode.INFEASIBLE, message + _ids(found))

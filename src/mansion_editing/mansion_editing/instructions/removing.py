@@ -66,13 +66,13 @@ def remove(statement: Remove, state: SceneState, context: Context) -> Work:
 
 def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneObject]:
     amount = things.amount
-    several = things.plural or amount.kind in ("all", "all_but", "exactly", "at_most")
+    several = amount.kind in ("all", "at_most", "none") or (things.plural and amount.number <= 1)
     found = things_of(state, things, context)
     if not found and several and (names_many(things.noun) or vocabulary_of(state.catalogue).nouns(things.noun)):
         return []
     if amount.kind in ("all_but", "exactly") and len(found) < amount.number:
         raise Unmet(f"there are only {len(found)} {thing_words(things)}, not {amount.number}")
-    chosen = things_meant(state, things, context)
+    chosen = things_meant(state, things, context, surplus=True)
     free = [item for item in chosen if not is_fixed(item) or _is_named(state, item, things.noun)]
     if chosen and not free:
         raise Unmet(f"{chosen[0].id} is fixed to the building; name it by its kind to remove it")
