@@ -11,6 +11,7 @@ import msgspec
 __all__ = [
     "Add",
     "Amount",
+    "AmountKind",
     "Ask",
     "Clear",
     "Ensure",
@@ -25,13 +26,16 @@ __all__ = [
     "Paint",
     "Place",
     "Reach",
+    "Relation",
     "Remove",
     "Rename",
     "Replace",
     "Reshape",
     "Rooms",
     "SetState",
+    "Spot",
     "Statement",
+    "Surface",
     "Swap",
     "Things",
     "Turn",
@@ -42,6 +46,7 @@ Relation: TypeAlias = Literal[
     "", "on", "in", "under", "above", "beside", "left", "right", "behind", "front", "between", "around", "near"
 ]
 Spot: TypeAlias = Literal["", "wall", "corner", "window", "door", "middle"]
+Surface: TypeAlias = Literal["walls", "floor", "ceiling"]
 
 
 class Amount(msgspec.Struct, frozen=True, kw_only=True):
@@ -294,7 +299,7 @@ class Finish(_Said, kw_only=True, frozen=True):
     """Walls, floor or ceiling of rooms take a colour or a material."""
 
     rooms: Rooms
-    part: Literal["walls", "floor", "ceiling"]
+    part: Surface
     colour: str = ""
     material: str = ""
 

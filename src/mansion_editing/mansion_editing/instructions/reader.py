@@ -1,0 +1,476 @@
+"""Instructions in English to statements: sentences, their clauses in order, and what one sentence tells of another."""
+
+from collections.abc import Iterable, Sequence
+from typing import Any, Final
+
+import msgspec
+
+from mansion_editing.instructions.clauses import ClauseReader, NotUnderstood
+from mansion_editing.instructions.lexicon import Lexicon
+from mansion_editing.instructions.places import SAME_FLOOR, merged, read_place, with_place
+from mansion_editing.instructions.questions import read_question
+from mansion_editing.instructions.statements import (
+    Add,
+    Amount,
+    Clear,
+    Ensure,
+    History,
+    Instruction,
+    Keep,
+    Mention,
+    Move,
+    Place,
+    Remove,
+    Rooms,
+    Statement,
+    Things,
+)
+from mansion_editing.instructions.storeys import read_storeys
+from mansion_editing.instructions.words import COURTESIES, FUNCTION_WORDS, PERSONS, REASONS, Word, split_words
+from mansion_editing.state import SceneState
+
+__all__ = ["read_instruction"]
+
+_ENDS: Final = frozenset([".", "!", "?", ";", "\n"])
+
+
+def read_instruction(text: str, state: SceneState) -> Instruction:
+    """Read what an instruction says.
+
+    Parameters
+    ----------
+    state : SceneState
+        Gives the names of rooms and objects; nothing is looked up in it.
+
+    Returns
+    -------
+    Instruction
+        With the words that belong to no statement, none where it was understood whole.
+    """
+    return _Reader(text, state).read()
+
+
+class _Reader:
+    """Reads one instruction."""
+
+    def __init__(self, text: str, state: SceneState) -> None:
+        self.text = text
+        self.lexicon = Lexicon(state)
+        self.floors = state.floors
+        self.words = split_words(text, self.lexicon.speller, self.lexicon.kept)
+        self.statements: list[Statement] = []
+        self.unknown: list[str] = []
+        self.topic: Things | None = None
+
+    def read(self) -> Instruction:
+        """Read all sentences in order."""
+        for sentence, marked in _sentences(self.words):
+            self._read_sentence(self._owners_named(sentence), marked=marked)
+        if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
+            self.unknown = [self.text.strip()]
+        return Instruction(statements=_with_storeys(self.statements), not_understood=self.unknown)
+
+    def _owners_named(self, words: Sequence[Word]) -> list[Word]:
+        """Put the owner where a pronoun stands for it: the mayor's for ``his office``, the umbrella's for ``its stand``."""
+        out: list[Word] = []
+        for at, word in enumerate(words):
+            following = words[at + 1].text if at + 1 < len(words) else ""
+            if word.text in ("his", "her", "their", "its") and following:
+                owner = next(
+                    (
+                        w
+                        for w in reversed(out)
+                        if self.lexicon.is_own_room((w.text, following)) or self.lexicon.is_object((w.text, following))
+                    ),
+                    None,
+                )
+                if owner is not None:
+                    out.append(Word("the", "the", "word", word.start, word.start))
+                    word = Word(owner.text, owner.raw, "word", word.start, word.end)
+            out.append(word)
+        return out
+
+    def _quote(self, words: Sequence[Word], start: int, end: int) -> str:
+        if start >= end:
+            return ""
+        return self.text[words[start].start : words[min(end, len(words)) - 1].end]
+
+    def _read_sentence(self, words: Sequence[Word], *, marked: bool) -> None:
+        reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
+        at = reader.skip(0)
+        if at >= len(words):
+            return
+        if self._reads_scope(reader, at):
+            return
+        if self._reads_question(reader, words, at, marked=marked):
+            return
+        at = self._read_frame(reader, at)
+        if self._repeats(reader, words, at):
+            return
+        while at < len(words):
+            at = reader.skip(at)
+            if at >= len(words):
+                return
+            end = _background(words, at)
+            if end > at:
+                self.statements.append(Mention(quote=self._quote(words, at, end)))
+                at = end
+                continue
+            at = self._read_clause(reader, words, at)
+
+    def _repeats(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
+        """Read what only repeats an earlier instruction: ``and in the bedroom too``, ``one more``, ``the same upstairs``."""
+        if self.statements:
+            return False
+        if reader.text(at) in ("same", "likewise", "ditto") or (reader.text(at) == "the" and reader.text(at + 1) == "same"):
+            at += 1 + (reader.text(at) == "the")
+            at += reader.text(at) in ("thing", "again")
+            if reader.text(at) == "for":
+                return self._repeats_for(reader, words, at + 1)
+        elif not (words[0].text in ("and", "also", "now", "then") or "too" in (words[-1].text, reader.text(len(words) - 2))):
+            return self._one_more(reader, words, at)
+        places, end = reader.places(at)
+        if not places or reader.skip(end) < len(words):
+            return self._one_more(reader, words, at)
+        place = places[0].place
+        for read in places[1:]:
+            place = merged(place, read.place)
+        self.statements.append(History(what="repeat", place=place, quote=self._quote(words, 0, len(words))))
+        return True
+
+    def _repeats_for(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
+        quote = self._quote(words, 0, len(words))
+        if tuple(w.text for w in words[at : at + 3]) in (("the", "next", "room"), ("the", "next", "one")):
+            place = Place(rooms=Rooms(next_to="room", same=True))
+            self.statements.append(History(what="repeat", place=place, quote=quote))
+            return True
+        item = reader.item(at)
+        if item is None or reader.skip(item.end) < len(words):
+            return False
+        if item.phrase.noun.kind in ("room", "both"):
+            self.statements.append(History(what="repeat", place=Place(rooms=item.rooms()), quote=quote))
+        else:
+            self.statements.append(History(what="repeat", things=item.things(), quote=quote))
+        return True
+
+    def _one_more(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
+        phrase = reader.phrase(at)
+        bare = phrase is not None and phrase.refers == "last" and phrase.amount.kind == "more"
+        if phrase is None or not bare or reader.skip(phrase.end) < len(words):
+            return False
+        quote = self._quote(words, 0, len(words))
+        self.statements.append(History(what="repeat", things=phrase.things(), quote=quote))
+        return True
+
+    def _read_clause(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        try:
+            found, end = reader.read(at)
+        except NotUnderstood as fault:
+            stop = max(fault.end, at + 1)
+            if _is_background(words[at:stop]) or self._is_label(words, at, stop):
+                self.statements.append(Mention(quote=self._quote(words, at, stop)))
+            else:
+                start = min(fault.start, at) if fault.start < len(words) else at
+                self.unknown.append(self._quote(words, start, stop))
+            return stop
+        topic, reader.topic = reader.topic, None
+        found = [self._about_topic(statement) for statement in found]
+        if topic is not None or any(not isinstance(statement, Mention) for statement in found):
+            self.topic = topic
+        end, exact = self._read_tail(reader, words, end)
+        self._take([_exactly(statement) for statement in found] if exact else found)
+        return end
+
+    def _about_topic(self, statement: Statement) -> Statement:
+        """Put what the clause before was about for ``it``."""
+        if self.topic is None:
+            return statement
+        topic = self.topic
+
+        def named(value: Any) -> Any:
+            if isinstance(value, Things) and value.refers == "last":
+                return topic
+            if not isinstance(value, msgspec.Struct):
+                return tuple(named(part) for part in value) if isinstance(value, tuple) else value
+            return msgspec.structs.replace(value, **{f: named(getattr(value, f)) for f in value.__struct_fields__})
+
+        changed: Statement = named(statement)
+        return changed
+
+    def _is_label(self, words: Sequence[Word], at: int, stop: int) -> bool:
+        """Whether words before a colon are a heading: ``Initial state:``."""
+        if stop >= len(words) or words[stop].text != ":" or stop - at > 9:
+            return False
+        usual = ("thing", "state", "task", "list", "step", "change", "order", "room")
+        nouns = [w.text for w in words[at:stop] if w.text not in usual]
+        named = any(self.lexicon.is_object((noun,)) or self.lexicon.is_own_room((noun,)) for noun in nouns)
+        return not named or words[at].text in ("we", "i")
+
+    def _take(self, found: Iterable[Statement]) -> None:
+        """Add statements; what stays is an exception of what is cleared or removed just before."""
+        for statement in found:
+            last = self.statements[-1] if self.statements else None
+            if isinstance(statement, Keep) and isinstance(last, Clear) and not statement.things.place:
+                self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, statement.things))
+                continue
+            if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.amount.kind == "all":
+                spared = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
+                self.statements[-1] = msgspec.structs.replace(last, things=spared)
+                continue
+            self.statements.append(statement)
+
+    def _read_tail(self, reader: ClauseReader, words: Sequence[Word], end: int) -> tuple[int, bool]:
+        """Read what may follow a clause: ``please``, ``if possible``; the rest must begin a new clause.
+
+        Returns
+        -------
+        end : int
+        exact : bool
+            The number that was named is meant exactly ("two forks, no more").
+        """
+        exact = False
+        while end < len(words):
+            comma = words[end].text in (",", "and")
+            limit = tuple(w.text for w in words[end + comma : end + comma + 2])
+            if limit in (("no", "more"), ("no", "less"), ("not", "more"), ("no", "fewer")):
+                end, exact = end + comma + 2, True
+                continue
+            text = words[end].text
+            pair = (text, words[end + 1].text if end + 1 < len(words) else "")
+            if pair in (("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"), ("at", "all"),
+                        ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
+                        ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so")):  # fmt: skip
+                end += 2
+            elif text in COURTESIES or text in ("too", "also", "again", "instead", "anymore", "altogether", "now", "there", "here",
+                                               "already", "completely", "together", "each", "only", ")", "first", "back",
+                                               "neatly", "nicely", "somewhere", "asap", "today", "both", "either", "yet",
+                                               "visible", "properly", "immediately", "away"):  # fmt: skip
+                end += 1
+            else:
+                break
+        if end >= len(words) or words[end].kind == "mark" or words[end].text in ("and", "but", "then", "while", "plus", "so", "&"):
+            return end, exact
+        if _background(words, end) > end or reader.starts_clause(end):
+            return end, exact
+        stop = reader.boundary(end)
+        if words[end].text == "for" and not self._names_anything(words[end:stop]):
+            self.statements.append(Mention(quote=self._quote(words, end, stop)))
+            return stop, exact
+        self.unknown.append(self._quote(words, end, stop))
+        return stop, exact
+
+    def _names_anything(self, words: Sequence[Word]) -> bool:
+        """Whether words name an object or a room of the building."""
+        return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)
+
+    def _reads_question(self, reader: ClauseReader, words: Sequence[Word], at: int, *, marked: bool) -> bool:
+        try:
+            found = read_question(reader, words, at, marked=marked)
+        except NotUnderstood as fault:
+            self.unknown.append(self._quote(words, at, max(fault.end, len(words))))
+            return True
+        if found is None:
+            return False
+        ask, end = found
+        self.statements.append(ask)
+        end = reader.skip(end)
+        if end < len(words):
+            if words[end].text in ("and", "or") or words[end - 1].text in (",", "and"):
+                more = read_question(reader, words, end, marked=marked)
+                if more is not None and more[1] > end:
+                    self.statements.append(more[0])
+                    end = reader.skip(more[1])
+            if end < len(words):
+                self.unknown.append(self._quote(words, end, len(words)))
+        return True
+
+    def _read_frame(self, reader: ClauseReader, at: int) -> int:
+        """Read a place that the sentence begins with, up to its comma or the clause."""
+        label = read_storeys(reader.words, at, self.floors)
+        if label is not None and label[2] < len(reader.words) and reader.text(label[2]) in (":", "-"):
+            reader.frame = Place(rooms=Rooms(floors=label[0]))
+            return label[2] + 1
+        room = reader.item(at, places=False)
+        if room is not None and room.phrase.noun.kind in ("room", "both"):
+            places, end = reader.places(room.end)
+            if reader.text(end) in (":", "-") and self.lexicon.is_own_room(room.phrase.noun.words):
+                rooms = room.phrase.rooms()
+                for read in places:
+                    rooms = merged(Place(rooms=rooms), read.place).rooms or rooms
+                reader.frame = Place(rooms=rooms)
+                return end + 1
+        first = read_place(reader.words, at, self.lexicon, self.floors)
+        if first is None:
+            return at
+        places, end = reader.places(at)
+        comma = reader.text(end) in (",", ":", "-")
+        after = reader.skip(end)
+        if not (comma or reader.starts_clause(after) or reader.phrase(after) is not None) or after >= len(reader.words):
+            return at
+        place = Place()
+        for read in places:
+            place = read.place if place == Place() else merged(place, read.place)
+        reader.frame = place
+        return after if not comma else end + 1
+
+    def _reads_scope(self, reader: ClauseReader, at: int) -> bool:
+        """Read a sentence that only tells where something mentioned is: ``The desk is in the lobby.``."""
+        if self._tells_storeys(reader, at):
+            return True
+        item = reader.item(at)
+        if item is None:
+            return False
+        end = item.end
+        indicative = reader.text(end) in ("is", "are")
+        contracted = reader.words[item.phrase.end - 1].genitive and item.end > item.phrase.end
+        pronoun = item.phrase.refers == "last" and reader.words[at].raw in ("it's", "they're")
+        if not (indicative or contracted or pronoun):
+            return False
+        places, stop = reader.places(end + indicative) if indicative or not item.places else (item.places, item.end)
+        if not places or reader.skip(stop) < len(reader.words):
+            return False
+        place = Place()
+        for read in places:
+            place = read.place if place == Place() else merged(place, read.place)
+        noun = " ".join(item.phrase.noun.words)
+        number = item.phrase.noun.number
+        refined = [_refined(s, f"{noun} {number}".strip(), place) for s in self.statements]
+        if item.phrase.refers == "last" and self.statements:
+            refined = [*self.statements[:-1], _narrowed(self.statements[-1], place)]
+        if refined == self.statements and item.is_room and place.rooms is not None and self.statements:
+            rooms = merged(Place(rooms=item.phrase.rooms()), place)
+            refined = [_narrowed(s, rooms) if _is_open(s) else s for s in self.statements]
+        if refined == self.statements:
+            return False
+        self.statements = refined
+        return True
+
+    def _tells_storeys(self, reader: ClauseReader, at: int) -> bool:
+        """Read ``the top floor is 8``, which asks for nothing."""
+        storeys = read_storeys(reader.words, at, self.floors)
+        if storeys is None or reader.text(storeys[2]) not in ("is", "are"):
+            return False
+        end = storeys[2] + 1
+        if end + 1 != len(reader.words) or reader.words[end].kind not in ("number", "ordinal"):
+            return False
+        self.statements.append(Mention(quote=self._quote(reader.words, at, end + 1)))
+        return True
+
+
+def _exactly(statement: Statement) -> Statement:
+    """Return a statement of exactly the number that it names."""
+    if isinstance(statement, Ensure | Add) and statement.things.amount.kind == "some":
+        amount = Amount(kind="exactly", number=statement.things.amount.number)
+        things = msgspec.structs.replace(statement.things, amount=amount)
+        return Ensure(things=things, place=statement.place, each=statement.each, quote=statement.quote)
+    return statement
+
+
+def _sentences(words: Sequence[Word]) -> Iterable[tuple[list[Word], bool]]:
+    """Yield sentences, each with whether a question mark ends it."""
+    sentence: list[Word] = []
+    for word in words:
+        if word.kind == "mark" and word.text in _ENDS:
+            if sentence:
+                yield sentence, word.text == "?"
+            sentence = []
+        else:
+            sentence.append(word)
+    if sentence:
+        yield sentence, False
+
+
+_PURPOSES: Final = frozenset(["because", "since", "cause", "as", "otherwise", "so"])
+
+
+def _background(words: Sequence[Word], at: int) -> int:
+    """Return the end of a reason or a purpose that begins at a place: ``because ...``, ``so that ...``."""
+    first = words[at].text
+    following = words[at + 1].text if at + 1 < len(words) else ""
+    reason = first in ("because", "otherwise") or (first in ("since", "as") and following in ("i", "we", "the", "they", "it", "there", "my", "our", "he", "she"))
+    purpose = (first == "so" and following in ("that", "we", "i", "they", "people", "the", "it", "everyone", "guest", "nobody")) or (
+        first == "in" and following in ("case", "order")
+    )
+    if first in ("for", "before", "during", "after", "when") and at == 0:
+        comma = next((k for k in range(at, min(len(words), at + 9)) if words[k].text in (",", ":")), None)
+        return at if comma is None else comma
+    if not (reason or purpose):
+        return at
+    end = at + 1
+    while end < len(words) and not (words[end].kind == "mark" and words[end].text in (",", ";", ")")):
+        end += 1
+    return end
+
+
+def _is_background(words: Sequence[Word]) -> bool:
+    """Whether words tell of people and of what was, and ask for nothing."""
+    texts = [w.text for w in words]
+    if not texts:
+        return False
+    people = PERSONS | frozenset(["my", "our", "one", "somebody", "her", "his", "their", "daughter", "son", "mother", "father", "boss"])
+    past = any(w.raw.endswith("ed") or w.raw in ("is", "are", "was", "were", "has", "have", "had", "will", "like", "likes", "stole", "came", "got", "said", "left", "arrive", "arrives", "visit") for w in words)
+    return texts[0] in people and past and "not" not in texts[:3] and not set(texts) & {"want", "need", "should", "must", "please"}
+
+
+def _is_open(statement: Statement) -> bool:
+    """Whether a statement names neither rooms nor storeys."""
+    return '"type":"Rooms"' not in msgspec.json.encode(statement).decode()
+
+
+def _with_storeys(statements: Sequence[Statement]) -> list[Statement]:
+    """Return the statements with the storey that was named before in place of ``the same floor``."""
+    last: list[tuple[int, ...]] = [()]
+
+    def filled(value: Any) -> Any:
+        if isinstance(value, Rooms) and value.floors == (SAME_FLOOR,):
+            return msgspec.structs.replace(value, floors=last[0])
+        if isinstance(value, Rooms) and value.floors:
+            last[0] = value.floors
+        if not isinstance(value, msgspec.Struct):
+            return tuple(filled(part) for part in value) if isinstance(value, tuple) else value
+        return msgspec.structs.replace(value, **{f: filled(getattr(value, f)) for f in value.__struct_fields__})
+
+    return [filled(statement) for statement in statements]
+
+
+def _refined(value: Any, noun: str, place: Place) -> Any:
+    """Return a statement in which things or rooms of a noun are at a place."""
+    if isinstance(value, Things):
+        changed = _replaced(value, noun, place)
+        if changed.noun == noun and (changed.place is None or changed.place.rooms is None):
+            return with_place(changed, place)
+        return changed
+    if isinstance(value, Rooms):
+        if value.words == noun and place.rooms is not None and not value.floors:
+            return msgspec.structs.replace(value, floors=place.rooms.floors, next_to=place.rooms.next_to or value.next_to)
+        return value
+    if isinstance(value, Place):
+        changed = _replaced(value, noun, place)
+        if value.anchor is not None and value.anchor.noun == noun and value.rooms is None and place.rooms is not None:
+            return msgspec.structs.replace(changed, rooms=place.rooms)
+        return changed
+    if isinstance(value, msgspec.Struct):
+        return _replaced(value, noun, place)
+    return value
+
+
+def _replaced(value: Any, noun: str, place: Place) -> Any:
+    changes = {}
+    for name in value.__struct_fields__:
+        old = getattr(value, name)
+        new = tuple(_refined(part, noun, place) for part in old) if isinstance(old, tuple) else _refined(old, noun, place)
+        if new != old:
+            changes[name] = new
+    return msgspec.structs.replace(value, **changes) if changes else value
+
+
+def _narrowed(statement: Statement, place: Place) -> Statement:
+    """Return the last statement at a place that the next sentence tells of ("it is on the second floor")."""
+    if isinstance(statement, Ensure | Move) or hasattr(statement, "place"):
+        own = getattr(statement, "place", None)
+        if isinstance(own, Place):
+            return msgspec.structs.replace(statement, place=merged(own, place))
+    things = getattr(statement, "things", None)
+    if isinstance(things, Things):
+        return msgspec.structs.replace(statement, things=with_place(things, place))
+    return statement
