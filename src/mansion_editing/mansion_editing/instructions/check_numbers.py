@@ -10,6 +10,7 @@ from mansion_editing.instructions.references import (
     all_at,
     anchors_of,
     carried_by,
+    concerned,
     means_several,
     place_words,
     thing_words,
@@ -113,7 +114,7 @@ def check_remove(
 ) -> Finding:
     """Check that the number meant left, and that what else left stood on it."""
     things = statement.things
-    fitting = things_of(before, things, context)
+    fitting = concerned(before, things, context)
     gone = [item for item in fitting if item.id in diff.removed]
     roots = {item.id for item in gone}
     low, high = numbers_meant(things, fitting, surplus=True)
@@ -129,7 +130,7 @@ def check_clear(
     statement: Clear, before: SceneState, after: SceneState, context: Context, diff: Differences
 ) -> Finding:
     """Check that nothing loose is left but what is spared, and that only loose things left."""
-    spared = {item.id for things in statement.spare for item in things_of(before, things, context)}
+    spared = {item.id for things in statement.spare for item in things_of(before, things, context)} | context.kept
     there = _loose_at(statement.place, before, after, before, context)
     left = [item for item in _loose_at(statement.place, before, after, after, context) if item.id not in spared]
     bearing = {found[1].parent for name in spared if (found := after.find(name)) is not None}
@@ -161,7 +162,7 @@ def check_replace(
     statement: Replace, before: SceneState, after: SceneState, context: Context, diff: Differences
 ) -> Finding:
     """Check that things left and that new ones of the other kind came into the same rooms, onto the same furniture."""
-    fitting = things_of(before, statement.things, context)
+    fitting = concerned(before, statement.things, context)
     gone = [item for item in fitting if item.id in diff.removed]
     low, high = numbers_meant(statement.things, fitting)
     alike = {item.id for item in things_of(after, any_number(statement.by), context)}

@@ -7,7 +7,7 @@ import msgspec
 from mansion_editing.instructions.check_numbers import check_add
 from mansion_editing.instructions.differences import Differences, carried_below
 from mansion_editing.instructions.finding import Finding, at_shares, numbers_meant, shares_of
-from mansion_editing.instructions.references import Context, place_words, rooms_of, thing_words, things_of
+from mansion_editing.instructions.references import Context, concerned, place_words, rooms_of, thing_words, things_of
 from mansion_editing.instructions.statements import Add, Move, Rooms, Swap, Turn
 from mansion_editing.instructions.work import listed
 from mansion_editing.state import SceneState
@@ -20,7 +20,7 @@ __all__ = ["check_move", "check_swap", "check_turn"]
 def check_move(statement: Move, before: SceneState, after: SceneState, context: Context, diff: Differences) -> Finding:
     """Check that the number meant is at the place now, and that nothing else went there."""
     things, place = statement.things, statement.place
-    fitting = things_of(before, things, context)
+    fitting = concerned(before, things, context)
     if not fitting and statement.or_new:
         new = msgspec.structs.replace(things, definite=False, place=None)
         return check_add(Add(things=new, place=place), before, after, context, diff)
@@ -91,7 +91,7 @@ def _took(new: SceneObject, old: SceneObject) -> bool:
 
 def check_turn(statement: Turn, before: SceneState, after: SceneState, context: Context, diff: Differences) -> Finding:
     """Check that things stand where they stood and are turned as far, or to what, they should be."""
-    fitting = things_of(before, statement.things, context)
+    fitting = concerned(before, statement.things, context)
     turned = [item for item in fitting if item.id in diff.moved]
     low, high = numbers_meant(statement.things, fitting)
     reason = ""

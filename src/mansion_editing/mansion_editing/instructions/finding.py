@@ -88,7 +88,7 @@ def shares_of(place: Place, before: SceneState, after: SceneState, context: Cont
     They are looked up before the statement, so that new things do not become places of it; after it, where none was
     there.
     """
-    if place.relation == "between":
+    if place.relation == "between" or place.outside:
         return [place]
     if place.anchor is not None:
         found = anchors_of(before, place, context) or anchors_of(after, place, context)

@@ -51,7 +51,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         ids.append(new)
         (now,) = live(state, [new])
         name = item.id if new == item.id else f"{item.id} (now {new})"
-        replies.append(f"{name} moved from {where} to {whereabouts(now)}")
+        replies.append(f"{name} moved from {where} to {whereabouts(now).removeprefix('in ')}")
     rooms = tuple(dict.fromkeys(item.room for item in live(state, ids)))
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
 
@@ -65,6 +65,8 @@ def _new(things: Things) -> Things:
 
 
 def _targets(state: SceneState, place: Place, context: Context) -> list[Target]:
+    if place.outside:
+        raise Unmet(f"say where to, not only {place_words(place)}")
     if place.anchor is None and place.rooms is None:
         return []
     targets = places_of(state, place, context)

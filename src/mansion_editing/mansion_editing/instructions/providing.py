@@ -42,6 +42,9 @@ __all__ = ["add", "at_target", "ensure", "number_of_new", "place_at", "replace_t
 LEAST_PLURAL = 2
 """How many things a plural without a number means at least."""
 
+MOST_NEW = 100
+"""Greatest number of new things of a kind for one place."""
+
 Made = Generator[Action, Outcome, list[str]]
 """Ends with the ids of new objects."""
 
@@ -70,9 +73,13 @@ def at_target(state: SceneState, things: Things, place: Place, target: Target, c
 def add(statement: Add, state: SceneState, context: Context) -> Work:
     """Bring so many more things, always new ones, at each place or at the first that takes them."""
     things, place = statement.things, _whole_place(statement.things, statement.place)
+    if place.outside:
+        raise Unmet(f"say where, not only {place_words(place)}")
     if things.refers == "last" and not things.noun:
         things = msgspec.structs.replace(things, noun=context.noun, refers="")
     number = number_of_new(things)
+    if number > MOST_NEW:
+        raise Unmet(f"{number} things are more than one instruction brings; at most {MOST_NEW}")
     groups = yield from _groups(things, place, state, context, each=statement.each)
     made: list[str] = []
     before = 0

@@ -25,6 +25,7 @@ __all__ = [
     "all_at",
     "anchors_of",
     "carried_by",
+    "concerned",
     "is_at",
     "means_one",
     "means_several",
@@ -54,15 +55,18 @@ class Context:
         Ids of the rooms.
     noun : str
         What the objects were called.
+    kept : frozenset of str
+        Ids of what the instruction says to leave as it is; not meant where words mean several things.
     """
 
     things: tuple[str, ...] = ()
     rooms: tuple[str, ...] = ()
     noun: str = ""
+    kept: frozenset[str] = frozenset()
 
     def followed(self, things: Sequence[str], rooms: Sequence[str], noun: str) -> "Context":
         """Return the context after something else was mentioned; what was not stays."""
-        return Context(tuple(things) or self.things, tuple(rooms) or self.rooms, noun or self.noun)
+        return Context(tuple(things) or self.things, tuple(rooms) or self.rooms, noun or self.noun, self.kept)
 
 
 _THERE: Final = frozenset({"", "it", "this", "that", "there", "here", "this room", "that room", "the room", "them"})
@@ -325,6 +329,12 @@ def anchors_of(state: SceneState, place: Place, context: Context) -> list[SceneO
     return [item for item in found if rooms is None or item.room in rooms]
 
 
+def concerned(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
+    """Return the things that words fit and that a statement may change: of several, not what shall be left."""
+    found = things_of(state, things, context)
+    return found if means_one(things) else [item for item in found if item.id not in context.kept]
+
+
 def things_meant(
     state: SceneState,
     things: Things,
@@ -351,7 +361,7 @@ def things_meant(
     Ambiguous
         Where words for one thing, or for a certain number, fit more.
     """
-    found = things_of(state, things, context)
+    found = concerned(state, things, context)
     if not found:
         raise MansionError(ErrorCode.NOT_FOUND, f"there is no {_bare(things)}{_at(things.place)}")
     if things.place is not None:
