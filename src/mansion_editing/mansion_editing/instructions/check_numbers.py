@@ -3,7 +3,7 @@
 import msgspec
 
 from mansion_editing.instructions.differences import Differences, carried_below
-from mansion_editing.instructions.finding import Finding, any_number, at_shares, least_number, numbers_meant, shares_of
+from mansion_editing.instructions.finding import Finding, any_number, at_shares, numbers_meant, shares_of
 from mansion_editing.instructions.nouns import is_loose
 from mansion_editing.instructions.references import (
     Context,
@@ -12,6 +12,7 @@ from mansion_editing.instructions.references import (
     carried_by,
     concerned,
     means_several,
+    new_number,
     place_words,
     thing_words,
     things_of,
@@ -60,7 +61,7 @@ def check_add(statement: Add, before: SceneState, after: SceneState, context: Co
     shares = shares_of(place, before, after, context)
     at = at_shares(after, alike, shares, context)
     new = set().union(*at)
-    number = least_number(things)
+    number = new_number(things)
     counts = [len(ids) for ids in at]
     if _for_each(place, each=statement.each):
         holds = bool(counts) and all(count >= number for count in counts) and len(new) == number * len(counts)
@@ -80,7 +81,7 @@ def check_ensure(
     kind = things.amount.kind
     if kind == "more":
         return check_add(Add(things=things, place=place, each=statement.each), before, after, context, diff)
-    number = 0 if kind == "none" else least_number(things)
+    number = new_number(things)
     words = any_number(things)
     shares = shares_of(place, before, after, context)
     olds = at_shares(before, things_of(before, words, context), shares, context)
@@ -170,7 +171,7 @@ def check_replace(
     rooms, parents = {item.room for item in gone}, {item.parent for item in gone}
     lain = None not in parents
     stray = [item for item in came if item.room not in rooms or (lain and item.parent and item.parent not in parents)]
-    number = statement.by.amount.number
+    number = new_number(statement.by)
     reason = ""
     if not low <= len(gone) <= high:
         reason = f"{len(gone)} of {len(fitting)} {thing_words(statement.things)} left"

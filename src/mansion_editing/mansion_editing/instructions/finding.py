@@ -11,7 +11,7 @@ from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["Finding", "any_number", "at_shares", "least_number", "numbers_meant", "shares_of"]
+__all__ = ["Finding", "any_number", "at_shares", "numbers_meant", "shares_of"]
 
 
 @dataclass(frozen=True)
@@ -36,12 +36,6 @@ class Finding:
     makes_room: bool = False
 
 
-def least_number(things: Things) -> int:
-    """Return the number that words for new things ask for; a bare plural asks for two."""
-    bare = things.amount.number < 1 or (things.plural and things.amount.number == 1)
-    return 2 if bare and things.amount.kind in ("some", "more", "all", "at_least") else things.amount.number
-
-
 def numbers_meant(things: Things, fitting: Sequence[SceneObject], *, surplus: bool = False) -> tuple[int, int]:
     """Return the least and the greatest number of things that words mean, of those that they fit.
 
@@ -59,12 +53,12 @@ def numbers_meant(things: Things, fitting: Sequence[SceneObject], *, surplus: bo
         return number, number
     if amount.kind == "none":
         return 0, 0
-    if amount.kind == "all" or amount.number < 1 or (things.plural and amount.number == 1):
+    if amount.kind == "all" or (things.plural and amount.number <= 1):
         return loose, count
     one_of_many = things.refers == "last" or (things.definite and "light" in things.noun)
     if one_of_many and not means_several(things):
         return 1, count
-    return amount.number, amount.number
+    return max(1, amount.number), max(1, amount.number)
 
 
 def any_number(things: Things) -> Things:

@@ -22,6 +22,7 @@ from mansion_editing.instructions.references import (
     Target,
     all_at,
     means_several,
+    new_number,
     place_words,
     places_of,
     rooms_of,
@@ -37,24 +38,13 @@ from mansion_editing.tools.perception import object_info
 from mansion_msgs_py.editing import AssetInfo
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["add", "at_target", "ensure", "number_of_new", "place_at", "replace_things", "wishes_of"]
-
-LEAST_PLURAL = 2
-"""How many things a plural without a number means at least."""
+__all__ = ["add", "at_target", "ensure", "place_at", "replace_things", "wishes_of"]
 
 MOST_NEW = 100
 """Greatest number of new things of a kind for one place."""
 
 Made = Generator[Action, Outcome, list[str]]
 """Ends with the ids of new objects."""
-
-
-def number_of_new(things: Things) -> int:
-    """Return how many new things words ask for."""
-    amount = things.amount
-    if amount.number < 1 or (amount.number == 1 and things.plural and amount.kind in ("some", "more", "all")):
-        return LEAST_PLURAL
-    return amount.number
 
 
 def at_target(state: SceneState, things: Things, place: Place, target: Target, context: Context) -> list[SceneObject]:
@@ -77,7 +67,7 @@ def add(statement: Add, state: SceneState, context: Context) -> Work:
         raise Unmet(f"say where, not only {place_words(place)}")
     if things.refers == "last" and not things.noun:
         things = msgspec.structs.replace(things, noun=context.noun, refers="")
-    number = number_of_new(things)
+    number = new_number(things)
     if number > MOST_NEW:
         raise Unmet(f"{number} things are more than one instruction brings; at most {MOST_NEW}")
     groups = yield from _groups(things, place, state, context, each=statement.each)
@@ -269,11 +259,9 @@ def _finished(things: Things, made: Sequence[str], state: SceneState) -> Generat
 def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     """Bring what is missing of a number, counting what is there; take away what is more only where words say so."""
     things, place = statement.things, _whole_place(statement.things, statement.place)
-    kind, number = things.amount.kind, number_of_new(things)
+    kind, number = things.amount.kind, new_number(things)
     if kind == "more":
         return (yield from add(Add(things=things, place=place, each=statement.each), state, context))
-    if kind == "none":
-        number = 0
     several = statement.each or _is_each(place)
     least = kind not in ("at_most", "none")
     if place.anchor is None and place.rooms is None:
@@ -313,7 +301,7 @@ def replace_things(statement: Replace, state: SceneState, context: Context) -> W
     olds = things_meant(state, statement.things, context)
     by = statement.by
     one_by_one = by.plural or statement.things.amount.kind == "all" or len(olds) == 1
-    number = by.amount.number if by.amount.number > 1 or not one_by_one else len(olds)
+    number = new_number(by) if by.amount.number > 1 or not one_by_one else len(olds)
     gone: list[str] = []
     made: list[str] = []
     for order, old in enumerate(olds):

@@ -132,12 +132,19 @@ def _carries(state: SceneState) -> Callable[[SceneObject], bool]:
     return lambda item: item.id in bearing
 
 
+def _from_words(place: Place) -> str:
+    if place.anchor is not None and place.relation in ("on", "in", ""):
+        rooms = "" if place.rooms is None else f" {place_words(Place(rooms=place.rooms))}"
+        return f"from {thing_words(place.anchor)}{rooms}"
+    return place_words(place)
+
+
 def clear(statement: Clear, state: SceneState, context: Context) -> Work:
     """Empty furniture, a room or a part of it of what is loose."""
     there = to_clear(statement, state, context)
-    where = place_words(statement.place)
+    where = _from_words(statement.place)
     if not there:
-        return Done(f"there was nothing to clear away {where}", context)
+        return Done(f"there was nothing loose to clear {where}", context)
     gone: list[str] = []
     for item in there:
         if live(state, [item.id]):
