@@ -52,9 +52,15 @@ def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
     return Done(reply, context.followed([item.id for item in chosen], rooms, things.noun))
 
 
+def _some(chosen: list[SceneObject], things: Things) -> list[SceneObject]:
+    if not chosen:
+        raise Unmet(f"no {thing_words(things)} is left besides those that shall stay")
+    return chosen
+
+
 def paint(statement: Paint, state: SceneState, context: Context) -> Work:
     """Give things a colour, a material or both."""
-    chosen = things_meant(state, statement.things, context)
+    chosen = _some(things_meant(state, statement.things, context), statement.things)
     look = " ".join(word for word in (statement.colour, statement.material) if word)
     changed = []
     for item in chosen:

@@ -15,6 +15,7 @@ from mansion_editing.agent.provisioning import (
     make_room,
     place_any,
     relation_of,
+    rooms_for,
 )
 from mansion_editing.instructions.nouns import has_material
 from mansion_editing.instructions.references import (
@@ -113,7 +114,7 @@ def _groups(
         rooms = Rooms(same=True) if context.rooms else Rooms(every=True)
         place = msgspec.structs.replace(place, rooms=rooms)
         targets = places_of(state, place, context, each=True)
-        return [targets]
+        return [(yield from _best_first(things, targets, state))]
     several = each or _is_each(place)
     plural_rooms = place.rooms is not None and (place.rooms.every or place.rooms.number > 1)
     having = _rooms_having(state, place, context)
@@ -129,6 +130,14 @@ def _groups(
     if place.anchor is None and len(targets) > 1 and place.rooms is not None and not place.rooms.words:
         return [targets]
     return [targets] if place.anchor is not None else [[target] for target in targets]
+
+
+def _best_first(things: Things, targets: list[Target], state: SceneState) -> Generator[Action, Outcome, list[Target]]:
+    """Return rooms that words leave open in the order in which they suit a thing."""
+    first = (yield from _assets_of(things, state))[0]
+    rooms = Scope("room", "", tuple(target.room for target in targets))
+    order = rooms_for(rooms, state, first.category, first.size)
+    return sorted((target for target in targets if target.room in order), key=lambda target: order.index(target.room))
 
 
 def _rooms_having(state: SceneState, place: Place, context: Context) -> set[str]:
@@ -266,6 +275,8 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     least = kind not in ("at_most", "none")
     if place.anchor is None and place.rooms is None:
         groups = [places_of(state, Place(rooms=Rooms(every=True), spot=place.spot), context, each=True)]
+        if least:
+            groups = [(yield from _best_first(things, groups[0], state))]
     elif not least and place.anchor is not None and not things_of(state, place.anchor, context):
         groups = []
     else:

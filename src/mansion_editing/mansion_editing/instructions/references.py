@@ -434,7 +434,7 @@ def things_meant(
             raise _too_few(things, found)
         return found
     if amount.kind == "all_but" or (surplus and amount.kind in ("exactly", "at_most")):
-        if amount.kind == "all_but" and count <= amount.number:
+        if amount.kind == "all_but" and count < amount.number:
             raise _too_few(things, found)
         return _any_of(state, found, max(0, count - amount.number))
     if amount.kind == "none":
@@ -629,6 +629,8 @@ def _title(state: SceneState | None, item: SceneObject) -> str:
 
 def thing_words(things: Things) -> str:
     """Return words for things as a reply has them ("the two red mugs on the desk")."""
+    if things.refers == "last" and not things.noun:
+        return "them" if means_several(things) else "it"
     article = "the " if things.definite else ""
     number = f"{things.amount.number} " if things.amount.number > 1 else ""
     return f"{article}{number}{_bare(things)}{_at(things.place)}"
