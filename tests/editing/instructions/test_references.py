@@ -26,6 +26,11 @@ def the(noun: str, **more: object) -> Things:
     return Things(noun=noun, definite=True, **more)  # type: ignore[arg-type]
 
 
+KITCHEN = Rooms(words="kitchen")
+ON_TABLE = Place(relation="on", anchor=the("dining table"), rooms=KITCHEN)
+ELSEWHERE = Place(rooms=KITCHEN, outside=True)
+
+
 @pytest.mark.parametrize(
     ("rooms", "expected"),
     [
@@ -57,9 +62,9 @@ def test_words_mean_rooms(state: SceneState, rooms: Rooms, expected: list[str]) 
         (the("F1/hall/chair_3"), ["F1/hall/chair_3"]),
         (the("seat", plural=True), [*(f"F1/hall/chair_{n}" for n in (1, 2, 3)), "F1/hall/sofa_1"]),
         (the("sofa", colour="red"), []),
-        (the("mug", place=Place(relation="on", anchor=the("dining table"), rooms=Rooms(words="kitchen"))), ["F1/kitchen/mug_1"]),
+        (the("mug", place=ON_TABLE), ["F1/kitchen/mug_1"]),
         (the("mug", owned="kitchen"), ["F1/kitchen/mug_1"]),
-        (the("mug", place=Place(rooms=Rooms(words="kitchen"), outside=True)), [f"F2/private_office_1/mug_{n}" for n in (1, 2)]),
+        (the("mug", place=ELSEWHERE), [f"F2/private_office_1/mug_{n}" for n in (1, 2)]),
         (
             Things(plural=True, place=Place(relation="on", anchor=the("table", owned="kitchen")), beside=(the("mug"),)),
             ["F1/kitchen/plate_1"],
@@ -108,7 +113,7 @@ def test_the_light_of_a_room_means_all_its_ceiling_lights(state: SceneState) -> 
 )
 def test_the_number_that_is_meant(state: SceneState, amount: Amount, definite: bool, number: int) -> None:
     things = Things(noun="chair", plural=amount.number != 1, amount=amount, definite=definite)
-    assert len(things_meant(state, things, HERE)) == number
+    assert len(things_meant(state, things, HERE, surplus=True)) == number
 
 
 @pytest.mark.parametrize("amount", [Amount(number=4), Amount(number=2, of=5), Amount(kind="all", number=4)])

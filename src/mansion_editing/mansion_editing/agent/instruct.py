@@ -86,7 +86,9 @@ MOST_EDITS: Final = 120
 MOST_REFUSED: Final = 8
 
 
-def run_agent(editor: SceneEditor, policy: Policy, what: str) -> AgentReport:
+def run_agent(
+    editor: SceneEditor, policy: Policy, what: str, *, most_steps: int = MOST_STEPS, most_edits: int = MOST_EDITS
+) -> AgentReport:
     """Let a policy work until it ends or a bound is reached.
 
     Parameters
@@ -95,6 +97,8 @@ def run_agent(editor: SceneEditor, policy: Policy, what: str) -> AgentReport:
         With nothing waiting to be saved.
     what : str
         The instruction, for the log.
+    most_steps, most_edits : int
+        Calls of tools, and those that change something, after which the policy is stopped.
 
     Returns
     -------
@@ -109,7 +113,7 @@ def run_agent(editor: SceneEditor, policy: Policy, what: str) -> AgentReport:
     if editor.state.pending:
         raise MansionError(ErrorCode.CONFLICT, "edits wait to be saved; save or undo them first")
     autosave, editor.autosave = editor.autosave, False
-    run = _Run(editor)
+    run = _Run(editor, most_steps, most_edits)
     try:
         editor.reload()
         verdict = run.drive(policy)
@@ -123,8 +127,8 @@ def run_agent(editor: SceneEditor, policy: Policy, what: str) -> AgentReport:
 class _Run:
     """The steps of one run."""
 
-    def __init__(self, editor: SceneEditor) -> None:
-        self.editor = editor
+    def __init__(self, editor: SceneEditor, most_steps: int, most_edits: int) -> None:
+        self.editor, self.most_steps, self.most_edits = editor, most_steps, most_edits
         self.steps: list[AgentStep] = []
         self.edits = 0
         self.refused = 0
@@ -134,7 +138,7 @@ class _Run:
         try:
             action = next(policy)
             while True:
-                if len(self.steps) >= MOST_STEPS or self.edits >= MOST_EDITS:
+                if len(self.steps) >= self.most_steps or self.edits >= self.most_edits:
                     return _stopped(f"stopped after {len(self.steps)} steps, {self.edits} edits")
                 if self.refused >= MOST_REFUSED:
                     return _stopped(f"stopped: {self.refused} invalid actions")

@@ -52,6 +52,7 @@ __all__ = [
     "move_after_clearing",
     "place_any",
     "relation_of",
+    "rooms_for",
     "satisfy",
 ]
 
@@ -218,7 +219,7 @@ def furnish(thing: ObjectDescription, where: Scope, state: SceneState) -> Genera
             standing = yield from find_assets(replace(thing, noun=category.replace("_", " ")), state)
         break
     first = standing[0]
-    for room in _rooms_for(where, state, first.category, first.size)[:MOST_ROOMS]:
+    for room in rooms_for(where, state, first.category, first.size)[:MOST_ROOMS]:
         made, reason = yield from place_any(standing, room, "on", colour=thing.colour)
         if made:
             return made
@@ -509,7 +510,7 @@ def _usual_receptacles(catalogue: Catalogue, categories: tuple[str, ...]) -> fro
     return frozenset(out)
 
 
-def _rooms_for(where: Scope, state: SceneState, category: str, size: tuple[float, float, float]) -> list[str]:
+def rooms_for(where: Scope, state: SceneState, category: str, size: tuple[float, float, float]) -> list[str]:
     """Return the rooms of a scope that may take a piece of furniture, the best first.
 
     Rooms whose program has it come first, then rooms that are not crowded, then those with the most free floor.

@@ -11,7 +11,6 @@ from mansion_editing.instructions.references import (
     one_room_each,
     place_words,
     rooms_of,
-    thing_words,
     things_of,
 )
 from mansion_editing.instructions.room_words import room_title
@@ -58,7 +57,7 @@ def _found(question: Ask, state: SceneState, context: Context) -> list[SceneObje
     if place.rooms is not None:
         one_room_each(state, place.rooms, context, lambda room: any(item.room == room for item in found))
     if place.anchor is not None and not anchors_of(state, place, context):
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {thing_words(place.anchor).removeprefix('the ')}")
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is nothing {place_words(place)}: no such thing is there")
     if question.about == "what" and not things.noun and place.anchor is not None:
         relations = [place.relation] if place.relation in ("on", "in") else []
         there = [i for a in anchors_of(state, place, context) for r in relations for i in carried_by(state, a, r)]

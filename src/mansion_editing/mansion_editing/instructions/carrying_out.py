@@ -1,6 +1,7 @@
 """Carry out statements with the editor's tools, one at a time, and say what was there and what changed."""
 
 from collections.abc import Callable, Generator
+from dataclasses import replace
 from typing import Any, Final
 
 from mansion_editing.agent.facts import Action, Outcome, Unmet
@@ -71,7 +72,7 @@ def carry(statement: Statement, state: SceneState, context: Context) -> Generato
     if isinstance(statement, Ask):
         return answer(statement, state, context)
     if isinstance(statement, Keep):
-        kept = things_meant(state, statement.things, context)
+        kept = things_meant(state, statement.things, replace(context, kept=frozenset()))
         rooms = tuple(dict.fromkeys(item.room for item in kept))
         reply = f"{listed(kept)} left as {'it was' if len(kept) == 1 else 'they were'}"
         return Done(reply, context.followed([item.id for item in kept], rooms, statement.things.noun))

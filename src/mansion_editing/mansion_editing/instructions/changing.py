@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from mansion_editing.agent.facts import Unmet, ask
 from mansion_editing.instructions.nouns import has_colour, has_material
-from mansion_editing.instructions.references import Context, one_room_each, thing_words, things_meant, things_of
+from mansion_editing.instructions.references import Context, concerned, one_room_each, thing_words, things_meant
 from mansion_editing.instructions.statements import Paint, Reach, Rooms, SetState, Things
 from mansion_editing.instructions.work import Done, Work, listed
 from mansion_editing.state import SceneState
@@ -30,7 +30,7 @@ def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
     """Open, close or switch the things that words mean; of several for one thing, the one that is not so yet."""
     things, name, value = statement.things, statement.state, statement.value
     word = state_word(name, value=value)
-    found = things_of(state, things, context)
+    found = concerned(state, things, context)
     ready = {item.id for item in found if able(item, name)}
     if found and not ready:
         raise Unmet(f"no {thing_words(things)} {'opens or closes' if name == 'open' else 'switches'}: {listed(found)}")
@@ -52,9 +52,15 @@ def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
     return Done(reply, context.followed([item.id for item in chosen], rooms, things.noun))
 
 
+def _some(chosen: list[SceneObject], things: Things) -> list[SceneObject]:
+    if not chosen:
+        raise Unmet(f"no {thing_words(things)} is left besides those that shall stay")
+    return chosen
+
+
 def paint(statement: Paint, state: SceneState, context: Context) -> Work:
     """Give things a colour, a material or both."""
-    chosen = things_meant(state, statement.things, context)
+    chosen = _some(things_meant(state, statement.things, context), statement.things)
     look = " ".join(word for word in (statement.colour, statement.material) if word)
     changed = []
     for item in chosen:

@@ -1,9 +1,9 @@
 """Checks of statements about what things and rooms are like: SetState, Paint, Reach and those of rooms."""
 
 from mansion_editing.instructions.differences import Differences
-from mansion_editing.instructions.finding import Finding
+from mansion_editing.instructions.finding import Finding, numbers_meant
 from mansion_editing.instructions.nouns import has_colour, has_material
-from mansion_editing.instructions.references import Context, means_several, rooms_of, thing_words, things_of
+from mansion_editing.instructions.references import Context, concerned, rooms_of, thing_words, things_of
 from mansion_editing.instructions.statements import (
     Finish,
     Furnish,
@@ -18,8 +18,10 @@ from mansion_editing.instructions.statements import (
 from mansion_editing.instructions.work import listed
 from mansion_editing.state import SceneState
 from mansion_editing.tools.paths import check_path
+from mansion_language.colours import COLOUR_WORDS
 from mansion_msgs_py.editing import CheckPathArgs
 from mansion_msgs_py.scene import SceneObject
+from mansion_scene.structure.materials import library
 
 __all__ = ["check_paint", "check_reach", "check_rooms", "check_state"]
 
@@ -29,7 +31,7 @@ def check_state(
 ) -> Finding:
     """Check that the things meant are open, closed, on or off, and that nothing else of them changed."""
     name, value = statement.state, statement.value
-    fitting = [item for item in things_of(before, statement.things, context) if _has(item, name)]
+    fitting = [item for item in concerned(before, statement.things, context) if _has(item, name)]
     now = [found[1] for item in fitting if (found := after.find(item.id)) is not None]
     good = {item.id for item in now if bool(item.states.get(name, False)) == value}
     changed = [item.id for item in fitting if item.id in diff.changed]
@@ -50,26 +52,20 @@ def _only_state(old: SceneObject, new: SceneObject, name: str) -> bool:
 
 
 def _number_fault(things: Things, fitting: list[SceneObject], good: set[str], changed: list[str]) -> str:
-    several = means_several(things)
-    number = things.amount.number if things.amount.number > 1 else 1
-    whole = things.amount.kind == "all" or (things.plural and things.amount.number <= 1)
-    least = len(fitting) if whole else number
-    if len(good) < max(1, least):
+    low, high = numbers_meant(things, fitting)
+    if len(good) < max(1, low):
         return f"{len(good)} of {len(fitting)} {thing_words(things)} are as they should be"
     wrong = [name for name in changed if name not in good]
     if wrong:
         return f"{listed(wrong)} changed, but not to this"
-    free = several or bool(things.refers) or "light" in things.noun or "lamp" in things.noun
-    if not free and len(changed) > number:
-        return f"{listed(changed)} changed, though one was meant"
-    return ""
+    return f"{listed(changed)} changed, though {high} were meant" if len(changed) > high else ""
 
 
 def check_paint(
     statement: Paint, before: SceneState, after: SceneState, context: Context, diff: Differences
 ) -> Finding:
     """Check that the things meant have the colour and the material."""
-    fitting = things_of(before, statement.things, context)
+    fitting = concerned(before, statement.things, context)
     now = [found[1] for item in fitting if (found := after.find(item.id)) is not None]
     good = {
         item.id
@@ -134,9 +130,10 @@ def _finish_fault(statement: Finish, after: SceneState, rooms: set[str]) -> str:
         if found is None:
             return f"{room} is gone"
         part = {"walls": found[1].wall_material, "floor": found[1].floor_material, "ceiling": found[1].ceiling_material}
-        words = part[statement.part].split("_")
-        if (statement.colour and statement.colour not in words) or (
-            statement.material and statement.material not in words
-        ):
+        name = part[statement.part]
+        known = library().get(name)
+        told = {*name.split("_"), *(known.keywords if known is not None else ())}
+        asked = [COLOUR_WORDS.get(word, word) for word in f"{statement.colour} {statement.material}".lower().split()]
+        if not name or not any({word, word.rstrip("s"), f"{word}s"} & told for word in asked):
             return f"the {statement.part} of {room} is {part[statement.part] or 'as it was'}"
     return ""

@@ -3,14 +3,16 @@
 import msgspec
 
 from mansion_editing.instructions.differences import Differences, carried_below
-from mansion_editing.instructions.finding import Finding, any_number, at_shares, least_number, shares_of
-from mansion_editing.instructions.nouns import is_fixed, is_loose
+from mansion_editing.instructions.finding import Finding, any_number, at_shares, numbers_meant, shares_of
+from mansion_editing.instructions.nouns import is_loose
 from mansion_editing.instructions.references import (
     Context,
     all_at,
     anchors_of,
     carried_by,
+    concerned,
     means_several,
+    new_number,
     place_words,
     thing_words,
     things_of,
@@ -59,10 +61,10 @@ def check_add(statement: Add, before: SceneState, after: SceneState, context: Co
     shares = shares_of(place, before, after, context)
     at = at_shares(after, alike, shares, context)
     new = set().union(*at)
-    number = least_number(things)
+    number = new_number(things)
     counts = [len(ids) for ids in at]
     if _for_each(place, each=statement.each):
-        holds = bool(counts) and all(count == number for count in counts)
+        holds = bool(counts) and all(count >= number for count in counts) and len(new) == number * len(counts)
     else:
         holds = number in counts and len(new) % number == 0
     carriers = _new_carriers(place, after, context, diff) if not anchors_of(before, place, context) else set()
@@ -79,7 +81,7 @@ def check_ensure(
     kind = things.amount.kind
     if kind == "more":
         return check_add(Add(things=things, place=place, each=statement.each), before, after, context, diff)
-    number = 0 if kind == "none" else least_number(things)
+    number = new_number(things)
     words = any_number(things)
     shares = shares_of(place, before, after, context)
     olds = at_shares(before, things_of(before, words, context), shares, context)
@@ -113,10 +115,10 @@ def check_remove(
 ) -> Finding:
     """Check that the number meant left, and that what else left stood on it."""
     things = statement.things
-    fitting = things_of(before, things, context)
+    fitting = concerned(before, things, context)
     gone = [item for item in fitting if item.id in diff.removed]
     roots = {item.id for item in gone}
-    low, high = _to_leave(things, fitting)
+    low, high = numbers_meant(things, fitting, surplus=True)
     reason = ""
     if not low <= len(gone) <= high:
         reason = f"{len(gone)} of {len(fitting)} {thing_words(things)} left"
@@ -125,29 +127,11 @@ def check_remove(
     return Finding(reason, roots | (carried & set(diff.removed)) | settled)
 
 
-def _to_leave(things: Things, fitting: list[SceneObject]) -> tuple[int, int]:
-    """Return the least and the greatest number of things that are to leave; those fixed to the building need not."""
-    amount, count = things.amount, len(fitting)
-    loose = sum(not is_fixed(item) for item in fitting) or count
-    if amount.kind in ("all_but", "exactly", "at_most"):
-        number = max(0, count - amount.number)
-        return number, number
-    if amount.kind == "all" or (things.plural and amount.number <= 1) or amount.number < 1:
-        return loose, count
-    if amount.kind == "none":
-        return 0, 0
-    if things.definite and not means_several(things) and fitting and "light" in things.noun:
-        return 1, count
-    if things.refers == "last" and not means_several(things):
-        return 1, count
-    return amount.number, amount.number
-
-
 def check_clear(
     statement: Clear, before: SceneState, after: SceneState, context: Context, diff: Differences
 ) -> Finding:
     """Check that nothing loose is left but what is spared, and that only loose things left."""
-    spared = {item.id for things in statement.spare for item in things_of(before, things, context)}
+    spared = {item.id for things in statement.spare for item in things_of(before, things, context)} | context.kept
     there = _loose_at(statement.place, before, after, before, context)
     left = [item for item in _loose_at(statement.place, before, after, after, context) if item.id not in spared]
     bearing = {found[1].parent for name in spared if (found := after.find(name)) is not None}
@@ -179,14 +163,15 @@ def check_replace(
     statement: Replace, before: SceneState, after: SceneState, context: Context, diff: Differences
 ) -> Finding:
     """Check that things left and that new ones of the other kind came into the same rooms, onto the same furniture."""
-    fitting = things_of(before, statement.things, context)
+    fitting = concerned(before, statement.things, context)
     gone = [item for item in fitting if item.id in diff.removed]
-    low, high = _to_leave(statement.things, fitting)
+    low, high = numbers_meant(statement.things, fitting)
     alike = {item.id for item in things_of(after, any_number(statement.by), context)}
     came = [item for name, item in diff.added.items() if name in alike]
-    places = {(item.room, item.parent) for item in gone}
-    stray = [item for item in came if (item.room, item.parent) not in places]
-    number = statement.by.amount.number
+    rooms, parents = {item.room for item in gone}, {item.parent for item in gone}
+    lain = None not in parents
+    stray = [item for item in came if item.room not in rooms or (lain and item.parent and item.parent not in parents)]
+    number = new_number(statement.by)
     reason = ""
     if not low <= len(gone) <= high:
         reason = f"{len(gone)} of {len(fitting)} {thing_words(statement.things)} left"

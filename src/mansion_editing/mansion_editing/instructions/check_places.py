@@ -6,15 +6,8 @@ import msgspec
 
 from mansion_editing.instructions.check_numbers import check_add
 from mansion_editing.instructions.differences import Differences, carried_below
-from mansion_editing.instructions.finding import Finding, at_shares, shares_of
-from mansion_editing.instructions.references import (
-    Context,
-    means_several,
-    place_words,
-    rooms_of,
-    thing_words,
-    things_of,
-)
+from mansion_editing.instructions.finding import Finding, at_shares, numbers_meant, shares_of
+from mansion_editing.instructions.references import Context, concerned, place_words, rooms_of, thing_words, things_of
 from mansion_editing.instructions.statements import Add, Move, Rooms, Swap, Turn
 from mansion_editing.instructions.work import listed
 from mansion_editing.state import SceneState
@@ -27,7 +20,7 @@ __all__ = ["check_move", "check_swap", "check_turn"]
 def check_move(statement: Move, before: SceneState, after: SceneState, context: Context, diff: Differences) -> Finding:
     """Check that the number meant is at the place now, and that nothing else went there."""
     things, place = statement.things, statement.place
-    fitting = things_of(before, things, context)
+    fitting = concerned(before, things, context)
     if not fitting and statement.or_new:
         new = msgspec.structs.replace(things, definite=False, place=None)
         return check_add(Add(things=new, place=place), before, after, context, diff)
@@ -41,16 +34,14 @@ def check_move(statement: Move, before: SceneState, after: SceneState, context: 
     there = set().union(*at_shares(after, [item for item in now.values() if item is not None], shares, context))
     missed = [name for name, item in went.items() if item.id not in there]
     arrived = sum(item is not None and item.id in there for item in now.values())
-    number = len(fitting) if _means_all(statement) else max(1, things.amount.number)
+    low, high = numbers_meant(things, fitting)
     reason = ""
     if missed:
         reason = f"{listed(missed)} moved, but not {place_words(place)}"
-    elif arrived < number:
-        reason = f"{arrived} of {thing_words(things)} is {place_words(place)}, not {number}"
-    elif not means_several(things) and len(went) > 1 and not things.refers:
-        reason = f"{listed(list(went))} moved, though one was meant"
-    elif means_several(things) and not _means_all(statement) and len(went) > number:
-        reason = f"{listed(list(went))} moved, though {number} were meant"
+    elif arrived < low:
+        reason = f"{arrived} of {thing_words(things)} is {place_words(place)}, not {low}"
+    elif len(went) > high:
+        reason = f"{listed(list(went))} moved, though {high} were meant"
     carried = carried_below(before, went)
     arrivals = {item.id for item in went.values()}
     below = carried_below(after, arrivals)
@@ -60,11 +51,6 @@ def check_move(statement: Move, before: SceneState, after: SceneState, context: 
 def _same(after: SceneState, item: SceneObject) -> SceneObject | None:
     found = after.find(item.id)
     return None if found is None else found[1]
-
-
-def _means_all(statement: Move) -> bool:
-    things = statement.things
-    return things.amount.kind == "all" or (things.plural and things.amount.number <= 1)
 
 
 _CLOSE = 1.0
@@ -105,8 +91,9 @@ def _took(new: SceneObject, old: SceneObject) -> bool:
 
 def check_turn(statement: Turn, before: SceneState, after: SceneState, context: Context, diff: Differences) -> Finding:
     """Check that things stand where they stood and are turned as far, or to what, they should be."""
-    fitting = things_of(before, statement.things, context)
+    fitting = concerned(before, statement.things, context)
     turned = [item for item in fitting if item.id in diff.moved]
+    low, high = numbers_meant(statement.things, fitting)
     reason = ""
     for old in turned:
         new = diff.moved[old.id][1]
@@ -122,13 +109,10 @@ def check_turn(statement: Turn, before: SceneState, after: SceneState, context: 
         marks = things_of(before, statement.facing, context)
         marks = marks if place is not None else [m for m in marks if m.room in {i.room for i in fitting}]
         good = {i.id for i in fitting if any(_faces(after, i, mark) for mark in marks)}
-        whole = means_several(statement.things)
-        if not good or (whole and len(good) < len(fitting)) or any(item.id not in good for item in turned):
+        if len(good) < max(1, low) or any(item.id not in good for item in turned):
             reason = f"{thing_words(statement.things)} does not face {thing_words(statement.facing)}"
-    elif not turned and not reason and statement.degrees % 360.0:
-        reason = f"{thing_words(statement.things)} is not turned"
-    if len(turned) > 1 and not means_several(statement.things) and not statement.things.refers:
-        reason = f"{listed(turned)} turned, though one was meant"
+    if not reason and (len(turned) > high or (statement.facing is None and len(turned) < low)):
+        reason = f"{len(turned)} of {len(fitting)} {thing_words(statement.things)} turned"
     ids = {item.id for item in turned}
     return Finding(reason, ids | carried_below(before, ids))
 

@@ -5,12 +5,13 @@ from dataclasses import dataclass, field
 
 import msgspec
 
-from mansion_editing.instructions.references import Context, all_at, anchors_of, rooms_of
+from mansion_editing.instructions.nouns import is_fixed
+from mansion_editing.instructions.references import Context, all_at, anchors_of, means_several, rooms_of
 from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["Finding", "any_number", "at_shares", "least_number", "shares_of"]
+__all__ = ["Finding", "any_number", "at_shares", "numbers_meant", "shares_of"]
 
 
 @dataclass(frozen=True)
@@ -35,10 +36,29 @@ class Finding:
     makes_room: bool = False
 
 
-def least_number(things: Things) -> int:
-    """Return the number that words for new things ask for; a bare plural asks for two."""
-    bare = things.amount.number < 1 or (things.plural and things.amount.number == 1)
-    return 2 if bare and things.amount.kind in ("some", "more", "all", "at_least") else things.amount.number
+def numbers_meant(things: Things, fitting: Sequence[SceneObject], *, surplus: bool = False) -> tuple[int, int]:
+    """Return the least and the greatest number of things that words mean, of those that they fit.
+
+    Of all, those that are fixed to the building may be left out; the light of a room is all its ceiling lights.
+
+    Parameters
+    ----------
+    surplus : bool
+        ``exactly`` and ``at_most`` mean those beyond the number.
+    """
+    amount, count = things.amount, len(fitting)
+    loose = sum(not is_fixed(item) for item in fitting) or count
+    if amount.kind == "all_but" or (surplus and amount.kind in ("exactly", "at_most")):
+        number = max(0, count - amount.number)
+        return number, number
+    if amount.kind == "none":
+        return 0, 0
+    if amount.kind == "all" or (things.plural and amount.number <= 1):
+        return loose, count
+    one_of_many = things.refers == "last" or (things.definite and "light" in things.noun)
+    if one_of_many and not means_several(things):
+        return 1, count
+    return max(1, amount.number), max(1, amount.number)
 
 
 def any_number(things: Things) -> Things:
@@ -62,7 +82,7 @@ def shares_of(place: Place, before: SceneState, after: SceneState, context: Cont
     They are looked up before the statement, so that new things do not become places of it; after it, where none was
     there.
     """
-    if place.relation == "between":
+    if place.relation == "between" or place.outside:
         return [place]
     if place.anchor is not None:
         found = anchors_of(before, place, context) or anchors_of(after, place, context)

@@ -17,6 +17,7 @@ from mansion_editing.instructions.references import (
     means_one,
     place_words,
     places_of,
+    thing_words,
     things_meant,
     things_of,
 )
@@ -34,6 +35,8 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     """Bring things that are there to a place; new ones only where words allow it and none is in the building."""
     things, place = statement.things, statement.place
     found = things_of(state, things, context)
+    if place == Place():
+        raise Unmet(f"say where {thing_words(things)} shall go")
     if not found and statement.or_new:
         return (yield from add(Add(things=_new(things), place=place), state, context))
     targets = _targets(state, place, context)
@@ -51,7 +54,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         ids.append(new)
         (now,) = live(state, [new])
         name = item.id if new == item.id else f"{item.id} (now {new})"
-        replies.append(f"{name} moved from {where} to {whereabouts(now)}")
+        replies.append(f"{name} moved from {where} to {whereabouts(now).removeprefix('in ')}")
     rooms = tuple(dict.fromkeys(item.room for item in live(state, ids)))
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
 
@@ -65,6 +68,8 @@ def _new(things: Things) -> Things:
 
 
 def _targets(state: SceneState, place: Place, context: Context) -> list[Target]:
+    if place.outside:
+        raise Unmet(f"say where to, not only {place_words(place)}")
     if place.anchor is None and place.rooms is None:
         return []
     targets = places_of(state, place, context)
@@ -109,13 +114,12 @@ def _moved_to_any(
                 return _id_after(item.id, answer.value.object_ids, state)
             reasons.append(answer.error.info.message)
     if len(targets) == 1 and targets[0].anchor is not None and place.relation in ("on", "in"):
-        found = state.find(item.id)
-        if found is not None:
-            anchor, info = targets[0].anchor.id, object_info(state, *found)
-            reason = yield from move_after_clearing(info, anchor, reasons[-1], state)
-            if not reason:
-                (now,) = [other for _, other in state.objects() if other.id == item.id] or [item]
-                return now.id
+        known = {other.id for _, other in state.objects()}
+        anchor, info = targets[0].anchor.id, object_info(state, *state.get(item.id))
+        reason = yield from move_after_clearing(info, anchor, reasons[-1], state)
+        if not reason:
+            new = [other.id for _, other in state.objects() if other.id not in known and other.asset == item.asset]
+            return _id_after(item.id, new, state)
     raise Unmet("; ".join(dict.fromkeys(reasons)) or f"there is no place for {item.id}")
 
 

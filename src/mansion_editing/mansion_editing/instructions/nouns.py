@@ -31,6 +31,7 @@ _APPLIANCES: Final = (
     "washing_machine", "clothes_dryer", "rice_cooker", "minibar",
 )  # fmt: skip
 _TOYS: Final = ("teddy_bear", "toy_car", "toy_blocks", "doll", "board_game", "rocking_horse", "toy_kitchen")
+_BOOKS: Final = ("book", "book_stack", "book_upright")
 _CLOTHES: Final = ("boots", "sneakers", "slippers", "work_gloves")
 _ANYTHING: Final = frozenset(
     "thing object item stuff everything anything something content clutter belonging possession mess".split()
@@ -97,6 +98,7 @@ _MANY: Final[dict[str, Callable[[SceneObject], bool]]] = {
     "rug": _one_of(_RUGS),
     "appliance": _ending(_APPLIANCES),
     "toy": _one_of(_TOYS),
+    "book": _one_of(_BOOKS),
     "shoe": _one_of(_CLOTHES),
 }  # fmt: skip
 """Words for many kinds, and what answers to them besides the kinds that the catalogue knows them by."""

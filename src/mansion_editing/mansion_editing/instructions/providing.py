@@ -15,6 +15,7 @@ from mansion_editing.agent.provisioning import (
     make_room,
     place_any,
     relation_of,
+    rooms_for,
 )
 from mansion_editing.instructions.nouns import has_material
 from mansion_editing.instructions.references import (
@@ -22,6 +23,7 @@ from mansion_editing.instructions.references import (
     Target,
     all_at,
     means_several,
+    new_number,
     place_words,
     places_of,
     rooms_of,
@@ -37,21 +39,13 @@ from mansion_editing.tools.perception import object_info
 from mansion_msgs_py.editing import AssetInfo
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["add", "at_target", "ensure", "number_of_new", "place_at", "replace_things", "wishes_of"]
+__all__ = ["add", "at_target", "ensure", "place_at", "replace_things", "wishes_of"]
 
-LEAST_PLURAL = 2
-"""How many things a plural without a number means at least."""
+MOST_NEW = 100
+"""Greatest number of new things of a kind for one place."""
 
 Made = Generator[Action, Outcome, list[str]]
 """Ends with the ids of new objects."""
-
-
-def number_of_new(things: Things) -> int:
-    """Return how many new things words ask for."""
-    amount = things.amount
-    if amount.number < 1 or (amount.number == 1 and things.plural and amount.kind in ("some", "more", "all")):
-        return LEAST_PLURAL
-    return amount.number
 
 
 def at_target(state: SceneState, things: Things, place: Place, target: Target, context: Context) -> list[SceneObject]:
@@ -70,9 +64,13 @@ def at_target(state: SceneState, things: Things, place: Place, target: Target, c
 def add(statement: Add, state: SceneState, context: Context) -> Work:
     """Bring so many more things, always new ones, at each place or at the first that takes them."""
     things, place = statement.things, _whole_place(statement.things, statement.place)
+    if place.outside:
+        raise Unmet(f"say where, not only {place_words(place)}")
     if things.refers == "last" and not things.noun:
         things = msgspec.structs.replace(things, noun=context.noun, refers="")
-    number = number_of_new(things)
+    number = new_number(things)
+    if number > MOST_NEW:
+        raise Unmet(f"{number} things are more than one instruction brings; at most {MOST_NEW}")
     groups = yield from _groups(things, place, state, context, each=statement.each)
     made: list[str] = []
     before = 0
@@ -116,7 +114,7 @@ def _groups(
         rooms = Rooms(same=True) if context.rooms else Rooms(every=True)
         place = msgspec.structs.replace(place, rooms=rooms)
         targets = places_of(state, place, context, each=True)
-        return [targets]
+        return [(yield from _best_first(things, targets, state))]
     several = each or _is_each(place)
     plural_rooms = place.rooms is not None and (place.rooms.every or place.rooms.number > 1)
     having = _rooms_having(state, place, context)
@@ -132,6 +130,14 @@ def _groups(
     if place.anchor is None and len(targets) > 1 and place.rooms is not None and not place.rooms.words:
         return [targets]
     return [targets] if place.anchor is not None else [[target] for target in targets]
+
+
+def _best_first(things: Things, targets: list[Target], state: SceneState) -> Generator[Action, Outcome, list[Target]]:
+    """Return rooms that words leave open in the order in which they suit a thing."""
+    first = (yield from _assets_of(things, state))[0]
+    rooms = Scope("room", "", tuple(target.room for target in targets))
+    order = rooms_for(rooms, state, first.category, first.size)
+    return sorted((target for target in targets if target.room in order), key=lambda target: order.index(target.room))
 
 
 def _rooms_having(state: SceneState, place: Place, context: Context) -> set[str]:
@@ -262,15 +268,15 @@ def _finished(things: Things, made: Sequence[str], state: SceneState) -> Generat
 def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     """Bring what is missing of a number, counting what is there; take away what is more only where words say so."""
     things, place = statement.things, _whole_place(statement.things, statement.place)
-    kind, number = things.amount.kind, number_of_new(things)
+    kind, number = things.amount.kind, new_number(things)
     if kind == "more":
         return (yield from add(Add(things=things, place=place, each=statement.each), state, context))
-    if kind == "none":
-        number = 0
     several = statement.each or _is_each(place)
     least = kind not in ("at_most", "none")
     if place.anchor is None and place.rooms is None:
         groups = [places_of(state, Place(rooms=Rooms(every=True), spot=place.spot), context, each=True)]
+        if least:
+            groups = [(yield from _best_first(things, groups[0], state))]
     elif not least and place.anchor is not None and not things_of(state, place.anchor, context):
         groups = []
     else:
@@ -306,7 +312,7 @@ def replace_things(statement: Replace, state: SceneState, context: Context) -> W
     olds = things_meant(state, statement.things, context)
     by = statement.by
     one_by_one = by.plural or statement.things.amount.kind == "all" or len(olds) == 1
-    number = by.amount.number if by.amount.number > 1 or not one_by_one else len(olds)
+    number = new_number(by) if by.amount.number > 1 or not one_by_one else len(olds)
     gone: list[str] = []
     made: list[str] = []
     for order, old in enumerate(olds):

@@ -25,9 +25,11 @@ __all__ = [
     "all_at",
     "anchors_of",
     "carried_by",
+    "concerned",
     "is_at",
     "means_one",
     "means_several",
+    "new_number",
     "one_room_each",
     "place_words",
     "places_of",
@@ -36,6 +38,10 @@ __all__ = [
     "things_meant",
     "things_of",
 ]
+
+
+LEAST_PLURAL: Final = 2
+"""How many things a plural without a number means at least."""
 
 
 class Ambiguous(MansionError):
@@ -54,15 +60,18 @@ class Context:
         Ids of the rooms.
     noun : str
         What the objects were called.
+    kept : frozenset of str
+        Ids of what the instruction says to leave as it is; not meant where words mean several things.
     """
 
     things: tuple[str, ...] = ()
     rooms: tuple[str, ...] = ()
     noun: str = ""
+    kept: frozenset[str] = frozenset()
 
     def followed(self, things: Sequence[str], rooms: Sequence[str], noun: str) -> "Context":
         """Return the context after something else was mentioned; what was not stays."""
-        return Context(tuple(things) or self.things, tuple(rooms) or self.rooms, noun or self.noun)
+        return Context(tuple(things) or self.things, tuple(rooms) or self.rooms, noun or self.noun, self.kept)
 
 
 _THERE: Final = frozenset({"", "it", "this", "that", "there", "here", "this room", "that room", "the room", "them"})
@@ -172,12 +181,16 @@ def _ambiguous(words: str, candidates: Sequence[str], ids: Sequence[str]) -> Amb
 def things_of(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
     """Return all objects that words fit, in the order of their ids; how many of them are meant is not looked at."""
     pool = [item for _, item in state.objects()]
+    if things.refers and not context.things and not context.rooms:
+        raise MansionError(ErrorCode.NOT_FOUND, "nothing was mentioned before that the words could refer to")
     if things.refers == "last":
         pool = _existing(state, context.things)
     elif things.refers == "others":
         rooms = {item.room for item in _existing(state, context.things)} or set(context.rooms)
         pool = [item for item in pool if item.id not in context.things and item.room in rooms]
     noun = things.noun or (context.noun if things.refers == "others" else "")
+    if noun and not things.owned:
+        things, noun = _with_owner(state, pool, things, noun, context)
     many = means_several(things)
     pool = [item for item in pool if _has_traits(item, things)]
     if noun or not things.refers:
@@ -193,6 +206,33 @@ def things_of(state: SceneState, things: Things, context: Context) -> list[Scene
         out = {item.id for item in things_of(state, spared, context)}
         pool = [item for item in pool if item.id not in out]
     return _picked(sorted(pool, key=id_order), things)
+
+
+def _with_owner(
+    state: SceneState, pool: list[SceneObject], things: Things, noun: str, context: Context
+) -> tuple[Things, str]:
+    """Return the words with a room's name in front of the noun as its owner: the kitchen counter, the lobby chairs.
+
+    Another word for a kind ("kitchen table") keeps its noun; one in the room of that name comes first.
+    """
+    words = noun.split()
+    known = called(state, pool, noun, many=True) if len(words) > 1 else []
+    if any(stems(noun) in (stems(item.category.replace("_", " ")), stems(item.name)) for item in known):
+        return things, noun
+    for at in range(len(words) - 1, 0, -1):
+        owner, rest = " ".join(words[:at]), " ".join(words[at:])
+        rooms = set(rooms_of(state, Rooms(words=owner), context))
+        if known and any(item.room in rooms for item in known) and owner.lower() in _plain_names(state, rooms):
+            return msgspec.structs.replace(things, owned=owner), noun
+        if not known and called(state, [item for item in pool if item.room in rooms], rest, many=True):
+            return msgspec.structs.replace(things, owned=owner, noun=rest), rest
+    return things, noun
+
+
+def _plain_names(state: SceneState, rooms: set[str]) -> set[str]:
+    """Return the words by which rooms are called: their kinds and names, in small letters."""
+    found = [room for _, room in state.rooms() if room.id in rooms]
+    return {text.lower().replace("_", " ") for room in found for text in (room.room_type, room.name, *room.aliases)}
 
 
 def _picked(pool: list[SceneObject], things: Things) -> list[SceneObject]:
@@ -211,6 +251,20 @@ def means_several(things: Things) -> bool:
     amount = things.amount
     whole = amount.kind in ("all", "all_but", "none")
     return things.plural or whole or amount.number > 1
+
+
+def new_number(things: Things) -> int:
+    """Return how many things words want to be there, or want more of; a plural without a number wants two.
+
+    Examples
+    --------
+    >>> new_number(Things(noun="chair", plural=True, amount=Amount(number=0))), new_number(Things(noun="chair"))
+    (2, 1)
+    """
+    kind, number = things.amount.kind, things.amount.number
+    if kind in ("exactly", "at_most", "none") or number > 1:
+        return 0 if kind == "none" else number
+    return LEAST_PLURAL if things.plural else 1
 
 
 def means_one(things: Things) -> bool:
@@ -325,8 +379,28 @@ def anchors_of(state: SceneState, place: Place, context: Context) -> list[SceneO
     return [item for item in found if rooms is None or item.room in rooms]
 
 
+def concerned(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
+    """Return the things that words fit and that a statement may change: of several, not what shall be left.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for an exception that is not there.
+    """
+    found = things_of(state, things, context)
+    for spared in things.beside:
+        if not things_of(state, spared, context):
+            raise MansionError(ErrorCode.NOT_FOUND, f"there is no {_bare(spared)}{_at(spared.place)} to leave out")
+    return found if means_one(things) else [item for item in found if item.id not in context.kept]
+
+
 def things_meant(
-    state: SceneState, things: Things, context: Context, prefer: Callable[[SceneObject], bool] | None = None
+    state: SceneState,
+    things: Things,
+    context: Context,
+    prefer: Callable[[SceneObject], bool] | None = None,
+    *,
+    surplus: bool = False,
 ) -> list[SceneObject]:
     """Return the objects that words mean, their number looked at.
 
@@ -336,6 +410,8 @@ def things_meant(
     ----------
     prefer : callable, optional
         Tells which is meant where words for one thing fit several.
+    surplus : bool
+        ``exactly`` and ``at_most`` mean those beyond the number, not the number.
 
     Raises
     ------
@@ -344,7 +420,7 @@ def things_meant(
     Ambiguous
         Where words for one thing, or for a certain number, fit more.
     """
-    found = things_of(state, things, context)
+    found = concerned(state, things, context)
     if not found:
         raise MansionError(ErrorCode.NOT_FOUND, f"there is no {_bare(things)}{_at(things.place)}")
     if things.place is not None:
@@ -357,7 +433,9 @@ def things_meant(
         if amount.number > 1 and amount.number != count:
             raise _too_few(things, found)
         return found
-    if amount.kind in ("all_but", "exactly", "at_most"):
+    if amount.kind == "all_but" or (surplus and amount.kind in ("exactly", "at_most")):
+        if amount.kind == "all_but" and count < amount.number:
+            raise _too_few(things, found)
         return _any_of(state, found, max(0, count - amount.number))
     if amount.kind == "none":
         return []
@@ -367,11 +445,12 @@ def things_meant(
         return _the_one(things, found, context, prefer)
     if things.refers == "last":
         return found
-    if amount.number > count:
+    number = max(1, amount.number)
+    if number > count:
         raise _too_few(things, found)
-    if things.definite and amount.number < count and not amount.of:
+    if things.definite and number < count and not amount.of:
         raise _ambiguous(thing_words(things), [_title(state, item) for item in found], [i.id for i in found])
-    return _any_of(state, found, amount.number)
+    return _any_of(state, found, number)
 
 
 def _the_one(
@@ -393,7 +472,7 @@ def _names_lights(things: Things) -> bool:
 
 
 def _too_few(things: Things, found: list[SceneObject]) -> MansionError:
-    only = "only " if things.amount.number > len(found) else ""
+    only = "only " if things.amount.number >= len(found) else ""
     verb = "is" if len(found) == 1 else "are"
     message = f"there {verb} {only}{len(found)} {_bare(things)}{_at(things.place)}, not {things.amount.number}: "
     return MansionError(ErrorCode.INFEASIBLE, message + _ids(found))
@@ -550,6 +629,8 @@ def _title(state: SceneState | None, item: SceneObject) -> str:
 
 def thing_words(things: Things) -> str:
     """Return words for things as a reply has them ("the two red mugs on the desk")."""
+    if things.refers == "last" and not things.noun:
+        return "them" if means_several(things) else "it"
     article = "the " if things.definite else ""
     number = f"{things.amount.number} " if things.amount.number > 1 else ""
     return f"{article}{number}{_bare(things)}{_at(things.place)}"

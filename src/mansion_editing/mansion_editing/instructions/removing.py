@@ -12,6 +12,7 @@ from mansion_editing.instructions.references import (
     all_at,
     anchors_of,
     carried_by,
+    concerned,
     one_room_each,
     place_words,
     thing_words,
@@ -53,7 +54,7 @@ def remove(statement: Remove, state: SceneState, context: Context) -> Work:
     chosen = _chosen(things, state, context)
     if not chosen:
         return _nothing_to_remove(things, state, context)
-    before = len(things_of(state, things, context))
+    before = len(concerned(state, things, context))
     gone = yield from removed(chosen, state)
     own = {item.id for item in chosen}
     carried = sorted(name for name in gone if name not in own)
@@ -66,13 +67,13 @@ def remove(statement: Remove, state: SceneState, context: Context) -> Work:
 
 def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneObject]:
     amount = things.amount
-    several = things.plural or amount.kind in ("all", "all_but", "exactly", "at_most")
-    found = things_of(state, things, context)
+    several = amount.kind in ("all", "at_most", "none") or (things.plural and amount.number <= 1)
+    found = concerned(state, things, context)
     if not found and several and (names_many(things.noun) or vocabulary_of(state.catalogue).nouns(things.noun)):
         return []
     if amount.kind in ("all_but", "exactly") and len(found) < amount.number:
         raise Unmet(f"there are only {len(found)} {thing_words(things)}, not {amount.number}")
-    chosen = things_meant(state, things, context)
+    chosen = things_meant(state, things, context, surplus=True)
     free = [item for item in chosen if not is_fixed(item) or _is_named(state, item, things.noun)]
     if chosen and not free:
         raise Unmet(f"{chosen[0].id} is fixed to the building; name it by its kind to remove it")
@@ -93,7 +94,7 @@ def _nothing_to_remove(things: Things, state: SceneState, context: Context) -> D
         one_room_each(state, place.rooms, context, lambda room: True)
     if place is not None and place.anchor is not None and not anchors_of(state, place, context):
         raise Unmet(f"there is no {thing_words(msgspec.structs.replace(place.anchor, definite=False))}")
-    found = things_of(state, things, context)
+    found = concerned(state, things, context)
     where = "" if place is None else f" {place_words(place)}"
     verb = "is" if len(found) == 1 else "are"
     left = counted(len(found), things.noun or "thing").replace("0 ", "no ", 1 if not found else 0)
@@ -109,7 +110,7 @@ def to_clear(statement: Clear, state: SceneState, context: Context) -> list[Scen
         ``NOT_FOUND`` for a place that is not there; see `things_meant`.
     """
     place = statement.place
-    spared = {item.id for things in statement.spare for item in things_of(state, things, context)}
+    spared = {item.id for things in statement.spare for item in things_of(state, things, context)} | context.kept
     if place.anchor is not None and place.relation in ("on", "in", ""):
         anchor = place.anchor
         if place.rooms is not None and anchor.place is None:
@@ -131,12 +132,19 @@ def _carries(state: SceneState) -> Callable[[SceneObject], bool]:
     return lambda item: item.id in bearing
 
 
+def _from_words(place: Place) -> str:
+    if place.anchor is not None and place.relation in ("on", "in", ""):
+        rooms = "" if place.rooms is None else f" {place_words(Place(rooms=place.rooms))}"
+        return f"from {thing_words(place.anchor)}{rooms}"
+    return place_words(place)
+
+
 def clear(statement: Clear, state: SceneState, context: Context) -> Work:
     """Empty furniture, a room or a part of it of what is loose."""
     there = to_clear(statement, state, context)
-    where = place_words(statement.place)
+    where = _from_words(statement.place)
     if not there:
-        return Done(f"there was nothing to clear away {where}", context)
+        return Done(f"there was nothing loose to clear {where}", context)
     gone: list[str] = []
     for item in there:
         if live(state, [item.id]):

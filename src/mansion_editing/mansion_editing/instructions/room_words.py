@@ -37,8 +37,10 @@ def best_named(rooms: Sequence[SceneRoom], words: str, *, every: bool = False) -
     best = max(ranks.values(), default=0)
     if not best:
         return []
-    least = min(best, 2) if every else best
-    return [room for room in ordered if ranks[room.id] >= least]
+    if not every:
+        return [room for room in ordered if ranks[room.id] == best]
+    # Other words for a kind mean rooms of it only where none is called so.
+    return [room for room in ordered if ranks[room.id] >= min(best, 2) and (best < 4 or ranks[room.id] != 3)]
 
 
 def _numbered(words: str) -> tuple[str, str | None]:

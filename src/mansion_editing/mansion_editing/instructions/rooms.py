@@ -46,10 +46,12 @@ def furnish_rooms(statement: Furnish, state: SceneState, context: Context) -> Wo
     """Furnish rooms anew."""
     rooms = one_room_each(state, statement.rooms, context)
     for room in rooms:
-        arguments = {"room_id": room, "room_type": statement.kind.replace(" ", "_").lower()}
+        kept = sorted(item.id for _, item in state.objects() if item.room == room and item.id in context.kept)
+        kind = statement.kind.replace(" ", "_").lower()
+        arguments = {"room_id": room, "room_type": kind, "keep": kept}
         yield from ask(f"{room} is furnished anew.", "FurnishRoom", arguments)
-    kind = f" as {statement.kind}" if statement.kind else ""
-    return Done(f"{', '.join(rooms)} furnished anew{kind}", context.followed((), rooms, ""))
+    as_what = f" as {statement.kind}" if statement.kind else ""
+    return Done(f"{', '.join(rooms)} furnished anew{as_what}", context.followed((), rooms, ""))
 
 
 def swap_rooms(one: Rooms, other: Rooms, state: SceneState, context: Context) -> Work:

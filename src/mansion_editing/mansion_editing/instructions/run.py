@@ -5,13 +5,16 @@ from mansion_editing.agent.instruct import run_agent, undo_or_redo
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.carrying_out import carry
 from mansion_editing.instructions.checking import Step, faults, moved_aside
-from mansion_editing.instructions.references import Context
-from mansion_editing.instructions.statements import Ask, History, Instruction, Mention
+from mansion_editing.instructions.references import Context, things_of
+from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention
 from mansion_editing.state import SceneState
 from mansion_msgs_py.editing import AgentReport
 from mansion_msgs_py.errors import MansionError
 
 __all__ = ["carry_out"]
+
+MOST_STEPS, MOST_EDITS = 12_000, 3_000
+"""What is enough for a statement about all things of a large building."""
 
 
 def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> AgentReport:
@@ -35,7 +38,7 @@ def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> Agent
     (first, *more) = instruction.statements or [Mention()]
     if isinstance(first, History) and first.what in ("undo", "redo") and not more and not instruction.not_understood:
         return undo_or_redo(editor, "Undo" if first.what == "undo" else "Redo")
-    return run_agent(editor, _policy(editor, instruction), text)
+    return run_agent(editor, _policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
 
 
 def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
@@ -46,8 +49,10 @@ def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
     if not asked:
         return Verdict("the words ask for nothing", failed=["the words ask for nothing"])
     state = editor.state
-    context, steps, replies = Context(), [], []
+    steps: list[Step] = []
+    replies: list[str] = []
     before = _copied(state)
+    context = Context(kept=_kept(instruction, state))
     for statement in instruction.statements:
         try:
             done = yield from carry(statement, state, context)
@@ -64,6 +69,12 @@ def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
         return Verdict(f"the edit was dropped: {'; '.join(found)}", failed=found)
     question = all(isinstance(statement, Ask) for statement in asked)
     return Verdict("; ".join(replies) if not question else " ".join(replies), replies, question=question)
+
+
+def _kept(instruction: Instruction, state: SceneState) -> frozenset[str]:
+    """Return the ids of what shall stay as it is, wherever in the instruction that is said."""
+    keeps = [statement for statement in instruction.statements if isinstance(statement, Keep)]
+    return frozenset(item.id for keep in keeps for item in things_of(state, keep.things, Context()))
 
 
 def _copied(state: SceneState) -> SceneState:
