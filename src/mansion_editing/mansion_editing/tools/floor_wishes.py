@@ -105,7 +105,7 @@ def stand_as_wished(
         if judge.accepts(placed):
             return placed
     if judge.refused:
-        reasons["the way of a robot, which it would close,"] = max(reasons.values(), default=0) + 1
+        reasons["the way that a robot needs"] = max(reasons.values(), default=0) + 1
     raise hindered(thing, wish, room, reasons)
 
 
