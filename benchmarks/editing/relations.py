@@ -28,7 +28,7 @@ from mansion_msgs_py.scene import SceneObject, SceneRoom
 FLOOR_SIDES = ("beside", "left", "right", "behind", "front", "under", "between", "around", "")
 SURFACE_SIDES = ("beside", "left", "right", "behind", "front", "between")
 WALL_SIDES = ("above", "beside", "left", "right", "")
-SPOTS = ("", "", "", "wall", "corner", "window", "door", "middle")
+SPOTS = ("wall", "corner", "window", "door", "middle")
 SLACK = 0.03
 """Metres that the judge here forgives."""
 
@@ -79,7 +79,8 @@ class Wishes:
             args["other"] = self.draw([o for o in marks if o.id != args["near"]]).id
         if self.rng.random() < 0.2 and "near" in args:
             args["within"] = float(self.draw((0.1, 0.3, 0.5, 1.0, 2.0)))
-        args["spot"] = self.draw(SPOTS) if sides is FLOOR_SIDES else ""
+        share = 0.1 if args["side"] else 0.8
+        args["spot"] = self.draw(SPOTS) if sides is FLOOR_SIDES and self.rng.random() < share else ""
         if sides is FLOOR_SIDES and self.rng.random() < 0.2:
             args["facing"] = self.draw(marks).id
         return args

@@ -56,10 +56,14 @@ def _why_none(thing: SceneObject, wish: PlacingWish, room: SceneRoom) -> str:
     if near is not None and wish.side == "under" and not wish.spot and wish.facing is None:
         most = " x ".join(f"{value:.2f}" for value in near.size)
         return f"{near.id} of {most} m is not large enough for what is {h:.2f} m high"
+    if near is not None and wish.side == "above":
+        return f"{near.id} is not at a wall" if thing.mount == "wall" else f"{room.id} is too small for it"
     if wish.spot in ("window", "door", "corner") and near is None:
         return f"{room.id} has no {wish.spot} that it fits at"
     both = sum((near is not None, bool(wish.spot), wish.facing is not None)) > 1
-    return f"nowhere in {room.id} does all of this hold together" if both else f"{room.id} is too small for it"
+    if both or near is None:
+        return f"nowhere in {room.id} does all of this hold{' together' if both else ''}"
+    return f"the walls of {room.id} leave no room on that side of {near.id}"
 
 
 def refusal(message: str, path: str = "$") -> MansionError:
