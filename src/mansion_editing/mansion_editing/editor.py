@@ -39,6 +39,7 @@ from mansion_msgs_py.editing import (
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_msgs_py.wording import with_article
 
 __all__ = ["ACTION_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
 
@@ -206,7 +207,8 @@ class SceneEditor:
         if self.furnisher is None:
             raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
         room, new = furnishing.furnish_room(state, args, records, self.furnisher, self._faults_with)
-        return f"{room.id} is furnished as a {room.room_type.replace('_', ' ')} with {len(new)} objects"
+        kind = with_article(room.room_type.replace("_", " "))
+        return f"{room.id} is furnished as {kind} with {len(new)} objects"
 
     def _faults_with(self, floor: int, scene: FloorScene) -> list[str]:
         """Return the new faults of the check for a floor as it would be, and the cuts that keep a robot from a part."""
