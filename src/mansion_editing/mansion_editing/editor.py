@@ -1,6 +1,6 @@
 """The editor of one building: tools by name, edits that wait or land at once, undo and redo."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
 import msgspec
@@ -10,10 +10,11 @@ from mansion_assets.retrieval.retriever import Retriever
 from mansion_editing.change_words import in_words
 from mansion_editing.passages import passages_of
 from mansion_editing.physics.engine import PhysicsEngine
-from mansion_editing.state import Change, SceneState, net_changes, net_rooms
+from mansion_editing.state import Change, SceneState
 from mansion_editing.storage import BuildingStore
 from mansion_editing.tools import finishes, furnishing, manipulation, paths, perception, placement, rooms
 from mansion_editing.tools.furnishing import Furnisher
+from mansion_editing.waiting import document, room_records, waiting
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.editing import (
     CheckPathArgs,
@@ -38,7 +39,9 @@ from mansion_msgs_py.editing import (
     Transaction,
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_msgs_py.topology import TopologyNode
 from mansion_msgs_py.wording import with_article
 
 __all__ = ["ACTION_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
@@ -117,7 +120,7 @@ class SceneEditor:
     def reload(self) -> None:
         """Take the scenes from disk, dropping what waits to be saved."""
         scenes = list(self.store.scenes().values())
-        self.state = SceneState(scenes, self.catalogue, self.retriever)
+        self.state = SceneState(scenes, self.catalogue, self.retriever, self.store.documents.copy)
         self._what, self._marks, self._redo = [], [], []
 
     def refreshed(self) -> SceneState:
@@ -158,16 +161,20 @@ class SceneEditor:
         return {"Undo": self.undo, "Redo": self.redo, "Diff": self.diff, "Save": self.save}[tool]()
 
     def _edit(self, tool: str, args: Any) -> EditResult:
+        return self._done(lambda: self._act(tool, args), f"{tool} {encode(_without_editor(args))}")
+
+    def _done(self, act: Callable[[], str], what: str) -> EditResult:
+        """Do one edit, whole or not at all, and land it where edits do not wait."""
         start = len(self.state.pending)
         try:
-            message = self._act(tool, args)
+            message = act()
         except BaseException:
             self.state.roll_back(start)
             raise
         done = self.state.pending[start:]
         if len(self.state.pending) > start:
             self._marks.append(start)
-            self._what.append(f"{tool} {encode(_without_editor(args))}")
+            self._what.append(what)
             self._redo = []
         if not self.autosave or not self.state.pending:
             return _told(message, done, saved=not self.state.pending)
@@ -194,7 +201,7 @@ class SceneEditor:
         return f"{item.id}: {encode(item.states)}"
 
     def _act_on_room(self, tool: str, args: Any) -> str:
-        state, records = self.state, self.store.room_records
+        state, records = self.state, self._records
         if tool == "RenameRoom":
             room, old = rooms.rename_room(state, args, records)
             return f"{room.id} is called {room.name!r}, {old!r} before"
@@ -209,6 +216,37 @@ class SceneEditor:
         room, new = furnishing.furnish_room(state, args, records, self.furnisher, self._faults_with)
         kind = with_article(room.room_type.replace("_", " "))
         return f"{room.id} is furnished as {kind} with {len(new)} objects"
+
+    def _records(self, floor: int, room_id: str) -> tuple[RoomProgram | None, TopologyNode | None]:
+        return room_records(self.state, self.store.documents, floor, room_id)
+
+    def document(self, path: str) -> bytes | None:
+        """Return a document of the building as what waits makes it; ``None`` where it is not there."""
+        return document(self.state, self.store.documents, path)
+
+    def replace_documents(self, files: Mapping[str, bytes | None], what: str) -> EditResult:
+        """Put other documents in the place of those that the building has, as one edit.
+
+        Parameters
+        ----------
+        files : mapping
+            By path relative to the building's folder; ``None`` takes a document away. They are made from `document`,
+            so that they hold what waits already.
+        what : str
+            For the log.
+
+        Raises
+        ------
+        MansionError
+            As `save` does, and ``INVALID_PAYLOAD`` for a path that is no document of the building.
+        """
+
+        def act() -> str:
+            for path, data in files.items():
+                self.state.apply(self.store.documents.replacement(path, data))
+            return what
+
+        return self._done(act, what)
 
     def _faults_with(self, floor: int, scene: FloorScene) -> list[str]:
         """Return the new faults of the check for a floor as it would be, and the cuts that keep a robot from a part."""
@@ -229,10 +267,10 @@ class SceneEditor:
 
     def diff(self) -> DiffReport:
         """Say what waits to be saved."""
-        changes, changed_rooms = net_changes(self.state.pending), net_rooms(self.state.pending)
-        words = [*map(in_words, changed_rooms), *map(in_words, changes)]
+        changes, changed_rooms, documents = waiting(self.state, self.store.documents)
+        words = [*map(in_words, documents), *map(in_words, changed_rooms), *map(in_words, changes)]
         message = ", ".join(words) or "nothing waits to be saved"
-        return DiffReport(message=message, changes=changes, rooms=changed_rooms)
+        return DiffReport(message=message, changes=changes, rooms=changed_rooms, documents=documents)
 
     def save(self, what: str = "") -> EditResult:
         """Land what waits as one transaction; when it is refused, what waited is dropped.
@@ -242,12 +280,13 @@ class SceneEditor:
         MansionError
             ``INFEASIBLE`` or ``CONFLICT`` with the reason.
         """
-        changes, changed_rooms = net_changes(self.state.pending), net_rooms(self.state.pending)
-        if not (changes or changed_rooms):
+        changes, changed_rooms, documents = waiting(self.state, self.store.documents)
+        if not (changes or changed_rooms or documents):
             self.reload()
             return EditResult(message="nothing to save", saved=True)
         try:
-            done = self.store.land(changes, self.who, what or "; ".join(self._what), rooms=changed_rooms)
+            told = what or "; ".join(self._what)
+            done = self.store.land(changes, self.who, told, rooms=changed_rooms, documents=documents)
         finally:
             self.reload()
         return _landed("saved", done)

@@ -15,7 +15,7 @@ from mansion_msgs_py.program import BuildingProgram, RoomProgram
 from mansion_msgs_py.scene import Discard, FloorScene, Light, Wall
 from mansion_msgs_py.topology import FloorTopology, TopologyNode
 
-__all__ = ["parts_of", "program_with", "scene_with", "topology_with"]
+__all__ = ["parts_of", "program_with", "records_of", "scene_with", "topology_with"]
 
 
 def parts_of(
@@ -40,6 +40,16 @@ def _face(wall: Wall, room_id: str) -> str | None:
     if wall.left == room_id:
         return wall.left_material
     return wall.right_material if wall.right == room_id else None
+
+
+def records_of(
+    program: BuildingProgram, topology: FloorTopology | None, floor: int, room_id: str
+) -> tuple[RoomProgram | None, TopologyNode | None]:
+    """Return a room as the program and its floor's room graph have it, where they do."""
+    short = room_id.partition("/")[2]
+    rooms = next((storey.rooms for storey in program.floors if storey.index == floor), [])
+    nodes = [] if topology is None else topology.nodes
+    return next((room for room in rooms if room.id == short), None), next((n for n in nodes if n.id == short), None)
 
 
 def scene_with(scene: FloorScene, change: RoomChange) -> FloorScene:

@@ -401,6 +401,11 @@ class DocumentChange(msgspec.Struct, frozen=True, kw_only=True):
     before: str = ""
     after: str = ""
 
+    @property
+    def id(self) -> str:
+        """Path of the document."""
+        return self.path
+
 
 class Transaction(msgspec.Struct, frozen=True, kw_only=True):
     """A line of the edit log: what landed together.
@@ -463,6 +468,7 @@ class DiffReport(msgspec.Struct, frozen=True, kw_only=True):
     message: str
     changes: list[ObjectChange]
     rooms: list[RoomChange] = []
+    documents: list[DocumentChange] = []
 
 
 class AgentStep(msgspec.Struct, frozen=True, kw_only=True):
