@@ -31,6 +31,7 @@ def parts_of(
         lights=[light for light in scene.lights if light.room == room_id],
         discarded=[lost for lost in scene.discarded if lost.room == room_id],
         spawn=scene.spawn if scene.spawn is not None and scene.spawn.room == room_id else None,
+        source=scene.sources.get(f"objects/{room_id}", ""),
         program=program,
         node=node,
     )
@@ -69,6 +70,7 @@ def scene_with(scene: FloorScene, change: RoomChange) -> FloorScene:
             details={"room": change.id},
         )
     order = [room.id for room in scene.rooms]
+    source = {f"objects/{change.id}": after.source} if after.source else {}
     return msgspec.structs.replace(
         scene,
         rooms=[after.room if room.id == change.id else room for room in scene.rooms],
@@ -76,6 +78,7 @@ def scene_with(scene: FloorScene, change: RoomChange) -> FloorScene:
         lights=_with_own(scene.lights, after.lights, change.id, order),
         discarded=_with_own(scene.discarded, after.discarded, change.id, order),
         spawn=after.spawn if before.spawn is not None else scene.spawn,
+        sources=scene.sources | source,
     )
 
 

@@ -360,6 +360,8 @@ class RoomParts(msgspec.Struct, frozen=True, kw_only=True):
         By wall, the material of the side that the room has of it.
     spawn : SpawnPose, optional
         Where the robot starts, when that is in this room.
+    source : str
+        Who chose the furniture, where a model was asked (see `FloorScene.sources`).
     program, node : optional
         The room in the building's program and in its floor's room graph, where they have it.
     """
@@ -369,6 +371,7 @@ class RoomParts(msgspec.Struct, frozen=True, kw_only=True):
     lights: list[Light] = []
     discarded: list[Discard] = []
     spawn: SpawnPose | None = None
+    source: str = ""
     program: RoomProgram | None = None
     node: TopologyNode | None = None
 

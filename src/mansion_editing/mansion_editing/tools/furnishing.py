@@ -246,7 +246,10 @@ def _furnish(
         objects.extend(made)
         everything = [*standing, *made]
         spawn = parts.spawn and place_spawn(room, scene.doors, everything)
-        return msgspec.structs.replace(parts, lights=room_lights(room, everything), discarded=lost, spawn=spawn)
+        source = parts.source and "rules: furnished anew"
+        return msgspec.structs.replace(
+            parts, lights=room_lights(room, everything), discarded=lost, spawn=spawn, source=source
+        )
 
     change_room(state, floor, room_id, records, furnished)
     for item in objects:
