@@ -108,12 +108,15 @@ def test_another_type_is_told_to_all_documents(open_editor: EditorFactory, folde
     assert _documents(folder) == before
 
 
-def test_a_name_of_its_own_stays(open_editor: EditorFactory) -> None:
+@pytest.mark.parametrize(("name", "after"), [("Neptune", "Neptune"), ("Private offices 1", "Bedroom")])
+def test_a_name_of_its_own_stays_and_one_of_its_kind_does_not(
+    open_editor: EditorFactory, name: str, after: str
+) -> None:
     editor = open_editor(furnisher=furnish_room)
-    editor.call("RenameRoom", {"room_id": OFFICE, "name": "Neptune"})
-    editor.call("FurnishRoom", {"room_id": "neptune", "room_type": "bedroom"})
+    editor.call("RenameRoom", {"room_id": OFFICE, "name": name})
+    editor.call("FurnishRoom", {"room_id": name, "room_type": "bedroom"})
     found = editor.state.room(OFFICE)
-    assert found is not None and (found[1].name, found[1].room_type) == ("Neptune", "bedroom")
+    assert found is not None and (found[1].name, found[1].room_type, found[1].aliases) == (after, "bedroom", [])
 
 
 def test_an_arrangement_with_a_fault_is_not_taken(open_editor: EditorFactory, folder: Path) -> None:
