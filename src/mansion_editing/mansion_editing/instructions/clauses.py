@@ -38,16 +38,7 @@ from mansion_editing.instructions.statements import (
 )
 from mansion_editing.instructions.verb_words import PARTICIPLES, Deed
 from mansion_editing.instructions.verbs import verb_at
-from mansion_editing.instructions.words import (
-    ADVERBS,
-    BE,
-    COURTESIES,
-    HAVE,
-    MODALS,
-    PARTICIPLES_OF_REST,
-    STATE_WORDS,
-    Word,
-)
+from mansion_editing.instructions.words import BE, COURTESIES, HAVE, MODALS, PARTICIPLES_OF_REST, STATE_WORDS, Word
 from mansion_language.colours import COLOUR_WORDS
 
 __all__ = ["ClauseReader", "Item", "NotUnderstood"]
@@ -164,10 +155,16 @@ class ClauseReader:
         while True:
             start = at
             relative = self.text(at) in ("that", "which", "who")
-            while self.text(at) in PARTICIPLES_OF_REST and self.text(at) != "there" and not (
-                self.text(at) == "left" and self.text(at + 1) in ("and", "of")
+            while (
+                self.text(at) in PARTICIPLES_OF_REST
+                and self.text(at) != "there"
+                and not (self.text(at) == "left" and self.text(at + 1) in ("and", "of"))
             ):
-                if self.text(at) == "that" and self.text(at + 1) in ("can", "could", "may") and self.text(at + 2) == "be":
+                if (
+                    self.text(at) == "that"
+                    and self.text(at + 1) in ("can", "could", "may")
+                    and self.text(at + 2) == "be"
+                ):
                     at += 3
                     at += self.text(at + 1) in ("on", "off", "up")
                 at += 1
@@ -195,7 +192,7 @@ class ClauseReader:
         if place.rooms is not None and (place.rooms.floors or read.place.rooms.words):
             return None
         ends = read.end >= len(self.words) or self.text(read.end) in (",", ".", "and", ")", "please", ";")
-        return read if ends and verb_at(self.words, read.end + 1, self.lexicon) is None or ends else None
+        return read if (ends and verb_at(self.words, read.end + 1, self.lexicon) is None) or ends else None
 
     def item(self, at: int, *, places: bool = True) -> Item | None:
         """Read a noun phrase with its places."""
@@ -253,7 +250,9 @@ class ClauseReader:
         place = at
         if self.text(place) == ",":
             place += 1
-        if self.text(place) in ("and", "plus", "&", "+", "or", "nor") or (self.text(place) == "as" and self.text(place + 1) == "well"):
+        if self.text(place) in ("and", "plus", "&", "+", "or", "nor") or (
+            self.text(place) == "as" and self.text(place + 1) == "well"
+        ):
             place += 3 if self.text(place) == "as" else 1
         if self.text(place) == "also":
             place += 1
@@ -276,7 +275,19 @@ class ClauseReader:
         word = self.text(at)
         if word in (",", "-", ":"):
             return False
-        if word in MODALS or word in ("is", "are", "need", "has", "have", "go", "get", "belong", "lack", "want", "face"):
+        if word in MODALS or word in (
+            "is",
+            "are",
+            "need",
+            "has",
+            "have",
+            "go",
+            "get",
+            "belong",
+            "lack",
+            "want",
+            "face",
+        ):
             return True
         if word in STATE_WORDS:
             nominal = word in ("on", "off") and self.phrase(at + 1) is not None
@@ -308,7 +319,19 @@ class ClauseReader:
         """Return the place after courtesies, adverbs and marks."""
         while at < len(self.words) and self.text(at) in _SKIPPED:
             if self.text(at) in ("thank", "thanks"):
-                while self.text(at + 1) in ("you", "very", "so", "much", "a", "lot", "in", "advance", "for", "your", "help"):
+                while self.text(at + 1) in (
+                    "you",
+                    "very",
+                    "so",
+                    "much",
+                    "a",
+                    "lot",
+                    "in",
+                    "advance",
+                    "for",
+                    "your",
+                    "help",
+                ):
                     at += 1
             if self.text(at) == "there" and (self.text(at + 1) in BE or self.text(at + 1) in MODALS
                                              or self.text(at + 1) in ("need", "has", "have")):  # fmt: skip
@@ -344,7 +367,10 @@ class ClauseReader:
     def _negated(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``do not ...``, ``never ...``, ``no need to ...``."""
         place = at
-        if self.text(place) in ("do", "does", "must", "should", "please", "you") and self.text(place + 1) in ("not", "never"):
+        if self.text(place) in ("do", "does", "must", "should", "please", "you") and self.text(place + 1) in (
+            "not",
+            "never",
+        ):
             place += 2
         elif self.text(place) in ("not", "never"):
             place += 1
@@ -362,7 +388,9 @@ class ClauseReader:
             item = self.item(place) if self.words[place - 1].text == "not" else None
             read = read_place(self.words, place, self.lexicon, self.floors)
             if read is not None:
-                return [Forbid(things=Things(refers="last"), place=read.place, quote=self.quote(at, read.end))], read.end
+                return [
+                    Forbid(things=Things(refers="last"), place=read.place, quote=self.quote(at, read.end))
+                ], read.end
             if item is not None:
                 return [Keep(things=self._all(item.things()), quote=self.quote(at, item.end))], item.end
             raise NotUnderstood(at, self.boundary(at))
@@ -398,7 +426,9 @@ class ClauseReader:
             raise NotUnderstood(at, self.boundary(at))
         end = item.end
         if most and item.phrase.amount.number:
-            things = msgspec.structs.replace(item.phrase.things(), amount=Amount(kind="at_most", number=item.phrase.amount.number))
+            things = msgspec.structs.replace(
+                item.phrase.things(), amount=Amount(kind="at_most", number=item.phrase.amount.number)
+            )
             return [Ensure(things=things, place=self._framed(item.goal())[0], quote=self.quote(at, end))], end
         while self.text(end) in ("switched", "turned", "be"):
             end += 1
@@ -425,7 +455,9 @@ class ClauseReader:
             return None
         between = {w.text for w in self.words[at:place]}
         negated = "not" in between or "no" in between
-        told = between <= {"there", "is", "are", "no", "not", "currently", "still"} and (negated or self.text(place) == "no")
+        told = between <= {"there", "is", "are", "no", "not", "currently", "still"} and (
+            negated or self.text(place) == "no"
+        )
         items = self.items(place)
         if self._is_way(items[0].phrase):
             return self._way(at, items[0].phrase.end)
@@ -444,9 +476,7 @@ class ClauseReader:
             out += self._there(item, self._shared_goal(items, item), self.quote(at, end), negated=negated)
         return out, end
 
-    def _there(
-        self, item: Item, shared: tuple[Place, bool], quote: str, *, negated: bool = False
-    ) -> list[Statement]:
+    def _there(self, item: Item, shared: tuple[Place, bool], quote: str, *, negated: bool = False) -> list[Statement]:
         """Return that things are at a place, or are not."""
         amount = item.phrase.amount
         goal, each = self._framed(shared)
@@ -485,13 +515,24 @@ class ClauseReader:
         who = self.text(place)
         if who in ("i", "we", "you", "one", "they", "it") and who not in ("it",):
             place += 1
-            while self.text(place) in MODALS or self.text(place) in ("really", "also", "just", "do", "still", "ve", "d", "ll"):
+            while self.text(place) in MODALS or self.text(place) in (
+                "really",
+                "also",
+                "just",
+                "do",
+                "still",
+                "ve",
+                "d",
+                "ll",
+            ):
                 place += 1
             if self.text(place) in ("think", "believe", "guess", "feel", "suggest", "propose", "ask", "hope"):
                 return self.read(place + 1 + (self.text(place + 1) in ("that", "you")) + (self.text(place + 2) == "to"))
             if self.text(place) == "not" and self.text(place + 1) in ("want", "like", "wish"):
                 return self._unwanted(at, place + 2)
-            longer = {"anymore", "longer"} & {w.text for w in self.words} or "any more" in self.quote(at, len(self.words))
+            longer = {"anymore", "longer"} & {w.text for w in self.words} or "any more" in self.quote(
+                at, len(self.words)
+            )
             if self.text(place) == "not" and self.text(place + 1) == "need" and longer:
                 return self._unwanted(at, place + 2)
             if self.text(place) == "not":
@@ -500,7 +541,19 @@ class ClauseReader:
                 return self._unwanted(at, place + 2)
             if self.text(place) in ("was", "am", "were", "are") and self.text(place + 1) in ("hoping", "looking"):
                 return self._wanted(at, place + 2)
-            if self.text(place) in ("like", "love", "want", "need", "prefer", "require", "have", "wish", "expect", "fancy", "appreciate"):
+            if self.text(place) in (
+                "like",
+                "love",
+                "want",
+                "need",
+                "prefer",
+                "require",
+                "have",
+                "wish",
+                "expect",
+                "fancy",
+                "appreciate",
+            ):
                 return self._wanted(at, place + 1)
             if who in ("you",) and place > at + 1:
                 return self.read(self.skip(place))
@@ -518,7 +571,16 @@ class ClauseReader:
             return self.read(place)
         if who in MODALS and self.text(place + 1) not in ("not", "it"):
             asked = self.item(place + 1)
-            if asked is not None and self.text(asked.end) in ("be", "go", "get", "have", "stand", "move", "come", "face"):
+            if asked is not None and self.text(asked.end) in (
+                "be",
+                "go",
+                "get",
+                "have",
+                "stand",
+                "move",
+                "come",
+                "face",
+            ):
                 found = self._predicate(asked, asked.end, at)
                 if found is not None:
                     return found
@@ -548,7 +610,10 @@ class ClauseReader:
                 continue
             if word.kind == "mark" or word.text in BE:
                 return None
-            if word.raw in ("wants", "want", "needs", "need", "likes", "requires", "expects", "lacks") and self.item(at) is None:
+            if (
+                word.raw in ("wants", "want", "needs", "need", "likes", "requires", "expects", "lacks")
+                and self.item(at) is None
+            ):
                 return self._wanted(at, place + 1)
         return None
 
@@ -680,9 +745,7 @@ class ClauseReader:
             place = Place(relation=old.relation or "on", anchor=where.phrase.things())
         return msgspec.structs.replace(statement, place=place)
 
-    def _with_companions(
-        self, item: Item, said: list[Statement], at: int, end: int
-    ) -> tuple[list[Statement], int]:
+    def _with_companions(self, item: Item, said: list[Statement], at: int, end: int) -> tuple[list[Statement], int]:
         """Read what comes with new things: ``12 desks, each with a chair``, ``a tray with two mugs``."""
         place = end + (self.text(end) == ",")
         each = self.text(place) == "each"
@@ -718,7 +781,10 @@ class ClauseReader:
         places = items[-1].places
         if any(p.goal and not p.source for p in places):
             return self._move(at, place)
-        if self.text(end) in ("and", ",", "then") and read_place(self.words, end + 1, self.lexicon, self.floors) is not None:
+        if (
+            self.text(end) in ("and", ",", "then")
+            and read_place(self.words, end + 1, self.lexicon, self.floors) is not None
+        ):
             return self._move(at, place)
         away = self.text(end) in ("away", "out", "off")
         if self._goes_on_with_it(end) and not away:
@@ -777,7 +843,11 @@ class ClauseReader:
 
     def _new_core(self, items: Sequence[Item], at: int, end: int) -> Statement | None:
         """Read ``add a second stair``."""
-        if len(items) != 1 or not items[0].phrase.noun.words or self.text(at) not in ("add", "build", "create", "install", "put"):
+        if (
+            len(items) != 1
+            or not items[0].phrase.noun.words
+            or self.text(at) not in ("add", "build", "create", "install", "put")
+        ):
             return None
         head = items[0].phrase.noun.words[-1]
         what = {"stair": "stair", "staircase": "stair", "stairwell": "stair", "elevator": "elevator"}.get(head)
@@ -891,7 +961,9 @@ class ClauseReader:
         comes_from = any(p.source or p.place.relation in ("on", "in") for p in item.places)
         if item.phrase.noun.kind == "anything" or (comes_from and not item.is_room and item.phrase.plural):
             return self._remove(at, place)
-        if self.text(end) == "of" or (item.places and item.places[-1].start and self.words[item.places[-1].start].text == "of"):
+        if self.text(end) == "of" or (
+            item.places and item.places[-1].start and self.words[item.places[-1].start].text == "of"
+        ):
             return self._cleared_of(at, item)
         while self.text(end) in ("up", "out", "off", "completely", "totally", "entirely"):
             end += 1
@@ -939,7 +1011,10 @@ class ClauseReader:
         end = items[-1].end
         if any(item.is_room for item in items):
             raise NotUnderstood(place, end)
-        if self.text(end) in ("and", ",", "then") and read_place(self.words, end + 1, self.lexicon, self.floors) is not None:
+        if (
+            self.text(end) in ("and", ",", "then")
+            and read_place(self.words, end + 1, self.lexicon, self.floors) is not None
+        ):
             more, end = self.places(end + 1)
             items = [*items[:-1], Item(items[-1].phrase, (*items[-1].places, *more), end)]
         goal_of = [p for p in items[-1].places if not p.source]
@@ -969,10 +1044,18 @@ class ClauseReader:
             explicit = told + 1
         leaving = next((k for k, p in enumerate(places) if p.source), None)
         if explicit is None:
-            related = [k for k, p in enumerate(places) if not p.source and (p.place.relation or p.place.spot or p.place.facing)]
-            anew = [k for k, p in enumerate(places) if not p.source and p.place.rooms is not None and p.place.rooms.words]
-            explicit = related[-1] if related else anew[-1] if anew else max(
-                (k for k, p in enumerate(places) if not p.source), default=0
+            related = [
+                k for k, p in enumerate(places) if not p.source and (p.place.relation or p.place.spot or p.place.facing)
+            ]
+            anew = [
+                k for k, p in enumerate(places) if not p.source and p.place.rooms is not None and p.place.rooms.words
+            ]
+            explicit = (
+                related[-1]
+                if related
+                else anew[-1]
+                if anew
+                else max((k for k, p in enumerate(places) if not p.source), default=0)
             )
             if leaving is not None and leaving > explicit:
                 explicit = min(k for k, p in enumerate(places) if not p.source)
@@ -1029,7 +1112,9 @@ class ClauseReader:
                     things = with_place(things, _joined(list(other.places))[0]) if not item.places else things
             place_, _ = self._framed((things.place or Place(), False))
             things = msgspec.structs.replace(things, place=place_ if place_ != Place() else None)
-            out += [Replace(things=self._all_if_plural(things), by=other.phrase.things(), quote=quote) for other in new[:1]]
+            out += [
+                Replace(things=self._all_if_plural(things), by=other.phrase.things(), quote=quote) for other in new[:1]
+            ]
             out += [Add(things=other.phrase.things(), place=things.place or Place(), quote=quote) for other in new[1:]]
         return out, end
 
@@ -1066,7 +1151,9 @@ class ClauseReader:
                 whole = Item(item.phrase, (*item.places, *places), stop)
                 out.append(self._state_of([whole], whole, "on", besides, quote, value=value))
             return out, stop
-        if len(items) == 1 and items[0].is_room or (items[0].places and items[0].places[-1].goal and items[0].phrase.noun.kind != "object"):
+        if (len(items) == 1 and items[0].is_room) or (
+            items[0].places and items[0].places[-1].goal and items[0].phrase.noun.kind != "object"
+        ):
             return self._furnish(at, place)
         return self._rotate(at, place)
 
@@ -1078,7 +1165,10 @@ class ClauseReader:
         things = item.phrase.things()
         if item.is_room:
             rooms = item.rooms()
-            things, place = Things(noun="light", definite=True, plural=True, amount=Amount(kind="all", number=0)), Place(rooms=rooms)
+            things, place = (
+                Things(noun="light", definite=True, plural=True, amount=Amount(kind="all", number=0)),
+                Place(rooms=rooms),
+            )
         things = msgspec.structs.replace(self._all_if_plural(things), beside=besides)
         return _state(with_place(things, place) if place != Place() else things, state, quote, value=value)
 
@@ -1103,7 +1193,22 @@ class ClauseReader:
     def _colour_at(self, at: int) -> tuple[str, str, int] | None:
         """Read a colour or a material: ``dark red``, ``oak parquet``."""
         place = at
-        while self.text(place) in ("a", "an", "the", "in", "light", "dark", "pale", "bright", "deep", "soft", "to", "of", "as", "made"):
+        while self.text(place) in (
+            "a",
+            "an",
+            "the",
+            "in",
+            "light",
+            "dark",
+            "pale",
+            "bright",
+            "deep",
+            "soft",
+            "to",
+            "of",
+            "as",
+            "made",
+        ):
             place += 1
         colour = material = ""
         start = place
@@ -1153,10 +1258,12 @@ class ClauseReader:
             return None if rooms is None else ((part, rooms), end)
         for length in (4, 3, 2, 1):
             head = place + length
-            if self.text(head) not in _PART or self.text(head) == "floor" and self.words[head - 1].kind == "ordinal":
+            if self.text(head) not in _PART or (self.text(head) == "floor" and self.words[head - 1].kind == "ordinal"):
                 continue
             span = tuple(w.text for w in self.words[place:head])
-            if self.lexicon.is_room(span) or (len(span) > 1 and span[-1].isdecimal() and self.lexicon.is_room(span[:-1])):
+            if self.lexicon.is_room(span) or (
+                len(span) > 1 and span[-1].isdecimal() and self.lexicon.is_room(span[:-1])
+            ):
                 end = head + 1
                 end += self.text(end) in ("colour", "color", "finish", "material", "covering")
                 places, end = self.places(end)
@@ -1177,7 +1284,9 @@ class ClauseReader:
             if item.phrase.noun.kind in ("room", "both") and self.lexicon.is_own_room(item.phrase.noun.words):
                 out.append(Finish(rooms=item.rooms(), part="walls", colour=colour, material=material, quote=quote))
             else:
-                out.append(Paint(things=self._all_if_plural(item.things()), colour=colour, material=material, quote=quote))
+                out.append(
+                    Paint(things=self._all_if_plural(item.things()), colour=colour, material=material, quote=quote)
+                )
         return out
 
     def _rename(self, at: int, place: int) -> tuple[list[Statement], int]:
@@ -1243,7 +1352,10 @@ class ClauseReader:
         """Read ``equip the office with two desks``, ``fill the basket with apples``."""
         where = self.item(place)
         if where is not None and self.text(where.end) == "for":
-            colon = next((k for k in range(where.end, min(where.end + 6, len(self.words))) if self.text(k) in (":", "with")), None)
+            colon = next(
+                (k for k in range(where.end, min(where.end + 6, len(self.words))) if self.text(k) in (":", "with")),
+                None,
+            )
             if colon is None:
                 raise NotUnderstood(at, self.boundary(at))
             where = Item(where.phrase, where.places, colon)
@@ -1314,7 +1426,21 @@ class ClauseReader:
     def _amount_of_area(self, at: int) -> tuple[float, bool, int] | None:
         """Read ``by 10 m2`` or ``to 40 m2``."""
         place = at
-        while self.text(place) in (",", "by", "to", "about", "of", "around", "up", "at", "an", "another", "extra", "roughly", "approximately"):
+        while self.text(place) in (
+            ",",
+            "by",
+            "to",
+            "about",
+            "of",
+            "around",
+            "up",
+            "at",
+            "an",
+            "another",
+            "extra",
+            "roughly",
+            "approximately",
+        ):
             place += 1
         absolute = any(w.text == "to" for w in self.words[at:place])
         if place + 1 < len(self.words) and self.words[place].kind == "number" and self.words[place + 1].text == "m2":
@@ -1400,7 +1526,9 @@ class ClauseReader:
             rooms = item.rooms()
             quote = self.quote(at, stop)
             return [
-                Reshape(what="area", rooms=rooms, area=value * (sign or 1.0), absolute=absolute or not sign, quote=quote)
+                Reshape(
+                    what="area", rooms=rooms, area=value * (sign or 1.0), absolute=absolute or not sign, quote=quote
+                )
             ], stop
         if self.text(end) in ("larger", "bigger", "smaller", "wider"):
             sign = -1.0 if self.text(end) == "smaller" else 1.0
@@ -1440,7 +1568,21 @@ class ClauseReader:
             if places:
                 things = with_place(things, _joined(places)[0])
             return [Turn(things=things, degrees=value, quote=self.quote(at, last))], last
-        while self.text(end) in ("to", "towards", "toward", "so", "that", "it", "face", "at", "is", "they", "and", "facing", "them"):
+        while self.text(end) in (
+            "to",
+            "towards",
+            "toward",
+            "so",
+            "that",
+            "it",
+            "face",
+            "at",
+            "is",
+            "they",
+            "and",
+            "facing",
+            "them",
+        ):
             end += 1
         goal = self.item(end)
         if goal is None or goal.is_room:
@@ -1534,13 +1676,27 @@ class ClauseReader:
             if self._is_going(place):
                 break
             if self.words[place].kind == "mark" or word in ("to", "on", "in"):
-                going = self.text(place + 1) in ("be", "get", "go", "walk", "drive", "reach", "travel", "come", "move", "enter")
+                going = self.text(place + 1) in (
+                    "be",
+                    "get",
+                    "go",
+                    "walk",
+                    "drive",
+                    "reach",
+                    "travel",
+                    "come",
+                    "move",
+                    "enter",
+                )
                 if word != "to" or not going:
                     return None
             place += 1
         else:
             return None
-        moving = any(w.text in ("can", "could", "able", "possible", "must", "should", "may", "has", "have", "need", "will") for w in self.words[start:place])
+        moving = any(
+            w.text in ("can", "could", "able", "possible", "must", "should", "may", "has", "have", "need", "will")
+            for w in self.words[start:place]
+        )
         if not moving:
             return None
         if self.text(place) == "find" or self.text(place) == "make":
@@ -1590,14 +1746,20 @@ class ClauseReader:
         if start is None and not ends:
             raise NotUnderstood(at, self.boundary(at))
         quote = self.quote(at, end)
-        return [Reach(start=start, end=goal, quote=quote) for goal in (ends or [None])], end
+        goals: list[Things | Rooms | None] = [*ends] or [None]
+        return [Reach(start=start, end=goal, quote=quote) for goal in goals], end
 
     def _end_of_way(self, at: int) -> tuple[Things | Rooms, int] | None:
         place = at
         if self.text(place) in ("there", "here"):
             return Rooms(same=True), place + 1
         read = read_place(self.words, at, self.lexicon, self.floors)
-        if read is not None and read.place.rooms is not None and read.place.anchor is None and self.text(at) in ("upstairs", "downstairs"):
+        if (
+            read is not None
+            and read.place.rooms is not None
+            and read.place.anchor is None
+            and self.text(at) in ("upstairs", "downstairs")
+        ):
             return read.place.rooms, read.end
         while self.text(place) in ("the", "main", "front", "building", "building's"):
             place += 1
@@ -1642,7 +1804,9 @@ class ClauseReader:
         if self.text(end) in ("for", "in", "on", "at", "to", "with"):
             item = self.item(end + 1)
             if item is not None and item.phrase.noun.kind in ("room", "both"):
-                return [History(what="repeat", place=Place(rooms=item.rooms()), quote=self.quote(at, item.end))], item.end
+                return [
+                    History(what="repeat", place=Place(rooms=item.rooms()), quote=self.quote(at, item.end))
+                ], item.end
             places, stop = self.places(end)
             if places:
                 return [History(what="repeat", place=_joined(places)[0], quote=self.quote(at, stop))], stop
@@ -1657,13 +1821,36 @@ class ClauseReader:
         items = self.items(place)
         end = items[-1].end
         item = items[0]
-        if self.text(end) in STATE_WORDS or (self.text(end) in ("switched", "turned") and self.text(end + 1) in STATE_WORDS):
+        if self.text(end) in STATE_WORDS or (
+            self.text(end) in ("switched", "turned") and self.text(end + 1) in STATE_WORDS
+        ):
             end += self.text(end) in ("switched", "turned")
             state, value = STATE_WORDS[self.text(end)]
             quote = self.quote(at, end + 1)
             return [self._state_of(items, i, state, (), quote, value=value) for i in items], end + 1
         alone = end
-        while self.text(alone) in ("alone", "as", "where", "it", "they", "is", "are", "untouched", "in", "place", "be", "there", "unchanged", "exactly", "like", "that", "stand", "the", "way", "was"):
+        while self.text(alone) in (
+            "alone",
+            "as",
+            "where",
+            "it",
+            "they",
+            "is",
+            "are",
+            "untouched",
+            "in",
+            "place",
+            "be",
+            "there",
+            "unchanged",
+            "exactly",
+            "like",
+            "that",
+            "stand",
+            "the",
+            "way",
+            "was",
+        ):
             alone += 1
         if alone > end or (item.phrase.definite and not any(p.place.relation for p in item.places)):
             quote = self.quote(at, alone)
@@ -1677,10 +1864,19 @@ class ClauseReader:
             raise NotUnderstood(at, self.boundary(at))
         if self._is_way(item.phrase):
             return self._way(at, item.phrase.end)
-        found = self._predicate(item, item.end, at) if self.text(item.end) in STATE_WORDS or self.predicate_follows(item.end) else None
+        found = (
+            self._predicate(item, item.end, at)
+            if self.text(item.end) in STATE_WORDS or self.predicate_follows(item.end)
+            else None
+        )
         if found is not None:
             return found
-        if (item.phrase.definite or item.phrase.refers) and self.text(item.end) not in ("as", "where", "alone", "untouched"):
+        if (item.phrase.definite or item.phrase.refers) and self.text(item.end) not in (
+            "as",
+            "where",
+            "alone",
+            "untouched",
+        ):
             items = self.items(place)
             quote = self.quote(at, items[-1].end)
             return [Keep(things=self._all(i.things()), quote=quote) for i in items if not i.is_room], items[-1].end
@@ -1711,7 +1907,15 @@ class ClauseReader:
     def _change(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``change the colour of the sofa to red``, ``change the sofa for an armchair``."""
         start = place
-        if self.text(place) == "the" and self.text(place + 1) in ("colour", "color", "name", "material", "type", "kind", "use"):
+        if self.text(place) == "the" and self.text(place + 1) in (
+            "colour",
+            "color",
+            "name",
+            "material",
+            "type",
+            "kind",
+            "use",
+        ):
             what = self.text(place + 1)
             place += 2 + (self.text(place + 2) == "of")
             if what == "name":
@@ -1725,7 +1929,9 @@ class ClauseReader:
                 subject = [Item(i.phrase, tuple(p for p in i.places if p.end <= end), end) for i in subject]
             if self.text(end) in ("to", "into", "for"):
                 colour = self._colour_at(end + 1)
-                if colour is not None and self.phrase(end + 1) is None or (colour is not None and colour[2] >= len(self.words)):
+                if (colour is not None and self.phrase(end + 1) is None) or (
+                    colour is not None and colour[2] >= len(self.words)
+                ):
                     return self._painted(subject, colour[0], colour[1], self.quote(at, colour[2])), colour[2]
                 if colour is not None and self.text(colour[2]) in (",", "and", "please", "."):
                     return self._painted(subject, colour[0], colour[1], self.quote(at, colour[2])), colour[2]
@@ -1797,7 +2003,11 @@ class ClauseReader:
 
     def _only_thing(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the only thing on the table should be a vase``."""
-        if self.text(at) != "the" or self.text(at + 1) != "only" or self.text(at + 2) not in ("thing", "object", "item"):
+        if (
+            self.text(at) != "the"
+            or self.text(at + 1) != "only"
+            or self.text(at + 2) not in ("thing", "object", "item")
+        ):
             return None
         places, end = self.places(at + 3)
         while self.text(end) in MODALS or self.text(end) in BE:
@@ -1842,11 +2052,17 @@ class ClauseReader:
                 end = items[-1].end
                 quote = self.quote(at, end)
                 kept = tuple(self._all(item.phrase.things()) for item in items)
-                there: list[Statement] = [Ensure(things=item.phrase.things(), place=goal, quote=quote) for item in items]
+                there: list[Statement] = [
+                    Ensure(things=item.phrase.things(), place=goal, quote=quote) for item in items
+                ]
                 return [*there, Clear(place=goal, spare=kept, quote=quote)], end
         spare: tuple[Things, ...] = ()
         place, spare = self.exceptions(place + (self.text(place) == "else"))
-        while self.text(place) in MODALS or self.text(place) in BE or self.text(place) in ("else", "left", "remain", "lie", "stand"):
+        while (
+            self.text(place) in MODALS
+            or self.text(place) in BE
+            or self.text(place) in ("else", "left", "remain", "lie", "stand")
+        ):
             place += 1
         places, end = self.places(place)
         if not places:
@@ -1857,8 +2073,26 @@ class ClauseReader:
 
     def _state_after(self, item: Item, end: int, at: int) -> tuple[list[Statement], int] | None:
         place = end
-        while self.text(place) in ("switched", "turned", "left", "kept", "powered", "wide", "fully", "be", "always", ","):
-            if self.text(place) == "," and self.text(place + 1) not in ("switched", "turned", "on", "off", "open", "closed"):
+        while self.text(place) in (
+            "switched",
+            "turned",
+            "left",
+            "kept",
+            "powered",
+            "wide",
+            "fully",
+            "be",
+            "always",
+            ",",
+        ):
+            if self.text(place) == "," and self.text(place + 1) not in (
+                "switched",
+                "turned",
+                "on",
+                "off",
+                "open",
+                "closed",
+            ):
                 return None
             place += 1
         dark = self.text(place) == "out" and item.phrase.noun.words[-1:] == ("light",)
@@ -1943,7 +2177,9 @@ class ClauseReader:
         if deed == "replace" and self.text(after) in ("with", "by"):
             new = self.items(after + 1)
             quote = self.quote(at, new[-1].end)
-            return [Replace(things=self._all_if_plural(item.things()), by=new[0].phrase.things(), quote=quote)], new[-1].end
+            return [Replace(things=self._all_if_plural(item.things()), by=new[0].phrase.things(), quote=quote)], new[
+                -1
+            ].end
         if deed == "paint":
             colour = self._colour_at(after)
             if colour is not None:
@@ -1973,9 +2209,12 @@ class ClauseReader:
             places, end = self.places(place + 3)
             gone = Item(item.phrase, (*item.places, *places), end).things()
             return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
-        if word not in HAVE and word not in ("carry", "bear", "store") and not (
-            word == "with" and self.text(place - 1) == "do"
-        ) and word not in ("need", "require", "lack", "get", "want", "deserve", "miss", "missing", "keep"):
+        if (
+            word not in HAVE
+            and word not in ("carry", "bear", "store")
+            and not (word == "with" and self.text(place - 1) == "do")
+            and word not in ("need", "require", "lack", "get", "want", "deserve", "miss", "missing", "keep")
+        ):
             return None
         if self.text(place + 1) == "to":
             return None
@@ -2013,7 +2252,9 @@ class ClauseReader:
             source, goal, _ = self._source_and_goal((*item.places, *places))
             whole = Item(item.phrase, places, end)
             if source != Place():
-                return [Move(things=with_place(item.phrase.things(), source), place=goal, quote=self.quote(at, end))], end
+                return [
+                    Move(things=with_place(item.phrase.things(), source), place=goal, quote=self.quote(at, end))
+                ], end
             return [self._added([whole], whole, self.quote(at, end))], end
         if word in ("belong", "come", "sit", "stand", "lie", "live", "rest", "hang") and not negated:
             places, end = self.places(place + 1)
@@ -2051,7 +2292,18 @@ class ClauseReader:
 
     def _said_good(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``a mug on the desk would be nice``, and ``the desk is too bare``, which tells what comes next is about."""
-        if self.text(place) in ("nice", "good", "great", "lovely", "fine", "helpful", "appreciated", "perfect", "ideal", "welcome"):
+        if self.text(place) in (
+            "nice",
+            "good",
+            "great",
+            "lovely",
+            "fine",
+            "helpful",
+            "appreciated",
+            "perfect",
+            "ideal",
+            "welcome",
+        ):
             if negated or not any(w.text in MODALS for w in self.words[item.end : place]):
                 return None
             return self._there(item, item.goal(), self.quote(at, place + 1)), place + 1
@@ -2060,10 +2312,17 @@ class ClauseReader:
             if goal is not None and not goal.is_room:
                 quote = self.quote(at, goal.end)
                 return [Turn(things=self._all_if_plural(item.things()), facing=goal.things(), quote=quote)], goal.end
-        if self.text(item.end) not in ("is", "are", "look", "seem", "feel") or any(w.text in MODALS for w in self.words[item.end : place]):
+        if self.text(item.end) not in ("is", "are", "look", "seem", "feel") or any(
+            w.text in MODALS for w in self.words[item.end : place]
+        ):
             return None
         stop = item.end + 1
-        while stop < len(self.words) and self.words[stop].kind == "word" and self.text(stop) not in ("and", "but", "so") and stop < item.end + 6:
+        while (
+            stop < len(self.words)
+            and self.words[stop].kind == "word"
+            and self.text(stop) not in ("and", "but", "so")
+            and stop < item.end + 6
+        ):
             stop += 1
         told = self.words[item.end + 1 : stop]
         named = any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in told)

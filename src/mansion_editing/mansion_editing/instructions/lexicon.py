@@ -5,12 +5,12 @@ from functools import cached_property, lru_cache
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
+from mansion_editing.instructions.verb_words import VERB_WORDS
+from mansion_editing.instructions.words import FUNCTION_WORDS, VAGUE
 from mansion_editing.state import SceneState
 from mansion_knowledge import interchangeable_names
 from mansion_knowledge.words import common_words
 from mansion_language.spelling import Speller
-from mansion_editing.instructions.verb_words import VERB_WORDS
-from mansion_editing.instructions.words import FUNCTION_WORDS, VAGUE
 
 __all__ = ["ANYTHING", "HYPERNYMS", "WAYS", "Lexicon"]
 

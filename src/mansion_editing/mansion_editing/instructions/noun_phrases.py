@@ -38,7 +38,9 @@ MATERIALS: Final = {
 """Words for materials, and the family that a palette has for each."""
 
 _SHADES: Final = frozenset(["light", "dark", "pale", "bright", "deep", "pastel", "soft"])
-_ARTICLES_AFTER_VERBS: Final = frozenset("a an the all every each two three four five six some another my our its".split())
+_ARTICLES_AFTER_VERBS: Final = frozenset(
+    "a an the all every each two three four five six some another my our its".split()
+)
 _HOLDERS: Final = frozenset(
     "cup mug glass bottle can bowl plate jar box bag basket carton pot jug tin tray vase packet loaf slice bunch stack "
     "pile pair piece set couple row group".split()
@@ -58,7 +60,9 @@ _ENDS_RUN: Final = (
                  "deleted", "reachable", "accessible", "where", "belong", "sit", "lie", "apart", "rather", "wherever", "whose",
                  "whatever", "short", "away", "does", "did", "look", "seem", "each", "anew", "afresh", "want", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
 )  # fmt: skip
-_MAY_BE_NOUN: Final = frozenset(["light", "open", "left", "right", "front", "stand", "set", "middle", "dark", "present"])
+_MAY_BE_NOUN: Final = frozenset(
+    ["light", "open", "left", "right", "front", "stand", "set", "middle", "dark", "present"]
+)
 
 
 @dataclass(frozen=True)
@@ -142,7 +146,9 @@ Amounted: TypeAlias = tuple[Amount, bool, bool, int]
 """Amount, whether the phrase is definite, whether every one is meant on its own, and the place after the words."""
 
 
-_PARTS: Final = frozenset("seat seater person drawer door piece tier legged leg floor burner arm door shelf panel".split())
+_PARTS: Final = frozenset(
+    "seat seater person drawer door piece tier legged leg floor burner arm door shelf panel".split()
+)
 
 
 def _is_compound(words: Sequence[Word], at: int) -> bool:
@@ -211,7 +217,7 @@ def read_amount(words: Sequence[Word], at: int) -> Amounted:
         return _indefinite(words, at)
     if first in ("more", "additional", "extra", "further") and _text(words, at + 1) not in ("than", ""):
         return Amount(kind="more", number=2), False, False, at + 1
-    if number is not None and not (words[at].text in ("double", "twin", "triple", "single")):
+    if number is not None and words[at].text not in ("double", "twin", "triple", "single"):
         return _counted(words, at, number, definite=False)
     if first in DETERMINERS:
         return _definite(words, at)
@@ -335,15 +341,15 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     end = _end_of_run(words, place, lexicon)
     if end == place:
         return _bare_amount(words, start, place, amount)
-    noun, end = _noun(words, place, end, lexicon)
-    if noun is None:
+    found, end = _noun(words, place, end, lexicon)
+    if found is None:
         return None
     count = _number_after(words, end)
     if count is not None and amount.number in (0, 1) and not definite:
         amount, end = Amount(number=count[0]), count[1]
-    if amount.number == 0 and amount.kind == "some" and not definite and not noun.plural:
+    if amount.number == 0 and amount.kind == "some" and not definite and not found.plural:
         amount = Amount(number=1)
-    noun = replace(noun, floors=storeys)
+    noun = replace(found, floors=storeys)
     return NounPhrase(noun, amount, definite, start, end, each=each)
 
 
@@ -491,9 +497,9 @@ def _noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> tupl
     """Read modifiers and a noun; the end may come earlier where the noun does."""
     run = list(words[start:end])
     number = ""
-    if len(run) > 1 and (run[-1].kind == "code" or (run[-1].kind == "number" and run[-1].raw.isdecimal())):
-        number, run = run[-1].raw, run[:-1]
-    elif len(run) > 1 and len(run[-1].raw) == 1 and run[-1].capital:
+    if (len(run) > 1 and (run[-1].kind == "code" or (run[-1].kind == "number" and run[-1].raw.isdecimal()))) or (
+        len(run) > 1 and len(run[-1].raw) == 1 and run[-1].capital
+    ):
         number, run = run[-1].raw, run[:-1]
     if end < len(words) and words[end].text in ("of", "with") and end + 1 < len(words):
         whole = _of_phrase(words, run, end, lexicon)
@@ -509,9 +515,7 @@ def _noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> tupl
     return found, end
 
 
-def _of_phrase(
-    words: Sequence[Word], run: list[Word], of: int, lexicon: Lexicon
-) -> tuple[Noun | None, int] | None:
+def _of_phrase(words: Sequence[Word], run: list[Word], of: int, lexicon: Lexicon) -> tuple[Noun | None, int] | None:
     """Read ``cup of coffee``, ``vase of flowers``, ``bottle of wine``, ``pile of books``."""
     head = run[-1]
     if head.text not in _HOLDERS:

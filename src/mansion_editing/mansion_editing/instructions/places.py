@@ -189,14 +189,14 @@ def _after_preposition(
 
 def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
     """Whether a storey is only the modifier of a noun ("in the ground floor kitchen")."""
-    return at < len(words) and (lexicon.is_room((words[at].text,)) or lexicon.is_object((words[at].text,))) and (
-        words[at].text not in ("on", "in")
+    return (
+        at < len(words)
+        and (lexicon.is_room((words[at].text,)) or lexicon.is_object((words[at].text,)))
+        and (words[at].text not in ("on", "in"))
     )
 
 
-def _within(
-    words: Sequence[Word], start: int, at: int, lexicon: Lexicon, floors: Sequence[int]
-) -> ReadPlace | None:
+def _within(words: Sequence[Word], start: int, at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
     """Read ``within 0.5 metres of the sofa``."""
     place = at
     while _text(words, place) in ("a", "about", "half"):
@@ -232,7 +232,9 @@ def _this_building(words: Sequence[Word], at: int) -> int:
     while place < len(words) and (words[place].kind == "number" or _text(words, place) in ("floor", "whole", "entire")):
         told = True
         place += 1
-    plain = _text(words, place) == "building" or ((told or _text(words, at) == "this") and _text(words, place) in _BUILDINGS)
+    plain = _text(words, place) == "building" or (
+        (told or _text(words, at) == "this") and _text(words, place) in _BUILDINGS
+    )
     return place + 1 if plain else 0
 
 
@@ -267,7 +269,7 @@ def _spot(
     while _text(words, place) in ("the", "a", "an", "one", "any", "far", "back", "free", "main", "front", "room"):
         place += 1
     word = _text(words, place)
-    if word not in _SPOTS or place == at and word not in ("middle",):
+    if word not in _SPOTS or (place == at and word not in ("middle",)):
         return None
     spot = _SPOTS[word]
     ceiling_or_wall = phrase[0] in _ON and spot == "wall"
@@ -352,7 +354,9 @@ def merged(outer: Place, inner: Place) -> Place:
             within=outer.within or inner.within,
         )
     if outer.anchor is None:
-        return msgspec.structs.replace(inner, rooms=rooms, spot=outer.spot or inner.spot, facing=outer.facing or inner.facing)
+        return msgspec.structs.replace(
+            inner, rooms=rooms, spot=outer.spot or inner.spot, facing=outer.facing or inner.facing
+        )
     plain = msgspec.structs.replace(inner, rooms=None)
     anchor = with_place(outer.anchor, plain)
     return msgspec.structs.replace(outer, anchor=anchor, rooms=rooms)

@@ -68,7 +68,12 @@ def _rest(reader: ClauseReader, at: int) -> tuple[Place | None, int]:
         "there", "do", "does", "we", "have", "has", "i", "got", "you", "find", "it", "exist", "in", "total", "altogether", "currently",
         "now", "right", "at", "moment", "the",
     ):  # fmt: skip
-        if reader.text(at) in ("in", "at", "right", "the") and reader.text(at + 1) not in ("total", "moment", "the", "now"):
+        if reader.text(at) in ("in", "at", "right", "the") and reader.text(at + 1) not in (
+            "total",
+            "moment",
+            "the",
+            "now",
+        ):
             break
         if reader.text(at) in ("in", "at", "the") and reader.places(at)[0]:
             break
@@ -125,7 +130,19 @@ def _count(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tupl
     if reader.text(at) not in ("count", "list"):
         return None
     place = at + 1
-    while reader.text(place) in ("all", "the", "everything", "number", "of", "what", "is", "are", "me", "thing", "object"):
+    while reader.text(place) in (
+        "all",
+        "the",
+        "everything",
+        "number",
+        "of",
+        "what",
+        "is",
+        "are",
+        "me",
+        "thing",
+        "object",
+    ):
         if reader.text(place) in ("what", "everything", "thing", "object"):
             where, end = _rest(reader, place + 1)
             return (Ask(about="what", place=where), end) if where is not None else None
@@ -142,7 +159,9 @@ def _where(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tupl
     first = reader.text(at)
     if first not in ("where", "which", "in", "on", "what"):
         return None
-    if first == "which" or (first in ("in", "on", "what") and reader.text(at + (first != "what")) in ("which", "what", "room", "floor")):
+    if first == "which" or (
+        first in ("in", "on", "what") and reader.text(at + (first != "what")) in ("which", "what", "room", "floor")
+    ):
         return _which_rooms(reader, at)
     if first != "where":
         return None
@@ -178,11 +197,23 @@ def _which_rooms(reader: ClauseReader, at: int) -> tuple[Ask, int] | None:
     where, after = reader.places(place)
     if where:
         place = after
-    while reader.text(place) in BE or reader.text(place) in ("have", "has", "contain", "hold", "there", "do", "can", "i", "find", "with", "that"):
+    while reader.text(place) in BE or reader.text(place) in (
+        "have",
+        "has",
+        "contain",
+        "hold",
+        "there",
+        "do",
+        "can",
+        "i",
+        "find",
+        "with",
+        "that",
+    ):
         place += 1
     if place >= len(reader.words):
-        floors = where[0].place.rooms if where else None
-        return Ask(about="rooms", rooms=floors or holder or Rooms(every=True)), place
+        named = where[0].place.rooms if where else None
+        return Ask(about="rooms", rooms=named or holder or Rooms(every=True)), place
     item = reader.item(place)
     if item is None:
         return None
@@ -212,7 +243,26 @@ def _what(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tuple
             raise NotUnderstood(at, reader.boundary(at))
         end = item.end + (reader.text(item.end) in BE)
         return Ask(about="colour", things=_plain(item), place=_place_of(item)), end
-    while reader.text(place) in BE or reader.text(place) in ("object", "thing", "item", "furniture", "there", "kind", "of", "else", "stand", "lie", "sit", "all", "can", "i", "see", "do", "we", "have"):
+    while reader.text(place) in BE or reader.text(place) in (
+        "object",
+        "thing",
+        "item",
+        "furniture",
+        "there",
+        "kind",
+        "of",
+        "else",
+        "stand",
+        "lie",
+        "sit",
+        "all",
+        "can",
+        "i",
+        "see",
+        "do",
+        "we",
+        "have",
+    ):
         place += 1
     where, end = _rest(reader, place)
     if where is None:
@@ -223,7 +273,10 @@ def _what(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tuple
 def _how_large(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tuple[Ask, int] | None:
     if reader.text(at) == "how" and reader.text(at + 1) in ("large", "big", "spacious", "small"):
         place = at + 2
-    elif reader.text(at) == "what" and {reader.text(at + 1), reader.text(at + 2), reader.text(at + 3)} & {"area", "size"}:
+    elif reader.text(at) == "what" and {reader.text(at + 1), reader.text(at + 2), reader.text(at + 3)} & {
+        "area",
+        "size",
+    }:
         place = next(k for k in range(at, at + 4) if reader.text(k) in ("area", "size")) + 1
         place += reader.text(place) in ("of",)
     else:
@@ -247,7 +300,7 @@ def _yes_or_no(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> 
         return None
     if first in ("can", "could"):
         return _reach(reader, at)
-    if first in ("is", "are") and reader.text(at + 1) == "there" or first in ("there", "any"):
+    if (first in ("is", "are") and reader.text(at + 1) == "there") or first in ("there", "any"):
         place = at + 1 + (first in ("is", "are"))
         place -= first == "any"
         while reader.text(place) in BE:
@@ -260,7 +313,18 @@ def _yes_or_no(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> 
     if item is None:
         raise NotUnderstood(at, reader.boundary(at))
     end = item.end
-    while reader.text(end) in BE or reader.text(end) in ("currently", "still", "already", "switched", "turned", "all", "now", "either", "completely", "really"):
+    while reader.text(end) in BE or reader.text(end) in (
+        "currently",
+        "still",
+        "already",
+        "switched",
+        "turned",
+        "all",
+        "now",
+        "either",
+        "completely",
+        "really",
+    ):
         end += 1
     if reader.text(end) in STATE_WORDS:
         name, value = STATE_WORDS[reader.text(end)]
@@ -270,7 +334,9 @@ def _yes_or_no(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> 
         where, end = _rest(reader, end)
         own = _place_of(item)
         place_ = own if where is None else where if own is None else merged(where, own)
-        return Ask(about="state", things=_plain(item), place=place_, state="open" if name == "open" else "on", value=value), end
+        return Ask(
+            about="state", things=_plain(item), place=place_, state="open" if name == "open" else "on", value=value
+        ), end
     where, end = _rest(reader, end)
     own = _place_of(item)
     if reader.text(end) == "reachable":
@@ -281,7 +347,7 @@ def _yes_or_no(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> 
     return Ask(about="exists", things=item.phrase.things(), place=place_), end
 
 
-def _exists(reader: ClauseReader, at: int, place: int) -> tuple[Ask, int]:
+def _exists(reader: ClauseReader, at: int, place: int) -> tuple[Ask, int] | None:
     if reader.text(place) in ("anything", "something"):
         where, end = _rest(reader, place + 1)
         if where is None:
@@ -338,7 +404,11 @@ def _reach(reader: ClauseReader, at: int) -> tuple[Ask, int] | None:
         place += 1
     if place >= len(reader.words):
         return None
-    if reader.text(at + 1) in ("you", "we") and reader.text(place) == "to" and reader.text(at + 2) not in ("get", "go", "walk", "drive"):
+    if (
+        reader.text(at + 1) in ("you", "we")
+        and reader.text(place) == "to"
+        and reader.text(at + 2) not in ("get", "go", "walk", "drive")
+    ):
         return None
     place += reader.text(place) in ("reach", "enter")
     try:

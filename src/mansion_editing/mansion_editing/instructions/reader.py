@@ -26,7 +26,7 @@ from mansion_editing.instructions.statements import (
     Things,
 )
 from mansion_editing.instructions.storeys import read_storeys
-from mansion_editing.instructions.words import COURTESIES, FUNCTION_WORDS, PERSONS, REASONS, Word, split_words
+from mansion_editing.instructions.words import COURTESIES, PERSONS, Word, split_words
 from mansion_editing.state import SceneState
 
 __all__ = ["read_instruction"]
@@ -132,12 +132,16 @@ class _Reader:
         """Read what only repeats an earlier instruction: ``and in the bedroom too``, ``one more``, ``the same upstairs``."""
         if self.statements:
             return False
-        if reader.text(at) in ("same", "likewise", "ditto") or (reader.text(at) == "the" and reader.text(at + 1) == "same"):
+        if reader.text(at) in ("same", "likewise", "ditto") or (
+            reader.text(at) == "the" and reader.text(at + 1) == "same"
+        ):
             at += 1 + (reader.text(at) == "the")
             at += reader.text(at) in ("thing", "again")
             if reader.text(at) == "for":
                 return self._repeats_for(reader, words, at + 1)
-        elif not (words[0].text in ("and", "also", "now", "then") or "too" in (words[-1].text, reader.text(len(words) - 2))):
+        elif not (
+            words[0].text in ("and", "also", "now", "then") or "too" in (words[-1].text, reader.text(len(words) - 2))
+        ):
             return self._one_more(reader, words, at)
         places, end = reader.places(at)
         if not places or reader.skip(end) < len(words):
@@ -281,7 +285,11 @@ class _Reader:
                 end += 1
             else:
                 break
-        if end >= len(words) or words[end].kind == "mark" or words[end].text in ("and", "but", "then", "while", "plus", "so", "&"):
+        if (
+            end >= len(words)
+            or words[end].kind == "mark"
+            or words[end].text in ("and", "but", "then", "while", "plus", "so", "&")
+        ):
             return end, exact
         if _background(words, end) > end or reader.starts_clause(end):
             return end, exact
@@ -420,10 +428,12 @@ def _background(words: Sequence[Word], at: int) -> int:
     """Return the end of a reason or a purpose that begins at a place: ``because ...``, ``so that ...``."""
     first = words[at].text
     following = words[at + 1].text if at + 1 < len(words) else ""
-    reason = first in ("because", "otherwise") or (first in ("since", "as") and following in ("i", "we", "the", "they", "it", "there", "my", "our", "he", "she"))
-    purpose = (first == "so" and following in ("that", "we", "i", "they", "people", "the", "it", "everyone", "guest", "nobody")) or (
-        first == "in" and following in ("case", "order")
+    reason = first in ("because", "otherwise") or (
+        first in ("since", "as") and following in ("i", "we", "the", "they", "it", "there", "my", "our", "he", "she")
     )
+    purpose = (
+        first == "so" and following in ("that", "we", "i", "they", "people", "the", "it", "everyone", "guest", "nobody")
+    ) or (first == "in" and following in ("case", "order"))
     if first in ("for", "before", "during", "after", "when") and at == 0:
         comma = next((k for k in range(at, min(len(words), at + 9)) if words[k].text in (",", ":")), None)
         return at if comma is None else comma
@@ -442,9 +452,40 @@ def _is_background(words: Sequence[Word]) -> bool:
         return False
     if words[0].raw in ("it's", "its", "they're", "that's") and len(words) <= 4:
         return True
-    people = PERSONS | frozenset(["my", "our", "one", "somebody", "her", "his", "their", "daughter", "son", "mother", "father", "boss"])
-    past = any(w.raw.endswith("ed") or w.raw in ("is", "are", "was", "were", "has", "have", "had", "will", "like", "likes", "stole", "came", "got", "said", "left", "arrive", "arrives", "visit") for w in words)
-    return texts[0] in people and past and "not" not in texts[:3] and not set(texts) & {"want", "need", "should", "must", "please"}
+    people = PERSONS | frozenset(
+        ["my", "our", "one", "somebody", "her", "his", "their", "daughter", "son", "mother", "father", "boss"]
+    )
+    past = any(
+        w.raw.endswith("ed")
+        or w.raw
+        in (
+            "is",
+            "are",
+            "was",
+            "were",
+            "has",
+            "have",
+            "had",
+            "will",
+            "like",
+            "likes",
+            "stole",
+            "came",
+            "got",
+            "said",
+            "left",
+            "arrive",
+            "arrives",
+            "visit",
+        )
+        for w in words
+    )
+    return (
+        texts[0] in people
+        and past
+        and "not" not in texts[:3]
+        and not set(texts) & {"want", "need", "should", "must", "please"}
+    )
 
 
 def _is_open(statement: Statement) -> bool:
@@ -477,7 +518,9 @@ def _refined(value: Any, noun: str, place: Place) -> Any:
         return changed
     if isinstance(value, Rooms):
         if value.words == noun and place.rooms is not None and not value.floors:
-            return msgspec.structs.replace(value, floors=place.rooms.floors, next_to=place.rooms.next_to or value.next_to)
+            return msgspec.structs.replace(
+                value, floors=place.rooms.floors, next_to=place.rooms.next_to or value.next_to
+            )
         return value
     if isinstance(value, Place):
         changed = _replaced(value, noun, place)
@@ -493,7 +536,9 @@ def _replaced(value: Any, noun: str, place: Place) -> Any:
     changes = {}
     for name in value.__struct_fields__:
         old = getattr(value, name)
-        new = tuple(_refined(part, noun, place) for part in old) if isinstance(old, tuple) else _refined(old, noun, place)
+        new = (
+            tuple(_refined(part, noun, place) for part in old) if isinstance(old, tuple) else _refined(old, noun, place)
+        )
         if new != old:
             changes[name] = new
     return msgspec.structs.replace(value, **changes) if changes else value

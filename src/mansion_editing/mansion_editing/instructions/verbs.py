@@ -9,9 +9,13 @@ from mansion_editing.instructions.words import DETERMINERS, PREPOSITIONS, PRONOU
 
 __all__ = ["verb_at"]
 
-_AFTER_A_VERB: Final = DETERMINERS | PRONOUNS | frozenset(
-    "me us him her more two three four five six seven eight nine ten twelve a everything everyone nothing up down "
-    "out away off on in over back rid sure there exactly".split()
+_AFTER_A_VERB: Final = (
+    DETERMINERS
+    | PRONOUNS
+    | frozenset(
+        "me us him her more two three four five six seven eight nine ten twelve a everything everyone nothing up down "
+        "out away off on in over back rid sure there exactly".split()
+    )
 )
 
 

@@ -161,9 +161,6 @@ def _on_ceiling(
 ) -> Places:
     area = room_polygon(room.net_polygon, room.net_holes)
     ceiling = CeilingSpace(area, wall_edges(room.net_polygon, room.net_holes), room.ceiling_height, others)
-    for item in others:
-        if item.mount == "ceiling":
-            ceiling.note(item)
     below = room.ceiling_height - asset.size[2]
     marks = [mark.position[:2] for mark in (wish.near,) if mark is not None]
     goal = marks[0] if marks else middle_of(room)[0]

@@ -66,14 +66,12 @@ class CeilingSpace:
         self.room, self.height, self.placed = room, height, placed
         longest = max(edges, key=lambda e: e.length)
         self.angle = math.degrees(math.atan2(longest.along[1], longest.along[0])) % 180.0
-        self.taken: list[tuple[str, tuple[float, float, float, float]]] = []
+        self.taken: list[tuple[str, tuple[float, float, float, float]]] = [
+            (o.id, footprint(o).bounds) for o in placed if o.mount == "ceiling"
+        ]
         self.tall = [
             (o.id, footprint(o), o.position[2] + o.size[2] / 2) for o in placed if o.position[2] + o.size[2] / 2 > 1.4
         ]
-
-    def note(self, obj: SceneObject) -> None:
-        """Note an object that hangs here already."""
-        self.taken.append((obj.id, footprint(obj).bounds))
 
     def reserve(self, size: Size3, center: Point, rotation: float) -> bool:
         """Reserve a position if it is free, and tell whether it was."""
