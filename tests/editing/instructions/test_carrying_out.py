@@ -235,3 +235,9 @@ def test_questions_are_answered_from_the_scene(editor: SceneEditor, question: As
     report = do(editor, question)
     assert report.done and report.question and answer in report.message
     assert not report.edits and not report.object_ids
+
+
+def test_a_thing_is_replaced_by_one_of_its_kind(editor: SceneEditor) -> None:
+    report = do(editor, Replace(things=the("sofa"), by=Things(noun="sofa", colour="green")))
+    (sofa,) = [item for _, item in editor.state.objects() if item.category == "sofa"]
+    assert report.done and sofa.material.endswith("green")
