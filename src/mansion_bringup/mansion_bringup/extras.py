@@ -29,12 +29,14 @@ EXTRAS: Final[dict[str, tuple[str, ...]]] = {
     "test": ("coverage", "hypothesis", "pytest", "xdist"),
     "thor": ("ai2thor",),
     "usd": ("pxr",),
+    "vectors": ("wordllama",),
 }
 """Modules by which the presence of each extra is recognised."""
 
 _CHECKOUT: Final = Path(__file__).resolve().parents[3]
 _PIP_OPTIONS: Final = (
     "--require-hashes",
+    "--no-deps",
     "--only-binary=:all:",
     "--no-input",
     "--disable-pip-version-check",

@@ -24,6 +24,7 @@ from mansion_msgs_py.editing import (
     PaintObjectArgs,
     PlaceInContainerArgs,
     PlaceOnSurfaceArgs,
+    PlacingWishes,
     RemoveObjectArgs,
     SearchAssetsArgs,
     SearchContentsArgs,
@@ -277,5 +278,8 @@ def _landed(message: str, done: Transaction) -> EditResult:
 
 
 def _without_editor(args: Any) -> dict[str, Any]:
+    """Return the arguments that are given, wishes for the place last."""
     plain: dict[str, Any] = msgspec.to_builtins(args)
-    return {name: value for name, value in plain.items() if name != "editor" and value not in ("", None)}
+    last = PlacingWishes.__struct_fields__
+    names = sorted(plain, key=lambda name: name in last)
+    return {name: plain[name] for name in names if name != "editor" and plain[name] not in ("", None)}

@@ -302,10 +302,11 @@ def _shadow_map(cast: Floats, opaque: npt.NDArray[np.int64]) -> tuple[Singles, F
     low, high = bounds(cast)
     extent = high - low
     cell = max(SHADOW_CELL, float(extent[:2].max()) / 1600.0)
-    cast[..., :2] = (cast[..., :2] - low[:2]) / cell + 2
+    placed = cast.copy()
+    placed[..., :2] = (cast[..., :2] - low[:2]) / cell + 2
     shape = (int(extent[1] / cell) + 5, int(extent[0] / cell) + 5)
     depth = np.full(shape, -np.inf, dtype=np.float32)
-    _rasterise(cast, opaque, depth, np.full(shape, -1, dtype=np.int32))
+    _rasterise(placed, opaque, depth, np.full(shape, -1, dtype=np.int32))
     return depth, low[:2] - 2 * cell, cell
 
 

@@ -6,7 +6,9 @@ import msgspec
 import pytest
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_assets.catalogue.search import search_assets, use_of, uses_by_category
+from mansion_assets.catalogue.descriptions import Hypernym, description_of, hypernyms
+from mansion_assets.catalogue.query_words import plain_words
+from mansion_assets.catalogue.search import search_assets
 from mansion_msgs_py.errors import MansionError
 
 
@@ -42,12 +44,47 @@ def test_misspelt_worded_plural_and_british_queries_are_answered_too() -> None:
     assert len(missed) <= 0.05 * len(WORDED), missed
 
 
-def test_uses_are_of_categories_and_find_them() -> None:
+def test_a_category_is_found_by_what_it_is_used_for() -> None:
     catalogue = load_catalogue()
-    used = [name for name in catalogue.categories if use_of(name)]
-    assert len(used) == len(uses_by_category()) > 200
-    found = [name for name in used if name in {h.asset.category for h in search_assets(catalogue, use_of(name), 5)}]
-    assert len(found) >= 0.9 * len(used)
+    uses = {name: description_of(name).use for name in catalogue.categories}
+    missed = [
+        name for name, use in uses.items() if name not in {h.asset.category for h in search_assets(catalogue, use, 5)}
+    ]
+    assert len(missed) <= 0.1 * len(uses), missed
+
+
+@pytest.mark.parametrize(
+    ("query", "category"),
+    [
+        ("indoor cycling", "exercise_bike"),
+        ("boxing practice target", "punching_bag"),
+        ("L-shaped lounge seating", "sofa"),
+        ("table for examining patients", "exam_table"),
+        ("a chair without wheels", "chair"),
+        ("somewhere to throw rubbish away", "garbage_can"),
+        ("bookshelfs", "bookshelf"),
+        ("micowave", "microwave"),
+    ],
+)
+def test_descriptions_find_what_they_mean_among_the_first_three(query: str, category: str) -> None:
+    assert category in {hit.asset.category for hit in search_assets(load_catalogue(), query, 3)}
+
+
+@pytest.mark.parametrize(
+    "query",
+    ["something to sit on", "exercise equipment", "kitchen appliances", "toys", "musical instrument", "storage"],
+)
+def test_a_wide_query_gives_different_categories_of_its_kind_first(query: str) -> None:
+    members = set(notion_of(query).categories)
+    found = [hit.asset.category for hit in search_assets(load_catalogue(), query, 3)]
+    assert len(set(found)) == 3
+    assert set(found) <= members
+
+
+def notion_of(query: str) -> Hypernym:
+    """Return the general notion that a query names."""
+    wanted = plain_words(query)
+    return next(notion for notion in hypernyms() if wanted in [plain_words(name) for name in notion.names])
 
 
 @pytest.mark.parametrize(

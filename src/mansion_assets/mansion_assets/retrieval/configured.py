@@ -8,6 +8,7 @@ from pathlib import Path
 from mansion_assets.retrieval.embedding import EmbeddingRetriever
 from mansion_assets.retrieval.encoders import EndpointEncoder, FolderEncoder, TextEncoder
 from mansion_assets.retrieval.retriever import Retriever, TextRetriever
+from mansion_assets.retrieval.static_vectors import PACKAGED, packaged_encoder
 from mansion_assets.retrieval.vectors import picture_vectors
 from mansion_llm.embeddings import EmbeddingsClient, load_embedding_settings
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -24,14 +25,15 @@ def configured_retriever(environment: Mapping[str, str] | None = None) -> Retrie
     Parameters
     ----------
     environment : mapping, optional
-        The process's own when absent. The model is one of the endpoint ``MANSION_EMBEDDINGS_BASE_URL``, else a folder.
+        The process's own when absent. The model is one of the endpoint ``MANSION_EMBEDDINGS_BASE_URL``, else a folder,
+        else ``wordllama`` of the extra ``vectors``.
         ``MANSION_ASSET_EMBEDDINGS`` names a file of picture vectors, ``MANSION_ASSET_EMBEDDINGS_MODEL`` the model that
         embeds the query for them, ``MANSION_EMBEDDINGS_CACHE`` the folder that keeps the catalogue's vectors.
 
     Raises
     ------
     MansionError
-        ``INVALID_PAYLOAD`` or ``NOT_FOUND`` naming the variable or file at fault.
+        ``INVALID_PAYLOAD`` or ``NOT_FOUND`` naming the variable or file at fault; ``UNAVAILABLE`` for a missing extra.
     """
     environment = os.environ if environment is None else environment
     load_embedding_settings(environment)
@@ -59,8 +61,10 @@ def _encoder(model: str, environment: Mapping[str, str], variable: str) -> TextE
     if folder.is_dir() and (settings is None or folder.is_absolute()):
         return FolderEncoder(folder.resolve())
     if settings is None:
+        if model == PACKAGED:
+            return packaged_encoder()
         raise MansionError(
             ErrorCode.INVALID_PAYLOAD,
-            f"{variable} names no folder; for a model of an endpoint set MANSION_EMBEDDINGS_BASE_URL",
+            f"{variable} names no folder, nor {PACKAGED}; for a model of an endpoint set MANSION_EMBEDDINGS_BASE_URL",
         )
     return EndpointEncoder(EmbeddingsClient(replace(settings, model=model)))

@@ -20,7 +20,7 @@ Vectors = npt.NDArray[np.float32]
 Scores = npt.NDArray[np.float64]
 
 
-WORDS: Final = 0.2
+WORDS: Final = 0.4
 """Amount that the best text match adds to a cosine; it finds misspelt and rare names that a model does not know."""
 
 

@@ -32,7 +32,7 @@ class Retriever(Protocol):
 
 
 class TextRetriever:
-    """`Retriever` by BM25 over names, synonyms and tags (`mansion_assets.catalogue.search`)."""
+    """`Retriever` by the words of names, synonyms and descriptions (`mansion_assets.catalogue.search`)."""
 
     def retrieve(self, catalogue: Catalogue, query: str, top_k: int, properties: Sequence[str]) -> Retrieval:
         """See `Retriever.retrieve`."""

@@ -11,12 +11,12 @@ import numpy as np
 import numpy.typing as npt
 
 from mansion_assets.catalogue import Asset, Catalogue
-from mansion_assets.catalogue.search import use_of
+from mansion_assets.catalogue.descriptions import description_of
 from mansion_assets.retrieval.encoders import TextEncoder, unit_rows
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 
-__all__ = ["CatalogueVectors", "asset_text", "names_of", "picture_vectors"]
+__all__ = ["CatalogueVectors", "asset_text", "phrases_of", "picture_vectors"]
 
 Vectors = npt.NDArray[np.float32]
 Scores = npt.NDArray[np.float64]
@@ -44,7 +44,7 @@ class _Texts:
     @staticmethod
     def of(catalogue: Catalogue, encoder: str) -> "_Texts":
         assets = list(catalogue.assets.values())
-        wholes, names = [asset_text(a) for a in assets], [names_of(a) for a in assets]
+        wholes, names = [asset_text(a) for a in assets], [phrases_of(a) for a in assets]
         unique = list(dict.fromkeys([*wholes, *(name for each in names for name in each)]))
         row = {text: number for number, text in enumerate(unique)}
         digest = hashlib.sha256("\n".join([encoder, *unique]).encode()).hexdigest()[:32]
@@ -61,14 +61,17 @@ def asset_text(asset: Asset) -> str:
     """Return the text that stands for an asset."""
     category = asset.category.replace("_", " ")
     names = dict.fromkeys([asset.name, category, *asset.synonyms, *asset.tags])
-    look = asset.material.replace("_", " ")
-    use = use_of(asset.category)
-    return ", ".join(names) + "".join(f"; {more}" for more in (use, look) if more)
+    material = asset.material.replace("_", " ")
+    known = description_of(asset.category)
+    return ", ".join(names) + "".join(f"; {more}" for more in (known.use, known.look, material) if more)
 
 
-def names_of(asset: Asset) -> list[str]:
-    """Return what an asset is called, each name once."""
-    return list(dict.fromkeys([asset.name, asset.category.replace("_", " "), *asset.synonyms]))
+def phrases_of(asset: Asset) -> list[str]:
+    """Return what an asset is called, what it is used for and what it looks like, each phrase once."""
+    known = description_of(asset.category)
+    said = [*known.use.split("; "), known.look]
+    names = [asset.name, asset.category.replace("_", " "), *asset.synonyms]
+    return list(dict.fromkeys(phrase for phrase in (*names, *said) if phrase))
 
 
 class CatalogueVectors:

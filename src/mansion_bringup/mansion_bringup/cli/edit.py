@@ -1,6 +1,7 @@
 """``mansion edit``: the scene editor's tools and its agent, on a building's folder."""
 
 import getpass
+import os
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -90,6 +91,7 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "S
     """
     from mansion_assets.catalogue import load_catalogue
     from mansion_assets.retrieval.configured import configured_retriever
+    from mansion_assets.retrieval.static_vectors import PACKAGED
     from mansion_bringup.edit_hooks import new_faults, records
     from mansion_editing.editor import SceneEditor
     from mansion_editing.physics.engine import engine_named
@@ -97,6 +99,8 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "S
 
     if physics in _EXTRAS:
         ensure_extra(_EXTRAS[physics])
+    if os.environ.get("MANSION_EMBEDDINGS_MODEL") == PACKAGED and not os.environ.get("MANSION_EMBEDDINGS_BASE_URL"):
+        ensure_extra("vectors")
     store = BuildingStore(building, validator=new_faults, records=records, clock=_now)
     return SceneEditor(
         store, load_catalogue(), engine_named(physics), who=who or getpass.getuser(), retriever=configured_retriever()

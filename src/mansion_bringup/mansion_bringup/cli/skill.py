@@ -61,8 +61,8 @@ def skill(
 def _in_process(building: Path, name: str, fields: dict[str, Any], *, reset: bool) -> Any:
     from mansion_skills import Robot
 
-    robot = Robot(building, fields.pop("session", ""), reset=reset)
-    return robot.skill(name, **fields)
+    session, arguments = _parted(fields)
+    return Robot(building, session, reset=reset).skill(name, **arguments)
 
 
 def _through_graph(namespace: str, service: ServiceInterface, fields: dict[str, Any]) -> Any:
@@ -71,13 +71,18 @@ def _through_graph(namespace: str, service: ServiceInterface, fields: dict[str, 
     with MansionClient(namespace="/" + namespace.strip("/")) as client:
         try:
             if service.type == TRIGGER:
-                session = fields.pop("session", "")
+                session, _ = _parted(fields)
                 return client.call(f"{session}/{service.name}" if session else service.name)
             return client.call(service.name, fields)
         except MansionError as error:
             if "skill" not in error.info.details:
                 raise
             return decode(SkillResult, encode(error.info.details))
+
+
+def _parted(fields: dict[str, Any]) -> tuple[str, dict[str, Any]]:
+    """Return the name of the session, empty where none is given, and the other fields."""
+    return fields.get("session", ""), {name: value for name, value in fields.items() if name != "session"}
 
 
 def _finish(result: Any) -> None:

@@ -234,9 +234,11 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> A
         ``INVALID_PAYLOAD`` for another planner, ``UNAVAILABLE`` for a model that is not configured, ``CONFLICT`` when
         edits wait to be saved.
     """
-    tool = history_tool(instruction) if planner == "rules" else ""
-    if tool:
-        return undo_or_redo(editor, tool)
+    if planner == "rules":
+        from mansion_editing.instructions.reader import read_instruction
+        from mansion_editing.instructions.run import carry_out
+
+        return carry_out(editor, read_instruction(instruction, editor.state), instruction)
     return run_agent(editor, _policy(editor, instruction, planner), instruction)
 
 

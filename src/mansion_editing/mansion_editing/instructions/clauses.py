@@ -186,9 +186,12 @@ class ClauseReader:
     def _place_after_comma(self, at: int, found: list[ReadPlace]) -> ReadPlace | None:
         """Read ``, ground floor`` and ``, in the kitchen`` where the place before lacks just that."""
         read = read_place(self.words, at + 1, self.lexicon, self.floors)
+        place, _ = _joined(found)
+        nearer = read is not None and read.place.anchor is not None and place.anchor is None and place.rooms is not None
+        if read is not None and nearer and (read.end >= len(self.words) or self.text(read.end) in (",", ".", "please")):
+            return read
         if read is None or read.place.rooms is None or read.place.anchor is not None:
             return None
-        place, _ = _joined(found)
         if place.rooms is not None and (place.rooms.floors or read.place.rooms.words):
             return None
         ends = read.end >= len(self.words) or self.text(read.end) in (",", ".", "and", ")", "please", ";")
@@ -234,11 +237,15 @@ class ClauseReader:
     def _named(self, item: Item, before: Sequence[Item]) -> Item:
         """Put the noun that came before for ``one``: two red mugs and a blue one."""
         last = next((i.phrase.noun for i in reversed(before) if i.phrase.noun.kind != "anything"), self.last_noun)
-        if item.phrase.noun.words != ("one",) or last is None:
+        if item.phrase.noun.words[-1:] != ("one",) or last is None:
             if item.phrase.noun.kind == "object":
                 self.last_noun = item.phrase.noun
             return item
-        noun = replace(item.phrase.noun, words=last.words, kind=last.kind)
+        told = item.phrase.noun.words[:-1]
+        words = (*told, last.words[-1]) if told else last.words
+        if told and not self.lexicon.is_object(words):
+            raise NotUnderstood(item.phrase.start, item.end)
+        noun = replace(item.phrase.noun, words=words, kind=last.kind)
         return Item(replace(item.phrase, noun=noun), item.places, item.end)
 
     def conjunction(self, at: int) -> int:
@@ -300,6 +307,9 @@ class ClauseReader:
     def skip(self, at: int) -> int:
         """Return the place after courtesies, adverbs and marks."""
         while at < len(self.words) and self.text(at) in _SKIPPED:
+            if self.text(at) in ("thank", "thanks"):
+                while self.text(at + 1) in ("you", "very", "so", "much", "a", "lot", "in", "advance", "for", "your", "help"):
+                    at += 1
             if self.text(at) == "there" and (self.text(at + 1) in BE or self.text(at + 1) in MODALS
                                              or self.text(at + 1) in ("need", "has", "have")):  # fmt: skip
                 break
@@ -359,7 +369,7 @@ class ClauseReader:
         return self._negated_verb(at, *verb)
 
     def _negated_verb(self, at: int, deed: Deed, place: int) -> tuple[list[Statement], int]:
-        if deed in ("leave", "keep", "let", "want") or (deed == "bring" and False):
+        if deed in ("leave", "keep", "let", "want"):
             return self._not_left(at, place)
         if deed == "switch":
             place += self.text(place) in ("on", "off")
@@ -382,10 +392,14 @@ class ClauseReader:
 
     def _not_left(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``do not leave the lamp on`` and ``do not keep any knives in the kitchen``."""
-        item = self.item(place)
+        most = self.text(place) == "more" and self.text(place + 1) == "than"
+        item = self.item(place + 2 * most)
         if item is None:
             raise NotUnderstood(at, self.boundary(at))
         end = item.end
+        if most and item.phrase.amount.number:
+            things = msgspec.structs.replace(item.phrase.things(), amount=Amount(kind="at_most", number=item.phrase.amount.number))
+            return [Ensure(things=things, place=self._framed(item.goal())[0], quote=self.quote(at, end))], end
         while self.text(end) in ("switched", "turned", "be"):
             end += 1
         if self.text(end) in STATE_WORDS:
@@ -411,6 +425,7 @@ class ClauseReader:
             return None
         between = {w.text for w in self.words[at:place]}
         negated = "not" in between or "no" in between
+        told = between <= {"there", "is", "are", "no", "not", "currently", "still"} and (negated or self.text(place) == "no")
         items = self.items(place)
         if self._is_way(items[0].phrase):
             return self._way(at, items[0].phrase.end)
@@ -420,6 +435,10 @@ class ClauseReader:
         following = self._state_after(items[-1], end, at)
         if following is not None:
             return following
+        if told or (items[0].phrase.amount.kind == "none" and between <= {"there", "is", "are"}):
+            goal, _ = self._shared_goal(items, items[0])
+            self.frame = Place(rooms=goal.rooms) if goal.rooms is not None else self.frame
+            return [Mention(quote=self.quote(at, end))], end
         out: list[Statement] = []
         for item in items:
             out += self._there(item, self._shared_goal(items, item), self.quote(at, end), negated=negated)
@@ -468,8 +487,15 @@ class ClauseReader:
             place += 1
             while self.text(place) in MODALS or self.text(place) in ("really", "also", "just", "do", "still", "ve", "d", "ll"):
                 place += 1
+            if self.text(place) in ("think", "believe", "guess", "feel", "suggest", "propose", "ask", "hope"):
+                return self.read(place + 1 + (self.text(place + 1) in ("that", "you")) + (self.text(place + 2) == "to"))
             if self.text(place) == "not" and self.text(place + 1) in ("want", "like", "wish"):
                 return self._unwanted(at, place + 2)
+            longer = {"anymore", "longer"} & {w.text for w in self.words} or "any more" in self.quote(at, len(self.words))
+            if self.text(place) == "not" and self.text(place + 1) == "need" and longer:
+                return self._unwanted(at, place + 2)
+            if self.text(place) == "not":
+                raise NotUnderstood(at, self.boundary(at))
             if self.text(place) == "rather" and self.text(place + 1) == "not":
                 return self._unwanted(at, place + 2)
             if self.text(place) in ("was", "am", "were", "are") and self.text(place + 1) in ("hoping", "looking"):
@@ -490,6 +516,14 @@ class ClauseReader:
             if self.text(place) in ("have", "get") and who in ("can", "could", "may", "might"):
                 return self._wanted(at, place + 1)
             return self.read(place)
+        if who in MODALS and self.text(place + 1) not in ("not", "it"):
+            asked = self.item(place + 1)
+            if asked is not None and self.text(asked.end) in ("be", "go", "get", "have", "stand", "move", "come", "face"):
+                found = self._predicate(asked, asked.end, at)
+                if found is not None:
+                    return found
+        if self.words[at].raw == "let's":
+            return self.read(place + 1)
         if who in ("let",) and self.text(place + 1) in ("us", "me", "there"):
             return self.read(place + 1 + (self.text(place + 1) != "there"))
         return None
@@ -504,7 +538,10 @@ class ClauseReader:
         """Read ``the officer on duty wants a phone on the desk``: what persons want, who are no part of the scene."""
         for place in range(at + 1, min(at + 8, len(self.words))):
             word = self.words[place]
-            having = {"have", "has", "need"} & {w.text for w in self.words[at:place]}
+            before = self.words[at:place]
+            if any(self.lexicon.is_own_room((w.text,)) or self.lexicon.is_object((w.text,)) for w in before):
+                return None
+            having = {"have", "has", "need"} & {w.text for w in before}
             if self.lexicon.is_way(word.text) and having:
                 return self._way(at, place + 1)
             if having:
@@ -552,6 +589,8 @@ class ClauseReader:
         item = self.item(place)
         if item is None:
             raise NotUnderstood(place, self.boundary(place))
+        if self._is_way(item.phrase):
+            return self._way(at, item.phrase.end)
         if self.text(item.end) in ("to", "be") or self.predicate_follows(item.end):
             found = self._predicate(item, item.end, at)
             if found is not None:
@@ -790,7 +829,9 @@ class ClauseReader:
         while self.text(end) in ("away", "out", "off", "completely", "altogether", "entirely", "too"):
             end += 1
         more, end = self.places(end)
-        end, besides = self._exceptions(end)
+        end, besides = self.exceptions(end)
+        late, end = self.places(end + 1) if besides and self.text(end) == "," else ((), end)
+        more = (*more, *late)
         out: list[Statement] = []
         quote = self.quote(at, end)
         for item in items:
@@ -805,6 +846,10 @@ class ClauseReader:
         own = item.places or next((other.places for other in items[items.index(item) :] if other.places), ())
         place, _ = self._framed(_joined([*own, *more]))
         things = item.phrase.things()
+        number = next((b.amount.number for b in besides if b.refers == "last" and b.amount.number), 0)
+        if number and things.amount.kind == "all":
+            things = msgspec.structs.replace(things, amount=Amount(kind="all_but", number=number))
+            besides = ()
         told = next((b.place for b in besides if b.place is not None), None)
         if place == Place() and told is not None:
             place = told
@@ -815,11 +860,11 @@ class ClauseReader:
         things = msgspec.structs.replace(things, beside=besides)
         return Remove(things=with_place(things, place) if place != Place() else things, quote=quote)
 
-    def _exceptions(self, at: int) -> tuple[int, tuple[Things, ...]]:
+    def exceptions(self, at: int) -> tuple[int, tuple[Things, ...]]:
         """Read ``except the vase and the lamp``."""
         place = at + (self.text(at) == ",")
         for phrase in (("except", "for"), ("apart", "from"), ("other", "than"), ("aside", "from"), ("except",),
-                       ("but", "not"), ("besides",), ("but",), ("save", "for"), ("excluding",), ("without",)):  # fmt: skip
+                       ("but", "not"), ("and", "not"), ("not",), ("besides",), ("but",), ("save", "for"), ("excluding",), ("without",)):  # fmt: skip
             span = tuple(w.text for w in self.words[place : place + len(phrase)])
             if span != phrase:
                 continue
@@ -850,7 +895,7 @@ class ClauseReader:
             return self._cleared_of(at, item)
         while self.text(end) in ("up", "out", "off", "completely", "totally", "entirely"):
             end += 1
-        end, spare = self._exceptions(end)
+        end, spare = self.exceptions(end)
         quote = self.quote(at, end)
         return [Clear(place=self._emptied(each), spare=spare, quote=quote) for each in items], end
 
@@ -905,6 +950,8 @@ class ClauseReader:
         for item in items:
             own = item.places or items[-1].places
             source, goal, each = self._source_and_goal(own)
+            if goal == Place():
+                raise NotUnderstood(at, end)
             things = item.phrase.things()
             if source != Place():
                 things = with_place(things, source)
@@ -965,6 +1012,7 @@ class ClauseReader:
         """Read ``X with Y``: an exchange of places where both are there, else something new for something old."""
         before = ClauseReader(self.words[:joint], self.lexicon, self.floors, self.quote)
         old = before.items(place)
+        self.last_noun = old[-1].phrase.noun
         new = self.items(joint + 1)
         end = new[-1].end
         quote = self.quote(at, end)
@@ -1002,7 +1050,7 @@ class ClauseReader:
         if self.text(place) in ("on", "off"):
             value = self.text(place) == "on"
             items = self.items(place + 1)
-            end, besides = self._exceptions(items[-1].end)
+            end, besides = self.exceptions(items[-1].end)
             quote = self.quote(at, end)
             return [self._state_of(items, i, "on", besides, quote, value=value) for i in items], end
         items = self.items(place)
@@ -1011,7 +1059,7 @@ class ClauseReader:
             end += self.text(end) == "back"
             value = self.text(end) == "on"
             places, stop = self.places(end + 1)
-            stop, besides = self._exceptions(stop)
+            stop, besides = self.exceptions(stop)
             quote = self.quote(at, stop)
             out: list[Statement] = []
             for item in items:
@@ -1048,7 +1096,7 @@ class ClauseReader:
 
     def _set_state(self, at: int, place: int, state: str, *, value: bool) -> tuple[list[Statement], int]:
         items = self.items(place)
-        end, besides = self._exceptions(items[-1].end)
+        end, besides = self.exceptions(items[-1].end)
         quote = self.quote(at, end)
         return [self._state_of(items, item, state, besides, quote, value=value) for item in items], end
 
@@ -1133,10 +1181,11 @@ class ClauseReader:
         return out
 
     def _rename(self, at: int, place: int) -> tuple[list[Statement], int]:
+        place += self.text(place) == '"'
         item = self.item(place)
         if item is None or item.phrase.noun.kind not in ("room", "both", "object"):
             raise NotUnderstood(at, self.boundary(at))
-        end = item.phrase.end
+        end = item.phrase.end + (self.text(item.phrase.end) == '"')
         rooms = item.phrase.rooms()
         places: list[ReadPlace] = []
         for read in item.places:
@@ -1289,8 +1338,9 @@ class ClauseReader:
         item = self.item(place)
         if item is None:
             raise NotUnderstood(at, self.boundary(at))
-        cut = next((p for p in item.places if self.words[p.start].text in ("to", "by")), None)
+        cut = next((p for p in item.places if self.words[p.start].text in ("to", "by", "down", "up")), None)
         end = cut.start if cut is not None else item.end
+        end += self.text(end) in ("down", "up")
         kept = Item(item.phrase, tuple(p for p in item.places if p.end <= end), end)
         area = self._amount_of_area(end)
         room = item.phrase.noun.kind in ("room", "both") and self.text(start + 1) not in ("number", "amount", "count")
@@ -1630,6 +1680,10 @@ class ClauseReader:
         found = self._predicate(item, item.end, at) if self.text(item.end) in STATE_WORDS or self.predicate_follows(item.end) else None
         if found is not None:
             return found
+        if (item.phrase.definite or item.phrase.refers) and self.text(item.end) not in ("as", "where", "alone", "untouched"):
+            items = self.items(place)
+            quote = self.quote(at, items[-1].end)
+            return [Keep(things=self._all(i.things()), quote=quote) for i in items if not i.is_room], items[-1].end
         if item.phrase.definite or item.phrase.refers:
             return self._leave(at, place)
         if not item.phrase.definite:
@@ -1698,7 +1752,7 @@ class ClauseReader:
         """Read ``the lamp should be on``, ``the lobby needs two chairs``, ``nothing should be on the table``."""
         if self.text(at) == "nothing":
             return self._nothing(at)
-        number = self._number_should_be(at)
+        number = self._number_should_be(at) or self._only_thing(at)
         if number is not None:
             return number
         surface = self._surface(at)
@@ -1714,7 +1768,8 @@ class ClauseReader:
     def _of_subjects(self, at: int) -> tuple[list[Statement], int] | None:
         """Read one subject or several, and what is said of them."""
         subjects: list[Item] = []
-        place = at + (self.text(at) in ("neither", "both", "either") and self.phrase(at + 1) is not None)
+        joined = self.text(at) in ("neither", "both", "either") and self.phrase(at + 1) is not None
+        place = at + joined
         while True:
             item = self.item(place)
             if item is None:
@@ -1725,7 +1780,7 @@ class ClauseReader:
                 break
             place = after
         shared = all(s.phrase.definite or s.phrase.noun.plural or s.is_room for s in subjects)
-        if len(subjects) > 1 and not (self.predicate_follows(subjects[-1].end) and (shared or place != at)):
+        if len(subjects) > 1 and not (self.predicate_follows(subjects[-1].end) and (shared or joined)):
             return None
         out: list[Statement] = []
         end = at
@@ -1739,6 +1794,21 @@ class ClauseReader:
             out += found[0]
             end = found[1]
         return out, end
+
+    def _only_thing(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the only thing on the table should be a vase``."""
+        if self.text(at) != "the" or self.text(at + 1) != "only" or self.text(at + 2) not in ("thing", "object", "item"):
+            return None
+        places, end = self.places(at + 3)
+        while self.text(end) in MODALS or self.text(end) in BE:
+            end += 1
+        if not places or end == places[-1].end:
+            return None
+        kept = self.items(end)
+        place, quote = _joined(places)[0], self.quote(at, kept[-1].end)
+        out: list[Statement] = [Ensure(things=item.phrase.things(), place=place, quote=quote) for item in kept]
+        spare = tuple(self._all(item.phrase.things()) for item in kept)
+        return [*out, Clear(place=place, spare=spare, quote=quote)], kept[-1].end
 
     def _number_should_be(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the number of apples on the desk should be 2``."""
@@ -1775,14 +1845,14 @@ class ClauseReader:
                 there: list[Statement] = [Ensure(things=item.phrase.things(), place=goal, quote=quote) for item in items]
                 return [*there, Clear(place=goal, spare=kept, quote=quote)], end
         spare: tuple[Things, ...] = ()
-        place, spare = self._exceptions(place + (self.text(place) == "else"))
+        place, spare = self.exceptions(place + (self.text(place) == "else"))
         while self.text(place) in MODALS or self.text(place) in BE or self.text(place) in ("else", "left", "remain", "lie", "stand"):
             place += 1
         places, end = self.places(place)
         if not places:
             return None
         if not spare:
-            end, spare = self._exceptions(end)
+            end, spare = self.exceptions(end)
         return [Clear(place=self._framed(_joined(places))[0], spare=spare, quote=self.quote(at, end))], end
 
     def _state_after(self, item: Item, end: int, at: int) -> tuple[list[Statement], int] | None:
@@ -1791,6 +1861,12 @@ class ClauseReader:
             if self.text(place) == "," and self.text(place + 1) not in ("switched", "turned", "on", "off", "open", "closed"):
                 return None
             place += 1
+        dark = self.text(place) == "out" and item.phrase.noun.words[-1:] == ("light",)
+        if dark:
+            quote = self.quote(at, place + 1)
+            where, stop = self.places(place + 1)
+            whole = Item(item.phrase, (*item.places, *where), stop)
+            return [self._state_of([whole], whole, "on", (), quote, value=False)], stop
         if self.text(place) not in STATE_WORDS:
             return None
         if self.text(place) in ("on", "off") and self.phrase(place + 1) is not None:
@@ -1847,7 +1923,7 @@ class ClauseReader:
                 gone = self.items(after + 1)
                 return self._gone_from(item, gone, self.quote(at, gone[-1].end)), gone[-1].end
             after += self.text(after) in ("up", "out", "off")
-            after, spare = self._exceptions(after)
+            after, spare = self.exceptions(after)
             return [Clear(place=self._emptied(item), spare=spare, quote=self.quote(at, after))], after
         if negated:
             return None
@@ -1897,7 +1973,9 @@ class ClauseReader:
             places, end = self.places(place + 3)
             gone = Item(item.phrase, (*item.places, *places), end).things()
             return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
-        if word not in HAVE and word not in ("with", "carry", "bear", "store") and word not in ("need", "require", "lack", "get", "want", "deserve", "miss", "missing", "keep"):
+        if word not in HAVE and word not in ("carry", "bear", "store") and not (
+            word == "with" and self.text(place - 1) == "do"
+        ) and word not in ("need", "require", "lack", "get", "want", "deserve", "miss", "missing", "keep"):
             return None
         if self.text(place + 1) == "to":
             return None
@@ -1982,12 +2060,20 @@ class ClauseReader:
             if goal is not None and not goal.is_room:
                 quote = self.quote(at, goal.end)
                 return [Turn(things=self._all_if_plural(item.things()), facing=goal.things(), quote=quote)], goal.end
-        indicative = self.text(item.end) in ("is", "are", "look", "seem")
-        too = next((k for k in range(item.end, item.end + 4) if self.text(k) == "too"), 0)
-        if indicative and too and too + 1 < len(self.words):
-            self.topic = None if item.is_room else item.things()
-            return [Mention(quote=self.quote(at, too + 2))], too + 2
-        return None
+        if self.text(item.end) not in ("is", "are", "look", "seem", "feel") or any(w.text in MODALS for w in self.words[item.end : place]):
+            return None
+        stop = item.end + 1
+        while stop < len(self.words) and self.words[stop].kind == "word" and self.text(stop) not in ("and", "but", "so") and stop < item.end + 6:
+            stop += 1
+        told = self.words[item.end + 1 : stop]
+        named = any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in told)
+        if not told or named or negated or (stop < len(self.words) and self.words[stop].kind == "number"):
+            return None
+        if item.is_room:
+            self.frame = Place(rooms=item.rooms())
+        else:
+            self.topic = item.things()
+        return [Mention(quote=self.quote(at, stop))], stop
 
     def _said_colour(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         if negated or place == item.end:

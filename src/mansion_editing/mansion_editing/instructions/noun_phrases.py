@@ -56,7 +56,7 @@ _ENDS_RUN: Final = (
                  "instead", "again", "somewhere", "anywhere", "here", "now", "also", "as", "if", "so", "that",
                  "facing", "exactly", "which", "upstairs", "downstairs", "each", "both", "all", "every", "ajar",
                  "deleted", "reachable", "accessible", "where", "belong", "sit", "lie", "apart", "rather", "wherever", "whose",
-                 "whatever", "short", "anew", "afresh", "want", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
+                 "whatever", "short", "away", "does", "did", "look", "seem", "each", "anew", "afresh", "want", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
 )  # fmt: skip
 _MAY_BE_NOUN: Final = frozenset(["light", "open", "left", "right", "front", "stand", "set", "middle", "dark", "present"])
 
@@ -209,6 +209,8 @@ def read_amount(words: Sequence[Word], at: int) -> Amounted:
         return Amount(kind="more", number=number or 1), False, False, at + 1 + (number is not None)
     if first in ("a", "an"):
         return _indefinite(words, at)
+    if first in ("more", "additional", "extra", "further") and _text(words, at + 1) not in ("than", ""):
+        return Amount(kind="more", number=2), False, False, at + 1
     if number is not None and not (words[at].text in ("double", "twin", "triple", "single")):
         return _counted(words, at, number, definite=False)
     if first in DETERMINERS:
@@ -285,9 +287,9 @@ def _counted(words: Sequence[Word], at: int, number: int, *, definite: bool) -> 
 def _definite(words: Sequence[Word], at: int) -> Amounted:
     first = words[at].text
     place = at + 1
-    if first in ("some", "such"):
-        place += _text(words, place) == "more"
-        return Amount(number=0), False, False, place
+    if first in ("some", "such", "enough"):
+        more = _text(words, place) == "more"
+        return Amount(kind="more", number=2) if more else Amount(number=0), False, False, place + more
     definite = True
     number = _number(words, place)
     if number is not None and words[place].text not in ("double", "twin", "triple", "single", "couple", "pair"):
@@ -310,6 +312,9 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     if at < len(words) and words[at].kind == "id":
         noun = Noun((words[at].raw,), "object")
         return NounPhrase(noun, Amount(number=1), True, start, at + 1)
+    whatever = _whatever(words, at)
+    if whatever is not None:
+        return whatever
     amount, definite, each, place = read_amount(words, at)
     if _text(words, place) in ("it", "them", "they", "those", "these") and place <= at + 2:
         noun = Noun((), "anything", plural=words[place].text != "it")
@@ -340,6 +345,25 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         amount = Amount(number=1)
     noun = replace(noun, floors=storeys)
     return NounPhrase(noun, amount, definite, start, end, each=each)
+
+
+def _whatever(words: Sequence[Word], at: int) -> NounPhrase | None:
+    """Read ``whatever stands open``, ``everything that is on``."""
+    place = at + 1
+    if _text(words, at) not in ("whatever", "everything", "anything", "all"):
+        return None
+    place += _text(words, place) in ("that", "which")
+    if _text(words, place) not in ("is", "are", "stand", "remain", "stay"):
+        return None
+    place += 1
+    place += _text(words, place) in ("still", "switched", "turned", "left", "currently")
+    if _text(words, place) not in STATE_WORDS:
+        return None
+    name, value = STATE_WORDS[_text(words, place)]
+    if name == "on" and place + 1 < len(words) and words[place + 1].text in ("the", "a", "my"):
+        return None
+    noun = Noun((), "anything", plural=True, states={name: value})
+    return NounPhrase(noun, Amount(kind="all", number=0), True, at, place + 1)
 
 
 def _bare_amount(words: Sequence[Word], start: int, place: int, amount: Amount) -> NounPhrase | None:
@@ -405,10 +429,15 @@ def _end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if word.kind == "number" and end > at and not _names_number(words, end, lexicon, at):
             if word.text not in ("double", "twin", "triple", "single"):
                 break
+        if text == "can" and end > at and lexicon.is_object((words[end - 1].text, "can")):
+            end += 1
+            continue
         if text in _ENDS_RUN and not (end > at and word.genitive):
             if not (text in _MAY_BE_NOUN and _starts_noun(words, end, at, lexicon)):
                 break
         if text in DETERMINERS and end >= at and text != "own":
+            break
+        if text == "other" and _text(words, end + 1) == "than":
             break
         if end > at and (text,) in BY_WORDS and end + 1 < len(words) and words[end + 1].text in _ARTICLES_AFTER_VERBS:
             break
@@ -466,7 +495,7 @@ def _noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> tupl
         number, run = run[-1].raw, run[:-1]
     elif len(run) > 1 and len(run[-1].raw) == 1 and run[-1].capital:
         number, run = run[-1].raw, run[:-1]
-    if end < len(words) and words[end].text == "of" and end + 1 < len(words):
+    if end < len(words) and words[end].text in ("of", "with") and end + 1 < len(words):
         whole = _of_phrase(words, run, end, lexicon)
         if whole is not None:
             return whole
@@ -496,6 +525,8 @@ def _of_phrase(
         if len(order) > 1 and lexicon.is_object(order) and head.text not in _COLLECTIONS:
             modified = _split(run[:-1], lexicon, "", noun=order, plural=head.plural)
             return modified, stop
+    if words[of].text == "with":
+        return None
     if head.text in _COLLECTIONS and lexicon.is_object(inner):
         return _split([*run[:-1], *tail], lexicon, ""), stop
     if lexicon.is_object((head.text,)):
@@ -570,6 +601,8 @@ def _modified(
             continue
         else:
             rest.append(word)
+    if noun == ("one",):
+        return Noun((*(w.text for w in rest), "one"), kind, plural, number, "", colour, material, ordinal, size, states)
     owned, unknown = _owner(rest, lexicon)
     if kind == "room" and owned and not lexicon.is_own_room((*owned.split(), *noun)) and lexicon.is_own_room(noun):
         owned = ""

@@ -318,6 +318,9 @@ def _at_noun(
 ) -> ReadPlace:
     """Return the place that a preposition and a noun make: in a room, or in a relation to a thing."""
     noun = target.noun
+    if noun.words in (("ceiling",), ("wall",)) and noun.owned:
+        spot: Spot = "wall" if noun.words == ("wall",) else ""
+        return ReadPlace(Place(rooms=Rooms(words=noun.owned), spot=spot), start, target.end, goal, source)
     inward = relation in ("in", "") or phrase[0] in ("at", "throughout", "across")
     room = noun.kind == "room" or (noun.kind == "both" and inward and lexicon.is_own_room(noun.words))
     if noun.kind == "both" and relation in ("on", "under", "beside", "near", "behind", "front") and phrase[0] != "at":

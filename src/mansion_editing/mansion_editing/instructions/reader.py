@@ -61,6 +61,7 @@ class _Reader:
         self.statements: list[Statement] = []
         self.unknown: list[str] = []
         self.topic: Things | None = None
+        self.spared: tuple[Things, ...] = ()
 
     def read(self) -> Instruction:
         """Read all sentences in order."""
@@ -104,6 +105,7 @@ class _Reader:
             return
         if self._reads_question(reader, words, at, marked=marked):
             return
+        at = self._read_exception(reader, at)
         at = self._read_frame(reader, at)
         if self._repeats(reader, words, at):
             return
@@ -117,6 +119,14 @@ class _Reader:
                 at = end
                 continue
             at = self._read_clause(reader, words, at)
+
+    def _read_exception(self, reader: ClauseReader, at: int) -> int:
+        """Read ``Apart from the vase, ...``, an exception to what comes next."""
+        end, things = reader.exceptions(at)
+        if not things or reader.text(end) != ",":
+            return at
+        self.spared = things
+        return end + 1
 
     def _repeats(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
         """Read what only repeats an earlier instruction: ``and in the bedroom too``, ``one more``, ``the same upstairs``."""
@@ -167,6 +177,9 @@ class _Reader:
             found, end = reader.read(at)
         except NotUnderstood as fault:
             stop = max(fault.end, at + 1)
+            more = self._more_of_the_same(reader, words, at)
+            if more is not None:
+                return more
             if _is_background(words[at:stop]) or self._is_label(words, at, stop):
                 self.statements.append(Mention(quote=self._quote(words, at, stop)))
             else:
@@ -180,6 +193,21 @@ class _Reader:
         end, exact = self._read_tail(reader, words, end)
         self._take([_exactly(statement) for statement in found] if exact else found)
         return end
+
+    def _more_of_the_same(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
+        """Read things without a verb after a statement, which go where the things before them went: ``and a pen too``."""
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, Add | Ensure) or at == 0 or words[at - 1].text not in ("and", "also", ",", "plus"):
+            return None
+        item = reader.item(at)
+        if item is None or item.is_room or item.phrase.definite or item.places:
+            return None
+        after = reader.skip(item.end)
+        if after < len(words) and not reader.starts_clause(after) and words[item.end].text not in ("and", ","):
+            return None
+        quote = self._quote(words, at, item.end)
+        self.statements.append(msgspec.structs.replace(last, things=item.phrase.things(), quote=quote))
+        return item.end
 
     def _about_topic(self, statement: Statement) -> Statement:
         """Put what the clause before was about for ``it``."""
@@ -210,6 +238,9 @@ class _Reader:
         """Add statements; what stays is an exception of what is cleared or removed just before."""
         for statement in found:
             last = self.statements[-1] if self.statements else None
+            if self.spared and isinstance(statement, Clear):
+                statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
+                self.spared = ()
             if isinstance(statement, Keep) and isinstance(last, Clear) and not statement.things.place:
                 self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, statement.things))
                 continue
@@ -237,9 +268,11 @@ class _Reader:
                 continue
             text = words[end].text
             pair = (text, words[end + 1].text if end + 1 < len(words) else "")
-            if pair in (("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"), ("at", "all"),
+            if tuple(w.text for w in words[end : end + 3]) == ("from", "now", "on"):
+                end += 3
+            elif pair in (("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"), ("at", "all"),
                         ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
-                        ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so")):  # fmt: skip
+                        ("from", "now"), ("now", "on"), ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so")):  # fmt: skip
                 end += 2
             elif text in COURTESIES or text in ("too", "also", "again", "instead", "anymore", "altogether", "now", "there", "here",
                                                "already", "completely", "together", "each", "only", ")", "first", "back",
@@ -407,6 +440,8 @@ def _is_background(words: Sequence[Word]) -> bool:
     texts = [w.text for w in words]
     if not texts:
         return False
+    if words[0].raw in ("it's", "its", "they're", "that's") and len(words) <= 4:
+        return True
     people = PERSONS | frozenset(["my", "our", "one", "somebody", "her", "his", "their", "daughter", "son", "mother", "father", "boss"])
     past = any(w.raw.endswith("ed") or w.raw in ("is", "are", "was", "were", "has", "have", "had", "will", "like", "likes", "stole", "came", "got", "said", "left", "arrive", "arrives", "visit") for w in words)
     return texts[0] in people and past and "not" not in texts[:3] and not set(texts) & {"want", "need", "should", "must", "please"}

@@ -65,7 +65,7 @@ class Word:
 
 ARTICLES: Final = frozenset(["a", "an", "the"])
 DETERMINERS: Final = ARTICLES | frozenset(
-    "this that these those my our your his her their its any some such each every all both another no".split()
+    "this that these those my our your his her their its any some such each every all both another no enough".split()
 )
 PRONOUNS: Final = frozenset(["it", "them", "they", "this", "that", "these", "those"])
 PERSONS: Final = frozenset(

@@ -29,8 +29,8 @@ STEP = 0.1
 WALL_GAP = 0.01
 BELOW_STEP = 0.05
 BELOW_GAP = 0.01
-MOST_REFUSED = 8
-APART = 0.2
+MOST_REFUSED = 20
+APART = 0.25
 """Distance between places that are judged, metres."""
 
 OBLIQUE = 0.5
@@ -105,7 +105,7 @@ def stand_as_wished(
         if judge.accepts(placed):
             return placed
     if judge.refused:
-        reasons["the way of a robot, which it would close,"] = max(reasons.values(), default=0) + 1
+        reasons["the way that a robot needs"] = max(reasons.values(), default=0) + 1
     raise hindered(thing, wish, room, reasons)
 
 
@@ -239,15 +239,28 @@ def _poses_between(thing: SceneObject, near: SceneObject, wish: PlacingWish) -> 
 def _poses_in_room(scene: FloorScene, room: SceneRoom, thing: SceneObject, wish: PlacingWish) -> Iterator[_Candidate]:
     """Yield poses all over a room, those at walls and close to what the wish names first; turned in quarters."""
     towards = _attraction(scene, room, wish)
-    beside = 3.0 if wish.near is not None and (wish.side or wish.within is not None) else 0.0
+    sided = wish.near is not None and bool(wish.side or wish.within is not None)
+    reach = _reach(thing, wish) if sided else math.inf
     for number, (x, y, rotation) in enumerate([*_corner_poses(room, thing, wish), *floor_poses(room, thing)]):
-        base = beside + towards(x, y) + 1e-5 * number
+        if wish.near is not None and math.dist((x, y), wish.near.position[:2]) > reach:
+            continue
+        base = (3.0 if sided else 0.0) + towards(x, y) + 1e-5 * number
         for quarter in QUARTERS:
             yield _Candidate(round(base + 0.3 * (quarter != 0.0), 6), (x, y, rotation + quarter))
         if wish.facing is not None:
             tx, ty = wish.facing.position[0] - x, wish.facing.position[1] - y
             aim = math.degrees(math.atan2(-tx, ty))
             yield _Candidate(round(base + OBLIQUE, 6), (x, y, aim))
+
+
+def _reach(thing: SceneObject, wish: PlacingWish) -> float:
+    """Return the greatest distance between the middles of a thing and of its landmark, metres."""
+    near, other = wish.near, wish.other
+    if near is None:
+        return math.inf
+    if other is not None:
+        return math.dist(near.position[:2], other.position[:2])
+    return greatest_gap(thing, wish) + (math.hypot(*thing.size[:2]) + math.hypot(*near.size[:2])) / 2
 
 
 def _attraction(scene: FloorScene, room: SceneRoom, wish: PlacingWish) -> Callable[[float, float], float]:

@@ -80,7 +80,7 @@ def hang(
             return placed
         else:
             refused.append(placed)
-            reasons["what must stay free for doors and a robot"] += 100
+            reasons["the way that a robot needs"] += 100
             if len(refused) == MOST_REFUSED:
                 break
     raise hindered(thing, wish, room, reasons)
@@ -98,9 +98,6 @@ def _on_walls(
     others: Sequence[SceneObject],
     wish: PlacingWish,
 ) -> Places:
-    height = _height(thing, asset, room, wish)
-    if height is None:
-        return
     w, d, _ = thing.size
     found: list[tuple[float, SceneObject, list[str]]] = []
     for edge in wall_edges(room.net_polygon, room.net_holes):
@@ -112,12 +109,16 @@ def _on_walls(
             if item.size[2] > LOW:
                 wall.block_object(item)
         low, high = w / 2 + 0.02, edge.length - w / 2 - 0.02
-        for along in _stops(low, high, None if wish.near is None else edge.coordinates(wish.near.position[:2])[0]):
-            x, y = edge.point(along, d / 2 + BACK_GAP)
-            placed = _hung(thing, room, (x, y, height), edge.rotation)
-            cost = 0.0 if wish.near is None else math.dist((x, y), wish.near.position[:2])
-            free = min((abs(along - b) for a in wall.gaps(w, *_span(placed), d) for b in a), default=0.0)
-            found.append((round(cost - 0.1 * min(free, 2.0), 6), placed, wall.hindrances(along, height, thing.size)))
+        stops = _stops(low, high, None if wish.near is None else edge.coordinates(wish.near.position[:2])[0])
+        for order, height in enumerate(_heights(thing, asset, room, wish)):
+            for along in stops:
+                x, y = edge.point(along, d / 2 + BACK_GAP)
+                placed = _hung(thing, room, (x, y, height), edge.rotation)
+                away = 0.0 if wish.near is None else math.dist((x, y), wish.near.position[:2])
+                gaps = wall.gaps(w, *_span(placed), d)
+                free = min((abs(along - end) for gap in gaps for end in gap), default=0.0)
+                cost = order + away - 0.1 * min(free, 2.0)
+                found.append((round(cost, 6), placed, wall.hindrances(along, height, thing.size)))
     found.sort(key=lambda entry: entry[0])
     for _, placed, hindrances in found:
         yield placed, hindrances
@@ -127,16 +128,18 @@ def _span(item: SceneObject) -> tuple[float, float]:
     return item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
 
 
-def _height(thing: SceneObject, asset: Asset, room: SceneRoom, wish: PlacingWish) -> float | None:
-    """Return the height of the centre; that of what hangs beside a like thing is its own usual one too."""
+def _heights(thing: SceneObject, asset: Asset, room: SceneRoom, wish: PlacingWish) -> list[float]:
+    """Return heights of the centre: the usual one; above an object, also closely above it."""
     if wish.side == "above" and wish.near is not None:
-        height = height_above(asset, room.ceiling_height, wish.near)
+        close = asset.size[2] / 2
+        heights = [height_above(asset, room.ceiling_height, wish.near, wanted) for wanted in (None, close)]
     else:
-        height = hanging_height(asset, room.ceiling_height)
-    if height is None:
+        heights = [hanging_height(asset, room.ceiling_height)]
+    known = list(dict.fromkeys(height for height in heights if height is not None))
+    if not known:
         over = "" if wish.near is None else f" above {wish.near.id}"
         raise refusal(f"{room.id} is too low for {with_article(thing.name)} of {thing.size[2]:.2f} m{over}")
-    return height
+    return known
 
 
 def _stops(low: float, high: float, goal: float | None) -> list[float]:
@@ -169,12 +172,12 @@ def _on_ceiling(
     for x, y in points:
         for turn in (0.0, 90.0):
             rotation = ceiling.angle + turn
-            if not area.contains(footprint_at((x, y), thing.size, rotation)):
-                continue
-            found = ceiling.hindrances(thing.size, (x, y), rotation)
+            within = area.contains(footprint_at((x, y), thing.size, rotation))
+            found = [] if within else [f"the wall of {room.id}"]
+            found += ceiling.hindrances(thing.size, (x, y), rotation)
             placed = _hung(thing, room, (x, y, room.ceiling_height - thing.size[2] / 2), rotation)
             if below < HEADROOM and not _over_furniture(placed, others):
-                found = [*found, f"the height of {room.id}, {room.ceiling_height:.2f} m, where people walk,"]
+                found.append(f"who walks below in {room.id} of {room.ceiling_height:.2f} m height")
             yield placed, found
 
 

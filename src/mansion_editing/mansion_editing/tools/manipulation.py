@@ -158,6 +158,8 @@ def _target(
     state: SceneState, args: MoveObjectArgs, floor: int, item: SceneObject, engine: PhysicsEngine, accept: Accept | None
 ) -> tuple[int, SceneObject]:
     wish = wish_of(state, args)
+    if item in (wish.near, wish.other, wish.facing):
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{item.id} is to move and named as its landmark", path="$.near")
     place = args.receptacle_id or _place_of(item, wish)
     if not place:
         return floor, _on_the_spot(state, args, floor, item, wish)

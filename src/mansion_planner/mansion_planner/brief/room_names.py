@@ -33,9 +33,8 @@ def with_own_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
         begin = last + 1 + called
         end = next((i for i in range(begin, min(begin + 6, len(reading.tokens))) if reading.word(i) == '"'), begin)
         if end > begin:
-            own = reading.text[reading.tokens[begin].start : reading.tokens[end - 1].end]
             reading.take(last, end + 1)
-            return [_named(reading, phrase, own, phrase.first, end + 1)]
+            return [replace(_named(phrase, reading.span(begin, end).words), last=end + 1)]
     if not called:
         return [phrase]
     names, index = [], last + 1
@@ -49,24 +48,10 @@ def with_own_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
     if not names:
         return [phrase]
     reading.take(last, names[-1] + 1)
-    many = len(names) > 1
-    return [
-        replace(
-            _named(
-                reading,
-                phrase,
-                reading.text[reading.tokens[n].start : reading.tokens[n].end],
-                n if many else phrase.first,
-                n + 1,
-            ),
-            count=1,
-            counted=many or phrase.counted,
-            plural=False,
-            noun_end=n + 1 if many else phrase.noun_end,
-            begin=n if many else phrase.begin,
-        )
-        for n in names
-    ]
+    named = [_named(phrase, reading.span(n, n + 1).words) for n in names]
+    if len(names) == 1:
+        return [replace(named[0], count=1, plural=False, last=names[0] + 1)]
+    return [_one_of(room, n, n + 1) for n, room in zip(names, named)]
 
 
 def _listed_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
@@ -93,30 +78,23 @@ def _listed_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
     reading.take(last, index + (reading.word(index) == ")"))
     found = []
     for a, b in items:
-        own = reading.text[reading.tokens[a].start : reading.tokens[b - 1].end]
+        own = reading.span(a, b).words
         name = "_".join(re.findall(r"[a-z0-9]+", own.lower().replace("'s", "").replace("’s", "")))
-        found.append(
-            replace(
-                phrase,
-                name=f"{name}_{phrase.name}"[:60],
-                label=f"{own} {singular(phrase.label.lower())}",
-                count=1,
-                counted=True,
-                plural=False,
-                first=a,
-                begin=a,
-                noun_end=b,
-                last=b,
-            )
-        )
+        room = _one_of(phrase, a, b)
+        label = f"{own} {singular(phrase.label.lower())}"
+        found.append(replace(room, name=f"{name}_{phrase.name}"[:60], label=label))
     return found
 
 
-def _named(reading: Reading, phrase: Phrase, own: str, first: int, last: int) -> Phrase:
+def _named(phrase: Phrase, own: str) -> Phrase:
+    """Return a phrase under its own name: the party room "Typhoon" is the "Typhoon (party room)"."""
     words = "_".join(re.findall(r"[a-z0-9]+", own.lower()))
-    return replace(
-        phrase, name=words or phrase.name, label=f"{own} ({singular(phrase.label.lower())})", first=first, last=last
-    )
+    return replace(phrase, name=words or phrase.name, label=f"{own} ({singular(phrase.label.lower())})")
+
+
+def _one_of(phrase: Phrase, first: int, last: int) -> Phrase:
+    """Return one of the rooms that a phrase names together: the one that tokens `first` to `last` (exclusive) name."""
+    return replace(phrase, count=1, counted=True, plural=False, first=first, begin=first, noun_end=last, last=last)
 
 
 def coordinated(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase) -> list[Phrase]:
@@ -138,22 +116,13 @@ def coordinated(reading: Reading, chunks: list[tuple[int, int]], phrase: Phrase)
         return [phrase]
     head = reading.word(phrase.noun_end - 1)
     first = "_".join([*reading.words(*other), head])
-    label = reading.text[reading.tokens[other[0]].start : reading.tokens[other[1] - 1].end]
+    label = f"{reading.span(*other).words} {singular(head)}"
     reading.take(*other)
-    own = replace(phrase, count=1, counted=True, plural=False)
     kind = similar_room_type(first, reading.knowledge)
+    room_type = kind if kind != "study_room" else phrase.room_type
     return [
-        replace(
-            own,
-            first=other[0],
-            begin=other[0],
-            noun_end=other[1],
-            last=other[1],
-            name=first[:60],
-            label=f"{label} {singular(head)}",
-            room_type=kind if kind != "study_room" else phrase.room_type,
-        ),
-        own,
+        replace(_one_of(phrase, *other), name=first[:60], label=label, room_type=room_type),
+        replace(phrase, count=1, counted=True, plural=False),
     ]
 
 
@@ -214,22 +183,11 @@ def with_designators(
         length = _designator(reading, index)
         if not length:
             break
-        own = reading.text[reading.tokens[index].start : reading.tokens[index + length - 1].end]
-        reading.take(index, index + length)
         end = index + length
-        found.append(
-            replace(
-                phrase,
-                name=f"{phrase.name}_{own.lower()}",
-                label=f"{phrase.label} {own}",
-                first=first,
-                begin=first,
-                noun_end=end,
-                last=end,
-                count=1,
-                plural=False,
-            )
-        )
+        own = reading.span(index, end).words
+        reading.take(index, end)
+        room = _one_of(phrase, first, end)
+        found.append(replace(room, name=f"{phrase.name}_{own.lower()}", label=f"{phrase.label} {own}", counted=False))
         index = first = _next_designator(reading, end)
     return found or [phrase]
 
@@ -366,24 +324,18 @@ def with_users(reading: Reading, phrase: Phrase) -> list[Phrase]:
         index += 1
     if len(users) < 2 or (phrase.counted and phrase.count not in (1, len(users))):
         return [phrase]
-    end = users[-1] + 1
-    reading.take(last, end)
+    reading.take(last, users[-1] + 1)
     noun = singular(phrase.label.lower())
-    return [
+    rooms = [
         replace(
-            phrase,
+            _one_of(phrase, user, user + 1),
             name=f"{reading.word(user)}_{phrase.name}"[:60],
             label=f"{reading.word(user)}'s {noun}",
-            count=1,
-            counted=True,
-            plural=False,
-            first=phrase.first if n == 0 else user,
-            begin=phrase.begin if n == 0 else user,
-            noun_end=phrase.noun_end if n == 0 else user + 1,
-            last=end if n == len(users) - 1 else user + 1,
         )
-        for n, user in enumerate(users)
+        for user in users
     ]
+    rooms[0] = replace(rooms[0], first=phrase.first, begin=phrase.begin, noun_end=phrase.noun_end)
+    return rooms
 
 
 def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
@@ -416,6 +368,6 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
         if generic and phrase.name in ("room", "space", "area")
         else phrase.room_type
     )
-    label = reading.text[reading.tokens[phrase.begin].start : reading.tokens[end - 1].end]
+    label = reading.span(phrase.begin, end).words
     reading.take(last, end)
     return replace(phrase, name=name, label=label, last=end, room_type=room or phrase.room_type)

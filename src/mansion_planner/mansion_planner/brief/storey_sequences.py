@@ -1,4 +1,4 @@
-"""Read storeys that only the order of a brief tells: "one down", "below that", "then", "the rest", a list upwards."""
+"""Read storeys that the order of a brief tells: "one down", "the floor above", "then", "the rest", a list upwards."""
 
 from dataclasses import replace
 
@@ -36,7 +36,12 @@ class StoreySequence:
         tuple of (list of FloorRef, int), optional
             What is meant, and the token after it.
         """
-        return self._steps(index, base) or self._beyond(index, base) or self._then(index, base)
+        return (
+            self._steps(index, base)
+            or self._beyond(index, base)
+            or self._then(index, base)
+            or self._relative(index, base)
+        )
 
     def _steps(self, index: int, base: FloorRef | None) -> tuple[list[FloorRef], int] | None:
         """Read "one down", "two floors up", "one flight higher"."""
@@ -80,6 +85,47 @@ class StoreySequence:
         if reading.word(index) not in ("then", "next") or reading.word(index + 1) in FLOOR_WORDS | {"to", "door"}:
             return None
         return [_moved(base, self.direction)], index + 1
+
+    def _relative(self, index: int, previous: FloorRef | None) -> tuple[list[FloorRef], int] | None:
+        """Read "one flight up", "next storey up", "the floor above", "the one below", "two below the top"."""
+        reading = self.reading
+        word = reading.word(index)
+        if word == "penultimate" or reading.words(index, index + 3) == ("second", "to", "last"):
+            last = index + (1 if word == "penultimate" else 3)
+            return [FloorRef("below_top", 1)], last + (reading.word(last) in FLOOR_WORDS)
+        if reading.kind(index) == "number" and reading.words(index + 1, index + 4) == ("below", "the", "top"):
+            return [FloorRef("below_top", int(reading.value(index)))], index + 4
+        base = previous
+        if base is None or base.kind not in ("number", "range", "top", "below_top"):
+            base = FloorRef("number", 1, 1)
+        if word in ("up", "down") and reading.word(index + 1) == "there" and previous is not None:
+            return [replace(previous)], index + 2
+        if reading.words(index, index + 3) == ("one", "flight", "up"):
+            return [FloorRef("number", 2, 2)], index + 3
+        if (
+            word in ("next",)
+            and reading.word(index + 1) in FLOOR_WORDS
+            and reading.word(index + 2) in ("up", *CLOSERS, "above")
+        ):
+            return [FloorRef("number", base.last + 1, base.last + 1)], index + 2 + (
+                reading.word(index + 2) in ("up", "above")
+            )
+        if (
+            word in FLOOR_WORDS | {"one"}
+            and (
+                reading.word(index - 1) == "the"
+                or (reading.starts(index) and reading.word(index + 2) in (":", "=", "-"))
+            )
+            and reading.word(index + 1) in ("above", "over", "below", "under", "beneath")
+        ):
+            up = reading.word(index + 1) in ("above", "over")
+            last = index + 2 + (reading.word(index + 2) in ("it", "that", "this"))
+            if word == "one" and previous is None:
+                return None
+            if base.kind in ("top", "below_top") and not up:
+                return [FloorRef("below_top", base.first + 1 if base.kind == "below_top" else 1)], last
+            return [FloorRef("number", base.last + (1 if up else -1), base.last + (1 if up else -1))], last
+        return None
 
     def listed(self, index: int, storeys: int) -> list[Place]:
         """Read "from the bottom: boot room, kitchen, bedroom" as one entry for each storey.

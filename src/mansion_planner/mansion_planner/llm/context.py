@@ -35,6 +35,10 @@ class Context:
         """Record that the model's answer is used."""
         self.sources[piece] = LLM
 
+    def partly_from_model(self, piece: str, share: str) -> None:
+        """Record that the model's answer is used for a share of a piece, and why not for the rest."""
+        self.sources[piece] = f"{LLM} for {share}"
+
     def from_rules(self, piece: str, reason: str = "") -> None:
         """Record that the offline planner's answer is used, and why."""
         self.sources[piece] = f"{RULES}: {reason}" if reason else RULES

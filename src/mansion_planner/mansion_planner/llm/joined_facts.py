@@ -50,21 +50,21 @@ def joined_facts(model: StatementFacts, rules: BriefFacts, text: str) -> BriefFa
     rules : BriefFacts
         What the rules' reader reads in the whole text, which must be English.
     """
-    joined = BriefFacts()
+    lists: dict[str, Any] = {}
     dropped: list[Span] = []
     for name in _names(without=_APART):
         theirs = list(getattr(rules, name))
         open_ = [entry for entry in theirs if name in _UNSPOKEN or _fills_in(name, _span_of(entry), model)]
-        setattr(joined, name, [*getattr(model.facts, name), *open_])
+        lists[name] = [*getattr(model.facts, name), *open_]
         dropped += [_span_of(entry) for entry in theirs if entry not in open_]
-    joined.rooms, lost = _joined_rooms(model, rules)
+    rooms, lost = _joined_rooms(model, rules)
     dropped += lost
-    _join_building_name(joined, model, rules)
+    joined = _with_building_name(BriefFacts(**lists, rooms=rooms), model, rules)
     kept = [_span_of(entry) for name in _names() for entry in getattr(joined, name)]
     kept += [child.span for room in joined.rooms for child in room.suite]
-    joined.unread = [span for span in model.facts.unread if not any(_overlap(span, other) for other in kept)]
-    joined.unread += _left_over(text, rules.unread, dropped, [*model.spans, *model.facts.unread, *kept])
-    return _with_named_rooms(joined)
+    unread = [span for span in model.facts.unread if not any(_overlap(span, other) for other in kept)]
+    unread += _left_over(text, rules.unread, dropped, [*model.spans, *model.facts.unread, *kept])
+    return _with_named_rooms(replace(joined, unread=unread))
 
 
 def without_rules(model: StatementFacts, text: str) -> BriefFacts:
@@ -153,12 +153,16 @@ def _joined_rooms(model: StatementFacts, rules: BriefFacts) -> tuple[list[RoomFa
     return rooms, dropped
 
 
-def _join_building_name(joined: BriefFacts, model: StatementFacts, rules: BriefFacts) -> None:
-    """Keep the name of an unknown kind of building: the model's, or the rules' where the model names no building."""
-    joined.building_name, joined.building_span = model.facts.building_name, list(model.facts.building_span)
+def _with_building_name(joined: BriefFacts, model: StatementFacts, rules: BriefFacts) -> BriefFacts:
+    """Return the facts with the name of an unknown kind of building: the model's, or the rules' where it names none."""
     if not model.facts.building and all(_fills_in("building_span", span, model) for span in rules.building_span):
-        joined.building_name, joined.building_span = rules.building_name, list(rules.building_span)
-        joined.building_like = rules.building_like
+        return replace(
+            joined,
+            building_name=rules.building_name,
+            building_span=list(rules.building_span),
+            building_like=rules.building_like,
+        )
+    return replace(joined, building_name=model.facts.building_name, building_span=list(model.facts.building_span))
 
 
 def _left_over(text: str, unread: list[Span], dropped: list[Span], held: list[Span]) -> list[Span]:

@@ -3,6 +3,8 @@
 import dataclasses
 from dataclasses import dataclass
 
+import msgspec
+
 from mansion_geometry.randomness import item_generator
 from mansion_llm import Fault, Prompt, quoted_data
 from mansion_msgs_py.errors import MansionError
@@ -97,9 +99,9 @@ def plan_reference(context: Context, request: BuildRequest, facts: BriefFacts, b
         context.from_rules("numbers", answer.reason)
         return reference
     planned = plan(_with_answer(facts, answer.value, left))
-    _retell(planned.program.trace, answer.value, left)
     context.from_model("numbers")
-    return planned
+    told = _retold(planned.program.trace, answer.value, left)
+    return dataclasses.replace(planned, program=msgspec.structs.replace(planned.program, trace=told))
 
 
 def _numbers_prompt(context: Context, request: BuildRequest, facts: BriefFacts, reference: PlannedBuilding) -> Prompt:
@@ -158,8 +160,8 @@ def _with_answer(facts: BriefFacts, answer: NumbersAnswer, left: _Open) -> Brief
     return out
 
 
-def _retell(trace: list[TraceEntry], answer: NumbersAnswer, left: _Open) -> None:
-    """Put the model's reasons in the place of the lines that take its numbers for statements of the brief."""
+def _retold(trace: list[TraceEntry], answer: NumbersAnswer, left: _Open) -> list[TraceEntry]:
+    """Return the trace with the model's reasons for the lines that take its numbers for statements of the brief."""
     chosen = [
         text
         for is_open, text in (
@@ -172,4 +174,4 @@ def _retell(trace: list[TraceEntry], answer: NumbersAnswer, left: _Open) -> None
     ]
     kept = [entry for entry in trace if not (entry.start == 0 and entry.end == 0 and not entry.words)]
     why = clean_text(answer.reasoning, 240)
-    trace[:] = [TraceEntry(words="", effect=f"language model: {', '.join(chosen)} ({why})"), *kept]
+    return [TraceEntry(words="", effect=f"language model: {', '.join(chosen)} ({why})"), *kept]

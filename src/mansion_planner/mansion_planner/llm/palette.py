@@ -106,7 +106,7 @@ def choose_palette(context: Context, reference: PlannedBuilding) -> Palette:
         if entry.room_type in types and entry.room_type not in faulty
     }
     if faulty:
-        context.sources["materials"] = f"llm for {len(chosen)} of {len(types)} room types: {answer.reason}"
+        context.partly_from_model("materials", f"{len(chosen)} of {len(types)} room types: {answer.reason}")
     else:
         context.from_model("materials")
     return Palette(context, decisions, chosen)

@@ -8,6 +8,7 @@ from mansion_knowledge import KnowledgeBase
 from mansion_llm import LlmClient
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.layout import FloorLayout, FloorProblem, SeedRange
+from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.stages import PlanReply
 from mansion_msgs_py.topology import FloorTopology, SeedBox, SeedPlan
@@ -80,9 +81,8 @@ def plan_with_model(
             plan_id = f"{building_id}/F{storey.index}"
             problem = msgspec.structs.replace(problems[source], floor=storey.index, plan_id=plan_id)
         topologies[storey.index], problems[storey.index] = topology, problem
-    _put_hubs_first(planned, topologies)
     return PlanReply(
-        program=planned.program,
+        program=_with_hubs_first(planned.program, topologies),
         topologies=[topologies[s.index] for s in planned.storeys],
         problems=[problems[s.index] for s in planned.storeys],
         sources=context.sources,
@@ -99,11 +99,14 @@ def _refusal(context: Context, request: BuildRequest, facts: BriefFacts) -> str:
     return ""
 
 
-def _put_hubs_first(planned: PlannedBuilding, topologies: dict[int, FloorTopology]) -> None:
-    """Begin each floor's list of rooms with the hub of its graph, which a model may have chosen anew."""
-    for floor in planned.program.floors:
+def _with_hubs_first(program: BuildingProgram, topologies: dict[int, FloorTopology]) -> BuildingProgram:
+    """Return the program with each floor's rooms begun by the hub of its graph, which a model may have chosen anew."""
+    floors = []
+    for floor in program.floors:
         hub = next(node.id for node in topologies[floor.index].nodes if node.type == "main")
-        floor.rooms.sort(key=lambda room: room.id != hub)
+        first, others = ([r for r in floor.rooms if (r.id == hub) is is_hub] for is_hub in (True, False))
+        floors.append(msgspec.structs.replace(floor, rooms=first + others))
+    return msgspec.structs.replace(program, floors=floors)
 
 
 def _kept_cores(

@@ -115,9 +115,9 @@ class _Reader:
         self.offline = {floor.index: floor for floor in offline}
         self.replaced: set[int] = set()
         decisions, knowledge = reference.decisions, context.knowledge
-        # Allocation notes what it does; the trace of the plan has these notes already.
-        quiet = dataclasses.replace(decisions, trace=[], downgrades=[])
-        self.wanted = allocate(quiet, knowledge, make_storeys(quiet, knowledge)).wanted
+        storeys, _ = make_storeys(decisions, knowledge)
+        allocation, _ = allocate(decisions, knowledge, storeys)
+        self.wanted = allocation.wanted
 
     def faults(self, answer: ProgramAnswer) -> list[Fault]:
         """Return everything that is wrong with an answer."""
@@ -373,7 +373,8 @@ def _read_floor(
     known = {fact.name: fact.room_type for fact in planned.decisions.facts.rooms}
     rooms: list[ChosenRoom] = []
     for place, entry in enumerate(answer.rooms):
-        room = _room(entry, context, known, faults, first=place == 0)
+        room, wrong = _room(entry, context, known, first=place == 0)
+        faults += wrong
         if room is not None:
             rooms.append(room)
     if not rooms or not answer.rooms or clean_id(answer.rooms[0].id) != rooms[0].id:
@@ -401,27 +402,27 @@ def _read_floor(
 
 
 def _room(
-    entry: RoomAnswer, context: Context, known: dict[str, str], faults: list[str], *, first: bool
-) -> ChosenRoom | None:
+    entry: RoomAnswer, context: Context, known: dict[str, str], *, first: bool
+) -> tuple[ChosenRoom | None, list[str]]:
+    """Return a room, none where it is unreadable or taken from the reserve, and what is wrong with it."""
     name = clean_id(entry.id)
     if not name:
-        faults.append(f"{clean_text(entry.id, 40)!r} is no id; use lower-case letters, digits and _")
-        return None
+        return None, [f"{clean_text(entry.id, 40)!r} is no id; use lower-case letters, digits and _"]
     if is_core_name(name):
-        return None
+        return None, []
     kind = room_kind(name, context.knowledge, known)
     if kind.zone == "circulation" and not first:
-        return None
+        return None, []
     if not 0.5 <= entry.area_estimate <= 5000.0:
-        faults.append(f"area_estimate of {name} is {entry.area_estimate:g}; it must be a positive area in m2")
-        return None
+        return None, [f"area_estimate of {name} is {entry.area_estimate:g}; it must be a positive area in m2"]
+    faults: list[str] = []
     if entry.area_estimate < 0.8 * kind.least and not first:
         faults.append(f"{name} has {entry.area_estimate:g} m2; {with_article(kind.name)} needs at least {kind.least:g}")
     for text, is_floor in ((entry.floor_material, True), (entry.wall_material, False)):
         fault = material_fault(text, kind, floor=is_floor)
         if fault:
             faults.append(f"{name}: {fault}")
-    return ChosenRoom(
+    room = ChosenRoom(
         id=name,
         kind=kind,
         area=float(entry.area_estimate),
@@ -429,6 +430,7 @@ def _room(
         wall_material=entry.wall_material,
         notes=clean_text(entry.notes, 120),
     )
+    return room, faults
 
 
 def _apart_from(hub: str, rooms: list[ChosenRoom]) -> list[ChosenRoom]:

@@ -134,7 +134,7 @@ def _tell_source(context: Context, model: StatementFacts, count: int, reason: st
     """Record how many statements are the model's."""
     if model.faults:
         good = max(count - len({fault.piece for fault in model.faults}), 0)
-        context.sources["reading"] = f"llm for {good} of {count} statements: {reason}"
+        context.partly_from_model("reading", f"{good} of {count} statements: {reason}")
     else:
         context.from_model("reading")
 

@@ -1,6 +1,5 @@
 """Lay chosen rooms, the model's or the rules', out in a given massing: the offline sketch of another program."""
 
-import copy
 from dataclasses import dataclass, replace
 
 import msgspec
@@ -16,7 +15,7 @@ from mansion_planner.program.model import CoreBox, PlannedRoom, Sketch, Storey, 
 from mansion_planner.program.outline import bearing_walls
 from mansion_planner.program.sketch import capacity, sketch_storey
 from mansion_planner.program.storey_rooms import fit_areas
-from mansion_planner.program.wishes import assign_furniture, requested_objects
+from mansion_planner.program.wishes import furniture_of, requested_objects
 
 __all__ = ["ChosenFloor", "ChosenRoom", "chosen_of_storey", "refit", "with_cores"]
 
@@ -81,14 +80,15 @@ def chosen_of_storey(storey: Storey, hub_area: float) -> ChosenFloor:
 
 def with_cores(planned: PlannedBuilding, cores: list[CorePlan], method: str, why: str) -> PlannedBuilding:
     """Return the plan with other cores; its sketches then have areas and a graph, but no places."""
-    out = copy.copy(planned)
     connectivity = msgspec.structs.replace(
         planned.program.vertical_connectivity, cores=list(cores), method=method, justification=why
     )
-    out.program = msgspec.structs.replace(copy.deepcopy(planned.program), vertical_connectivity=connectivity)
     boxes = tuple(CoreBox(c.id, c.type, (c.x[0], c.y[0], c.x[1], c.y[1])) for c in cores)
-    out.massing = replace(planned.massing, cores=boxes)
-    return out
+    return replace(
+        planned,
+        program=msgspec.structs.replace(planned.program, vertical_connectivity=connectivity),
+        massing=replace(planned.massing, cores=boxes),
+    )
 
 
 def refit(
@@ -99,48 +99,46 @@ def refit(
     Parameters
     ----------
     planned : PlannedBuilding
-        Left as it is.
     floors : list of ChosenFloor
         One for each storey, ascending.
     placed : bool
         Whether the sketch may give rooms places; not where the cores have moved.
     """
-    out = copy.copy(planned)
-    out.decisions = copy.copy(planned.decisions)
-    out.decisions.trace = list(planned.decisions.trace)
-    out.decisions.downgrades = list(planned.decisions.downgrades)
-    out.storeys = [_storey(s, f) for s, f in zip(planned.storeys, floors)]
-    out.sketches = {}
-    by_index = {storey.index: storey for storey in out.storeys}
-    for storey in out.storeys:
+    own: dict[int, Storey] = {}
+    sketches: dict[int, Sketch] = {}
+    bare = [_storey(storey, floor) for storey, floor in zip(planned.storeys, floors)]
+    for storey in bare:
         if storey.copy is None:
-            out.sketches[storey.index] = _sketch(out, storey, placed=placed)
-    for storey in out.storeys:
-        if storey.copy is not None:
-            storey.rooms, storey.hub = by_index[storey.copy].rooms, by_index[storey.copy].hub
-            out.sketches[storey.index] = out.sketches[storey.copy]
-    out.decisions.furniture = {}
-    assign_furniture(out.decisions, out.storeys)
-    walls = bearing_walls([out.sketches[s.index] for s in out.storeys], out.frame)
+            own[storey.index] = _fitted(planned, storey, placed=placed)
+            sketches[storey.index] = _sketch(planned, own[storey.index], placed=placed)
+    storeys = [own[s.index] if s.copy is None else _repeating(s, own[s.copy]) for s in bare]
+    decisions = replace(planned.decisions, furniture=furniture_of(planned.decisions, storeys))
+    sketches = {s.index: sketches[s.index if s.copy is None else s.copy] for s in storeys}
+    out = replace(planned, decisions=decisions, storeys=storeys, sketches=sketches)
+    walls = bearing_walls([sketches[s.index] for s in storeys], planned.frame)
     chosen = {floor.index: floor for floor in floors}
-    filled, program = [], copy.deepcopy(planned.program)
-    for floor, storey in zip(program.floors, out.storeys):
+    filled = []
+    for program, storey in zip(planned.program.floors, storeys):
         source = chosen[storey.copy if storey.copy is not None else storey.index]
-        made = _filled(floor, storey, out, source, palette)
+        made = _filled(program, storey, out, source, palette)
         filled.append(msgspec.structs.replace(made, structural_walls=list(walls)))
-    out.program = msgspec.structs.replace(program, floors=filled)
-    return out
+    return replace(out, program=msgspec.structs.replace(planned.program, floors=filled))
 
 
 def _storey(storey: Storey, floor: ChosenFloor) -> Storey:
-    rooms = {room.id: _planned(room) for room in floor.rooms}
-    tops = []
-    for room in floor.rooms:
-        if room.suite_of in rooms:
-            rooms[room.suite_of].suite.append(rooms[room.id])
-        else:
-            tops.append(rooms[room.id])
+    """Return the storey with the chosen rooms, suites behind their room."""
+    names = {room.id for room in floor.rooms}
+    tops = tuple(_with_suite(room, floor) for room in floor.rooms if room.suite_of not in names)
     return replace(storey, hub=floor.hub.kind, rooms=tops, copy=floor.copy)
+
+
+def _with_suite(room: ChosenRoom, floor: ChosenFloor) -> PlannedRoom:
+    suite = tuple(_with_suite(child, floor) for child in floor.rooms if child.suite_of == room.id)
+    return msgspec.structs.replace(_planned(room), suite=suite)
+
+
+def _repeating(storey: Storey, source: Storey) -> Storey:
+    return replace(storey, rooms=source.rooms, hub=source.hub)
 
 
 def _planned(room: ChosenRoom) -> PlannedRoom:
@@ -152,22 +150,31 @@ def _planned(room: ChosenRoom) -> PlannedRoom:
     )  # fmt: skip
 
 
+def _fitted(planned: PlannedBuilding, storey: Storey, *, placed: bool) -> Storey:
+    """Return the storey with the areas of its rooms scaled to what there is for them."""
+    massing = planned.massing
+    if planned.decisions.free_form or not placed:
+        room = 0.84 * _free_area(planned, storey)
+    else:
+        room = capacity(massing, storey)
+        if massing.hall:
+            asked = sum(r.gross for r in storey.rooms)
+            share = max(storey.hub.usual, 0.38 * room)
+            room = min(room - share, max(asked, 0.45 * room))
+    return replace(storey, rooms=fit_areas(storey.rooms, room))
+
+
+def _free_area(planned: PlannedBuilding, storey: Storey) -> float:
+    return planned.envelopes[storey.index].area - sum(box_area(core.box) for core in planned.massing.cores)
+
+
 def _sketch(planned: PlannedBuilding, storey: Storey, *, placed: bool) -> Sketch:
     massing, decisions = planned.massing, planned.decisions
     hub = storey.hub.name
     if decisions.free_form or not placed:
-        cores = sum(box_area(core.box) for core in massing.cores)
-        free = planned.envelopes[storey.index].area - cores
-        fit_areas(storey.rooms, 0.84 * free)
-        return sketch_free(storey, hub, free)
-    room = capacity(massing, storey)
-    if massing.hall:
-        asked = sum(r.gross for r in storey.rooms)
-        share = max(storey.hub.usual, 0.38 * room)
-        fit_areas(storey.rooms, min(room - share, max(asked, 0.45 * room)))
-        return sketch_hall(massing, storey, hub, wanted_pairs(decisions), unwanted_pairs(decisions))
-    fit_areas(storey.rooms, room)
-    return sketch_storey(massing, storey, hub, wanted_pairs(decisions), unwanted_pairs(decisions))
+        return sketch_free(storey, hub, _free_area(planned, storey))
+    lay_out = sketch_hall if massing.hall else sketch_storey
+    return lay_out(massing, storey, hub, wanted_pairs(decisions), unwanted_pairs(decisions))
 
 
 def _filled(

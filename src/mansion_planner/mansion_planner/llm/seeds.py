@@ -143,7 +143,7 @@ def collect_seeds(context: Context, problem: FloorProblem, requirement: str) -> 
     elif len(found) == len(asked):
         context.from_model(piece)
     elif found:
-        context.sources[piece] = f"llm for {len(found)} of {len(asked)} rooms: {reasons[0]}"
+        context.partly_from_model(piece, f"{len(found)} of {len(asked)} rooms: {reasons[0]}")
     else:
         context.from_rules(piece, reasons[0] if reasons else "")
     return found

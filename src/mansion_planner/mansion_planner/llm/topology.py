@@ -73,7 +73,8 @@ def plan_model_topology(
         context.from_rules(piece, answer.reason)
         return None
     context.from_model(piece)
-    return reader.topology(answer.value, [])
+    topology, _ = reader.topology(answer.value)
+    return topology
 
 
 def free_region(floor: FloorProgram, planned: PlannedBuilding) -> Polygon:
@@ -126,8 +127,7 @@ class _Reader:
 
     def faults(self, answer: TopologyAnswer) -> list[Fault]:
         """Return what is wrong with an answer."""
-        out: list[str] = []
-        topology = self.topology(answer, out)
+        topology, out = self.topology(answer)
         ids = {node.id for node in topology.nodes}
         out += [f"the {core.type} {name} is missing" for name, core in self.cores.items() if name not in ids]
         out += [f"the room {name} is missing" for name in self.rooms if name not in ids]
@@ -136,9 +136,11 @@ class _Reader:
             out += self._zone_faults(topology) + self._wish_faults(topology)
         return [Fault(text) for text in out]
 
-    def topology(self, answer: TopologyAnswer, faults: list[str]) -> FloorTopology:
-        """Return an answer as a room graph; what could not be read is added to `faults`."""
-        nodes = [n for entry in answer.nodes if (n := self._node(entry, faults)) is not None]
+    def topology(self, answer: TopologyAnswer) -> tuple[FloorTopology, list[str]]:
+        """Return an answer as a room graph, and what is wrong with its nodes and edges."""
+        read = [self._node(entry) for entry in answer.nodes]
+        nodes = [node for node, _ in read if node is not None]
+        faults = [fault for _, wrong in read for fault in wrong]
         edges: list[Edge] = []
         seen: dict[frozenset[str], int] = {}
         for edge in answer.edges:
@@ -158,32 +160,28 @@ class _Reader:
         topology = FloorTopology(
             nodes=nodes or [self._hub_alone()], edges=edges, building_id=self.building_id, floor=self.floor.index
         )
-        return self._with_areas(access_promoted(topology))
+        return self._with_areas(access_promoted(topology)), faults
 
     def _hub_alone(self) -> TopologyNode:
         hub = self.floor.rooms[0]
         return TopologyNode(id=hub.id, type="main", area=self.free, room_type=hub.room_type)
 
-    def _node(self, entry: NodeAnswer, faults: list[str]) -> TopologyNode | None:
+    def _node(self, entry: NodeAnswer) -> tuple[TopologyNode | None, list[str]]:
+        """Return a node, none where it is unreadable, and what is wrong with it."""
         name, kind = clean_id(entry.id), _KINDS.get(entry.type.lower())
         if not name:
-            faults.append(f"{clean_text(entry.id, 40)!r} is no id of the rooms, stairs and elevators")
-            return None
+            return None, [f"{clean_text(entry.id, 40)!r} is no id of the rooms, stairs and elevators"]
         if kind is None:
-            faults.append(
-                f"{name}: the type {clean_text(entry.type, 20)!r} is none of main, Entities, area, stair, elevator"
-            )
-            return None
+            known = "main, Entities, area, stair, elevator"
+            return None, [f"{name}: the type {clean_text(entry.type, 20)!r} is none of {known}"]
         if name in self.cores:
-            if kind != self.cores[name].type:
-                faults.append(f"{name} is of type {self.cores[name].type}")
-            return self.cores[name]
+            own = self.cores[name]
+            return own, [] if kind == own.type else [f"{name} is of type {own.type}"]
         if kind in ("stair", "elevator"):
-            faults.append(f"there is no {kind} {name}")
-            return None
+            return None, [f"there is no {kind} {name}"]
         if not 0.0 < entry.area < 1e5:
-            faults.append(f"{name}: area is {entry.area:g}; a positive number of square metres is needed")
-            return None
+            return None, [f"{name}: area is {entry.area:g}; a positive number of square metres is needed"]
+        faults: list[str] = []
         room = self.rooms.get(name)
         room_type = room.room_type if room else room_kind(name, self.context.knowledge, {}).name
         if room is None and kind != "area" and self.context.knowledge.room(room_type).zone != "circulation":
@@ -195,10 +193,11 @@ class _Reader:
             floor, wall = room.floor_material, room.wall_material
         floor, wall = self.palette.materials(room_type, floor, wall)
         opens = "open" if kind == "main" or entry.open_relation == "open" else "door"
-        return TopologyNode(
+        node = TopologyNode(
             id=name, type=kind, area=float(entry.area), floor_material=floor, wall_material=wall,
             open_relation="open" if opens == "open" else "door", room_type=room_type,
         )  # fmt: skip
+        return node, faults
 
     def _with_areas(self, topology: FloorTopology) -> FloorTopology:
         """Let the areas add up to the free area: rooms as in the program, the rest to hub and corridors."""

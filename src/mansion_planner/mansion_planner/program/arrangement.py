@@ -1,6 +1,7 @@
 """Arrange the storeys: the massing in which most wished neighbours are side by side."""
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from mansion_planner.program.hall import sketch_hall
 from mansion_planner.program.massing import MassingWish, choose_massing, gross_area, rectangle_massing
 from mansion_planner.program.model import (
     Massing,
+    PlannedRoom,
     Sketch,
     Storey,
     box_area,
@@ -27,11 +29,26 @@ from mansion_planner.program.outline import Envelope, Frame, envelope_of
 from mansion_planner.program.sketch import capacity, sketch_storey
 from mansion_planner.program.storey_rooms import Allocation, fill_storey, fit_areas, hub_area, name_rooms
 
-__all__ = ["Arrangement", "apart_pairs", "best_arrangement", "neighbours", "unwanted_pairs", "wanted_pairs"]
+__all__ = [
+    "Arrangement",
+    "apart_pairs",
+    "best_arrangement",
+    "neighbours",
+    "unmet_neighbours",
+    "unwanted_pairs",
+    "wanted_pairs",
+]
 
 
-Arrangement = tuple[Massing, Frame, dict[int, Sketch], dict[int, Envelope]]
-"""A massing, where it stands, and the sketch and the envelope of each storey by index."""
+@dataclass(frozen=True)
+class Arrangement:
+    """A massing, where it stands, the storeys with their rooms, and each one's sketch and envelope by index."""
+
+    massing: Massing
+    frame: Frame
+    storeys: list[Storey]
+    sketches: dict[int, Sketch]
+    envelopes: dict[int, Envelope]
 
 
 _AREA_MISSED = 3
@@ -39,7 +56,7 @@ _AREA_MISSED = 3
 
 
 def best_arrangement(
-    decisions: Decisions, wish: MassingWish, storeys: list[Storey], allocation: Allocation, knowledge: KnowledgeBase
+    decisions: Decisions, wish: MassingWish, storeys: Sequence[Storey], allocation: Allocation, knowledge: KnowledgeBase
 ) -> Arrangement:
     """Lay the building out; when rooms lack a door's wall or wished neighbours stay apart, try other proportions."""
     best: tuple[int, Arrangement] | None = None
@@ -47,35 +64,40 @@ def best_arrangement(
     for attempt in range(attempts):
         growth = 1.0 if decisions.area_stated else 1.0 + 0.03 * attempt
         generator = item_generator(decisions.seed, "massing", attempt)
-        layout = _arranged(
-            decisions,
-            replace(wish, area=wish.area * growth, variant=attempt),
-            storeys,
-            allocation,
-            knowledge,
-            generator,
-        )
-        apart = sum(len(apart_pairs(decisions, s, layout[2][s.index])) for s in storeys)
-        short = sum(len(short_edges(layout[2][s.index])) for s in storeys if s.copy is None)
-        beside = sum(
-            len(joined_pairs(layout[2][s.index], unwanted_pairs(decisions))) for s in storeys if s.copy is None
-        )
-        missed = apart + short + beside + sum(misses_areas(layout[2][s.index]) for s in storeys if s.copy is None)
-        if decisions.area_stated and abs(gross_area(layout[0]) - wish.area) > 0.06 * wish.area:
-            missed += _AREA_MISSED
+        varied = replace(wish, area=wish.area * growth, variant=attempt)
+        layout = _arranged(decisions, varied, storeys, allocation, knowledge, generator)
+        missed = _missed(decisions, wish, layout)
         if best is None or missed < best[0]:
             best = (missed, layout)
         if missed == 0:
             break
     assert best is not None
-    massing, frame, sketches, envelopes = best[1]
-    for storey in storeys:
-        sketch = sketches[storey.index]
-        if storey.copy is None and (misses_areas(sketch) or apart_pairs(decisions, storey, sketch)):
-            sketches[storey.index] = loosened(sketch)
-        elif storey.copy is not None:
+    return _loosened_where_missed(decisions, best[1])
+
+
+def _missed(decisions: Decisions, wish: MassingWish, layout: Arrangement) -> int:
+    """Count what an arrangement does not give."""
+    own = [layout.sketches[storey.index] for storey in layout.storeys if storey.copy is None]
+    missed = sum(len(apart_pairs(decisions, storey, layout.sketches[storey.index])) for storey in layout.storeys)
+    missed += sum(len(short_edges(sketch)) + misses_areas(sketch) for sketch in own)
+    missed += sum(len(joined_pairs(sketch, unwanted_pairs(decisions))) for sketch in own)
+    if decisions.area_stated and abs(gross_area(layout.massing) - wish.area) > 0.06 * wish.area:
+        missed += _AREA_MISSED
+    return missed
+
+
+def _loosened_where_missed(decisions: Decisions, layout: Arrangement) -> Arrangement:
+    """Return the arrangement with loose sketches of storeys that miss areas or neighbours: the solver may find them."""
+    sketches: dict[int, Sketch] = {}
+    for storey in layout.storeys:
+        sketch = layout.sketches[storey.index]
+        if storey.copy is not None:
             sketches[storey.index] = sketches[storey.copy]
-    return massing, frame, sketches, envelopes
+        elif misses_areas(sketch) or apart_pairs(decisions, storey, sketch):
+            sketches[storey.index] = loosened(sketch)
+        else:
+            sketches[storey.index] = sketch
+    return replace(layout, sketches=sketches)
 
 
 def wanted_pairs(decisions: Decisions) -> list[tuple[str, str]]:
@@ -106,29 +128,40 @@ def apart_pairs(decisions: Decisions, storey: Storey, sketch: Sketch) -> list[Ad
 
 
 def neighbours(decisions: Decisions, storey: Storey, sketch: Sketch) -> dict[str, list[str]]:
-    """Return the neighbours that the brief wishes, by room id; what the storey cannot give is recorded."""
+    """Return the neighbours that the brief wishes and the storey can give, by room id."""
     beside: dict[str, list[str]] = {}
-    apart = apart_pairs(decisions, storey, sketch) if not decisions.free_form else []
+    apart = _apart_for_good(decisions, storey, sketch)
     for fact in decisions.facts.adjacent:
         firsts, seconds = ([p for p in sketch.rooms if p.room.called(name)] for name in _names(fact))
         pairs = [(a, b) for a in firsts for b in seconds if a is not b]
-        if fact in apart:
-            decisions.downgrades.append(
-                Downgrade(
-                    wish=fact.span.words, got="both on one storey, reached from one corridor", stage="program",
-                    reason="their sizes leave no place side by side", floor=storey.index,
-                )
-            )  # fmt: skip
-        elif pairs and storey.hub.name not in (fact.first, fact.second):
+        if fact not in apart and pairs and storey.hub.name not in (fact.first, fact.second):
             pair = next((p for p in pairs if decisions.free_form or sketch.loose or touching(*p)), pairs[0])
             beside.setdefault(pair[0].room.id, []).append(pair[1].room.id)
     return beside
 
 
+def unmet_neighbours(decisions: Decisions, storey: Storey, sketch: Sketch) -> list[Downgrade]:
+    """Return the wished neighbours that the storey cannot give."""
+    apart = _apart_for_good(decisions, storey, sketch)
+    return [
+        Downgrade(
+            wish=fact.span.words, got="both on one storey, reached from one corridor", stage="program",
+            reason="their sizes leave no place side by side", floor=storey.index,
+        )
+        for fact in decisions.facts.adjacent
+        if fact in apart
+    ]  # fmt: skip
+
+
+def _apart_for_good(decisions: Decisions, storey: Storey, sketch: Sketch) -> list[AdjacencyFact]:
+    """Return the wished neighbours that no solver brings together; in a free outline it places all rooms itself."""
+    return apart_pairs(decisions, storey, sketch) if not decisions.free_form else []
+
+
 def _arranged(
     decisions: Decisions,
     wish: MassingWish,
-    storeys: list[Storey],
+    storeys: Sequence[Storey],
     allocation: Allocation,
     knowledge: KnowledgeBase,
     generator: np.random.Generator,
@@ -136,23 +169,23 @@ def _arranged(
     """Choose one massing, fill every storey with rooms and sketch it; a copy shares its original's."""
     massing = _massing(decisions, wish, generator)
     frame = _frame(decisions, massing, storeys, generator)
+    filled: dict[int, Storey] = {}
     sketches: dict[int, Sketch] = {}
     envelopes: dict[int, Envelope] = {}
     pairs = wanted_pairs(decisions)
-    for storey in storeys:
-        source = next((s for s in storeys if s.index == storey.copy), None)
-        if source is None:
-            _furnish(storey, massing, allocation, knowledge, decisions)
-            sketches[storey.index] = _sketch(decisions, massing, storey, pairs)
-        else:
-            storey.rooms = source.rooms
-            sketches[storey.index] = sketches[source.index]
+    for bare in storeys:
+        source = filled.get(bare.copy) if bare.copy is not None else None
+        rooms = source.rooms if source is not None else _rooms(bare, massing, allocation, knowledge, decisions)
+        storey = filled[bare.index] = replace(bare, rooms=rooms)
+        sketches[storey.index] = (
+            sketches[source.index] if source is not None else _sketch(decisions, massing, storey, pairs)
+        )
         envelopes[storey.index] = (
             Envelope.of(decisions.outline)
             if decisions.free_form and decisions.outline is not None
             else envelope_of(massing, storey, frame)
         )
-    return massing, frame, sketches, envelopes
+    return Arrangement(massing, frame, list(filled.values()), sketches, envelopes)
 
 
 def _massing(decisions: Decisions, wish: MassingWish, generator: np.random.Generator) -> Massing:
@@ -165,7 +198,7 @@ def _massing(decisions: Decisions, wish: MassingWish, generator: np.random.Gener
     return rectangle_massing(wish, max(x1 - x0, y1 - y0), min(x1 - x0, y1 - y0))
 
 
-def _frame(decisions: Decisions, massing: Massing, storeys: list[Storey], generator: np.random.Generator) -> Frame:
+def _frame(decisions: Decisions, massing: Massing, storeys: Sequence[Storey], generator: np.random.Generator) -> Frame:
     """Turn and mirror by chance; a given outline stays where it is."""
     mirror_x, mirror_y, swap = (bool(value) for value in generator.random(3) < 0.5)
     length = massing.length + max(storey.extension for storey in storeys)
@@ -187,10 +220,10 @@ def _sketch(decisions: Decisions, massing: Massing, storey: Storey, pairs: list[
     return lay_out(massing, storey, storey.hub.name, pairs, unwanted_pairs(decisions))
 
 
-def _furnish(
+def _rooms(
     storey: Storey, massing: Massing, allocation: Allocation, knowledge: KnowledgeBase, decisions: Decisions
-) -> None:
-    """Choose a storey's rooms, settle their areas and name them."""
+) -> tuple[PlannedRoom, ...]:
+    """Choose a storey's rooms, with their areas and names."""
     stated = hub_area(storey, allocation)
     if decisions.free_form and decisions.outline is not None:
         cores = sum(box_area(core.box) for core in massing.cores)
@@ -199,13 +232,12 @@ def _furnish(
         room, share = capacity(massing, storey), 0.0
     if massing.hall:
         share = stated or max(storey.hub.usual, 0.38 * room)
-    storey.rooms = fill_storey(storey, allocation, knowledge, room, hub_share=share)
-    if massing.hall:
-        asked = sum(r.gross for r in storey.rooms)
-        if not stated:
-            wanted = sum(r.gross for r in storey.rooms if r.stated)
-            share = max(storey.hub.least, 0.5 * share, min(share, room - wanted))
-        fit_areas(storey.rooms, room - share if stated else min(room - share, max(asked, 0.45 * room)))
-    else:
-        fit_areas(storey.rooms, room)
-    name_rooms(storey, storey.hub.name)
+    chosen = fill_storey(storey, allocation, knowledge, room, hub_share=share)
+    if massing.hall and stated:
+        room -= share
+    elif massing.hall:
+        asked = sum(r.gross for r in chosen)
+        wanted = sum(r.gross for r in chosen if r.stated)
+        share = max(storey.hub.least, 0.5 * share, min(share, room - wanted))
+        room = min(room - share, max(asked, 0.45 * room))
+    return name_rooms(fit_areas(chosen, room), storey.hub.name)

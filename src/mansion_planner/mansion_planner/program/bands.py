@@ -1,10 +1,22 @@
 """Lay rooms out in bands along corridors: blocks of rooms, and the stretches of band that they are distributed over."""
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+
+import msgspec
 
 from mansion_planner.program.model import Box, Massing, PlannedRoom, Wing
 
-__all__ = ["Block", "Segment", "bring_together", "fill_segments", "front_order", "group_blocks", "lay_block", "widened"]
+__all__ = [
+    "Block",
+    "Segment",
+    "bring_together",
+    "fill_segments",
+    "front_order",
+    "group_blocks",
+    "lay_block",
+    "widened",
+    "with_rows",
+]
 
 DOOR = 1.5
 """Least contact of a room with what it is reached from, with a margin over the 1.20 m of a door, metres."""
@@ -26,21 +38,20 @@ def widened(widths: list[float], least: list[float]) -> list[float]:
     return [low if width < low else width - (width - low) * need / spare for width, low in zip(widths, least)]
 
 
-@dataclass
-class Block:
+class Block(msgspec.Struct, frozen=True):
     """A room of full depth with small rooms cut from its front corner.
 
     Attributes
     ----------
     host : PlannedRoom
-    smalls : list of PlannedRoom
+    smalls : tuple of PlannedRoom
         Rooms too small for the band's depth, also reached from the corridor.
     least : float
         Metres of front that its place asks for.
     """
 
     host: PlannedRoom
-    smalls: list[PlannedRoom] = field(default_factory=list)
+    smalls: tuple[PlannedRoom, ...] = ()
     least: float = 0.0
 
     @property
@@ -68,24 +79,23 @@ def _front_depth(area: float, depth: float) -> float:
     return float(min(max((area * 1.25) ** 0.5, 1.8), max(depth - 1.8, 0.55 * depth)))
 
 
-def group_blocks(rooms: list[PlannedRoom], depth: float, pairs: list[tuple[str, str]]) -> list[Block]:
+def group_blocks(rooms: Sequence[PlannedRoom], depth: float, pairs: Sequence[tuple[str, str]]) -> list[Block]:
     """Give each room that is too small for a band of `depth` to a larger neighbour as its front corner."""
     narrow = [room for room in rooms if not room.suite and room.area / depth < 1.9]
     narrow.sort(key=lambda room: -room.area)
     blocks = [Block(room) for room in rooms if not any(room is other for other in narrow)]
     for room in narrow:
         width = room.area / _front_depth(room.area, depth)
-        best: Block | None = None
-        for block in blocks:
-            spare = _spare_front(block, depth)
-            if block.host.suite or spare < width + 1.9 or len(block.smalls) >= 3:
-                continue
-            if best is None or _fit(block, room, depth, pairs) > _fit(best, room, depth, pairs):
-                best = block
-        if best is None:
-            blocks.append(Block(room))
+        hosts = [
+            number
+            for number, block in enumerate(blocks)
+            if not block.host.suite and len(block.smalls) < 3 and _spare_front(block, depth) >= width + 1.9
+        ]
+        if hosts:
+            best = max(hosts, key=lambda number: _fit(blocks[number], room, depth, pairs))
+            blocks[best] = Block(blocks[best].host, (*blocks[best].smalls, room))
         else:
-            best.smalls.append(room)
+            blocks.append(Block(room))
     return blocks
 
 
@@ -94,7 +104,7 @@ def _spare_front(block: Block, depth: float) -> float:
     return width - sum(room.area / _front_depth(room.area, depth) for room in block.smalls)
 
 
-def _fit(block: Block, room: PlannedRoom, depth: float, pairs: list[tuple[str, str]]) -> float:
+def _fit(block: Block, room: PlannedRoom, depth: float, pairs: Sequence[tuple[str, str]]) -> float:
     """Prefer hosts of kindred use with room to spare."""
     same_zone = block.host.kind.zone == room.kind.zone
     wanted = room.kind.name in block.host.kind.near or block.host.kind.name in room.kind.near
@@ -198,8 +208,7 @@ def _lay_columns(host: PlannedRoom, width: float, depth: float, scale: float) ->
     return placed
 
 
-@dataclass
-class Segment:
+class Segment(msgspec.Struct, frozen=True):
     """A stretch of band: from `begin` to `end` along its corridor, `depth` metres deep.
 
     Attributes
@@ -219,7 +228,7 @@ class Segment:
     front: float
     depth: float
     wing: Wing | None = None
-    blocks: list[Block] = field(default_factory=list)
+    blocks: tuple[Block, ...] = ()
 
     @property
     def length(self) -> float:
@@ -268,7 +277,7 @@ class Segment:
         return (across[0], start - box[2], across[1], start - box[0])
 
 
-def front_order(rooms: list[PlannedRoom]) -> list[PlannedRoom]:
+def front_order(rooms: Sequence[PlannedRoom]) -> list[PlannedRoom]:
     """Order rooms from the cores outwards: wet rooms (stacked from storey to storey), public, service, private."""
     zones = {"circulation": 0, "public": 1, "service": 2, "private": 3}
 
@@ -282,15 +291,17 @@ def front_order(rooms: list[PlannedRoom]) -> list[PlannedRoom]:
     return sorted(rooms, key=rank)
 
 
-def fill_segments(segments: list[Segment], blocks: list[Block], pairs: list[tuple[str, str]] | None = None) -> None:
-    """Put each block into a segment, so that the segments are filled in equal measure and rooms are well shaped.
+def fill_segments(
+    segments: Sequence[Segment], blocks: Sequence[Block], pairs: Sequence[tuple[str, str]] = ()
+) -> list[Segment]:
+    """Return the segments with each block in one, filled in equal measure and so that rooms are well shaped.
 
     Parameters
     ----------
-    segments : list of Segment
-    blocks : list of Block
+    segments : sequence of Segment
+    blocks : sequence of Block
         In the order from the cores outwards, which each segment keeps.
-    pairs : list of (str, str), optional
+    pairs : sequence of (str, str), optional
         Room types that are to be side by side, the most wanted first.
     """
     total = sum(block.gross for block in blocks)
@@ -305,12 +316,15 @@ def fill_segments(segments: list[Segment], blocks: list[Block], pairs: list[tupl
                 s.filling + 1.5 * shape_cost(block.gross * scale, s.segment.depth),
             ),
         )
-        best.add(number, block)
+        best.add(number, best.parts(block))
     _balance(share, blocks)
-    for entry in share:
-        entry.segment.blocks = [blocks[number] for number in sorted(entry.members)]
-    for first, second in pairs or []:
-        bring_together(segments, first, second)
+    filled = [
+        msgspec.structs.replace(entry.segment, blocks=tuple(blocks[number] for number in sorted(entry.members)))
+        for entry in share
+    ]
+    for first, second in pairs:
+        filled = bring_together(filled, first, second)
+    return filled
 
 
 def shape_cost(area: float, depth: float) -> float:
@@ -326,7 +340,7 @@ _NOTHING: _Parts = (0.0, 0.0, 0.0)
 
 
 class _Share:
-    """A segment while it is filled: member blocks by number, and the metres that they take."""
+    """A segment while `fill_segments` fills it: member blocks by number, and the metres that they take."""
 
     def __init__(self, segment: Segment, scale: float) -> None:
         self.segment = segment
@@ -349,11 +363,15 @@ class _Share:
         metres = area / self.segment.depth
         return metres, shape_cost(area, self.segment.depth), metres if block.fixed else 0.0
 
-    def add(self, number: int, block: Block) -> None:
-        self.change(self.parts(block), 1.0)
+    def add(self, number: int, parts: _Parts) -> None:
+        self._count(parts, 1.0)
         self.members.append(number)
 
-    def change(self, parts: _Parts, sign: float) -> None:
+    def remove(self, number: int, parts: _Parts) -> None:
+        self._count(parts, -1.0)
+        self.members.remove(number)
+
+    def _count(self, parts: _Parts, sign: float) -> None:
         """Account for a block that comes (+1) or leaves (-1)."""
         self.used += sign * parts[0]
         self.shape += sign * parts[1]
@@ -373,73 +391,105 @@ class _Share:
         return price + (50.0 if len(self.members) + members <= 0 else 0.0)
 
 
-def _balance(share: list[_Share], blocks: list[Block]) -> None:
+def _balance(share: list[_Share], blocks: Sequence[Block]) -> None:
     """Move or swap blocks between segments while that lowers the price."""
     for _ in range(40):
         if not any(_improve(a, b, blocks) for a in share for b in share if a is not b):
             return
 
 
-def _improve(a: _Share, b: _Share, blocks: list[Block]) -> bool:
+def _improve(a: _Share, b: _Share, blocks: Sequence[Block]) -> bool:
+    """Move or swap the first block whose place in the other segment is cheaper, and tell whether there was one."""
     base = a.cost() + b.cost() - 1e-6
     in_b = [(number, b.parts(blocks[number]), a.parts(blocks[number])) for number in b.members]
     for number in a.members:
         here, there = a.parts(blocks[number]), b.parts(blocks[number])
         if a.cost(leaving=here, members=-1) + b.cost(coming=there, members=1) < base:
-            _transfer(a, b, number, here, there)
+            a.remove(number, here)
+            b.add(number, there)
             return True
         for other, other_here, other_there in in_b:
             if a.cost(other_there, here) + b.cost(there, other_here) < base:
-                _transfer(a, b, number, here, there)
-                _transfer(b, a, other, other_here, other_there)
+                a.remove(number, here)
+                b.add(number, there)
+                b.remove(other, other_here)
+                a.add(other, other_there)
                 return True
     return False
-
-
-def _transfer(a: _Share, b: _Share, number: int, here: _Parts, there: _Parts) -> None:
-    a.members.remove(number)
-    a.change(here, -1.0)
-    b.members.append(number)
-    b.change(there, 1.0)
 
 
 def _holds(block: Block, name: str) -> bool:
     return block.host.called(name)
 
 
-def bring_together(segments: list[Segment], first: str, second: str) -> None:
-    """Put a block of one type beside one of the other: within its segment, else by a swap with a like block."""
-    places = [(s, i) for s in segments for i, block in enumerate(s.blocks) if _holds(block, first)]
-    goals = [(s, i) for s in segments for i, block in enumerate(s.blocks) if _holds(block, second)]
-    if not places or not goals:
-        return
-    if any(s is t and abs(i - j) == 1 for s, i in places for t, j in goals):
-        return
-    for s, i in places:
-        for t, j in goals:
-            if s is t:
-                s.blocks.insert(j, s.blocks.pop(i))
-                return
+def bring_together(segments: Sequence[Segment], first: str, second: str) -> list[Segment]:
+    """Return the segments with a block of one type beside one of the other.
+
+    It moves within its segment, else a block that takes as much of the front makes room for it.
+    """
+    places = _places_of(segments, first)
+    goals = _places_of(segments, second) if places else []
+    if not goals or any(s == t and abs(i - j) == 1 for s, i in places for t, j in goals):
+        return list(segments)
+    rows = [list(segment.blocks) for segment in segments]
+    within = next(((s, i, j) for s, i in places for t, j in goals if s == t), None)
+    if within is not None:
+        s, i, j = within
+        rows[s].insert(j, rows[s].pop(i))
+        return with_rows(segments, rows)
+    swap = _best_swap(segments, places, goals)
+    if swap is None:
+        return list(segments)
+    (s, i), (t, j), k = swap
+    rows[s][i], rows[t][k] = rows[t][k], rows[s][i]
+    rows[t].insert(j, rows[t].pop(k))
+    return with_rows(segments, rows)
+
+
+def with_rows(segments: Sequence[Segment], rows: Sequence[Sequence[Block]]) -> list[Segment]:
+    """Return the segments with a row of blocks for each."""
+    return [msgspec.structs.replace(segment, blocks=tuple(row)) for segment, row in zip(segments, rows)]
+
+
+_Place = tuple[int, int]
+"""Number of a segment, and of a block in it."""
+
+
+def _places_of(segments: Sequence[Segment], name: str) -> list[_Place]:
+    return [
+        (s, i) for s, segment in enumerate(segments) for i, block in enumerate(segment.blocks) if _holds(block, name)
+    ]
+
+
+def _best_swap(
+    segments: Sequence[Segment], places: Sequence[_Place], goals: Sequence[_Place]
+) -> tuple[_Place, _Place, int] | None:
+    """Return which block goes to the segment of which other, and the number there of the one that it changes with.
+
+    Its segments are as full after the exchange as before, or nearly so; ``None`` where no exchange does that.
+    """
     options = [
-        (max(_misfit(s, moving, t.blocks[k]), _misfit(t, t.blocks[k], moving)), n, m, k)
+        (_misfit_of_swap(segments, (s, i), (t, k)), n, m, k)
         for n, (s, i) in enumerate(places) for m, (t, j) in enumerate(goals)
-        for moving in [s.blocks[i]] for k in range(len(t.blocks)) if k != j
+        for k in range(len(segments[t].blocks)) if k != j
     ]  # fmt: skip
     options += [
-        (max(_misfit(s, s.blocks[k], goal), _misfit(t, goal, s.blocks[k])), n, -1 - m, k)
+        (_misfit_of_swap(segments, (s, k), (t, j)), n, -1 - m, k)
         for n, (s, i) in enumerate(places) for m, (t, j) in enumerate(goals)
-        for goal in [t.blocks[j]] for k in range(len(s.blocks)) if k != i
+        for k in range(len(segments[s].blocks)) if k != i
     ]  # fmt: skip
     best = min(options, default=None)
     if best is None or best[0] > 0.3:
-        return
+        return None
     _, n, m, k = best
-    (s, i), (t, j) = places[n], goals[m if m >= 0 else -1 - m]
-    if m < 0:
-        (s, i), (t, j) = (t, j), (s, i)
-    s.blocks[i], t.blocks[k] = t.blocks[k], s.blocks[i]
-    moved = t.blocks.pop(k)
-    t.blocks.insert(j, moved)
+    return (places[n], goals[m], k) if m >= 0 else (goals[-1 - m], places[n], k)
+
+
+def _misfit_of_swap(segments: Sequence[Segment], one: _Place, other: _Place) -> float:
+    """How far the worse of two segments is from full after they exchange a block, as a share of its length."""
+    s, t = segments[one[0]], segments[other[0]]
+    ours, theirs = s.blocks[one[1]], t.blocks[other[1]]
+    return max(_misfit(s, ours, theirs), _misfit(t, theirs, ours))
 
 
 def _misfit(segment: Segment, leaving: Block, coming: Block) -> float:

@@ -1,6 +1,6 @@
 """Assemble the building program of Fig. 23 from decisions, massing and sketches."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import msgspec
 import numpy as np
@@ -12,24 +12,26 @@ from mansion_msgs_py.program import (
     CorePlan,
     FloorProgram,
     RoomProgram,
+    TraceEntry,
     VerticalConnectivity,
 )
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.wording import with_article
 from mansion_planner.brief.facts import BriefFacts, MaterialFact
-from mansion_planner.program.arrangement import best_arrangement, neighbours
-from mansion_planner.program.decisions import Decisions, decide, note
+from mansion_planner.program.arrangement import Arrangement, best_arrangement, neighbours, unmet_neighbours
+from mansion_planner.program.decisions import Decisions, decide
 from mansion_planner.program.massing import MassingWish, choose_shape, storey_area, typical_room, vertical_method
 from mansion_planner.program.model import Massing, Sketch, Storey, aliases_of
 from mansion_planner.program.outline import Envelope, Frame, bearing_walls
+from mansion_planner.program.record import Record
 from mansion_planner.program.storey_rooms import allocate
 from mansion_planner.program.storeys import floors_of, make_storeys
-from mansion_planner.program.wishes import assign_furniture, requested_objects, wishes_of
+from mansion_planner.program.wishes import furniture_of, requested_objects, wishes_of
 
 __all__ = ["PlannedBuilding", "floor_program", "materials_of", "plan_program"]
 
 
-@dataclass
+@dataclass(frozen=True)
 class PlannedBuilding:
     """The program and what it was made from, for the topology stage."""
 
@@ -53,26 +55,31 @@ def plan_program(
         See `mansion_planner.plan.plan_building`.
     """
     decisions = decide(request, facts, knowledge, generator)
-    storeys = make_storeys(decisions, knowledge)
-    allocation = allocate(decisions, knowledge, storeys)
-    method, stairs, lifts, why = vertical_method(decisions, storeys, allocation, knowledge)
-    area = storey_area(decisions, storeys, allocation, knowledge, stairs, lifts)
+    bare, of_storeys = make_storeys(decisions, knowledge)
+    allocation, of_rooms = allocate(decisions, knowledge, bare)
+    method, stairs, lifts, why = vertical_method(decisions, bare, allocation, knowledge)
+    area, of_area = storey_area(decisions, bare, allocation, knowledge, stairs, lifts)
+    shape, of_shape = choose_shape(decisions, area, generator)
     wish = MassingWish(
         area, decisions.building, stairs, lifts, exact=decisions.area_stated,
-        room=typical_room(storeys, allocation, knowledge), shape=choose_shape(decisions, area, generator),
+        room=typical_room(bare, allocation, knowledge), shape=shape,
     )  # fmt: skip
-    massing, frame, sketches, envelopes = best_arrangement(decisions, wish, storeys, allocation, knowledge)
-    assign_furniture(decisions, storeys)
-    walls = bearing_walls([sketches[storey.index] for storey in storeys], frame)
-    floors = [
-        floor_program(decisions, storey, sketches[storey.index], envelopes[storey.index], knowledge)
-        for storey in storeys
-    ]
+    layout = best_arrangement(decisions, wish, bare, allocation, knowledge)
+    unmet = (u for s in layout.storeys for u in unmet_neighbours(decisions, s, layout.sketches[s.index]))
+    record = of_storeys + of_rooms + of_area + of_shape + Record((TraceEntry(words="", effect=why),), tuple(unmet))
+    decisions = replace(
+        decisions,
+        trace=[*decisions.trace, *record.trace],
+        downgrades=[*decisions.downgrades, *record.downgrades],
+        furniture=furniture_of(decisions, layout.storeys),
+    )
     program = BuildingProgram(
         building_id=building_id,
         reasoning=_reasoning(decisions, area),
-        vertical_connectivity=VerticalConnectivity(method=method, cores=_cores(massing, frame), justification=why),
-        floors=_with_elevations([msgspec.structs.replace(floor, structural_walls=list(walls)) for floor in floors]),
+        vertical_connectivity=VerticalConnectivity(
+            method=method, cores=_cores(layout.massing, layout.frame), justification=why
+        ),
+        floors=_floors(decisions, layout, knowledge),
         description=request.description,
         building_type=decisions.facts.building_name or decisions.building.name,
         planned_like=decisions.building.name if decisions.facts.building_name else "",
@@ -82,8 +89,19 @@ def plan_program(
         downgrades=decisions.downgrades,
         wishes=wishes_of(decisions, knowledge),
     )
-    note(decisions.trace, None, f"{why}")
-    return PlannedBuilding(program, decisions, massing, frame, storeys, sketches, envelopes)
+    return PlannedBuilding(
+        program, decisions, layout.massing, layout.frame, layout.storeys, layout.sketches, layout.envelopes
+    )
+
+
+def _floors(decisions: Decisions, layout: Arrangement, knowledge: KnowledgeBase) -> list[FloorProgram]:
+    """Return the floors with their structural walls and elevations."""
+    walls = bearing_walls([layout.sketches[storey.index] for storey in layout.storeys], layout.frame)
+    floors = [
+        floor_program(decisions, storey, layout.sketches[storey.index], layout.envelopes[storey.index], knowledge)
+        for storey in layout.storeys
+    ]
+    return _with_elevations([msgspec.structs.replace(floor, structural_walls=list(walls)) for floor in floors])
 
 
 def materials_of(

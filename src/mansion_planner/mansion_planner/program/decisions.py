@@ -181,14 +181,13 @@ def _infer_floors(
         tops = [ref.first for use in facts.uses for ref in use.floors if ref.kind == "top"]
         count, needed = needed + max(tops, default=0), needed + max(tops, default=0)
         reason = "the storeys that are given a use"
-    named = {ref.kind for room in facts.rooms for ref in room.floors}
-    if "upper" in named and named <= {"number", "upper", "basement"} and needed <= 1 and not sized and not facts.area:
+    kinds = {ref.kind for room in facts.rooms for ref in room.floors}
+    if "upper" in kinds and kinds <= {"number", "upper", "basement"} and needed <= 1 and not sized and not facts.area:
         count, reason = 2, "a lower and an upper one are described"
     pinned = {ref.first for room in facts.rooms for ref in room.floors if ref.kind == "number"}
     if needed >= 2 and pinned >= set(range(1, needed + 1)) and not sized:
         above = any(ref.kind == "top" for room in facts.rooms for ref in room.floors)
         count, reason = needed + above, "each of them is described"
-    kinds = {ref.kind for room in facts.rooms for ref in room.floors}
     floor_least = 1
     if kinds & {"upper", "top"}:
         floor_least = 2

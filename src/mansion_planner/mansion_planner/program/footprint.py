@@ -145,11 +145,11 @@ def sketch_free(storey: Storey, hub_id: str, free_area: float) -> Sketch:
     placements: list[Placement] = []
     for number, room in enumerate(rooms):
         parent = hub_id if not pieces else corridors[1 + number * pieces // len(rooms)].id
-        _add(placements, room, parent, scale)
+        placements += _given(room, parent, scale)
     return Sketch(corridors, placements)
 
 
-def _add(placements: list[Placement], room: PlannedRoom, parent: str, scale: float) -> None:
-    placements.append(Placement(room, [], parent, given=room.area * scale))
-    for child in room.suite:
-        _add(placements, child, room.id, scale)
+def _given(room: PlannedRoom, parent: str, scale: float) -> list[Placement]:
+    """Return the room and its suite with areas and without places."""
+    inner = [placement for child in room.suite for placement in _given(child, room.id, scale)]
+    return [Placement(room, [], parent, given=room.area * scale), *inner]

@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import msgspec
+
 from mansion_planner.program.bands import Block, Segment, bring_together, front_order, group_blocks, lay_block, widened
 from mansion_planner.program.model import (
     DOOR_WALL,
@@ -114,45 +116,41 @@ def _arranged(
         slim = any(room.area / band < 1.5 for room in chosen)
         north = group_blocks(chosen, band, pairs) if slim else [Block(room) for room in chosen]
         east = [Block(room) for room in rest]
-    row = [Segment("main", True, 0.0, 1.0, 0.0, band, blocks=north)]
+    row = [Segment("main", True, 0.0, 1.0, 0.0, band, blocks=tuple(north))]
     for first, second in pairs:
-        bring_together(row, first, second)
-    keep_apart(row, apart, pairs)
+        row = bring_together(row, first, second)
+    north = list(keep_apart(row, apart, pairs)[0].blocks)
     area = sum(block.gross for block in east)
     under = arrangement.under and bool(east)
     if under and north:
-        north[-1].least = area / (depth - band) + DOOR_WALL + 0.1
+        north[-1] = msgspec.structs.replace(north[-1], least=area / (depth - band) + DOOR_WALL + 0.1)
     # Rooms that ask for more than there is are laid smaller, so that the hub and the north side keep their places.
     widest = max(length - begin - _LEAST_HUB, 1.0)
     column = min(area / depth, widest)
     end = length if under else length - column
-    placements: list[Placement] = []
     if north and sum(block.gross for block in north) < 0.97 * (end - begin) * band:
         band = max(sum(block.gross for block in north) / (end - begin), 3.0 if stairs else 0.0)
-    _place(
-        Segment("main", True, begin, end, depth - band, band, blocks=north),
-        massing, hub_id, placements,
-    )  # fmt: skip
+    lined = Segment("main", True, begin, end, depth - band, band, blocks=tuple(north))
     reach = depth - band if under else depth
     column = min(area / reach, widest)
-    _place_column(east, (length - column, reach, column), hub_id, placements)
+    placements = _in_row(lined, massing, hub_id) + _in_column(east, (length - column, reach, column), hub_id)
     hub = Corridor(hub_id, _hub_boxes(massing, begin, length - column, band, lined=bool(north)))
     return Sketch([hub], placements, {core.id: hub_id for core in massing.cores})
 
 
-def _place_column(
-    east: list[Block], place: tuple[float, float, float], hub_id: str, placements: list[Placement]
-) -> None:
+def _in_column(east: list[Block], place: tuple[float, float, float], hub_id: str) -> list[Placement]:
     """Stack blocks from the south along the hub's far side; `place` is where it begins, its reach and its width."""
     x0, reach, column = place
     high = sum(block.gross for block in east) or 1.0
     rises = widened([reach * block.gross / high for block in east], [block.least_width for block in east])
+    placements: list[Placement] = []
     y = 0.0
     for block, rise in zip(east, rises):
         for room, boxes in lay_block(block, rise, column):
             world: list[Box] = [(x0 + b[1], y + b[0], x0 + b[3], y + b[2]) for b in boxes]
             placements.append(Placement(room, world, _parent(block, room, hub_id)))
         y += rise
+    return placements
 
 
 def _hub_boxes(massing: Massing, begin: float, end: float, band: float, *, lined: bool) -> list[Box]:
@@ -204,9 +202,10 @@ def _split(blocks: list[Block], band: float, length: float) -> tuple[list[Block]
     return north, east
 
 
-def _place(segment: Segment, massing: Massing, hub_id: str, placements: list[Placement]) -> None:
-    for block, x0, x1 in segment.laid():
-        for room, boxes in lay_block(block, x1 - x0, segment.depth):
-            placements.append(
-                Placement(room, [segment.world(box, x0, massing) for box in boxes], _parent(block, room, hub_id))
-            )
+def _in_row(segment: Segment, massing: Massing, hub_id: str) -> list[Placement]:
+    """Return the places of a segment's rooms."""
+    return [
+        Placement(room, [segment.world(box, x0, massing) for box in boxes], _parent(block, room, hub_id))
+        for block, x0, x1 in segment.laid()
+        for room, boxes in lay_block(block, x1 - x0, segment.depth)
+    ]

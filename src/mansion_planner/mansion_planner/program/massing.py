@@ -1,6 +1,7 @@
 """Choose the massing: stairs and lifts, the gross area of a storey, and the dimensions that all storeys share."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -8,10 +9,11 @@ import numpy as np
 
 from mansion_knowledge import BuildingType, KnowledgeBase
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.program import Downgrade
+from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_msgs_py.wording import with_article
 from mansion_planner.program.decisions import AREA_CAP, Decisions, conflict, note
 from mansion_planner.program.model import CoreBox, Massing, Storey, Wing
+from mansion_planner.program.record import Record
 from mansion_planner.program.storey_rooms import Allocation, base_rooms, hub_area
 from mansion_planner.program.storeys import entries_of, is_hall
 
@@ -106,8 +108,8 @@ def storey_area(
     knowledge: KnowledgeBase,
     stairs: int,
     lifts: int,
-) -> float:
-    """Return the gross area of a storey in square metres.
+) -> tuple[float, Record]:
+    """Return the gross area of a storey in square metres; a stated one that the rooms do not fit in gives way.
 
     Raises
     ------
@@ -126,9 +128,9 @@ def storey_area(
             need, fullest = wished + hub, storey
     if decisions.area_stated:
         squeeze = _TINY_SQUEEZE if decisions.area <= _TINY else _SQUEEZE
-        if least > decisions.area * squeeze:
-            least = _grown(decisions, storeys, allocation, fullest, least)
-        return decisions.area if least <= decisions.area * squeeze else least
+        if least <= decisions.area * squeeze:
+            return decisions.area, Record()
+        return least, Record(downgrades=(_outgrown(decisions, storeys, allocation, fullest, least),))
     asked = (need + fixed) / (1.0 - share) * 1.02
     usual = decisions.area
     if decisions.building.parti != "spine":
@@ -138,15 +140,18 @@ def storey_area(
     result = max(usual, asked, decisions.building.floor_area[0])
     if decisions.facts.shapes:
         result = max(result, _least_area(decisions.facts.shapes[0][0]))
+    trace: list[TraceEntry] = []
     if result > usual + 1.0 and asked > usual:
-        note(decisions.trace, None, f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}")
+        note(trace, None, f"{result:.0f} m2 a storey, for the rooms of storey {fullest.index}")
     if result > AREA_CAP:
-        note(decisions.trace, None, f"above {AREA_CAP:.0f} m2 a storey, for the rooms asked for")
-    return result
+        note(trace, None, f"above {AREA_CAP:.0f} m2 a storey, for the rooms asked for")
+    return result, Record(tuple(trace))
 
 
-def _grown(decisions: Decisions, storeys: list[Storey], allocation: Allocation, fullest: Storey, least: float) -> float:
-    """Return the area that the rooms asked for need, and record that the stated one gave way.
+def _outgrown(
+    decisions: Decisions, storeys: Sequence[Storey], allocation: Allocation, fullest: Storey, least: float
+) -> Downgrade:
+    """Return the record that the stated area gave way to the one that the rooms asked for need.
 
     Raises
     ------
@@ -168,8 +173,7 @@ def _grown(decisions: Decisions, storeys: list[Storey], allocation: Allocation, 
         )
     wish = decisions.area_span.partition('"')[2].partition('"')[0] or decisions.area_span
     reason = f"{words} on storey {fullest.index} need it, with stairs and corridors"
-    decisions.downgrades.append(conflict(wish, f"{least:.0f} m2 a storey", reason, fullest.index))
-    return least
+    return conflict(wish, f"{least:.0f} m2 a storey", reason, fullest.index)
 
 
 def _typical(
@@ -250,25 +254,24 @@ def _least_area(shape: str) -> float:
     return _LEAST_AREA.get(shape, 0.0)
 
 
-def choose_shape(decisions: Decisions, area: float, generator: np.random.Generator) -> str:
+def choose_shape(decisions: Decisions, area: float, generator: np.random.Generator) -> tuple[str, Record]:
     """Return the outline's shape: stated, or sampled by use and size; a plan too small for its shape is simpler."""
     draw = float(generator.random())
     if decisions.facts.shapes:
         shape, span = decisions.facts.shapes[0]
         if area >= _LEAST_AREA.get(shape, 0.0) * 0.98:
-            note(decisions.trace, span, f"{shape} outline")
-            return str(shape)
-        decisions.downgrades.append(
-            Downgrade(
-                wish=f"{shape} outline", got="rectangle", stage="program",
-                reason=f"{with_article(shape)} plan takes at least {_LEAST_AREA[shape]:.0f} m2 a storey, "
-                f"there are {area:.0f}",
-            )
+            trace: list[TraceEntry] = []
+            note(trace, span, f"{shape} outline")
+            return str(shape), Record(tuple(trace))
+        simpler = Downgrade(
+            wish=f"{shape} outline", got="rectangle", stage="program",
+            reason=f"{with_article(shape)} plan takes at least {_LEAST_AREA[shape]:.0f} m2 a storey, "
+            f"there are {area:.0f}",
         )  # fmt: skip
-        return "rectangle"
+        return "rectangle", Record(downgrades=(simpler,))
     if decisions.building.parti == "spine" and area >= 300 and draw < 0.25:
-        return "L" if draw < 0.17 else "T"
-    return "rectangle"
+        return "L" if draw < 0.17 else "T", Record()
+    return "rectangle", Record()
 
 
 def _corridor_width(use: BuildingType, area: float) -> float:

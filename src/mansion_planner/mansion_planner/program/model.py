@@ -4,9 +4,11 @@ The massing frame has its x axis along the main corridor and the first stair in 
 `mansion_planner.program.outline` turns and mirrors the finished plan.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Literal
+
+import msgspec
 
 from mansion_knowledge import BuildingType, RoomType
 
@@ -45,8 +47,7 @@ def box_area(box: Box) -> float:
     return max(box[2] - box[0], 0.0) * max(box[3] - box[1], 0.0)
 
 
-@dataclass
-class PlannedRoom:
+class PlannedRoom(msgspec.Struct, frozen=True):
     """A room of a storey before it has a place.
 
     Attributes
@@ -57,7 +58,7 @@ class PlannedRoom:
         The brief states the area.
     stated : bool
         The brief asks for the room.
-    suite : list of PlannedRoom
+    suite : tuple of PlannedRoom
         Rooms that are reached through it.
     base : str
         The name that the brief or the type gives it; rooms of one name differ by the number in their `id`.
@@ -74,7 +75,7 @@ class PlannedRoom:
     most: float
     fixed: bool = False
     stated: bool = False
-    suite: list["PlannedRoom"] = field(default_factory=list)
+    suite: tuple["PlannedRoom", ...] = ()
     notes: str = ""
     base: str = ""
     label: str = ""
@@ -93,8 +94,15 @@ class PlannedRoom:
         """Return the room and its suite, the room first."""
         return [self, *(room for child in self.suite for room in child.each())]
 
+    def changed(self, change: Callable[["PlannedRoom"], "PlannedRoom"]) -> "PlannedRoom":
+        """Return the room with a change to it and to each of its suite; `change` leaves the suite of a room alone."""
+        made = change(self)
+        if not self.suite:
+            return made
+        return msgspec.structs.replace(made, suite=tuple(child.changed(change) for child in self.suite))
 
-@dataclass
+
+@dataclass(frozen=True)
 class Storey:
     """A storey while it is planned.
 
@@ -116,7 +124,7 @@ class Storey:
     role: str
     use: BuildingType
     hub: RoomType
-    rooms: list[PlannedRoom] = field(default_factory=list)
+    rooms: tuple[PlannedRoom, ...] = ()
     copy: int | None = None
     lead: RoomType | None = None
     setback: float = 0.0
@@ -223,8 +231,7 @@ class Corridor:
         return self.given or sum(box_area(box) for box in self.boxes)
 
 
-@dataclass(frozen=True)
-class Placement:
+class Placement(msgspec.Struct, frozen=True):
     """A room's place: disjoint boxes, and the room or corridor that it is reached from."""
 
     room: PlannedRoom

@@ -4,6 +4,8 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
+import msgspec
+
 from mansion_planner.program.bands import Segment, fill_segments, front_order, group_blocks, lay_block
 from mansion_planner.program.model import (
     Box,
@@ -51,9 +53,8 @@ def sketch_storey(
     segments = _segments(massing, stop, lobby_length(massing, storey))
     depth = max(segment.depth for segment in segments)
     blocks = group_blocks(front_order(rest), depth, pairs)
-    fill_segments(segments, blocks, pairs)
-    keep_apart(segments, apart, pairs)
-    return _assemble(massing, storey, hub_id, segments, ends, stop, length)
+    filled = keep_apart(fill_segments(segments, blocks, pairs), apart, pairs)
+    return _assemble(massing, storey, hub_id, filled, ends, stop, length)
 
 
 def _is_main(corridor: Corridor) -> bool:
@@ -75,7 +76,9 @@ def _with_pocket(massing: Massing, rooms: list[Placement]) -> list[Placement]:
         if abs(box[0] - edge) < 0.01 and min(box[3], massing.depth) - max(box[1], top) > 1.2
     ]  # fmt: skip
     return [
-        replace(placement, boxes=[*placement.boxes, spare]) if neighbours and placement is neighbours[0] else placement
+        msgspec.structs.replace(placement, boxes=[*placement.boxes, spare])
+        if neighbours and placement is neighbours[0]
+        else placement
         for placement in rooms
     ]
 
@@ -182,8 +185,11 @@ def _with_parents(
         owners[id(room)] = bar
         if bar == "main":
             owners[id(room)] = max(mains, key=lambda c: min(c.boxes[0][2], x1) - max(c.boxes[0][0], x0)).id
-    placed = [replace(placement, parent=owners.get(id(placement.room), placement.parent)) for placement in rooms]
-    return [replace(p, parent=mains[-1].id) if p.parent == _AT_END else p for p in placed]
+    placed = [
+        msgspec.structs.replace(placement, parent=owners.get(id(placement.room), placement.parent))
+        for placement in rooms
+    ]
+    return [msgspec.structs.replace(p, parent=mains[-1].id) if p.parent == _AT_END else p for p in placed]
 
 
 def _closed(
@@ -218,7 +224,7 @@ def _closed(
                 return unchanged
     x0, _, x1, y1 = closing.boxes[0]
     shortened = replace(last, boxes=[(x0c, low, x, high), *last.boxes[1:]])
-    widened = replace(closing, boxes=[(x0, low, x1, y1)])
+    widened = msgspec.structs.replace(closing, boxes=[(x0, low, x1, y1)])
     return [shortened if c is last else c for c in corridors], [widened if p is closing else p for p in rooms]
 
 
@@ -273,16 +279,16 @@ def capacity(massing: Massing, storey: Storey) -> float:
 
 
 def _end_rooms(
-    massing: Massing, rooms: list[PlannedRoom], length: float
+    massing: Massing, rooms: Sequence[PlannedRoom], length: float
 ) -> tuple[list[PlannedRoom], list[PlannedRoom]]:
     """Choose the room that closes the bar over its whole depth: one too large for a band."""
     if massing.wings or far_stair(massing):
-        return [], rooms
+        return [], list(rooms)
     deep = max(massing.north, massing.south)
     large = [r for r in rooms if not r.suite and r.area > 2.4 * deep * deep and r.area > 90]
     large = [r for r in large if r.area / massing.depth < 0.55 * length]
     if not large or len(rooms) < 2:
-        return [], rooms
+        return [], list(rooms)
     end = max(large, key=lambda room: (room.area, room.id))
     return [end], [room for room in rooms if room is not end]
 

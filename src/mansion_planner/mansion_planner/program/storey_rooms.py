@@ -1,19 +1,25 @@
 """Choose the rooms of each storey: those that the brief asks for, and its type's own, with their areas."""
 
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+import msgspec
+
 from mansion_knowledge import KnowledgeBase, RoomEntry, RoomType
+from mansion_msgs_py.program import TraceEntry
 from mansion_planner.brief.facts import RoomFact
 from mansion_planner.program.decisions import Decisions, note
 from mansion_planner.program.furniture_areas import furniture_areas
 from mansion_planner.program.household import household_of, is_whole, main_room, private_types
 from mansion_planner.program.model import PlannedRoom, Storey
+from mansion_planner.program.record import Record
 from mansion_planner.program.storeys import entries_of, floors_of
 
 __all__ = ["Allocation", "allocate", "base_rooms", "fill_storey", "fit_areas", "hub_area", "name_rooms", "planned_room"]
 
 
-@dataclass
+@dataclass(frozen=True)
 class Allocation:
     """Counts of the rooms that the brief asks for, by storey.
 
@@ -23,7 +29,7 @@ class Allocation:
         One fact for each room, by storey.
     settled : frozenset of str
         Room types whose number the brief settles; no storey adds more.
-    unwanted : dict of int to set of str
+    unwanted : dict of int to frozenset of str
         Room types that the brief does not want on a storey.
     complete : bool
         The brief wants no room but those that it names.
@@ -35,7 +41,7 @@ class Allocation:
 
     wanted: dict[int, list[RoomFact]] = field(default_factory=dict)
     settled: frozenset[str] = frozenset()
-    unwanted: dict[int, set[str]] = field(default_factory=dict)
+    unwanted: dict[int, frozenset[str]] = field(default_factory=dict)
     complete: bool = False
     furniture: dict[str, float] = field(default_factory=dict)
     households: dict[str, RoomFact] = field(default_factory=dict)
@@ -53,11 +59,11 @@ class Allocation:
         return not self.complete and room_type not in self.settled and room_type not in self.unwanted.get(floor, ())
 
 
-def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFact]:
-    """Return the rooms that stated occupants need: classrooms for pupils, bedrooms for a family."""
+def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[RoomFact, str] | None:
+    """Return the rooms that stated occupants need (classrooms for pupils, bedrooms for a family), and that in words."""
     facts, seats = decisions.facts, decisions.building.seats
     if not facts.occupants:
-        return []
+        return None
     people = facts.occupants[0]
     stated = {fact.room_type for fact in facts.rooms if fact.count is not None}
     if decisions.building.family == "home" and people.noun in (
@@ -71,49 +77,71 @@ def _people_rooms(decisions: Decisions, knowledge: KnowledgeBase) -> list[RoomFa
         "child",
     ):
         if any(knowledge.room(name).counts_as == "bedroom" for name in stated):
-            return []
+            return None
         grown = people.count if people.noun not in ("kid", "child") else people.count + 2
         count = max(1, min(grown - 1, 8))
-        note(decisions.trace, people.span, f"{count} bedrooms for {people.count} people")
-        return [RoomFact("bedroom", "bedroom", people.span, count)]
+        return RoomFact("bedroom", "bedroom", people.span, count), f"{count} bedrooms for {people.count} people"
     if seats is None or people.noun in ("employee", "worker", "staff", "visitor", "teacher", "family"):
-        return []
+        return None
     kind = knowledge.room(seats.room_type)
     if kind.name in stated:
-        return []
+        return None
     count = max(1, -(-people.count // int(seats.area or 1)))
-    note(decisions.trace, people.span, f"{count} x {kind.name} for {people.count} people")
-    return [RoomFact(kind.name, kind.name, people.span, count)]
+    return RoomFact(kind.name, kind.name, people.span, count), f"{count} x {kind.name} for {people.count} people"
 
 
-def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: list[Storey]) -> Allocation:
+def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[Storey]) -> tuple[Allocation, Record]:
     """Distribute the rooms that the brief asks for over the storeys.
 
     A room that the brief asks for by name is built although another statement excludes its kind.
     """
-    allocation = Allocation({storey.index: [] for storey in storeys})
-    wanted = {fact.room_type for fact in decisions.facts.rooms}
-    excluded = {name for name, _ in decisions.facts.excluded} - wanted
-    settled: set[str] = set()
-    for fact in [*decisions.facts.rooms, *_people_rooms(decisions, knowledge)]:
+    trace: list[TraceEntry] = []
+    facts = list(decisions.facts.rooms)
+    for_people = _people_rooms(decisions, knowledge)
+    if for_people is not None:
+        fact, effect = for_people
+        note(trace, fact.span, effect)
+        facts.append(fact)
+    wanted: dict[int, list[RoomFact]] = {storey.index: [] for storey in storeys}
+    for fact in facts:
+        floors, where = _floors_for(fact, knowledge.room(fact.room_type), decisions, storeys, wanted)
+        for floor in floors:
+            wanted[floor].append(fact)
+        note(trace, fact.span, f"{fact.name} x{_number_of(fact)}{where}")
+    allocation = Allocation(
+        wanted=wanted,
+        settled=_settled_types(facts, decisions, knowledge),
+        unwanted=_unwanted_types(wanted, decisions, knowledge),
+        complete=bool(decisions.facts.only),
+        furniture=furniture_areas(decisions.facts.rooms, decisions.facts.objects),
+        households={knowledge.room(fact.room_type).counts_as: fact for fact in decisions.facts.households},
+    )
+    return allocation, Record(tuple(trace))
+
+
+def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: KnowledgeBase) -> frozenset[str]:
+    """Return the room types whose number the brief settles, or that it excludes and does not ask for by name."""
+    settled = {name for name, _ in decisions.facts.excluded} - {fact.room_type for fact in decisions.facts.rooms}
+    for fact in facts:
         kind = knowledge.room(fact.room_type)
         if fact.count is not None and not (kind.common and fact.count == 1):
             settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)
             settled.update(next((group for group in _SAME_USE if kind.name in group), ()))
             if fact.count > 1:
                 settled.update(_same_head(fact.name, knowledge))
-        _distribute(fact, kind, decisions, storeys, allocation)
-    allocation.settled = frozenset(settled | set(excluded))
-    allocation.complete = bool(decisions.facts.only)
-    allocation.furniture = furniture_areas(decisions.facts.rooms, decisions.facts.objects)
+    return frozenset(settled)
+
+
+def _unwanted_types(
+    wanted: Mapping[int, list[RoomFact]], decisions: Decisions, knowledge: KnowledgeBase
+) -> dict[int, frozenset[str]]:
+    """Return the room types that a storey adds none of: those that the brief excludes there or that are in a unit."""
+    unwanted = {floor: frozenset(private_types(facts, knowledge)) for floor, facts in wanted.items()}
     for name, ref, _ in decisions.facts.excluded_on:
+        like = next((group for group in _SAME_USE if name in group), frozenset())
         for floor in floors_of((ref,), decisions):
-            like = next((group for group in _SAME_USE if name in group), frozenset())
-            allocation.unwanted.setdefault(floor, set()).update({name}, like, _same_head(name, knowledge))
-    allocation.households = {knowledge.room(fact.room_type).counts_as: fact for fact in decisions.facts.households}
-    for floor, facts in allocation.wanted.items():
-        allocation.unwanted.setdefault(floor, set()).update(private_types(facts, knowledge))
-    return allocation
+            unwanted[floor] = unwanted.get(floor, frozenset()) | {name} | like | _same_head(name, knowledge)
+    return unwanted
 
 
 _SAME_USE = (
@@ -135,52 +163,64 @@ def _same_head(name: str, knowledge: KnowledgeBase) -> set[str]:
     return {room for room in knowledge.rooms if room.rpartition("_")[2] == head}
 
 
-def _distribute(
-    fact: RoomFact, kind: RoomType, decisions: Decisions, storeys: list[Storey], allocation: Allocation
-) -> None:
+def _number_of(fact: RoomFact) -> int:
+    return fact.count if fact.count is not None else 2
+
+
+def _floors_for(
+    fact: RoomFact,
+    kind: RoomType,
+    decisions: Decisions,
+    storeys: Sequence[Storey],
+    wanted: Mapping[int, Sequence[RoomFact]],
+) -> tuple[list[int], str]:
+    """Return the storeys of a fact's rooms, one entry for each room, and where the brief itself puts them, in words.
+
+    Parameters
+    ----------
+    wanted : mapping of int to sequence of RoomFact
+        What the storeys have so far: a room that the brief leaves free goes to the emptiest.
+    """
     above = [storey.index for storey in storeys if storey.index >= 1]
-    count = fact.count if fact.count is not None else 2
+    count = _number_of(fact)
     if fact.floors:
-        chosen = [f for f in floors_of(fact.floors, decisions) if f in allocation.wanted]
-        if not chosen:
-            chosen = [above[-1]]
+        chosen = [f for f in floors_of(fact.floors, decisions) if f in wanted] or [above[-1]]
+        found: list[int] = []
         for number, floor in enumerate(chosen):
-            each = count if fact.each else count // len(chosen) + (number < count % len(chosen))
-            allocation.wanted[floor] += [fact] * each
-        names = ", ".join(str(floor) for floor in chosen)
-        note(decisions.trace, fact.span, f"{fact.name} x{count} on storey {names}")
-        return
+            found += [floor] * (count if fact.each else count // len(chosen) + (number < count % len(chosen)))
+        return found, f" on storey {', '.join(str(floor) for floor in chosen)}"
     if fact.each:
-        for floor in above:
-            allocation.wanted[floor] += [fact] * count
-        note(decisions.trace, fact.span, f"{fact.name} x{count} on every storey")
-        return
+        return [floor for floor in above for _ in range(count)], " on every storey"
     floors = _preferred(kind, decisions, storeys)
-    beside = _beside(fact, decisions, allocation)
+    beside = _beside(fact, decisions, wanted)
     if beside and count == 1:
         floors = beside
+    return _emptiest(fact, count, floors, wanted), ""
+
+
+def _emptiest(fact: RoomFact, count: int, floors: Sequence[int], wanted: Mapping[int, Sequence[RoomFact]]) -> list[int]:
+    """Return a storey for each of `count` rooms: the one where the brief asks for the least area so far."""
+    areas = {floor: [other.area or _USUAL for other in wanted[floor]] for floor in floors}
+    found = []
     for _ in range(count):
-        floor = min(floors, key=lambda f: (_load(allocation, f), f))
-        allocation.wanted[floor].append(fact)
-    note(decisions.trace, fact.span, f"{fact.name} x{count}")
+        floor = min(floors, key=lambda f: (sum(areas[f]), f))
+        areas[floor].append(fact.area or _USUAL)
+        found.append(floor)
+    return found
 
 
-def _beside(fact: RoomFact, decisions: Decisions, allocation: Allocation) -> list[int]:
+_USUAL = 14.0
+"""Square metres that a room without a stated area counts for when rooms are shared out over storeys."""
+
+
+def _beside(fact: RoomFact, decisions: Decisions, wanted: Mapping[int, Sequence[RoomFact]]) -> list[int]:
     """Return the storeys of the rooms that this one is to stand beside, once they have theirs."""
-    wanted = {a.second_name if a.first_name == fact.name else a.first_name for a in decisions.facts.adjacent
-              if fact.name in (a.first_name, a.second_name)}  # fmt: skip
-    return [
-        floor for floor, facts in sorted(allocation.wanted.items())
-        if any(other.name in wanted for other in facts)
-    ]  # fmt: skip
+    names = {a.second_name if a.first_name == fact.name else a.first_name for a in decisions.facts.adjacent
+             if fact.name in (a.first_name, a.second_name)}  # fmt: skip
+    return [floor for floor, facts in sorted(wanted.items()) if any(other.name in names for other in facts)]
 
 
-def _load(allocation: Allocation, floor: int) -> float:
-    """How full a storey is with what the brief asks for."""
-    return sum(fact.area or 14.0 for fact in allocation.wanted[floor])
-
-
-def _preferred(kind: RoomType, decisions: Decisions, storeys: list[Storey]) -> list[int]:
+def _preferred(kind: RoomType, decisions: Decisions, storeys: Sequence[Storey]) -> list[int]:
     above = [storey.index for storey in storeys if storey.index >= 1]
     below = [storey.index for storey in storeys if storey.index < 1]
     home = decisions.building.family == "home"
@@ -212,7 +252,7 @@ def planned_room(
     stated = fact is not None and fact.area is not None
     wish = fact.area if fact is not None and fact.area is not None else area or kind.usual
     furnished = fact is not None and wish > kind.usual
-    room = PlannedRoom(
+    return PlannedRoom(
         id=fact.name if fact is not None else kind.name,
         kind=kind,
         area=wish,
@@ -220,21 +260,26 @@ def planned_room(
         most=wish if stated else max(kind.most, 1.15 * wish if furnished else wish),
         fixed=stated,
         stated=fact is not None,
+        suite=_suite(kind, knowledge, fact.suite if fact is not None else ()),
         notes=f"from {fact.span.words!r}" if fact is not None else "",
         base=fact.name if fact is not None else kind.name,
         label=fact.label if fact is not None else "",
     )
-    stated_suite = fact.suite if fact is not None else ()
-    for child in stated_suite:
-        room.suite += [
-            planned_room(knowledge.room(child.room_type), knowledge, fact=child) for _ in range(child.count or 1)
-        ]
-    taken = {knowledge.room(child.room_type).zone for child in stated_suite}
+
+
+def _suite(kind: RoomType, knowledge: KnowledgeBase, stated: Sequence[RoomFact]) -> tuple[PlannedRoom, ...]:
+    """Make the rooms reached through one of a type: those stated, and the type's own of other zones."""
+    rooms = [
+        planned_room(knowledge.room(child.room_type), knowledge, fact=child)
+        for child in stated
+        for _ in range(child.count or 1)
+    ]
+    taken = {knowledge.room(child.room_type).zone for child in stated}
     for entry in kind.suite:
         child_kind = knowledge.room(entry.room_type)
-        if not stated_suite or child_kind.zone not in taken:
-            room.suite.append(planned_room(child_kind, knowledge, area=entry.area))
-    return room
+        if not stated or child_kind.zone not in taken:
+            rooms.append(planned_room(child_kind, knowledge, area=entry.area))
+    return tuple(rooms)
 
 
 def _planned_unit(kind: RoomType, knowledge: KnowledgeBase, fact: RoomFact) -> PlannedRoom:
@@ -244,24 +289,25 @@ def _planned_unit(kind: RoomType, knowledge: KnowledgeBase, fact: RoomFact) -> P
     stated, added = household_of(fact, knowledge)
     own = main.area if main is not None else None if whole else fact.area
     room = planned_room(kind, knowledge, fact=replace(fact, unit=False, suite=(), area=own))
-    if kind.zone == "public" and not (kind.unit or room.fixed):
-        room.area = min(room.area, max(kind.least, _HALL))
-    room.notes = f"from {fact.label!r}"
-    room.suite = [
+    hall = kind.zone == "public" and not (kind.unit or room.fixed)
+    rooms = [
         planned_room(knowledge.room(child.room_type), knowledge, fact=child)
         for child in stated
         for _ in range(child.count or 2)
     ]
-    room.suite += [
+    rooms += [
         planned_room(knowledge.room(entry.room_type), knowledge, area=entry.area)
         for entry in added
         for _ in range(entry.count)
     ]
-    if main is not None:
-        room.serves_as = tuple(dict.fromkeys((main.room_type, main.name)))
-    if whole:
-        _share_area(room.each(), whole)
-    return room
+    unit = msgspec.structs.replace(
+        room,
+        area=min(room.area, max(kind.least, _HALL)) if hall else room.area,
+        notes=f"from {fact.label!r}",
+        suite=tuple(rooms),
+        serves_as=tuple(dict.fromkeys((main.room_type, main.name))) if main is not None else (),
+    )
+    return _of_area(unit, whole) if whole else unit
 
 
 _HALL = 20.0
@@ -271,15 +317,19 @@ _LEAST_SHARE = 0.4
 """Of its usual area, what a room of a dwelling keeps whatever the area of the whole."""
 
 
-def _share_area(rooms: list[PlannedRoom], area: float) -> None:
-    """Scale the rooms of a unit without a stated area of their own so that all have `area` together, square metres."""
-    loose = [room for room in rooms if not room.fixed]
+def _of_area(unit: PlannedRoom, area: float) -> PlannedRoom:
+    """Return a unit of `area` square metres: its rooms without a stated area of their own share what others leave."""
+    rooms = unit.each()
     spare = area - sum(room.area for room in rooms if room.fixed)
-    factor = max(spare / max(sum(room.area for room in loose), 1.0), _LEAST_SHARE)
-    for room in loose:
-        room.area *= factor
-        room.least = room.most = room.area
-        room.fixed = True
+    factor = max(spare / max(sum(room.area for room in rooms if not room.fixed), 1.0), _LEAST_SHARE)
+
+    def scaled(room: PlannedRoom) -> PlannedRoom:
+        if room.fixed:
+            return room
+        own = room.area * factor
+        return msgspec.structs.replace(room, area=own, least=own, most=own, fixed=True)
+
+    return unit.changed(scaled)
 
 
 MOST_ROOMS = 34
@@ -343,77 +393,82 @@ def fill_storey(
                 break
             rooms.append(room)
             used += room.gross
-    _top_up(storey, allocation, knowledge, rooms, budget)
-    return rooms
+    return _topped_up(storey, allocation, knowledge, rooms, budget)
 
 
-def _top_up(
-    storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, rooms: list[PlannedRoom], budget: float
-) -> None:
-    """Add rooms of general use where the brief settles the number of those that would fill the storey."""
+def _topped_up(
+    storey: Storey, allocation: Allocation, knowledge: KnowledgeBase, rooms: Sequence[PlannedRoom], budget: float
+) -> list[PlannedRoom]:
+    """Return the rooms, with others of general use where the brief settles the number of those that would fill up."""
+    filled = list(rooms)
     kinds = [knowledge.room(name) for name in knowledge.groups.filler_of(storey.use.family)]
     kinds = [kind for kind in kinds if allocation.adds(kind.name, storey.index)]
     for kind in kinds * 3:
-        used = sum(room.gross for room in rooms)
-        if used >= 0.82 * budget or len(rooms) >= MOST_ROOMS:
-            return
+        used = sum(room.gross for room in filled)
+        if used >= 0.82 * budget or len(filled) >= MOST_ROOMS:
+            break
         if used + 0.8 * kind.usual <= budget:
-            rooms.append(planned_room(kind, knowledge))
+            filled.append(planned_room(kind, knowledge))
+    return filled
 
 
-def fit_areas(rooms: list[PlannedRoom], capacity: float) -> float:
-    """Scale the rooms to fill `capacity`: stated areas stay, flexible rooms give and take first.
+def fit_areas(rooms: Sequence[PlannedRoom], capacity: float) -> tuple[PlannedRoom, ...]:
+    """Return the rooms scaled to fill `capacity`: stated areas stay, flexible rooms give and take first.
 
-    Returns
-    -------
-    float
-        Area that is left when every room is at its limit (negative when they do not fit).
+    Rooms that cannot fill it within their limits, or do not fit, take what there is in proportion.
     """
     every = [room for top in rooms for room in top.each()]
-    fixed = sum(room.area for room in every if room.fixed)
     loose = [room for room in every if not room.fixed]
-    spare = capacity - fixed
+    spare = capacity - sum(room.area for room in every if room.fixed)
+    areas = [room.area for room in loose]
     # A room that meets its limit leaves its share to the others, so the scale is sought anew a few times. Only what
     # cannot be met within the limits is spread over all rooms without them.
     for limited in (True, False):
         for _ in range(6):
-            total = sum(room.area for room in loose)
+            total = sum(areas)
             if not loose or total <= 0 or abs(total - spare) < 0.01:
                 break
-            _scale(loose, spare / total, limited=limited)
-    return capacity - sum(room.area for room in every)
+            factor = spare / total
+            areas = [_scaled(room, area, factor, limited=limited) for room, area in zip(loose, areas)]
+    found = {id(room): area for room, area in zip(loose, areas)}
+    return tuple(
+        top.changed(lambda room: room if room.fixed else msgspec.structs.replace(room, area=found[id(room)]))
+        for top in rooms
+    )
 
 
-def _scale(rooms: list[PlannedRoom], factor: float, *, limited: bool) -> None:
-    for room in rooms:
-        strength = factor if not room.kind.flexible or factor < 1.0 else factor * 1.05
-        if limited:
-            room.area = min(max(room.area * strength, room.least), room.most)
-        else:
-            room.area = max(room.area * factor, 1.0)
+def _scaled(room: PlannedRoom, area: float, factor: float, *, limited: bool) -> float:
+    if not limited:
+        return max(area * factor, 1.0)
+    strength = factor if not room.kind.flexible or factor < 1.0 else factor * 1.05
+    return min(max(area * strength, room.least), room.most)
 
 
 _CIRCULATION = frozenset({"corridor", "wing", "far", "stair", "elevator"})
 
 
-def name_rooms(storey: Storey, hub_id: str) -> None:
-    """Number the rooms of a storey: ``meeting_room_1``; a name that occurs once stays bare.
+def name_rooms(rooms: Sequence[PlannedRoom], hub_id: str) -> tuple[PlannedRoom, ...]:
+    """Return a storey's rooms numbered: ``meeting_room_1``; a name that occurs once stays bare.
 
     No room takes the name of the hub, of a corridor that the sketch adds, or of a core.
     """
-    counts: dict[str, int] = {}
-    every = [room for top in storey.rooms for room in top.each()]
-    for room in every:
-        if room.id in _CIRCULATION:
-            room.id = f"{room.id}_area"
-        counts[room.id] = counts.get(room.id, 0) + 1
+    every = [room for top in rooms for room in top.each()]
+    bases = [f"{room.id}_area" if room.id in _CIRCULATION else room.id for room in every]
+    counts = Counter(bases)
     used = {hub_id} | {name for name, count in counts.items() if count == 1 and name != hub_id}
-    seen: dict[str, int] = {}
-    for room in every:
-        base = room.id
-        if counts[base] == 1 and base != hub_id:
-            continue
-        while room.id == base or room.id in used:
-            seen[base] = seen.get(base, 0) + 1
-            room.id = f"{base}_{seen[base]}"
-        used.add(room.id)
+    seen: Counter[str] = Counter()
+    names: dict[int, str] = {}
+    for room, base in zip(every, bases):
+        name = base
+        if counts[base] > 1 or base == hub_id:
+            while name == base or name in used:
+                seen[base] += 1
+                name = f"{base}_{seen[base]}"
+            used.add(name)
+        names[id(room)] = name
+
+    def named(room: PlannedRoom) -> PlannedRoom:
+        name = names[id(room)]
+        return room if name == room.id else msgspec.structs.replace(room, id=name)
+
+    return tuple(top.changed(named) for top in rooms)

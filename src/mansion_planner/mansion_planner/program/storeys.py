@@ -1,14 +1,19 @@
 """The storeys of a building: role, use, hub, which repeat another, and what rooms the building type gives to each."""
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 from mansion_knowledge import BuildingType, KnowledgeBase, RoomEntry
+from mansion_msgs_py.program import Downgrade, TraceEntry
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.program.decisions import Decisions, conflict, note
 from mansion_planner.program.model import Storey
+from mansion_planner.program.record import Record
 
 __all__ = ["entries_of", "floors_of", "is_hall", "make_storeys"]
 
 
-def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> list[Storey]:
+def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> tuple[list[Storey], Record]:
     """Return the storeys from the lowest to the highest, each with its role, its use and its hub."""
     storeys = []
     hall = is_hall(decisions)
@@ -25,9 +30,9 @@ def make_storeys(decisions: Decisions, knowledge: KnowledgeBase) -> list[Storey]
             lead = None if any(name == use.hub for name, _ in decisions.facts.excluded) else knowledge.room(use.hub)
             hub = knowledge.room(_passage_hub(decisions, entrance=entrance))
         storeys.append(Storey(index=index, role=role, use=use, hub=hub, lead=lead))
-    _mark_copies(decisions, storeys)
-    _shape_storeys(decisions, storeys)
-    return storeys
+    marked, repeats = _with_copies(decisions, storeys)
+    shaped, setbacks = _shaped(decisions, marked)
+    return shaped, repeats + setbacks
 
 
 def _passage_hub(decisions: Decisions, *, entrance: bool) -> str:
@@ -36,8 +41,10 @@ def _passage_hub(decisions: Decisions, *, entrance: bool) -> str:
     return "lobby" if entrance else "corridor"
 
 
-def _mark_copies(decisions: Decisions, storeys: list[Storey]) -> None:
-    """Let storeys repeat the lowest of their group; one that has rooms of its own is left out and recorded."""
+def _with_copies(decisions: Decisions, storeys: Sequence[Storey]) -> tuple[list[Storey], Record]:
+    """Return the storeys, those that repeat the lowest of their group marked; one with rooms of its own is left out."""
+    trace: list[TraceEntry] = []
+    downgrades: list[Downgrade] = []
     by_index = {storey.index: storey for storey in storeys}
     for fact in decisions.facts.copies:
         group = [f for f in floors_of((fact.first,), decisions) if f in by_index]
@@ -52,31 +59,31 @@ def _mark_copies(decisions: Decisions, storeys: list[Storey]) -> None:
                 and any(ref.kind in ("number", "top") for ref in room.floors)
             ):
                 words = f'"{room.span.words}" is for storey {min(pinned)} alone'
-                decisions.downgrades.append(conflict(fact.span.words, "storeys that differ", words, min(pinned)))
+                downgrades.append(conflict(fact.span.words, "storeys that differ", words, min(pinned)))
                 group = [floor for floor in group if floor not in pinned]
         for floor in group[1:]:
-            by_index[floor].copy = group[0]
-            by_index[floor].role = by_index[group[0]].role
-            by_index[floor].use = by_index[group[0]].use
-            by_index[floor].hub = by_index[group[0]].hub
+            lowest = by_index[group[0]]
+            by_index[floor] = replace(
+                by_index[floor], copy=lowest.index, role=lowest.role, use=lowest.use, hub=lowest.hub
+            )
         if len(group) > 1:
-            note(decisions.trace, fact.span, f"storeys {group[1]} to {group[-1]} repeat storey {group[0]}")
+            note(trace, fact.span, f"storeys {group[1]} to {group[-1]} repeat storey {group[0]}")
+    return list(by_index.values()), Record(tuple(trace), tuple(downgrades))
 
 
-def _shape_storeys(decisions: Decisions, storeys: list[Storey]) -> None:
-    """Set upper storeys back, or let the ground floor protrude, where the brief says so."""
+def _shaped(decisions: Decisions, storeys: Sequence[Storey]) -> tuple[list[Storey], Record]:
+    """Return the storeys, the upper ones set back or the ground floor protruding where the brief says so."""
     facts = decisions.facts
+    trace: list[TraceEntry] = []
+    shaped = list(storeys)
     if facts.setback and decisions.floors > 1:
         depth = 3.0 if decisions.area < 260 else 4.0
-        for storey in storeys:
-            if storey.index >= 2:
-                storey.setback = depth
-        note(decisions.trace, facts.setback[0], f"storeys above the ground floor are {depth:g} m shorter")
+        shaped = [replace(storey, setback=depth) if storey.index >= 2 else storey for storey in storeys]
+        note(trace, facts.setback[0], f"storeys above the ground floor are {depth:g} m shorter")
     elif facts.protruding and decisions.floors > 1:
-        for storey in storeys:
-            if storey.index <= 1:
-                storey.extension = 4.0
-        note(decisions.trace, facts.protruding[0], "the ground floor protrudes by 4 m")
+        shaped = [replace(storey, extension=4.0) if storey.index <= 1 else storey for storey in storeys]
+        note(trace, facts.protruding[0], "the ground floor protrudes by 4 m")
+    return shaped, Record(tuple(trace))
 
 
 def is_hall(decisions: Decisions) -> bool:

@@ -1,5 +1,7 @@
 """The wishes of a brief: a ledger of its statements, and which rooms get the furniture that it wants."""
 
+from collections.abc import Sequence
+
 from mansion_knowledge import KnowledgeBase
 from mansion_language import singular
 from mansion_msgs_py.program import RequestedObject
@@ -11,11 +13,11 @@ from mansion_planner.program.household import is_whole
 from mansion_planner.program.model import PlannedRoom, Storey
 from mansion_planner.program.storeys import floors_of
 
-__all__ = ["assign_furniture", "requested_objects", "wishes_of"]
+__all__ = ["furniture_of", "requested_objects", "wishes_of"]
 
 
-def assign_furniture(decisions: Decisions, storeys: list[Storey]) -> None:
-    """Decide which planned rooms get the furniture that the brief wants, and how many pieces of it.
+def furniture_of(decisions: Decisions, storeys: Sequence[Storey]) -> dict[tuple[int, str], list[RequestedObject]]:
+    """Return the furniture that the brief wants in each planned room, by storey and room id.
 
     A number for "each" is for every room of the name; any other is shared out among those of a storey and of no copy
     of it, which has as many. Furniture without a room goes to the room that is most likely to have it: one whose type
@@ -28,13 +30,15 @@ def assign_furniture(decisions: Decisions, storeys: list[Storey]) -> None:
         for top in (*storey.rooms, _hub_of(storey))
         for room in top.each()
     ]
+    furniture: dict[tuple[int, str], list[RequestedObject]] = {}
     for fact in decisions.facts.objects:
         if not fact.category:
             continue
         for (storey, room), count in _shared_out(decisions, fact, rooms):
-            decisions.furniture.setdefault((storey.index, room.id), []).append(
+            furniture.setdefault((storey.index, room.id), []).append(
                 RequestedObject(category=fact.category, count=count, words=_noun(fact), exact=fact.exact)
             )
+    return furniture
 
 
 def _shared_out(
@@ -80,7 +84,7 @@ def _likelihood(fact: ObjectFact, entry: tuple[Storey, PlannedRoom]) -> tuple[bo
 
 
 def requested_objects(decisions: Decisions, room_id: str, storey: Storey) -> list[RequestedObject]:
-    """Return the furniture that `assign_furniture` gave a room; a storey that repeats another has the same."""
+    """Return the furniture that `furniture_of` gives a room; a storey that repeats another has the same."""
     return decisions.furniture.get((storey.copy or storey.index, room_id), [])
 
 

@@ -34,12 +34,18 @@ def trace(mask: Mask) -> list[list[Vertex]]:
     edges(mask & ~padded[1:-1, 2:], (0, 1), (1, 1))
     edges(mask & ~padded[2:, 1:-1], (1, 1), (1, 0))
     edges(mask & ~padded[1:-1, :-2], (1, 0), (0, 0))
+
+    def take(start: Vertex, end: Vertex) -> None:
+        follow[start].remove(end)
+        if not follow[start]:
+            del follow[start]
+
     rings = []
     while follow:
         start = min(follow)
         ring = [start]
         before, here = start, follow[start][0]
-        _take(follow, start, here)
+        take(start, here)
         while here != start:
             ring.append(here)
             step = (here[0] - before[0], here[1] - before[1])
@@ -47,16 +53,10 @@ def trace(mask: Mask) -> list[list[Vertex]]:
             left = (here[0] + step[1], here[1] - step[0])
             right = (here[0] - step[1], here[1] + step[0])
             turn = options[0] if len(options) == 1 else (right if left not in options else left)
-            _take(follow, here, turn)
+            take(here, turn)
             before, here = here, turn
         rings.append(_straightened(ring))
     return rings
-
-
-def _take(follow: dict[Vertex, list[Vertex]], start: Vertex, end: Vertex) -> None:
-    follow[start].remove(end)
-    if not follow[start]:
-        del follow[start]
 
 
 def _straightened(ring: list[Vertex]) -> list[Vertex]:

@@ -1,0 +1,151 @@
+"""Read counts that stand away from the rooms they count: "six of them", "four on the third", "each group has"."""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
+
+from mansion_planner.brief.phrase import Phrase
+from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
+from mansion_planner.brief.suites import read_suites
+from mansion_planner.brief.units import Households
+
+__all__ = ["read_counts_by_group", "read_counts_by_person", "read_counts_by_storey", "read_late_counts"]
+
+
+def read_late_counts(reading: Reading, phrases: list[Phrase]) -> None:
+    """Read counts away from their noun: "offices of 14 m2 each, six of them", "four bedrooms, no sorry, five"."""
+    for index, token in enumerate(reading.tokens):
+        if token.kind != "number" or index in reading.taken or token.value < 1 or token.value != int(token.value):
+            continue
+        of_them = reading.words(index + 1, index + 3) == ("of", "them")
+        corrects = not {"sorry", "mean", "correction"}.isdisjoint(reading.words(index - 3, index))
+        if not of_them and not corrects:
+            continue
+        before = [n for n, p in enumerate(phrases) if p.last <= index and p.head in ("room", "building", "object")]
+        several = bool(before) and (phrases[before[-1]].plural or phrases[before[-1]].determiner in ("every", "each"))
+        if several and phrases[before[-1]].counted == corrects:
+            phrases[before[-1]] = replace(phrases[before[-1]], count=int(token.value), counted=True)
+            reading.take(index, index + (3 if of_them else 1))
+
+
+def read_counts_by_storey(
+    reading: Reading, phrases: list[Phrase], places: Sequence[Place], households: Households
+) -> set[int]:
+    """Read "five on the second floor, four on the third" and "four per floor" as of the rooms named before.
+
+    Returns
+    -------
+    set of int
+        First tokens of the phrases whose number is shared out over storeys.
+    """
+    starts = {place.first: place for place in places}
+    shared: set[int] = set()
+    extra: list[tuple[int, Phrase]] = []
+    for index, token in enumerate(reading.tokens):
+        if token.kind != "number" or index in reading.taken or token.value != int(token.value):
+            continue
+        place = index + 1
+        if reading.words(place, place + 2) in (("of", "them"), ("of", "these"), ("of", "those")):
+            place += 2
+        place += reading.word(place) in ("more", "other", "others", "further")
+        if place not in starts:
+            continue
+        before = [
+            n
+            for n, p in enumerate(phrases)
+            if p.last <= index
+            and (p.head == "room" or p.first in households.units)
+            and reading.sentence[p.first] == reading.sentence[index]
+            and p.first not in households.inner
+        ]
+        if not before or reading.word(index - 1) not in (",", ":", "and", "-", "(", "–"):
+            continue
+        total = phrases[before[-1]]
+        reading.take(index, place)
+        if starts[place].refs[0].kind == "every":
+            shared.add(total.first)
+            continue
+        extra.append(
+            (
+                before[-1],
+                replace(
+                    total,
+                    first=index,
+                    begin=index,
+                    noun_end=index + 1,
+                    last=place,
+                    count=int(token.value),
+                    counted=True,
+                    determiner="",
+                ),
+            )
+        )
+    for number in {n for n, _ in extra}:
+        total = phrases[number]
+        parts = [p for n, p in extra if n == number]
+        whole = total.counted and sum(p.count or 0 for p in parts) >= (total.count or 0) and len(parts) > 1
+        if whole or (not total.counted and total.plural):
+            phrases[number] = replace(total, head="unknown")
+    phrases[:] = sorted([*phrases, *(p for _, p in extra)], key=lambda p: p.first)
+    return shared
+
+
+def read_counts_by_group(reading: Reading, phrases: list[Phrase], households: Households) -> None:
+    """Read "Each group has a playroom" as one for every group, where the brief has a number of groups."""
+    counts: dict[str, int] = {}
+    for index, token in enumerate(reading.tokens[:-1]):
+        if token.kind == "number" and token.value == int(token.value) and 1 < token.value <= 60:
+            for noun in (index + 1, index + 2):
+                if reading.plural(noun) and reading.word(noun) not in FLOOR_WORDS:
+                    counts.setdefault(reading.word(noun), int(token.value))
+    for index, token in enumerate(reading.tokens[:-1]):
+        if token.text not in ("each", "every") or not (
+            reading.starts(index) or reading.word(index - 1) in (",", "and", ":")
+        ):
+            continue
+        subject = reading.word(index + 1)
+        if subject not in counts or any(p.begin <= index + 1 < p.noun_end and p.head == "room" for p in phrases):
+            continue
+        for number, phrase in enumerate(phrases):
+            if (
+                phrase.head == "room"
+                and phrase.first > index
+                and reading.sentence[phrase.first] == reading.sentence[index]
+                and phrase.count == 1
+                and phrase.determiner not in ("the",)
+                and phrase.first not in households.read
+            ):
+                phrases[number] = replace(phrase, count=counts[subject], counted=True)
+        reading.take(index, index + 2)
+
+
+def read_counts_by_person(
+    reading: Reading, phrases: list[Phrase], rooms: Sequence[int], same: Mapping[int, int], inner: Collection[int]
+) -> None:
+    """Read "Each of us needs a bedroom with a bathroom" as one for each of the people named before.
+
+    See `mansion_planner.brief.suites.read_suites` for the parameters: what a room has for itself is not multiplied.
+    """
+    for index in range(len(reading.tokens) - 2):
+        if reading.word(index) not in ("each", "every") or index in reading.taken:
+            continue
+        of_them = reading.words(index + 1, index + 3) in (("of", "us"), ("of", "them"), ("of", "these"))
+        noun = reading.word(index + 1)
+        people = [p for p in phrases if p.head == "people" and p.counted and p.first < index and (p.count or 0) > 1]
+        if not of_them:
+            people = [p for p in people if reading.word(p.noun_end - 1) == noun]
+        if not people or not (people[-1].count or 99) <= 40:
+            continue
+        count, suites = people[-1].count, read_suites(reading, phrases, rooms, same, inner).owners
+        for number, phrase in enumerate(phrases):
+            own = phrase.determiner in ("a", "an", "own", "his", "her", "their", "one", "") or phrase.count == 1
+            if (
+                phrase.head == "room"
+                and phrase.first > index
+                and reading.sentence[phrase.first] == reading.sentence[index]
+                and phrase.count == 1
+                and own
+                and phrase.determiner != "the"
+                and number not in suites
+            ):
+                phrases[number] = replace(phrase, count=count, counted=True)
+        reading.take(index, index + (3 if of_them else 2))

@@ -1,0 +1,208 @@
+"""Read storeys that have a name of their own: the ground floor, the basement, the top floor, "upstairs", "middle"."""
+
+from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.storey_counts import CLOSERS
+
+__all__ = ["COPULAS", "TOPS", "NamedStoreys"]
+
+_STREET = frozenset(
+    """
+    ground gnd street entrance entry garden courtyard water lobby arrival bottom lowest lower public shop pavement
+    """.split()
+)
+TOPS = frozenset({"top", "uppermost", "topmost", "highest", "last", "final"})
+COPULAS = frozenset(
+    """
+    is are be has have hold contain house carry belong will stay
+    """.split()
+)
+
+
+class NamedStoreys:
+    """Reads the names of storeys: each method returns what is meant at a token and the token after it, if anything.
+
+    Parameters
+    ----------
+    has_floors : bool
+        The brief has a word for storeys.
+    british : bool
+        The first floor is the one above the ground floor.
+    """
+
+    def __init__(self, reading: Reading, *, has_floors: bool, british: bool) -> None:
+        self.reading, self.has_floors, self.british = reading, has_floors, british
+
+    def basement(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "the basement", "the cellar level", "below ground"."""
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        mention = reading.mention_at.get(index)
+        if (word in ("below", "under") and following in ("ground", "grade")) or (
+            word == "under" and following == "the" and reading.word(index + 2) == "ground"
+        ):
+            return [FloorRef("basement")], index + (2 if following != "the" else 3)
+        if word not in ("basement", "cellar", "underground", "souterrain", "subterranean", "b1") or following == "car":
+            return None
+        last = index + 2 if following in FLOOR_WORDS else index + 1
+        if mention is not None and mention.last > last:
+            return None
+        if reading.word(index - 1) in ("wine", "beer", "root", "coal", "finished"):
+            return None
+        if word in ("underground", "subterranean") and following not in FLOOR_WORDS:
+            return None
+        return [FloorRef("basement")], last
+
+    def ground(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "the ground floor", "street level", "downstairs", "at grade"."""
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        ground = [FloorRef("number", 1, 1)]
+        if word in _STREET and following in FLOOR_WORDS and not reading.plural(index + 1):
+            return ground, index + 2
+        if reading.words(index, index + 4) == ("level", "of", "the", "street"):
+            return ground, index + 4
+        if word == "lower" and following in (":", ",") and reading.word(index - 1) == "the":
+            return ground, index + 1
+        if word in ("downstair", "downstairs"):
+            return ground, index + 1
+        if (
+            word in ("eg", "gnd")
+            and following in CLOSERS | {"has", "with"}
+            and reading.word(index - 1) in ("the", "in", "")
+        ):
+            return ground, index + 1
+        if word in ("gf", "g/f", "gnd") and following in CLOSERS | {"has", "with"}:
+            return ground, index + 1
+        if word == "ff" and following in CLOSERS and self.british:
+            return [FloorRef("number", 2, 2)], index + 1
+        if word == "at" and following == "grade":
+            return ground, index + 2
+        if (
+            word == "ground"
+            and (following in CLOSERS or following in ("and", "there", "has", "is"))
+            and (reading.word(index - 1) in ("the", "on", "at") or reading.starts(index))
+        ):
+            return ground, index + 1
+        if (
+            word == "bottom"
+            and following in CLOSERS | COPULAS | {"with", "and"}
+            and reading.word(index - 1) in ("the", "at", "from")
+        ):
+            return None if reading.word(index - 2) == "from" else (ground, index + 1)
+        if word == "bottom" and following == ":":
+            return ground, index + 1
+        if word == "bottom" and reading.word(index - 1) == "very" and reading.word(index - 2) in ("the", "at"):
+            return ground, index + 1
+        if word == "lowest" and self._names_storey(index):
+            return ground, index + 1
+        if word == "below" and (
+            (reading.starts(index) and following in (":", "is", "are", "there", ",", "the", "we", "i", "you", "a"))
+            or (following in CLOSERS and self._is_storeyed_adverb(index))
+        ):
+            return ground, index + 1
+        if (
+            word == "down"
+            and self.has_floors
+            and following in CLOSERS
+            and reading.word(index - 1) in ("stay", "is", "are", "go")
+        ):
+            return ground, index + 1
+        return None
+
+    def _is_storeyed_adverb(self, index: int) -> bool:
+        """Whether a final "above" or "below" is an adverb of place: its opposite stands in the brief too."""
+        texts = {token.text for token in self.reading.tokens}
+        return bool(
+            {"above", "below"} <= texts or ("below" in texts and texts & {"upstair", "middle", "uppermost", "top"})
+        )
+
+    def top(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "the top floor", "the rooftop", "under the roof"."""
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        if word in TOPS and following in FLOOR_WORDS and not reading.plural(index + 1):
+            return [FloorRef("top")], index + 2
+        if word in ("rooftop", "roof") and following in FLOOR_WORDS:
+            return [FloorRef("top")], index + 2
+        if word == "roof" and reading.words(index - 2, index) == ("under", "the") and following not in FLOOR_WORDS:
+            # "under the roof on the third": the storey that is named counts.
+            return [FloorRef("top")], index + 1
+        if (
+            word in ("rooftop", "roof")
+            and following not in ("terrace", "garden", "bar", "deck")
+            and (
+                index not in reading.mention_at
+                and reading.word(index - 1) in ("the", "on")
+                and reading.word(index - 2) in ("on", "")
+            )
+        ):
+            return [FloorRef("top")], index + 1
+        led = reading.word(index - 1) in ("the", "on", "very", "at") or reading.starts(index)
+        if (
+            word in ("top", "topp")
+            and led
+            and (
+                following
+                in CLOSERS
+                | COPULAS
+                | {"with", "and", "there", "nothing", "only", "two", "one", "become", "we", "the", "sit", "come"}
+            )
+        ):
+            return [FloorRef("top")], index + 1
+        if word in ("attic", "loft") and following == ":":
+            return [FloorRef("top")], index + 1
+        if word in ("uppermost", "topmost", "highest") and self._names_storey(index):
+            return [FloorRef("top")], index + 1
+        return None
+
+    def _names_storey(self, index: int) -> bool:
+        """Whether "the lowest", "the middle one", "the uppermost" open a clause of a brief of several storeys."""
+        reading = self.reading
+        opens = reading.starts(index - 1) or reading.word(index - 2) in (";", ",", "and", "with", ":")
+        following = reading.word(index + 1)
+        return (
+            reading.word(index - 1) == "the"
+            and opens
+            and self.has_floors
+            and (following in COPULAS | {"a", "an", "the", "get", "for", ":"} or reading.kind(index + 1) == "number")
+        )
+
+    def upper(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "upstairs", "the upper floors", "above", and the storeys in the middle."""
+        reading = self.reading
+        word, following = reading.word(index), reading.word(index + 1)
+        upper = [FloorRef("upper")]
+        if word in ("upstair", "upstairs"):
+            return upper, index + 1
+        if word == "upper" and following in (":", ",") and reading.word(index - 1) == "the":
+            return upper, index + 1
+        if word in ("upper", "higher", "other") and following in FLOOR_WORDS:
+            return upper, index + 2
+        if word in ("lower",) and following in FLOOR_WORDS and reading.plural(index + 1):
+            return [FloorRef("lower")], index + 2
+        if word == "higher" and following == "up":
+            return upper, index + 2
+        if word == "above" and (
+            (reading.starts(index) and following in (":", ",", "are", "is", "there", "we", "i", "you", "a"))
+            or (following in CLOSERS | {"with"} and (self._is_storeyed_adverb(index) or reading.word(index - 1) == ","))
+        ):
+            return upper, index + 1
+        if word in ("upper", "og") and reading.starts(index) and following in (":", "-", "–"):
+            return upper, index + 1
+        if word == "og" and following in CLOSERS:
+            return upper, index + 1
+        if word == "up" and reading.starts(index) and following == ":":
+            return upper, index + 1
+        if word == "middle" and (following in FLOOR_WORDS or (following == "one" and self._names_storey(index + 1))):
+            return [FloorRef("middle")], index + 2
+        if word == "middle" and following in (":", "=") and reading.starts(index):
+            return [FloorRef("middle")], index + 1
+        if (
+            word == "middle"
+            and reading.words(index - 2, index) == ("in", "the")
+            and following in CLOSERS | {"with", "there", "are", "is", "come", "we"}
+            and self.has_floors
+        ):
+            return [FloorRef("middle")], index + 1
+        return None

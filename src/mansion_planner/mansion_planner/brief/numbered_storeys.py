@@ -1,0 +1,169 @@
+"""Read storeys that a brief names by their numbers: "the third floor", "L3", "levels 2 to 6", "4: wards"."""
+
+from collections.abc import Sequence
+
+from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
+from mansion_planner.brief.storey_counts import CLOSERS
+from mansion_planner.brief.storey_numbering import counts_above_ground, counts_from_ground, written_after
+
+__all__ = ["NumberedStoreys"]
+
+
+class NumberedStoreys:
+    """Reads numbers of storeys, by the way that the brief counts them.
+
+    Each method returns what is meant at a token and the token after it, if anything.
+
+    Parameters
+    ----------
+    places : sequence of Place
+        The references that stand before; it grows while the brief is read.
+    has_floors : bool
+        The brief has a word for storeys.
+
+    Attributes
+    ----------
+    british : bool
+        The first floor is the one above the ground floor.
+    """
+
+    def __init__(self, reading: Reading, places: Sequence[Place], *, has_floors: bool) -> None:
+        self.reading, self.places, self.has_floors = reading, places, has_floors
+        self.british = counts_from_ground(reading)
+        self.zero_based = any(
+            reading.value(i) == 0
+            and (
+                reading.kind(i) == "level"
+                or (reading.kind(i) == "number" and reading.word(i - 1) in ("level", "floor", "storey"))
+            )
+            for i in range(len(reading.tokens))
+        )
+        if counts_above_ground(reading):
+            self.british = self.zero_based = True
+        self.numbered_headings = sum(
+            reading.kind(i) == "number" and reading.word(i + 1) == ":" and reading.starts(i)
+            for i in range(len(reading.tokens))
+        )
+
+    def level(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "L3", "L2 to L6", "1F and 2F"."""
+        reading = self.reading
+        if reading.kind(index) != "level":
+            return None
+        shift = int(self.zero_based or (self.british and written_after(reading, index)))
+        numbers, last = [int(reading.value(index)) + shift], index + 1
+        while reading.word(last) in ("to", "–", "-", ",", "and", "&", "+", "through"):
+            step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
+            value = int(reading.value(last + step)) + shift
+            if reading.kind(last + step) != "level" and not (
+                reading.word(last) in ("–", "to") and reading.kind(last + step) == "number"
+            ):
+                break
+            if reading.word(last) in ("to", "–", "-", "through"):
+                return [FloorRef("range", min(numbers[-1], value), max(numbers[-1], value))], last + step + 1
+            numbers.append(value)
+            last += step + 1
+        return [FloorRef("number", n, n) for n in numbers], last
+
+    def _number(self, index: int, kind: str) -> int | None:
+        reading = self.reading
+        if reading.kind(index) != kind or index in reading.taken or reading.tokens[index].soft:
+            return None
+        value = reading.value(index)
+        shift = int(self.zero_based and kind == "number")
+        return int(value) + shift if value == int(value) and abs(value) <= 1000 else None
+
+    def numbered(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "floor 3", "floors 3 to 8", "levels 2 and 3", "floors 2, 3 and 5"."""
+        reading = self.reading
+        if reading.word(index) not in FLOOR_WORDS or reading.word(index) == "storie":
+            return None
+        first = self._number(index + 1, "number")
+        if first is None or reading.kind(index + 2) == "unit" or reading.word(index + 2) in ("people", "person"):
+            return None
+        last = index + 2
+        link, second = reading.word(last), self._number(last + 1, "number")
+        if link in ("to", "through", "until", "–", "-", "thru") and second is not None:
+            return [FloorRef("range", min(first, second), max(first, second))], last + 2
+        if reading.kind(last) == "word" and not reading.plural(index) and reading.plural(last):
+            return None  # "level 2 bedrooms" has no plural room of one level: the number counts the rooms
+        numbers = [first]
+        while reading.word(last) in (",", "and", "&"):
+            step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
+            more = self._number(last + step, "number")
+            if more is None or not reading.plural(index) or more <= numbers[-1]:
+                break
+            if reading.kind(last + step + 1) == "unit" or reading.plural(last + step + 1):
+                break
+            numbers.append(more)
+            last += step + 1
+        return [FloorRef("number", number, number) for number in numbers], last
+
+    def ordinal(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "third floor", "second and third floors", "third to eighth floors", "second:", "on the second"."""
+        reading = self.reading
+        number = self._number(index, "ordinal")
+        mention = reading.mention_at.get(index)
+        if number is None or (mention is not None and mention.last - index > 1 and mention.room):
+            return None  # "first aid"
+        numbers, last, ranged = [number], index + 1, False
+        while reading.word(last) in ("and", ",", "&", "to", "through", "–", "floor", "-"):
+            link = reading.word(last)
+            if link == "floor" and reading.word(last + 1) not in ("to", "through", "–"):
+                break
+            step = 2 if link == "floor" or (link == "," and reading.word(last + 1) == "and") else 1
+            step += reading.word(last + step) == "the"
+            more = self._number(last + step, "ordinal")
+            if more is None:
+                break
+            ranged = ranged or link in ("to", "through", "–", "floor", "-")
+            numbers.append(more)
+            last += step + 1
+        following = reading.word(last)
+        if following in FLOOR_WORDS:
+            last += 1
+            if reading.words(last, last + 3) == ("from", "the", "top"):
+                return [FloorRef("below_top", number - 1)], last + 3
+        elif not self._bare_ordinal(index, last):
+            return None
+        shift = int(self.british)
+        numbers = [value + shift for value in numbers]
+        if ranged and len(numbers) == 2:
+            return [FloorRef("range", min(numbers), max(numbers))], last
+        return [FloorRef("number", value, value) for value in numbers], last
+
+    def _bare_ordinal(self, index: int, last: int) -> bool:
+        """Whether an ordinal without "floor" means one: a heading, or the end of "on the second"."""
+        reading = self.reading
+        following = reading.word(last)
+        if not self.has_floors and not self.places:
+            return False
+        if reading.starts(index):
+            return following in (":", "\n", "(", "=", "-") or (following == "is" and reading.word(index - 1) == "the")
+        if reading.word(index - 1) != "the":
+            return False
+        if reading.word(index - 2) in ("on", "to", "and", "in", "at") or reading.starts(index - 1):
+            led = reading.word(index - 2) in ("on", "to", "and", "in", "at")
+            return (following in CLOSERS | {"and", "with", "is", "has", "are"}) or (
+                led and reading.word(index - 2) == "on"
+            )
+        return False
+
+    def heading(self, index: int) -> tuple[list[FloorRef], int] | None:
+        """Read "1: lobby", "4, 5 and 6: wards" where such headings number the storeys."""
+        reading = self.reading
+        if self.numbered_headings < 2 or reading.kind(index) != "number" or not reading.starts(index):
+            return None
+        numbers, last = [int(reading.value(index))], index + 1
+        while reading.word(last) in (",", "and", "&", "–", "to"):
+            if reading.kind(last + 1) != "number":
+                return None
+            if reading.word(last) in ("–", "to"):
+                numbers += range(numbers[-1] + 1, int(reading.value(last + 1)) + 1)
+            else:
+                numbers.append(int(reading.value(last + 1)))
+            last += 2
+        if reading.word(last) != ":" or max(numbers) > 200:
+            return None
+        return [FloorRef("number", number, number) for number in numbers], last

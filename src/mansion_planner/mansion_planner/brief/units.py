@@ -1,0 +1,226 @@
+"""Find which phrases of a brief name dwellings and other units of several rooms: "four flats", "two office units"."""
+
+from dataclasses import dataclass, field, replace
+
+from mansion_planner.brief.facts import FloorRef
+from mansion_planner.brief.phrase import Phrase, finished_phrase
+from mansion_planner.brief.reading import Reading
+
+__all__ = ["ALL", "GENERAL", "LODGINGS", "Households", "are_dwellings", "are_units", "find_units", "put_phrase"]
+
+_NOUNS = {"unit": "apartment", "dwelling": "apartment", "home": "apartment", "residence": "apartment",
+          "cluster": "common_room"}  # fmt: skip
+"""Nouns that name a unit wherever they are counted, and the room type of its main room."""
+
+_WORKPLACES = frozenset({"office", "business", "commercial", "workshop"})
+LODGINGS = frozenset({"hotel_room", "hotel_suite", "resident_room", "dorm_room"})
+"""Rooms for guests and residents, each of which is a unit."""
+
+GENERAL = frozenset({"unit", "flat", "apartment", "dwelling", "home", "residence", "room"})
+"""Nouns that may mean a unit of any kind."""
+
+_HOMES = frozenset({"flat", "studio_flat", "flat_share"})
+_ONE_HOME = frozenset({"flat", "studio_flat", "penthouse", "flat_share"})
+
+_DWELLINGS = GENERAL | {"maisonette", "studio", "penthouse", "house", "bungalow", "townhouse", "villa", "duplex"}
+"""Nouns of dwellings: another one that the knowledge base takes for one ("malt loft") is none by itself."""
+
+_ROWS = _ONE_HOME | {"house", "townhouse", "villa", "bungalow", "cottage"}
+
+_BEDS = frozenset({"bed", "bedroom", "br", "bedroomed", "bedded", "bdr"})
+ALL = frozenset({"each", "every", "all", "both", "per"})
+"""Determiners that speak of all units of a kind."""
+
+
+@dataclass
+class Households:
+    """What units hold, by the first token of the phrase that names them.
+
+    Attributes
+    ----------
+    units : dict of int to list of Phrase
+        Rooms of each such unit; empty for a unit of which nothing is said.
+    inner : set of int
+        First tokens of the phrases that name such rooms.
+    again : set of int
+        First tokens of the phrases that speak of units named elsewhere.
+    unnumbered : set of int
+        First tokens of "every flat" where no flats are counted.
+    copies : dict of int to int
+        Units that were parted from another one ("one has ..., the other ..."), and that other one.
+    sizes : dict of int to Phrase
+        The bedrooms that the noun of a unit tells ("two-bedroom flats").
+    ends : dict of int to int
+        Token after all that is said of a unit without a storey in between.
+    floors : dict of int to tuple of FloorRef
+        Storeys that stand in another form than a place ("four flats a floor").
+    """
+
+    units: dict[int, list[Phrase]] = field(default_factory=dict)
+    inner: set[int] = field(default_factory=set)
+    again: set[int] = field(default_factory=set)
+    unnumbered: set[int] = field(default_factory=set)
+    copies: dict[int, int] = field(default_factory=dict)
+    sizes: dict[int, Phrase] = field(default_factory=dict)
+    ends: dict[int, int] = field(default_factory=dict)
+    floors: dict[int, tuple[FloorRef, ...]] = field(default_factory=dict)
+
+    @property
+    def read(self) -> set[int]:
+        """First tokens of all phrases that are no rooms of the building by themselves."""
+        return self.inner | self.again
+
+
+def are_units(phrase: Phrase) -> bool:
+    """Whether a phrase that names homes is of several in one building: "nine flats", "four houses"."""
+    several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
+    return phrase.building in _ROWS and (several or phrase.determiner in ALL)
+
+
+def are_dwellings(phrase: Phrase) -> bool:
+    """Whether the noun of a phrase is that of a dwelling, and no "chapter house" or "malt loft"."""
+    first, last = phrase.name.partition("_")[0], phrase.name.rpartition("_")[2]
+    return last in _DWELLINGS - {"house", "studio"} or first in _DWELLINGS
+
+
+def find_units(reading: Reading, phrases: list[Phrase], building: int | None) -> Households:
+    """Return the units of a brief, nothing in them yet; `phrases` gets them by their plain names.
+
+    Parameters
+    ----------
+    building : int, optional
+        First token of the phrase that names the building itself, which is no unit.
+    """
+    finder = _Units(reading, phrases, building)
+    finder.run()
+    return finder.found
+
+
+class _Units:
+    def __init__(self, reading: Reading, phrases: list[Phrase], building: int | None) -> None:
+        self.reading, self.phrases, self.building = reading, phrases, building
+        self.found = Households()
+        kinds = reading.facts.building
+        self.one_home = bool(kinds) and kinds[0][0] in _ONE_HOME
+        self.at_home = not kinds or reading.knowledge.buildings[kinds[0][0]].family == "home"
+
+    def run(self) -> None:
+        """Find the nouns, then the units among them."""
+        self._leave_out()
+        self._further_nouns()
+        self._units()
+
+    def _leave_out(self) -> None:
+        """Leave out what stands for the whole: "a two-storey building with", "a terrace of four houses"."""
+        for number, phrase in enumerate(self.phrases):
+            roof = phrase.name == "flat" and self.reading.word(phrase.noun_end) == "roof"
+            whole = roof or (not phrase.known and phrase.name in ("building", "block"))
+            row = phrase.name in ("terrace", "row") and self.reading.word(phrase.last) == "of"
+            if whole or row:
+                self.phrases[number] = replace(phrase, head="unknown")
+
+    def _further_nouns(self) -> None:
+        """Add the units that no name of the knowledge base has: "four units", "two clusters", "office units"."""
+        reading = self.reading
+        for index in range(len(reading.tokens)):
+            kind = _NOUNS.get(reading.word(index), "")
+            read = any(
+                p.begin <= index < p.noun_end and ((p.known and p.room_type) or p.head in ("object", "people"))
+                for p in self.phrases
+            )
+            if not kind or read or self.one_home:
+                continue
+            begin = index
+            if reading.word(index - 1) in _WORKPLACES:
+                begin, kind = index - 1, "team_room"
+            elif reading.word(index - 1) in _BEDS and reading.kind(index - 2) == "number":
+                begin = index - 2
+            taken = set(reading.taken)
+            for other in self.phrases:
+                if other.first <= index < other.last or other.first <= begin < other.last:
+                    reading.taken.difference_update(range(other.first, other.last))
+            phrase = finished_phrase(reading, "room", begin, index + 1, room=kind)
+            reading.taken |= taken
+            counted = phrase.counted and (phrase.count or 0) > 1 and phrase.plural
+            if counted or (phrase.determiner in ALL and any(p.room_type == kind for p in self.phrases)):
+                put_phrase(reading, self.phrases, phrase)
+
+    def _units(self) -> None:
+        for phrase in list(self.phrases):
+            if not self._is_unit(phrase):
+                continue
+            plain = self._plain(phrase)
+            self.phrases[self.phrases.index(phrase)] = plain
+            self.found.units[plain.first] = []
+            self._ellipses(plain)
+
+    def _is_unit(self, phrase: Phrase) -> bool:
+        if phrase.first == self.building or phrase.head not in ("room", "building") or not phrase.room_type:
+            return False
+        several = phrase.plural and phrase.counted and (phrase.count or 0) > 1
+        if phrase.room_type in LODGINGS or phrase.room_type in ("team_room", "common_room"):
+            own = phrase.head == "room" and (phrase.plural or phrase.determiner in ALL)
+            return own and (phrase.room_type in LODGINGS or phrase.name.rpartition("_")[2] in _NOUNS)
+        if not self.reading.knowledge.room(phrase.room_type).unit:
+            return False
+        if phrase.building and phrase.building not in _HOMES:
+            lone = phrase.name.endswith("_residence") and not self.at_home
+            return several or lone
+        if self.one_home:
+            return several
+        if not are_dwellings(phrase) and not several:
+            return False
+        if phrase.determiner in ("the", "his", "her", "our", "my") and not phrase.plural:
+            return "_" in phrase.name  # "the caretaker's flat", and not the flat that is planned
+        return several or phrase.plural or phrase.determiner in ALL | {"a", "an", "another"} or phrase.counted
+
+    def _plain(self, phrase: Phrase) -> Phrase:
+        """Return a unit by its noun alone; the number of bedrooms in it is kept apart."""
+        reading = self.reading
+        for index in range(phrase.first, phrase.noun_end - 1):
+            counting = index == phrase.first and reading.tokens[index + 1].spaced
+            if reading.kind(index) == "number" and reading.word(index + 1) in _BEDS and not counting:
+                self.found.sizes[phrase.first] = self._bedrooms(index)
+        words = [
+            index
+            for index in range(phrase.begin, phrase.noun_end)
+            if reading.kind(index) == "word" and reading.word(index) not in _BEDS | {"x", "room"}
+        ]
+        if not words or phrase.room_type in LODGINGS:
+            return phrase
+        name = "_".join(part for part in phrase.name.split("_") if part in {reading.word(i) for i in words})
+        label = reading.text[reading.tokens[words[0]].start : reading.tokens[phrase.noun_end - 1].end]
+        return replace(phrase, name=name or reading.word(words[-1]), label=label)
+
+    def _bedrooms(self, index: int) -> Phrase:
+        """Return the phrase of "two-bedroom" at a token."""
+        count = int(self.reading.value(index))
+        self.reading.take(index, index + 2)
+        return Phrase("room", index, index, index + 2, index + 2, "bedroom", name="bedroom", label="bedroom",
+                      count=count, counted=True, plural=count > 1)  # fmt: skip
+
+    def _ellipses(self, unit: Phrase) -> None:
+        """Read "one 1-bed and two 2-bed flats" as two kinds of flats."""
+        reading, end = self.reading, unit.first
+        while reading.word(end - 1) in ("and", ",", "&", "/", "plus"):
+            size = end - 3
+            if reading.kind(size) != "number" or reading.word(size + 1) not in _BEDS:
+                return
+            first = size - 1 if reading.kind(size - 1) == "number" else size
+            count = int(reading.value(first)) if first < size else 1
+            other = replace(
+                unit, first=first, begin=size, noun_end=size + 2, last=size + 2, count=count, counted=first < size,
+                areas=(),
+            )  # fmt: skip
+            put_phrase(reading, self.phrases, other)
+            self.found.units[first] = []
+            self.found.sizes[first] = self._bedrooms(size)
+            self.found.copies[first] = unit.first
+            end = first
+
+
+def put_phrase(reading: Reading, phrases: list[Phrase], phrase: Phrase) -> None:
+    """Add a phrase in place of all that share a token with it."""
+    others = [p for p in phrases if p.last <= phrase.first or p.first >= phrase.last]
+    phrases[:] = sorted([*others, phrase], key=lambda p: p.first)
+    reading.take(phrase.first, phrase.last)
