@@ -1,18 +1,21 @@
 """The small building with more in it: chairs in the hall, lights, a second table and mugs on both."""
 
 from collections.abc import Callable
+from pathlib import Path
 
 import msgspec
 import pytest
 
 from mansion_assets.catalogue import Catalogue
 from mansion_editing.editor import SceneEditor
+from mansion_editing.state import SceneState
+from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_scene.decor.frames import scene_object
 
 
 @pytest.fixture
-def scenes(scenes: list[FloorScene], catalogue: Catalogue) -> list[FloorScene]:
+def furnished(scenes: list[FloorScene], catalogue: Catalogue) -> list[FloorScene]:
     """Return the two floors, furnished more fully."""
     first, second = scenes
 
@@ -41,6 +44,14 @@ def scenes(scenes: list[FloorScene], catalogue: Catalogue) -> list[FloorScene]:
 
 
 @pytest.fixture
-def editor(open_editor: Callable[..., SceneEditor]) -> SceneEditor:
-    """Return an editor of the building that lands each instruction."""
+def furnished_state(furnished: list[FloorScene], catalogue: Catalogue) -> SceneState:
+    """Return the furnished building in memory."""
+    return SceneState(furnished, catalogue)
+
+
+@pytest.fixture
+def editor(furnished: list[FloorScene], folder: Path, open_editor: Callable[..., SceneEditor]) -> SceneEditor:
+    """Return an editor of the furnished building that lands each instruction."""
+    for scene in furnished:
+        (folder / f"floors/floor_{scene.floor}/scene.json").write_bytes(encode_bytes(scene, indent=1))
     return open_editor()

@@ -235,3 +235,16 @@ def test_questions_are_answered_from_the_scene(editor: SceneEditor, question: As
     report = do(editor, question)
     assert report.done and report.question and answer in report.message
     assert not report.edits and not report.object_ids
+
+
+def test_a_thing_is_replaced_by_one_of_its_kind(editor: SceneEditor) -> None:
+    report = do(editor, Replace(things=the("sofa"), by=Things(noun="sofa", colour="green")))
+    (sofa,) = [item for _, item in editor.state.objects() if item.category == "sofa"]
+    assert report.done and sofa.material.endswith("green")
+
+
+def test_a_vessel_that_is_not_there_is_brought_where_words_have_it(editor: SceneEditor) -> None:
+    bowl = Place(relation="in", anchor=Things(noun="bowl", place=TABLE))
+    report = do(editor, Add(things=Things(noun="apple"), place=bowl))
+    apple = next(item for _, item in editor.state.objects() if item.category == "apple")
+    assert report.done and apple.parent == "F1/kitchen/bowl_1" and len(report.object_ids) == 2

@@ -6,7 +6,6 @@ from collections.abc import Callable
 import msgspec
 import pytest
 
-from mansion_assets.catalogue import Catalogue
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.checking import Step, fault, faults
 from mansion_editing.instructions.references import Context
@@ -62,7 +61,7 @@ def with_change(state: SceneState, name: str, change: Callable[[SceneObject], Sc
     return after
 
 
-def test_nothing_done_is_a_fault_where_something_was_asked(state: SceneState) -> None:
+def test_nothing_done_is_a_fault_where_something_was_asked(furnished_state: SceneState) -> None:
     hall = Place(rooms=Rooms(words="hall"))
     asked: list[Statement] = [
         Add(things=Things(noun="plant"), place=hall),
@@ -76,10 +75,10 @@ def test_nothing_done_is_a_fault_where_something_was_asked(state: SceneState) ->
         Turn(things=the("sofa"), degrees=90.0),
         Ensure(things=Things(noun="chair", plural=True, amount=Amount(number=4)), place=hall),
     ]
-    assert [type(one).__name__ for one in asked if not fault(one, state, copied(state), HERE)] == []
+    assert [type(one).__name__ for one in asked if not fault(one, furnished_state, copied(furnished_state), HERE)] == []
 
 
-def test_what_holds_already_needs_nothing(state: SceneState) -> None:
+def test_what_holds_already_needs_nothing(furnished_state: SceneState) -> None:
     hall = Place(rooms=Rooms(words="hall"))
     asked: list[Statement] = [
         Ensure(things=Things(noun="chair", plural=True, amount=Amount(number=3)), place=hall),
@@ -88,7 +87,7 @@ def test_what_holds_already_needs_nothing(state: SceneState) -> None:
         Ask(about="count", things=Things(noun="chair")),
         Mention(),
     ]
-    assert [fault(one, state, copied(state), HERE) for one in asked] == [""] * len(asked)
+    assert [fault(one, furnished_state, copied(furnished_state), HERE) for one in asked] == [""] * len(asked)
 
 
 def _opened(item: SceneObject) -> SceneObject:
@@ -104,25 +103,25 @@ def _shifted(item: SceneObject) -> SceneObject:
     "other", [("F1/hall/sofa_1", None), ("F1/hall/chair_2", _shifted), ("F1/kitchen/plate_1", None)]
 )
 def test_a_change_besides_what_was_asked_is_found(
-    state: SceneState, other: tuple[str, Callable[[SceneObject], SceneObject] | None]
+    furnished_state: SceneState, other: tuple[str, Callable[[SceneObject], SceneObject] | None]
 ) -> None:
     opening = SetState(things=the("fridge"), state="open", value=True)
-    done = with_change(state, "F1/kitchen/fridge_1", _opened)
-    assert fault(opening, state, done, HERE) == ""
-    assert other[0] in fault(opening, state, with_change(done, *other), HERE)
+    done = with_change(furnished_state, "F1/kitchen/fridge_1", _opened)
+    assert fault(opening, furnished_state, done, HERE) == ""
+    assert other[0] in fault(opening, furnished_state, with_change(done, *other), HERE)
 
 
-def test_one_more_removed_than_meant_is_found(state: SceneState) -> None:
+def test_one_more_removed_than_meant_is_found(furnished_state: SceneState) -> None:
     two = Remove(things=Things(noun="chair", plural=True, amount=Amount(number=2)))
-    after = with_change(with_change(state, "F1/hall/chair_1"), "F1/hall/chair_2")
-    assert fault(two, state, after, HERE) == ""
-    assert fault(two, state, with_change(after, "F1/hall/chair_3"), HERE)
+    after = with_change(with_change(furnished_state, "F1/hall/chair_1"), "F1/hall/chair_2")
+    assert fault(two, furnished_state, after, HERE) == ""
+    assert fault(two, furnished_state, with_change(after, "F1/hall/chair_3"), HERE)
 
 
-def test_what_shall_stay_is_compared_over_the_whole_instruction(state: SceneState) -> None:
-    after = with_change(state, "F1/hall/sofa_1")
+def test_what_shall_stay_is_compared_over_the_whole_instruction(furnished_state: SceneState) -> None:
+    after = with_change(furnished_state, "F1/hall/sofa_1")
     keep, remove = Keep(things=the("sofa"), quote="leave the sofa"), Remove(things=the("sofa"))
-    steps = [Step(keep, HERE, state, copied(state)), Step(remove, HERE, state, after)]
+    steps = [Step(keep, HERE, furnished_state, copied(furnished_state)), Step(remove, HERE, furnished_state, after)]
     (found,) = faults(steps)
     assert found.startswith("leave the sofa: F1/hall/sofa_1")
 
@@ -173,10 +172,8 @@ def _random_statement(pick: random.Random) -> Statement:
 
 
 @pytest.mark.parametrize("seed", range(24))
-def test_no_statement_changes_what_the_check_does_not_account_for(
-    open_editor: Callable[..., SceneEditor], catalogue: Catalogue, seed: int
-) -> None:
-    editor, pick = open_editor(), random.Random(seed)
+def test_no_statement_changes_what_the_check_does_not_account_for(editor: SceneEditor, seed: int) -> None:
+    pick = random.Random(seed)
     for _ in range(5):
         before, objects = copied(editor.state), everything(editor.state)
         statement = _random_statement(pick)

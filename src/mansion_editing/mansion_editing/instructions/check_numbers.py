@@ -164,10 +164,12 @@ def check_replace(
 ) -> Finding:
     """Check that things left and that new ones of the other kind came into the same rooms, onto the same furniture."""
     fitting = concerned(before, statement.things, context)
-    gone = [item for item in fitting if item.id in diff.removed]
     low, high = numbers_meant(statement.things, fitting)
-    alike = {item.id for item in things_of(after, any_number(statement.by), context)}
-    came = [item for name, item in diff.added.items() if name in alike]
+    alike = {item.id: item for item in things_of(after, any_number(statement.by), context)}
+    # A new thing of the same kind may get the id that the old one leaves.
+    taken = [item.id for item in fitting if item.id in alike and item.id in {*diff.moved, *diff.changed}]
+    gone = [item for item in fitting if item.id in diff.removed or item.id in taken]
+    came = [item for name, item in alike.items() if name in diff.added or name in taken]
     rooms, parents = {item.room for item in gone}, {item.parent for item in gone}
     lain = None not in parents
     stray = [item for item in came if item.room not in rooms or (lain and item.parent and item.parent not in parents)]

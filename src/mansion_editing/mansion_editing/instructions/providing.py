@@ -156,6 +156,11 @@ def _new_carrier(place: Place, state: SceneState, context: Context) -> Generator
         raise Unmet(
             f"there is nothing {place_words(place)}" if anchor is None else f"there is no {_kind(anchor, place)}"
         )
+    if anchor.place is not None and anchor.place.anchor is not None:
+        bare = msgspec.structs.replace(anchor, place=None)
+        (small,) = yield from place_at(bare, 1, anchor.place, places_of(state, anchor.place, context), state)
+        holder = live(state, [small])[0]
+        return Target(holder.room, holder)
     rooms = () if place.rooms is None else tuple(rooms_of(state, place.rooms, context))
     made = yield from furnish(ObjectDescription(anchor.noun, 1, anchor.colour), Scope("room", "", rooms), state)
     item = live(state, [made])[0]

@@ -49,16 +49,16 @@ def _numbered(words: str) -> tuple[str, str | None]:
 
 
 def _rank(room: SceneRoom, name: str, number: str | None) -> int:
-    """Return how well a name fits: 6 its own, 5 its kind, 4 that without "room", 3 a synonym, 2 its end, 1 a part."""
+    """Return how well a name fits: 7 its own, 6 an alias, 5 its kind, 4 that without "room", 3 a synonym, 2 its end."""
     wanted = stems(name)
-    own = [stems(text) for text in (room.name, *room.aliases, room.id.rsplit("/", 1)[-1].replace("_", " ")) if text]
-    if number is not None:
-        if (*wanted, number) in own:
-            return 6
-        if not re.search(rf"(?:_|\b){number}$", room.id):
-            return 0
-    elif wanted in own:
-        return 6
+    called = [stems(text) for text in (room.name, room.id.rsplit("/", 1)[-1].replace("_", " ")) if text]
+    aliases = [stems(alias) for alias in room.aliases]
+    own = [*called, *aliases]
+    whole = wanted if number is None else (*wanted, number)
+    if whole in own:
+        return 7 if whole in called else 6
+    if number is not None and not re.search(rf"(?:_|\b){number}$", room.id):
+        return 0
     kind = stems(room.room_type.replace("_", " "))
     if wanted == kind:
         return 5
