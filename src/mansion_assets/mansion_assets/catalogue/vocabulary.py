@@ -63,6 +63,10 @@ class Vocabulary:
         """Return the categories called exactly so; by synonym where none has the name itself."""
         return list(self._names.get(words) or self._synonyms.get(words, {}))
 
+    def synonymous(self, words: tuple[str, ...]) -> list[str]:
+        """Return the categories with these words as a synonym, whether or not others have them as their name."""
+        return list(self._synonyms.get(words, {}))
+
     def generic(self, words: tuple[str, ...]) -> list[str]:
         """Return the categories of which a general word (``table``) is the last part."""
         if len(words) != 1 or words[0] not in _GENERIC:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from mansion_editing.agent.facts import Unmet, ask
 from mansion_editing.instructions.nouns import has_colour, has_material
-from mansion_editing.instructions.references import Context, concerned, one_room_each, thing_words, things_meant
+from mansion_editing.instructions.references import Context, concerned, one_room_each, rooms_of, thing_words, things_meant
 from mansion_editing.instructions.statements import Paint, Reach, Rooms, SetState, Things
 from mansion_editing.instructions.work import Done, Work, listed
 from mansion_editing.state import SceneState
@@ -31,6 +31,8 @@ def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
     things, name, value = statement.things, statement.state, statement.value
     word = state_word(name, value=value)
     found = concerned(state, things, context)
+    if not found and things.amount.kind == "all" and things.noun:
+        return Done(f"there was nothing to do: there is no {thing_words(things)}", context)
     ready = {item.id for item in found if able(item, name)}
     if found and not ready:
         raise Unmet(f"no {thing_words(things)} {'opens or closes' if name == 'open' else 'switches'}: {listed(found)}")
@@ -94,5 +96,10 @@ def ends_of(end: Things | Rooms | None, state: SceneState, context: Context) -> 
     if end is None:
         return [""]
     if isinstance(end, Rooms):
-        return one_room_each(state, end, context)
+        core = {"stair": "stairs", "staircase": "stairs", "stairwell": "stairs", "elevator": "elevator"}.get(end.words)
+        if end.words == "entrance" and not rooms_of(state, end, context):
+            return [""]
+        if core is not None:
+            return [f"{core} on floor {floor}" for floor in end.floors] or [core]
+        return rooms_of(state, end, context) or one_room_each(state, end, context)
     return list(dict.fromkeys(item.room for item in things_meant(state, end, context)))

@@ -22,7 +22,7 @@ from mansion_editing.instructions.references import (
     things_of,
 )
 from mansion_editing.instructions.rooms import swap_rooms
-from mansion_editing.instructions.statements import Add, Move, Place, Rooms, Swap, Things, Turn
+from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
 from mansion_editing.instructions.work import Done, Work, listed, live, whereabouts
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import object_info
@@ -39,6 +39,12 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         raise Unmet(f"say where {thing_words(things)} shall go")
     if not found and statement.or_new:
         return (yield from add(Add(things=_new(things), place=place), state, context))
+    if not found and things.noun and things.place is not None:
+        kind = msgspec.structs.replace(things, place=None, amount=Amount(kind="all", number=0))
+        arrived = all_at(state, things_of(state, kind, context), place, context)
+        if arrived:
+            none = f"there is no {thing_words(msgspec.structs.replace(things, definite=False))}"
+            return Done(f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already", context)
     targets = _targets(state, place, context)
     there = {item.id for item in all_at(state, found, place, context)}
     away = [item for item in found if item.id not in there]

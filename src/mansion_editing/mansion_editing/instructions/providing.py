@@ -152,7 +152,9 @@ def _rooms_having(state: SceneState, place: Place, context: Context) -> set[str]
 def _new_carrier(place: Place, state: SceneState, context: Context) -> Generator[Action, Outcome, Target]:
     """Furnish a room with the receptacle that is missing, where words do not say that it is there."""
     anchor = place.anchor
-    if anchor is None or anchor.definite or anchor.refers or "/" in anchor.noun or place.relation == "between":
+    known = place.rooms is not None and len(rooms_of(state, place.rooms, context)) == 1
+    told = anchor is not None and anchor.definite and not (known and place.relation in ("on", "in"))
+    if anchor is None or told or anchor.refers or "/" in anchor.noun or place.relation == "between":
         raise Unmet(
             f"there is nothing {place_words(place)}" if anchor is None else f"there is no {_kind(anchor, place)}"
         )
@@ -291,7 +293,9 @@ def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
         there = [(target, at_target(state, things, place, target, context)) for target in group]
         whole = place.anchor is None
         best = max(there, key=lambda pair: len(pair[1]), default=None)
-        found = list({i.id: i for _, items in there for i in items}.values()) if whole else best[1] if best else []
+        found = list({i.id: i for _, items in there for i in items}.values())
+        if not whole and (best is None or kind in ("exactly", "at_most", "none") or len(found) < number):
+            found = best[1] if best else []
         had += len(found)
         if len(found) > number and kind in ("exactly", "at_most", "none"):
             surplus = found[number:]

@@ -13,6 +13,7 @@ from mansion_editing.instructions.references import (
     anchors_of,
     carried_by,
     concerned,
+    means_one,
     one_room_each,
     place_words,
     thing_words,
@@ -69,7 +70,8 @@ def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneOb
     amount = things.amount
     several = amount.kind in ("all", "at_most", "none") or (things.plural and amount.number <= 1)
     found = concerned(state, things, context)
-    if not found and several and (names_many(things.noun) or vocabulary_of(state.catalogue).nouns(things.noun)):
+    known = names_many(things.noun) or bool(vocabulary_of(state.catalogue).nouns(things.noun))
+    if not found and known and (several or (means_one(things) and bool(things.noun))):
         return []
     if amount.kind in ("all_but", "exactly") and len(found) < amount.number:
         raise Unmet(f"there are only {len(found)} {thing_words(things)}, not {amount.number}")

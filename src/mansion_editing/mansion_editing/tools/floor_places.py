@@ -96,7 +96,7 @@ def free_floor_places(
 
     Those next to `near` come first where it is given.
     """
-    space = FloorSpace(state.scenes[floor], room, thing)
+    space = FloorSpace(state.scenes[floor], room, thing, flat=thing.size[2] <= LOW)
     poses = list(floor_poses(room, thing))
     if near is not None:
         poses.sort(key=lambda pose: round(math.dist(pose[:2], near.position[:2]), 6))
