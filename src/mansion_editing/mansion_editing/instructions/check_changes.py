@@ -53,6 +53,8 @@ def _only_state(old: SceneObject, new: SceneObject, name: str) -> bool:
 
 def _number_fault(things: Things, fitting: list[SceneObject], good: set[str], changed: list[str]) -> str:
     low, high = numbers_meant(things, fitting)
+    if not fitting and things.amount.kind == "all":
+        return ""
     if len(good) < max(1, low):
         return f"{len(good)} of {len(fitting)} {thing_words(things)} are as they should be"
     wrong = [name for name in changed if name not in good]

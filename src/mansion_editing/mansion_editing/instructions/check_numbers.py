@@ -27,7 +27,7 @@ __all__ = ["check_add", "check_clear", "check_ensure", "check_remove", "check_re
 
 def _new_carriers(place: Place, after: SceneState, context: Context, diff: Differences) -> set[str]:
     """Return new furniture that answers to the words for what new things are on or in."""
-    if place.anchor is None or place.anchor.definite:
+    if place.anchor is None:
         return set()
     return {item.id for item in things_of(after, any_number(place.anchor), context)} & set(diff.added)
 
@@ -91,6 +91,8 @@ def check_ensure(
     good = [_is_number(kind, len(ids), number) for ids in news]
     whole = _for_each(place, each=statement.each) or kind in ("at_most", "none")
     holds = all(good) if whole else any(good)
+    if not whole and kind in ("some", "at_least"):
+        holds = holds or len(set().union(*news)) >= number
     came = {name for ids in news for name in ids} & set(diff.added)
     gone = {name for ids in olds for name in ids} & set(diff.removed)
     most = sum(max(0, number - len(ids)) for ids in olds)
@@ -120,7 +122,7 @@ def check_remove(
     roots = {item.id for item in gone}
     low, high = numbers_meant(things, fitting, surplus=True)
     reason = ""
-    if not low <= len(gone) <= high:
+    if fitting and not low <= len(gone) <= high:
         reason = f"{len(gone)} of {len(fitting)} {thing_words(things)} left"
     carried = carried_below(before, {item.id for item in gone if item.parent is None})
     settled = {name for name, (old, new) in diff.moved.items() if old.parent in roots and new.room == old.room}

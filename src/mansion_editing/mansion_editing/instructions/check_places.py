@@ -6,7 +6,7 @@ import msgspec
 
 from mansion_editing.instructions.check_numbers import check_add
 from mansion_editing.instructions.differences import Differences, carried_below
-from mansion_editing.instructions.finding import Finding, at_shares, numbers_meant, shares_of
+from mansion_editing.instructions.finding import Finding, any_number, at_shares, numbers_meant, shares_of
 from mansion_editing.instructions.references import Context, concerned, place_words, rooms_of, thing_words, things_of
 from mansion_editing.instructions.statements import Add, Move, Rooms, Swap, Turn
 from mansion_editing.instructions.work import listed
@@ -24,6 +24,10 @@ def check_move(statement: Move, before: SceneState, after: SceneState, context: 
     if not fitting and statement.or_new:
         new = msgspec.structs.replace(things, definite=False, place=None)
         return check_add(Add(things=new, place=place), before, after, context, diff)
+    if not fitting and not diff.ids:
+        shares = shares_of(place, before, after, context)
+        there = set().union(*at_shares(after, things_of(after, any_number(things), context), shares, context))
+        return Finding("" if there else f"there is no {thing_words(things)} {place_words(place)}")
     gone_to = diff.relocated()
     went = {item.id: gone_to[item.id] for item in fitting if item.id in gone_to}
     if place.anchor is None and place.rooms is None:

@@ -223,7 +223,9 @@ class ClauseReader:
                 if found:
                     return found
                 raise NotUnderstood(at, self.boundary(at))
-            if found and (self.predicate_follows(item.end) or self._is_way(item.phrase)):
+            placed = self._participle(item.phrase.end)
+            new = placed is not None and placed[0] == "add" and not item.phrase.definite
+            if found and (self.predicate_follows(item.end) or self._is_way(item.phrase) or new):
                 return found
             found.append(self._named(item, found))
             after = self.conjunction(item.end)
@@ -601,11 +603,11 @@ class ClauseReader:
         for place in range(at + 1, min(at + 8, len(self.words))):
             word = self.words[place]
             before = self.words[at:place]
+            if self.lexicon.is_way(word.text) and {"have", "has", "need"} & {w.text for w in before}:
+                return self._way(at, place + 1)
             if any(self.lexicon.is_own_room((w.text,)) or self.lexicon.is_object((w.text,)) for w in before):
                 return None
             having = {"have", "has", "need"} & {w.text for w in before}
-            if self.lexicon.is_way(word.text) and having:
-                return self._way(at, place + 1)
             if having:
                 continue
             if word.kind == "mark" or word.text in BE:
@@ -2107,7 +2109,12 @@ class ClauseReader:
             return None
         state, value = STATE_WORDS[self.text(place)]
         quote = self.quote(at, place + 1)
-        return [self._state_of([item], item, state, (), quote, value=value)], place + 1
+        switched = self._state_of([item], item, state, (), quote, value=value)
+        brought = not item.phrase.definite and item.phrase.amount.kind == "some" and bool(item.places)
+        if brought and not item.is_room:
+            where, each = self._framed(item.goal())
+            return [Ensure(things=item.phrase.things(), place=where, each=each, quote=quote), switched], place + 1
+        return [switched], place + 1
 
     def _predicate(self, item: Item, end: int, at: int) -> tuple[list[Statement], int] | None:
         """Read what is said of a subject."""
@@ -2138,10 +2145,11 @@ class ClauseReader:
         found = self._state_after(item, place, at)
         if found is None:
             return None
-        (statement,), end = found
-        if negated and isinstance(statement, SetState):
-            statement = msgspec.structs.replace(statement, value=not statement.value)
-        return [statement], end
+        said, end = found
+        if negated:
+            turned = [s for s in said if isinstance(s, SetState)]
+            said = [msgspec.structs.replace(s, value=not s.value) for s in turned]
+        return said, end
 
     def _said_participle(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         found = self._participle(place)

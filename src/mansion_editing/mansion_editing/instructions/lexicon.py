@@ -73,6 +73,10 @@ class Lexicon:
             self._objects[words] = known or (len(words) == 1 and words[0] in HYPERNYMS | WAYS)
         return self._objects[words]
 
+    def is_called(self, words: tuple[str, ...]) -> bool:
+        """Whether words are the whole name of objects, not only its end (a kitchen, of a toy kitchen)."""
+        return bool(vocabulary_of(self._state.catalogue).exact(words)) or words in self._object_names
+
     def is_way(self, word: str) -> bool:
         """Whether a word names what a robot gets through by."""
         return word in WAYS

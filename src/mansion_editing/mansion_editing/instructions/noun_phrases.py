@@ -552,7 +552,7 @@ def _split(
         own, room, thing = lexicon.is_own_room(span), lexicon.is_room(span), lexicon.is_object(span)
         if span[-1] in PERSONS and not own:
             continue
-        if number and room:
+        if (number and room) or (own and not lexicon.is_called(span)):
             thing = False
         if not (room or thing) and not (len(span) == 1 and (span[0] in ANYTHING or span[0] in HYPERNYMS)):
             continue

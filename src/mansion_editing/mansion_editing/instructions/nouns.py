@@ -138,7 +138,8 @@ def called(state: SceneState, items: Iterable[SceneObject], noun: str, *, many: 
         # People call what hangs from the ceiling a light where other lamps stand in the room.
         alike = [item for item in alike if item.mount != "ceiling"] or alike
     if not alike and words:
-        synonymous = vocabulary_of(state.catalogue).synonymous(stems(noun))
+        vocabulary = vocabulary_of(state.catalogue)
+        synonymous = vocabulary.synonymous(stems(noun)) or vocabulary.ending(stems(noun))
         alike = [item for item in pool if item.category in synonymous]
     if alike and not many:
         best = max(ranks[item.id] for item in alike)

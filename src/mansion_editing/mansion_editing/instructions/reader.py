@@ -437,6 +437,9 @@ def _background(words: Sequence[Word], at: int) -> int:
     if first in ("for", "before", "during", "after", "when") and at == 0:
         comma = next((k for k in range(at, min(len(words), at + 9)) if words[k].text in (",", ":")), None)
         return at if comma is None else comma
+    words_after = [w.text for w in words[at : at + 9]]
+    if first == "if" and following in ("something", "anything", "it", "there") and {"way", "block", "blocked", "blocking"} & set(words_after):
+        return len(words)
     if not (reason or purpose):
         return at
     end = at + 1
