@@ -1,0 +1,143 @@
+"""The documents of one storey before and after a change of its structure, and what the building's index says of it."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import msgspec
+
+from mansion_assets.catalogue import Catalogue
+from mansion_msgs_py.building import Building, FloorEntry
+from mansion_msgs_py.building_folder import BuildingFolder
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.program import BuildingProgram, FloorProgram
+from mansion_msgs_py.scene import FloorScene, SceneRoom
+from mansion_msgs_py.topology import FloorTopology
+
+__all__ = ["Judge", "Reshaped", "Storey", "Workshop", "node_of", "storey_of", "updated_building"]
+
+Judge = Callable[[FloorScene, FloorTopology], Sequence[str]]
+"""Returns what is wrong with a storey."""
+
+
+@dataclass(frozen=True)
+class Storey:
+    """A storey as its documents describe it.
+
+    Attributes
+    ----------
+    program : BuildingProgram
+        Of the whole building: the storey's own part says what its rooms are, the rest where its cores are.
+    """
+
+    program: BuildingProgram
+    topology: FloorTopology
+    layout: FloorLayout
+    scene: FloorScene
+
+    @property
+    def number(self) -> int:
+        """Number of the floor."""
+        return self.scene.floor
+
+    @property
+    def floor(self) -> FloorProgram:
+        """The storey's own part of the program."""
+        return next(floor for floor in self.program.floors if floor.index == self.number)
+
+    def room(self, room_id: str, path: str = "$.room_id") -> SceneRoom:
+        """Return a room by its id in the scene.
+
+        Raises
+        ------
+        MansionError
+            ``NOT_FOUND`` with the rooms that there are.
+        """
+        for room in self.scene.rooms:
+            if room.id == room_id:
+                return room
+        known = ", ".join(room.id for room in self.scene.rooms)
+        raise MansionError(
+            ErrorCode.NOT_FOUND, f"no room {room_id[:120]!r} on floor {self.number}; there are {known}", path=path
+        )
+
+
+@dataclass(frozen=True)
+class Workshop:
+    """What a change of structure needs beside the documents.
+
+    Attributes
+    ----------
+    catalogue : Catalogue
+        Furniture for rooms that are furnished anew.
+    judge : callable
+        Says what is wrong with a finished storey; a change that adds a fault is not made.
+    """
+
+    catalogue: Catalogue
+    judge: Judge
+
+
+@dataclass(frozen=True)
+class Reshaped:
+    """A storey after a change.
+
+    Attributes
+    ----------
+    storey : Storey
+    moved : list of str
+        A plain sentence for each thing that is not as it was.
+    """
+
+    storey: Storey
+    moved: list[str]
+
+
+def storey_of(folder: BuildingFolder, floor: int) -> Storey:
+    """Return the documents of a storey from a building folder."""
+    return Storey(folder.building.program, folder.topology(floor), folder.layout(floor), folder.scene(floor))
+
+
+def node_of(room: SceneRoom | str) -> str:
+    """Return the name of a room in its storey's program, room graph and layout.
+
+    Examples
+    --------
+    >>> node_of("F2/office_1"), node_of("stair_1")
+    ('office_1', 'stair_1')
+    """
+    name = room if isinstance(room, str) else room.id
+    return name.partition("/")[2] or name
+
+
+def updated_building(building: Building, before: Storey, after: Storey) -> Building:
+    """Return ``building.json`` after a change of one storey: its program, areas and counts; wishes are left as they are.
+
+    A storey that was to repeat the changed one, or that the changed one was to repeat, stands for itself from now on.
+    """
+    entries = [_entry(entry, after) if entry.floor == after.number else entry for entry in building.floors]
+    checks = dict(building.checks)
+    for name, old, new in (
+        ("rooms", before.scene.rooms, after.scene.rooms),
+        ("doors", before.scene.doors, after.scene.doors),
+        ("objects", before.scene.objects, after.scene.objects),
+    ):
+        if name in checks:
+            checks[name] += len(new) - len(old)
+    program = msgspec.structs.replace(after.program, floors=_independent(after.program.floors, after.number))
+    return msgspec.structs.replace(building, program=program, floors=entries, checks=checks)
+
+
+def _entry(entry: FloorEntry, storey: Storey) -> FloorEntry:
+    scene = storey.scene
+    area = round(sum(room.area for room in scene.rooms), 3)
+    return msgspec.structs.replace(entry, area=area, objects=len(scene.objects), rooms=len(scene.rooms))
+
+
+def _independent(floors: Sequence[FloorProgram], changed: int) -> list[FloorProgram]:
+    """Return the floors with no copy of the changed one; its copies repeat the first of them instead."""
+    copies = [floor.index for floor in floors if floor.copy == changed]
+    source = {index: copies[0] if index != copies[0] else None for index in copies} | {changed: None}
+    return [
+        msgspec.structs.replace(floor, copy=source[floor.index]) if floor.index in source else floor for floor in floors
+    ]
