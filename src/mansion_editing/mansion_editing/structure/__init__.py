@@ -1,7 +1,6 @@
 """Changes to the rooms of one finished storey: areas, doors and places of rooms, with all else held where it is."""
 
 from mansion_editing.structure.areas import change_area
-from mansion_editing.structure.cores import add_core
 from mansion_editing.structure.doors import add_door
 from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, storey_of, updated_building
 from mansion_editing.structure.swaps import swap_rooms
@@ -10,7 +9,6 @@ __all__ = [
     "Reshaped",
     "Storey",
     "Workshop",
-    "add_core",
     "add_door",
     "change_area",
     "storey_of",
