@@ -24,6 +24,9 @@ _LEAST_CHANGE = 0.1
 """Square metres below which nothing is moved."""
 
 _MOST_PLANS = 8
+_ENOUGH = 3
+"""Plans that work from which the one that loses least is taken."""
+
 _SMALLER = (0.8, 0.6, 0.4, 0.2)
 """Shares of a change that are tried where all of it cannot be, to say what can."""
 
@@ -102,7 +105,7 @@ class _Neighbourhood:
 
     def _best(self, change: float) -> tuple[Outcome | None, str]:
         """Carry out the first plan that loses nothing, else the one that loses least."""
-        best: Outcome | None = None
+        found: list[Outcome] = []
         reason = ""
         for plan in itertools.islice(self._plans(change), _MOST_PLANS):
             try:
@@ -110,11 +113,10 @@ class _Neighbourhood:
             except MansionError as error:
                 reason = reason or error.info.message
                 continue
-            if best is None or outcome.losses < best.losses:
-                best = outcome
-            if not best.losses:
+            found.append(outcome)
+            if not outcome.losses or len(found) == _ENOUGH:
                 break
-        return best, reason
+        return min(found, key=lambda outcome: outcome.losses, default=None), reason
 
     def _plans(self, change: float) -> Iterator[Plan]:
         return plans(self.node, change, self.others, self.shapes, self.limits)

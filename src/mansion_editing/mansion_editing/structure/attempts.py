@@ -45,7 +45,7 @@ class Change:
 
 @dataclass(frozen=True)
 class Outcome:
-    """A change that was carried out, and how many objects were lost by it."""
+    """A change that was carried out, and how many objects are gone by it."""
 
     reshaped: Reshaped
     losses: int
@@ -64,7 +64,8 @@ def attempt(change: Change, workshop: Workshop) -> Outcome:
     first = _finished(change, rebuilt, workshop, change.anew)
     faults = _new_faults(change, first, workshop)
     finished = first
-    crowded = sorted(room for room in first.settled if room in change.may_change)
+    # Furniture that was moved piece by piece may stand in its own way: only furnishing the room as a whole helps then.
+    crowded = [r for r in first.settled if r in change.may_change and any(_names(fault, r) for fault in faults)]
     if faults and crowded:
         finished = _finished(change, rebuilt, workshop, {*change.anew, *crowded})
         faults = _new_faults(change, finished, workshop)
@@ -100,6 +101,10 @@ def _new_faults(change: Change, finished: Finished, workshop: Workshop) -> list[
         return []
     known = set(workshop.judge(was, change.before.topology))
     return [fault for fault in faults if fault not in known]
+
+
+def _names(fault: str, room: str) -> bool:
+    return any(word.strip(":,") == room or word.startswith(f"{room}/") for word in fault.split())
 
 
 def _require_entrance(change: Change, rebuilt: Rebuilt) -> None:

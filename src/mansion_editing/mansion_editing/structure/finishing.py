@@ -42,8 +42,8 @@ class Finished:
 
     @property
     def losses(self) -> int:
-        """How many objects are no longer there, those of rooms furnished anew left out."""
-        return sum(len(settled.lost) for settled in self.settled.values())
+        """How many objects are no longer there."""
+        return sum(len(settled.lost) for settled in self.settled.values()) + sum(n.total() for n in self.anew.values())
 
 
 def finish(

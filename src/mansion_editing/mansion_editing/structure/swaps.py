@@ -65,9 +65,12 @@ def _with_fitting_doors(change: Change, workshop: Workshop) -> Reshaped:
     """Make the doors anew as the rooms' types want them; where that fails leave them where they are."""
     try:
         return attempt(change, workshop).reshaped
-    except MansionError:
+    except MansionError as first:
         garages = {door.id for door in change.before.scene.doors if door.kind == "garage"}
-        return attempt(replace(change, released=garages.intersection(change.released)), workshop).reshaped
+        try:
+            return attempt(replace(change, released=garages.intersection(change.released)), workshop).reshaped
+        except MansionError:
+            raise first from None
 
 
 def _opening_words(room: SceneRoom, other: SceneRoom) -> list[str]:

@@ -16,10 +16,12 @@ __all__ = ["MovedWall", "Plan", "most_area", "plans"]
 Shapes = Mapping[str, Polygon]
 
 _SHORTEST = 0.9  # metres of wall that may be moved on their own
-_STEP = 0.1  # metres by which a wall is tried further and further
+_STEP = 0.25  # metres by which a wall is tried further and further
 _FARTHEST = 20.0
-_LEAST_MOVE = 0.02
-_MOST_WALLS = 5
+_LEAST_GIVEN = 0.5
+"""Square metres below which a wall is not moved, unless all that is wanted is less."""
+
+_MOST_WALLS = 4
 _PARTS = ((0.0, 1.0), (0.0, 0.5), (0.5, 1.0))
 """Stretches of a wall that are tried, as shares of its length."""
 
@@ -142,12 +144,15 @@ def _allowed(shapes: Shapes, stretch: _Stretch, limits: Mapping[str, ShapeLimits
     return not any(limits[room].fault(shapes[room]) for room in (stretch.giver, stretch.gainer))
 
 
-def _reaches(room: str, others: Sequence[str], shapes: Shapes, limits: Mapping[str, ShapeLimits], *, grow: bool) -> list[_Reach]:
+def _reaches(
+    room: str, others: Sequence[str], shapes: Shapes, limits: Mapping[str, ShapeLimits], wanted: float, *, grow: bool
+) -> list[_Reach]:
+    """Return the moves that give enough to be worth a wall."""
     found = []
     for other in others:
         gainer, giver = (room, other) if grow else (other, room)
         found += [_reach(stretch, shapes, limits) for stretch in _stretches(gainer, giver, shapes)]
-    return [reach for reach in found if reach is not None and reach.depth >= _LEAST_MOVE]
+    return [reach for reach in found if reach is not None and reach.area >= min(_LEAST_GIVEN, wanted) - 1e-6]
 
 
 def _price(reach: _Reach, wanted: float, shapes: Shapes) -> tuple[bool, float]:
@@ -192,7 +197,8 @@ def plans(
         What each keeps.
     """
     grow, wanted = change > 0, abs(change)
-    firsts = sorted(_reaches(room, others, shapes, limits, grow=grow), key=lambda r: _price(r, wanted, shapes))
+    reaches = _reaches(room, others, shapes, limits, wanted, grow=grow)
+    firsts = sorted(reaches, key=lambda reach: _price(reach, wanted, shapes))
     for first in firsts:
         plan = _completed(room, wanted, first, others, Plan(dict(shapes), ()), limits, grow=grow)
         if plan is not None:
@@ -221,7 +227,7 @@ def _completed(
         left = wanted - abs(plan.shapes[room].area - start)
         if left <= 0.002 * wanted + 2e-3:
             return plan
-        further = _reaches(room, others, plan.shapes, limits, grow=grow)
+        further = _reaches(room, others, plan.shapes, limits, left, grow=grow)
         reach = min(further, key=lambda r: _price(r, left, plan.shapes), default=None)
     return None
 
@@ -232,7 +238,7 @@ def most_area(
     """Return the largest (or least) area that a room can have if its neighbours give (or take) all that they can."""
     now = dict(shapes)
     for _ in range(_MOST_WALLS):
-        reaches = _reaches(room, others, now, limits, grow=grow)
+        reaches = _reaches(room, others, now, limits, _LEAST_GIVEN, grow=grow)
         if not reaches:
             break
         best = max(reaches, key=lambda reach: round(reach.area, 4))

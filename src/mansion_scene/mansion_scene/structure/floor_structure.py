@@ -85,7 +85,7 @@ def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> 
     usable = usable_boundaries(boundaries, _walkable_rooms(floor, boundaries))
     shared = shared_boundaries(usable)
     ground = floor.floor == _GROUND
-    kept = held_openings(held.doors, boundaries) if held is not None else []
+    kept = held_openings(held, boundaries) if held is not None else []
     entered = next((floor.by_id[opening.regions[0]] for opening in kept if opening.kind.kind == "entrance"), None)
     root = entered or (entrance_room(floor, usable) if ground else floor.hub)
     plan = held.plan if held is not None else plan_access(floor, request.topology, request.layout, shared, root)

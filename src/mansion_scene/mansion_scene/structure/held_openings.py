@@ -38,18 +38,20 @@ class HeldAccess:
     standing: Mapping[str, Sequence[Polygon]] = field(default_factory=dict)
 
 
-def held_openings(doors: Sequence[Door], boundaries: Sequence[BoundarySegment]) -> list[Opening]:
-    """Return the openings of doors whose wall still stands; those of kind ``open`` follow the layout and are left out.
+def held_openings(held: HeldAccess, boundaries: Sequence[BoundarySegment]) -> list[Opening]:
+    """Return the openings of doors whose wall still stands.
 
-    A door keeps its hinge and swing. Half a wall's thickness stays between it and the end of its boundary.
+    A door keeps its hinge and swing. Half a wall's thickness stays between it and the end of its boundary. Openings of
+    kind ``open`` follow the layout and are left out, and so are doors between rooms that stand open to each other now.
     """
-    found = [
-        opening
-        for door in doors
-        if door.kind != "open"
-        and (opening := next((o for b in boundaries if (o := _opening_in(door, b)) is not None), None)) is not None
-    ]
-    return found
+    opened = {passage.pair for passage in held.plan.passages if passage.is_open}
+    found = []
+    for door in held.doors:
+        a, b = door.rooms
+        if door.kind != "open" and (b is None or pair_key(a, b) not in opened):
+            places = (_opening_in(door, boundary) for boundary in boundaries)
+            found.append(next((opening for opening in places if opening is not None), None))
+    return [opening for opening in found if opening is not None]
 
 
 def _opening_in(door: Door, boundary: BoundarySegment) -> Opening | None:
