@@ -1,39 +1,46 @@
 """The editor of one building: tools by name, edits that wait or land at once, undo and redo."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Final
 
 import msgspec
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.retrieval.retriever import Retriever
+from mansion_editing.change_words import in_words
 from mansion_editing.passages import passages_of
 from mansion_editing.physics.engine import PhysicsEngine
-from mansion_editing.state import SceneState, net_changes
+from mansion_editing.state import Change, SceneState, net_changes, net_rooms
 from mansion_editing.storage import BuildingStore
-from mansion_editing.tools import manipulation, paths, perception, placement
+from mansion_editing.tools import finishes, furnishing, manipulation, paths, perception, placement, rooms
+from mansion_editing.tools.furnishing import Furnisher
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.editing import (
     CheckPathArgs,
     CheckSurfaceArgs,
+    ClearRoomArgs,
     DiffReport,
     EditResult,
+    FurnishRoomArgs,
     ListObjectsArgs,
     MoveObjectArgs,
     ObjectChange,
     PlaceInContainerArgs,
     PlaceOnSurfaceArgs,
     RemoveObjectArgs,
+    RenameRoomArgs,
+    RoomChange,
     SearchAssetsArgs,
     SearchContentsArgs,
+    SetFinishArgs,
     SetStateArgs,
     ToolArgs,
     Transaction,
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.scene import FloorScene, SceneObject
 
-__all__ = ["ACTION_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "TOOLS", "SceneEditor"]
+__all__ = ["ACTION_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
 
 PERCEPTION_TOOLS: Final[dict[str, type[Any]]] = {
     "CheckPath": CheckPathArgs,
@@ -42,12 +49,19 @@ PERCEPTION_TOOLS: Final[dict[str, type[Any]]] = {
     "CheckSurface": CheckSurfaceArgs,
     "SearchContents": SearchContentsArgs,
 }
+ROOM_TOOLS: Final[dict[str, type[Any]]] = {
+    "RenameRoom": RenameRoomArgs,
+    "SetFinish": SetFinishArgs,
+    "ClearRoom": ClearRoomArgs,
+    "FurnishRoom": FurnishRoomArgs,
+}
 ACTION_TOOLS: Final[dict[str, type[Any]]] = {
     "PlaceInContainer": PlaceInContainerArgs,
     "PlaceOnSurface": PlaceOnSurfaceArgs,
     "RemoveObject": RemoveObjectArgs,
     "MoveObject": MoveObjectArgs,
     "SetState": SetStateArgs,
+    **ROOM_TOOLS,
 }
 HISTORY_TOOLS: Final[dict[str, type[Any]]] = {"Undo": ToolArgs, "Redo": ToolArgs, "Diff": ToolArgs, "Save": ToolArgs}
 TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **HISTORY_TOOLS}
@@ -76,6 +90,8 @@ class SceneEditor:
         Land each edit at once.
     retriever : Retriever, optional
         What SearchAssets asks; text search when absent.
+    furnisher : Furnisher, optional
+        The placer, which FurnishRoom asks.
     """
 
     def __init__(
@@ -87,13 +103,14 @@ class SceneEditor:
         who: str = "",
         autosave: bool = True,
         retriever: Retriever | None = None,
+        furnisher: Furnisher | None = None,
     ) -> None:
         self.store, self.catalogue, self.engine = store, catalogue, engine
-        self.who, self.autosave, self.retriever = who, autosave, retriever
+        self.who, self.autosave, self.retriever, self.furnisher = who, autosave, retriever, furnisher
         self.state = SceneState([], catalogue, retriever)
         self._what: list[str] = []
         self._marks: list[int] = []
-        self._redo: list[tuple[str, list[ObjectChange]]] = []
+        self._redo: list[tuple[str, list[Change]]] = []
         self.reload()
 
     def reload(self) -> None:
@@ -106,7 +123,8 @@ class SceneEditor:
         """Return the state, reloaded when nothing is pending and another editor has landed a transaction."""
         if not self.state.pending:
             scenes = self.store.scenes()
-            if any(self.state.scenes[f].revision != s.revision for f, s in scenes.items()):
+            seen = {floor: scene.revision for floor, scene in self.state.scenes.items()}
+            if seen != {floor: scene.revision for floor, scene in scenes.items()}:
                 self.reload()
         return self.state
 
@@ -145,18 +163,20 @@ class SceneEditor:
         except BaseException:
             self.state.roll_back(start)
             raise
-        ids = list(dict.fromkeys(change.id for change in self.state.pending[start:]))
+        done = self.state.pending[start:]
         if len(self.state.pending) > start:
             self._marks.append(start)
             self._what.append(f"{tool} {encode(_without_editor(args))}")
             self._redo = []
         if not self.autosave or not self.state.pending:
-            return EditResult(message=message, object_ids=ids, saved=not self.state.pending)
+            return _told(message, done, saved=not self.state.pending)
         saved = self.save()
         return msgspec.structs.replace(saved, message=message)
 
     def _act(self, tool: str, args: Any) -> str:
         state, engine = self.state, self.engine
+        if tool in ROOM_TOOLS:
+            return self._act_on_room(tool, args)
         if tool == "PlaceInContainer":
             item = placement.place_in_container(state, args, engine)
             return f"{item.id} is in {item.parent}"
@@ -172,6 +192,29 @@ class SceneEditor:
         item = manipulation.set_state(state, args)
         return f"{item.id}: {encode(item.states)}"
 
+    def _act_on_room(self, tool: str, args: Any) -> str:
+        state, records = self.state, self.store.room_records
+        if tool == "RenameRoom":
+            room, old = rooms.rename_room(state, args, records)
+            return f"{room.id} is called {room.name!r}, {old!r} before"
+        if tool == "SetFinish":
+            room, finish = finishes.set_finish(state, args, records)
+            return f"the {args.part} of {room.id}: {finish.name}"
+        if tool == "ClearRoom":
+            room, gone = rooms.clear_room(state, args, records)
+            return f"took {len(gone)} objects out of {room.id}" if gone else f"{room.id} holds nothing loose"
+        if self.furnisher is None:
+            raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
+        room, new = furnishing.furnish_room(state, args, records, self.furnisher, self._faults_with)
+        return f"{room.id} is furnished as a {room.room_type.replace('_', ' ')} with {len(new)} objects"
+
+    def _faults_with(self, floor: int, scene: FloorScene) -> list[str]:
+        """Return the new faults of the check for a floor as it would be, and the cuts that keep a robot from a part."""
+        before = self.store.scenes()
+        faults = self.store.new_faults(before, {**before, **self.state.scenes, floor: scene})
+        known = passages_of(before[floor]).cuts.keys()
+        return [*faults, *(f"{room} would be cut for a robot" for room in passages_of(scene).cuts.keys() - known)]
+
     def _acceptable(self, floor: int, item: SceneObject) -> bool:
         """Whether an object causes no new fault of the check and cuts no room for a robot."""
         before = dict(self.state.scenes)
@@ -184,9 +227,10 @@ class SceneEditor:
 
     def diff(self) -> DiffReport:
         """Say what waits to be saved."""
-        changes = net_changes(self.state.pending)
-        words = [f"{'+' if c.before is None else '-' if c.after is None else '~'} {c.id}" for c in changes]
-        return DiffReport(message=", ".join(words) or "nothing waits to be saved", changes=changes)
+        changes, changed_rooms = net_changes(self.state.pending), net_rooms(self.state.pending)
+        words = [*map(in_words, changed_rooms), *map(in_words, changes)]
+        message = ", ".join(words) or "nothing waits to be saved"
+        return DiffReport(message=message, changes=changes, rooms=changed_rooms)
 
     def save(self, what: str = "") -> EditResult:
         """Land what waits as one transaction; when it is refused, what waited is dropped.
@@ -196,12 +240,12 @@ class SceneEditor:
         MansionError
             ``INFEASIBLE`` or ``CONFLICT`` with the reason.
         """
-        changes = net_changes(self.state.pending)
-        if not changes:
+        changes, changed_rooms = net_changes(self.state.pending), net_rooms(self.state.pending)
+        if not (changes or changed_rooms):
             self.reload()
             return EditResult(message="nothing to save", saved=True)
         try:
-            done = self.store.land(changes, self.who, what or "; ".join(self._what))
+            done = self.store.land(changes, self.who, what or "; ".join(self._what), rooms=changed_rooms)
         finally:
             self.reload()
         return _landed("saved", done)
@@ -213,8 +257,7 @@ class SceneEditor:
             taken = self.state.pending[start:]
             self._redo.append((self._what.pop(), taken))
             self.state.roll_back(start)
-            ids = list(dict.fromkeys(change.id for change in taken))
-            return EditResult(message=f"undid {', '.join(ids)}", object_ids=ids)
+            return _told(f"undid {_ids(taken)}", taken)
         done = self.store.undo(self.who)
         self.reload()
         return _landed(done.what, done)
@@ -227,17 +270,30 @@ class SceneEditor:
             self._what.append(what)
             for change in changes:
                 self.state.apply(change)
-            ids = list(dict.fromkeys(change.id for change in changes))
-            return EditResult(message=f"redid {', '.join(ids)}", object_ids=ids)
+            return _told(f"redid {_ids(changes)}", changes)
         done = self.store.redo(self.who)
         self.reload()
         return _landed(done.what, done)
+
+
+def _ids(changes: Sequence[Change]) -> str:
+    return ", ".join(dict.fromkeys(change.id for change in changes))
+
+
+def _told(message: str, changes: Sequence[Change], *, saved: bool = False) -> EditResult:
+    return EditResult(
+        message=message,
+        object_ids=list(dict.fromkeys(change.id for change in changes if isinstance(change, ObjectChange))),
+        room_ids=list(dict.fromkeys(change.id for change in changes if isinstance(change, RoomChange))),
+        saved=saved,
+    )
 
 
 def _landed(message: str, done: Transaction) -> EditResult:
     return EditResult(
         message=message,
         object_ids=[change.id for change in done.changes],
+        room_ids=[change.id for change in done.rooms],
         saved=True,
         transaction=done.number,
         revisions=done.revisions,

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
+from typing import TypeAlias, TypeVar
 
 import msgspec
 import numpy as np
@@ -10,12 +11,16 @@ import numpy.typing as npt
 from mansion_assets.catalogue import Asset, Catalogue
 from mansion_assets.retrieval.retriever import Retriever, TextRetriever
 from mansion_editing.passages import Passages, passages_of
-from mansion_msgs_py.editing import ObjectChange
+from mansion_editing.room_parts import scene_with
+from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomChange
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_scene.decor.frames import room_polygon
 
-__all__ = ["FloorIndex", "SceneState", "changed", "inverse", "net_changes", "rebase"]
+__all__ = ["Change", "FloorIndex", "SceneState", "changed", "inverse", "net_changes", "net_rooms", "rebase"]
+
+Change: TypeAlias = ObjectChange | RoomChange
+_Kind = TypeVar("_Kind", bound=ObjectChange | RoomChange | DocumentChange)
 
 
 class FloorIndex:
@@ -71,7 +76,7 @@ class SceneState:
 
     Attributes
     ----------
-    pending : list of ObjectChange
+    pending : list of ObjectChange and RoomChange
         What differs from the scenes handed in, in the order it was done.
     """
 
@@ -79,7 +84,7 @@ class SceneState:
         self.catalogue = catalogue
         self.retriever: Retriever = retriever or TextRetriever()
         self.scenes = {scene.floor: scene for scene in scenes}
-        self.pending: list[ObjectChange] = []
+        self.pending: list[Change] = []
         self._indexes: dict[int, FloorIndex] = {}
 
     @property
@@ -179,7 +184,7 @@ class SceneState:
         at = self.index(floor).at[item.id]
         self.apply(ObjectChange(floor=floor, index=at, before=item, after=by))
 
-    def apply(self, change: ObjectChange) -> None:
+    def apply(self, change: Change) -> None:
         """Do one change and remember it."""
         self.scenes[change.floor] = changed(self.scenes[change.floor], change)
         self._indexes.pop(change.floor, None)
@@ -193,19 +198,21 @@ class SceneState:
             self._indexes.pop(change.floor, None)
 
 
-def inverse(change: ObjectChange) -> ObjectChange:
+def inverse(change: _Kind) -> _Kind:
     """Return the change that takes `change` back."""
     return msgspec.structs.replace(change, before=change.after, after=change.before)
 
 
-def changed(scene: FloorScene, change: ObjectChange) -> FloorScene:
+def changed(scene: FloorScene, change: Change) -> FloorScene:
     """Return `scene` with one change done.
 
     Raises
     ------
     MansionError
-        ``CONFLICT`` when the object is not as the change has it before.
+        ``CONFLICT`` when the object or the room is not as the change has it before.
     """
+    if isinstance(change, RoomChange):
+        return scene_with(scene, change)
     objects = list(scene.objects)
     before, after = change.before, change.after
     if before is not None:
@@ -231,10 +238,12 @@ def changed(scene: FloorScene, change: ObjectChange) -> FloorScene:
     return msgspec.structs.replace(scene, objects=objects)
 
 
-def net_changes(changes: Sequence[ObjectChange]) -> list[ObjectChange]:
-    """Return changes that together do the same, at most one for each object; an object added and removed has none."""
+def net_changes(changes: Sequence[Change]) -> list[ObjectChange]:
+    """Return changes of objects that together do the same, at most one each; an object added and removed has none."""
     out: dict[tuple[int, str], ObjectChange] = {}
     for change in changes:
+        if not isinstance(change, ObjectChange):
+            continue
         key = (change.floor, change.id)
         first = out.get(key)
         if first is not None:
@@ -246,8 +255,21 @@ def net_changes(changes: Sequence[ObjectChange]) -> list[ObjectChange]:
     return list(out.values())
 
 
+def net_rooms(changes: Sequence[Change]) -> list[RoomChange]:
+    """Return changes of rooms that together do the same, at most one for each room."""
+    out: dict[str, RoomChange] = {}
+    for change in changes:
+        if isinstance(change, RoomChange):
+            first = out.get(change.id, change)
+            out[change.id] = msgspec.structs.replace(change, before=first.before)
+    return [change for change in out.values() if change.before != change.after]
+
+
 def rebase(changes: Sequence[ObjectChange], scenes: Mapping[int, FloorScene]) -> list[ObjectChange]:
     """Return the changes as they apply to `scenes`, with new ids for additions whose id is taken by now.
+
+    Each `index` is the place that the object has when its change is done after those before it, so that the inverse
+    changes in reversed order bring back the floor's list as it was.
 
     Raises
     ------
@@ -275,6 +297,23 @@ def rebase(changes: Sequence[ObjectChange], scenes: Mapping[int, FloorScene]) ->
                 f"{parent}, which should carry {change.id}, was removed meanwhile; look again and repeat the edit",
                 details={"object": parent},
             )
+    return _placed(out, scenes)
+
+
+def _placed(changes: Sequence[ObjectChange], scenes: Mapping[int, FloorScene]) -> list[ObjectChange]:
+    """Return the changes with the places that their objects have in the lists of their floors."""
+    lists = {floor: [item.id for item in scene.objects] for floor, scene in scenes.items()}
+    out = []
+    for change in changes:
+        ids = lists[change.floor]
+        at = min(change.index, len(ids))
+        if change.before is not None:
+            at = ids.index(change.id) if change.id in ids else at
+            if change.after is None:
+                ids[at : at + 1] = []
+        else:
+            ids.insert(at, change.id)
+        out.append(msgspec.structs.replace(change, index=at))
     return out
 
 

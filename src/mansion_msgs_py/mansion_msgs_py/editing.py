@@ -9,9 +9,11 @@ from typing import Annotated, Any, Literal
 
 import msgspec
 
-from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.program import RoomProgram
+from mansion_msgs_py.scene import Discard, Light, SceneObject, SceneRoom, SpawnPose
 from mansion_msgs_py.shapes import Point3
 from mansion_msgs_py.task import Task
+from mansion_msgs_py.topology import TopologyNode
 
 __all__ = [
     "AgentReport",
@@ -20,9 +22,12 @@ __all__ = [
     "AssetInfo",
     "CheckPathArgs",
     "CheckSurfaceArgs",
+    "ClearRoomArgs",
     "DiffReport",
+    "DocumentChange",
     "EditResult",
     "EditorInfo",
+    "FurnishRoomArgs",
     "InstructArgs",
     "ListObjectsArgs",
     "MoveObjectArgs",
@@ -38,8 +43,12 @@ __all__ = [
     "ReceptacleContents",
     "ReceptacleReport",
     "RemoveObjectArgs",
+    "RenameRoomArgs",
+    "RoomChange",
+    "RoomParts",
     "SearchAssetsArgs",
     "SearchContentsArgs",
+    "SetFinishArgs",
     "SetStateArgs",
     "ToolArgs",
     "Transaction",
@@ -179,6 +188,52 @@ class SetStateArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=Tr
     on: bool | None = None
 
 
+class RenameRoomArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A room, by id or words, and what people call it from now on; the old name stays one that means it."""
+
+    room_id: Text
+    name: Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
+
+
+class SetFinishArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A room, by id or words, and a new finish of its walls, floor or ceiling: a material, a colour, or both.
+
+    Attributes
+    ----------
+    material : str
+        Name of a material, or words for one (``oak parquet``); that of now, or paint on walls, when empty.
+    color : str
+        A word for its colour.
+    """
+
+    room_id: Text
+    part: Literal["walls", "floor", "ceiling"]
+    material: Text = ""
+    color: Text = ""
+
+
+class ClearRoomArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A room, by id or words, to be emptied of all that is not fixed to the building."""
+
+    room_id: Text
+
+
+class FurnishRoomArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A room, by id or words, to be furnished anew: as what it is, or as another type of room.
+
+    Attributes
+    ----------
+    room_type : str
+        Its own when empty.
+    keep : list of str
+        Ids of objects that stay, with what carries them and what they carry.
+    """
+
+    room_id: Text
+    room_type: Text = ""
+    keep: Annotated[list[Text], msgspec.Meta(max_length=200)] = []
+
+
 class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """An instruction for the editing agent; `planner` as in a `BuildRequest`."""
 
@@ -296,6 +351,57 @@ class ObjectChange(msgspec.Struct, kw_only=True, frozen=True):
         return "" if found is None else found.id
 
 
+class RoomParts(msgspec.Struct, frozen=True, kw_only=True):
+    """What a building's documents say of one room, its objects left out.
+
+    Attributes
+    ----------
+    faces : dict of str to str
+        By wall, the material of the side that the room has of it.
+    spawn : SpawnPose, optional
+        Where the robot starts, when that is in this room.
+    program, node : optional
+        The room in the building's program and in its floor's room graph, where they have it.
+    """
+
+    room: SceneRoom
+    faces: dict[str, str] = {}
+    lights: list[Light] = []
+    discarded: list[Discard] = []
+    spawn: SpawnPose | None = None
+    program: RoomProgram | None = None
+    node: TopologyNode | None = None
+
+
+class RoomChange(msgspec.Struct, frozen=True, kw_only=True):
+    """One room before and after."""
+
+    floor: int
+    before: RoomParts
+    after: RoomParts
+
+    @property
+    def id(self) -> str:
+        """Id of the room."""
+        return self.after.room.id
+
+
+class DocumentChange(msgspec.Struct, frozen=True, kw_only=True):
+    """A document of the building that is replaced whole.
+
+    Attributes
+    ----------
+    path : str
+        Relative to the building's folder.
+    before, after : str
+        Names of the stored copies below ``edits/documents``; empty where the document was or is not there.
+    """
+
+    path: str
+    before: str = ""
+    after: str = ""
+
+
 class Transaction(msgspec.Struct, frozen=True, kw_only=True):
     """A line of the edit log: what landed together.
 
@@ -305,6 +411,8 @@ class Transaction(msgspec.Struct, frozen=True, kw_only=True):
         Counts from 1.
     what : str
         The instruction, or the tool and its arguments.
+    changes, rooms, documents : list
+        What happened to objects, to rooms and to whole documents.
     undoes, redoes : int, optional
         Number of the transaction that this one takes back or restores.
     revisions : dict
@@ -317,6 +425,8 @@ class Transaction(msgspec.Struct, frozen=True, kw_only=True):
     who: str
     what: str
     changes: list[ObjectChange]
+    rooms: list[RoomChange] = []
+    documents: list[DocumentChange] = []
     revisions: dict[str, int] = {}
     undoes: int | None = None
     redoes: int | None = None
@@ -331,6 +441,8 @@ class EditResult(msgspec.Struct, frozen=True, kw_only=True):
     ----------
     object_ids : list of str
         Objects added, moved, changed or removed, in that order of work.
+    room_ids : list of str
+        Rooms whose name, kind, finishes or light changed.
     saved : bool
         Landed on disk, else waiting for Save.
     transaction : int, optional
@@ -339,16 +451,18 @@ class EditResult(msgspec.Struct, frozen=True, kw_only=True):
 
     message: str
     object_ids: list[str] = []
+    room_ids: list[str] = []
     saved: bool = False
     transaction: int | None = None
     revisions: dict[str, int] = {}
 
 
 class DiffReport(msgspec.Struct, frozen=True, kw_only=True):
-    """Reply of Diff: changes that wait for Save."""
+    """Reply of Diff: changes that wait for Save, in words and as they are."""
 
     message: str
     changes: list[ObjectChange]
+    rooms: list[RoomChange] = []
 
 
 class AgentStep(msgspec.Struct, frozen=True, kw_only=True):

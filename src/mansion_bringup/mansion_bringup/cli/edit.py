@@ -94,12 +94,18 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "S
     from mansion_editing.editor import SceneEditor
     from mansion_editing.physics.engine import engine_named
     from mansion_editing.storage import BuildingStore
+    from mansion_scene.refurnishing import furnish_room
 
     if physics in _EXTRAS:
         ensure_extra(_EXTRAS[physics])
     store = BuildingStore(building, validator=new_faults, records=records, clock=_now)
     return SceneEditor(
-        store, load_catalogue(), engine_named(physics), who=who or getpass.getuser(), retriever=configured_retriever()
+        store,
+        load_catalogue(),
+        engine_named(physics),
+        who=who or getpass.getuser(),
+        retriever=configured_retriever(),
+        furnisher=furnish_room,
     )
 
 

@@ -71,7 +71,9 @@ class _Ceiling:
         self.room, self.height, self.placed, self.rng = room, height, placed, rng
         longest = max(edges, key=lambda e: e.length)
         self.angle = math.degrees(math.atan2(longest.along[1], longest.along[0])) % 180.0
-        self.taken: list[tuple[float, float, float, float]] = []
+        self.taken: list[tuple[float, float, float, float]] = [
+            footprint(o).bounds for o in placed if o.mount == "ceiling"
+        ]
         self.tall = [
             (footprint(o), o.position[2] + o.size[2] / 2) for o in placed if o.position[2] + o.size[2] / 2 > 1.4
         ]
