@@ -241,7 +241,7 @@ class BuildingStore:
         for name, revision in transaction.revisions.items():
             self._raise(scenes[int(name)], revision, transaction)
         self._write_records(transaction.rooms)
-        self._recount(int(name) for name in transaction.revisions)
+        self._recount(scenes if transaction.documents else map(int, transaction.revisions))
         for name, data in (self._records(self.folder, self.scenes()) if self._records else {}).items():
             write_atomic(self.folder / name, data, durable=True)
         if len(self.log()) < transaction.number:
