@@ -142,7 +142,9 @@ class _Neighbourhood:
             return f"{wanted}: such a room has at least {least:.1f} m2"
         bound = most_area(self.node, self.others, self.shapes, self.limits, grow=change > 0)
         if not reason:
-            reason = f"{listed(self.others)} can {'give' if change > 0 else 'take'} no more and keep their shape"
+            own = "its" if len(self.others) == 1 else "their"
+            verb = "give" if change > 0 else "take"
+            reason = f"{listed(self.others)} can {verb} no more and keep {own} shape"
         return f"{wanted}: {reason}; {self._possible(change, bound)}"
 
     def _possible(self, change: float, bound: float) -> str:

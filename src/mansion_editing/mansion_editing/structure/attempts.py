@@ -72,8 +72,8 @@ def attempt(change: Change, workshop: Workshop) -> Outcome:
     if faults:
         raise MansionError(
             ErrorCode.INFEASIBLE,
-            f"the storey would have a fault: {faults[0]}",
-            details={"faults": faults},
+            f"the storey would not be sound: {faults[0]}",
+            details={"faults": list(faults)},
         )
     after = Storey(change.after.program, change.after.topology, change.after.layout, finished.scene)
     said = [
@@ -86,21 +86,17 @@ def attempt(change: Change, workshop: Workshop) -> Outcome:
 
 
 def _finished(change: Change, rebuilt: Rebuilt, workshop: Workshop, anew: Collection[str]) -> Finished:
-    return finish(change.after, rebuilt, workshop.catalogue, moves=change.moves, anew=anew)
+    return finish(change.after, rebuilt, workshop, moves=change.moves, anew=anew)
 
 
-def _new_faults(change: Change, finished: Finished, workshop: Workshop) -> list[str]:
-    """Return the faults that a change makes; the furniture of a room that it does not concern counts as one."""
+def _new_faults(change: Change, finished: Finished, workshop: Workshop) -> Sequence[str]:
+    """Return the faults that a change makes; to move the furniture of a room that it does not concern is one."""
     scene, was = finished.scene, change.before.scene
     held = [room.id for room in scene.rooms if room.id not in change.may_change]
     for room in held:
         if [o for o in scene.objects if o.room == room] != [o for o in was.objects if o.room == room]:
             return [f"furniture in {room} would be in the way"]
-    faults = workshop.judge(scene, change.after.topology)
-    if not faults:
-        return []
-    known = set(workshop.judge(was, change.before.topology))
-    return [fault for fault in faults if fault not in known]
+    return workshop.judge(scene)
 
 
 def _names(fault: str, room: str) -> bool:

@@ -7,12 +7,11 @@ from dataclasses import dataclass, field
 import msgspec
 from shapely import Point as ShapelyPoint
 
-from mansion_assets.catalogue import Catalogue
 from mansion_editing.passages import passages_of
 from mansion_editing.structure.rebuilding import Rebuilt
 from mansion_editing.structure.settling import Settled, settle
 from mansion_editing.structure.standing import RoomSpace
-from mansion_editing.structure.storeys import Storey, node_of
+from mansion_editing.structure.storeys import Storey, Workshop, node_of
 from mansion_editing.structure.wall_moves import MovedWall
 from mansion_msgs_py.scene import Discard, FloorScene, Light, SceneObject, SceneRoom
 from mansion_scene.lighting import room_lights
@@ -22,6 +21,9 @@ __all__ = ["Finished", "finish"]
 
 _MOST_UNSETTLED = 0.35
 """Share of a room's furniture from which it is furnished anew rather than piece by piece."""
+
+_MOST_LOST = 0.1
+"""Share of a room's furniture that may be lost without that."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +51,7 @@ class Finished:
 def finish(
     storey: Storey,
     rebuilt: Rebuilt,
-    catalogue: Catalogue,
+    workshop: Workshop,
     *,
     moves: Sequence[MovedWall] = (),
     anew: Collection[str] = (),
@@ -61,6 +63,7 @@ def finish(
     storey : Storey
         With the documents after the change and the scene before it.
     rebuilt : Rebuilt
+    workshop : Workshop
     moves : sequence of MovedWall
         By the rooms' ids in the scene.
     anew : collection of str
@@ -76,7 +79,7 @@ def finish(
         cores=structure.cores,
         downgrades=structure.downgrades,
     )
-    work = _Work(storey, rebuilt, catalogue, scene)
+    work = _Work(storey, rebuilt, workshop, scene)
     for room in structure.rooms:
         if room.id in anew:
             work.furnish(room)
@@ -92,8 +95,8 @@ def finish(
 class _Work:
     """A scene while its rooms are filled."""
 
-    def __init__(self, storey: Storey, rebuilt: Rebuilt, catalogue: Catalogue, scene: FloorScene) -> None:
-        self.storey, self.rebuilt, self.catalogue, self.scene = storey, rebuilt, catalogue, scene
+    def __init__(self, storey: Storey, rebuilt: Rebuilt, workshop: Workshop, scene: FloorScene) -> None:
+        self.storey, self.rebuilt, self.workshop, self.scene = storey, rebuilt, workshop, scene
         self.settled: dict[str, Settled] = {}
         self.anew: dict[str, Counter[str]] = {}
         self._new_doors = {door.id for door in rebuilt.new_doors}
@@ -105,10 +108,8 @@ class _Work:
         """Keep the objects of a room that still stand rightly and find places for the others."""
         space = RoomSpace(room, self.scene.doors, self.scene.windows, self._new_doors)
         before = self._before(room)
-        result = settle(space, before, moves, self.scene, self.catalogue)
-        furniture = sum(item.mount == "floor" for item in before)
-        uprooted = {*result.placed, *(item.id for item in result.lost)}
-        if sum(item.mount == "floor" and item.id in uprooted for item in before) > max(_MOST_UNSETTLED * furniture, 1):
+        result = settle(space, before, moves, self.scene, self.workshop.catalogue)
+        if _too_much(before, result):
             self.furnish(room)
             return
         self.settled[room.id] = result
@@ -116,18 +117,10 @@ class _Work:
 
     def furnish(self, room: SceneRoom) -> None:
         """Furnish a room anew."""
-        # The placement solver compiles its kernels when it is imported.
-        from mansion_scene.room_contents import RoomFurnisher
-
         program = next((entry for entry in self.storey.floor.rooms if entry.id == node_of(room)), None)
-        furnisher = RoomFurnisher(
-            self.rebuilt.structure,
-            seed=self.storey.program.seed,
-            style=self.storey.program.style,
-            catalogue=self.catalogue,
-            requested={room.id: program.objects} if program is not None else {},
-        )
-        objects, discarded = furnisher.furnish(room)
+        requested = program.objects if program is not None else []
+        seed, catalogue = self.storey.program.seed, self.workshop.catalogue
+        objects, discarded = self.workshop.furnisher(self.scene, room, [], requested, seed, catalogue)
         self.settled.pop(room.id, None)
         before = Counter(item.category for item in self._before(room))
         self.anew[room.id] = before - Counter(item.category for item in objects)
@@ -150,6 +143,14 @@ class _Work:
         self.scene = msgspec.structs.replace(
             self.scene, objects=[*before, *objects, *after], discarded=[*self.scene.discarded, *notes]
         )
+
+
+def _too_much(before: Sequence[SceneObject], result: Settled) -> bool:
+    """Whether so much of a room's furniture was uprooted or lost that the room had better be furnished as a whole."""
+    furniture = [item.id for item in before if item.mount == "floor" and item.parent is None]
+    lost = sum(item.mount == "floor" for item in result.lost)
+    uprooted = lost + len(set(furniture).intersection(result.placed))
+    return uprooted > max(_MOST_UNSETTLED * len(furniture), 1) or lost > _MOST_LOST * len(furniture)
 
 
 def _under_free_names(objects: Sequence[SceneObject], taken: Collection[str]) -> list[SceneObject]:

@@ -125,7 +125,8 @@ def _require_passages(structure: FloorStructure, passages: Sequence[Passage]) ->
 def _as_before(structure: FloorStructure, scene: FloorScene) -> Rebuilt:
     """Give back to everything that did not change its name and its very value."""
     rooms = _same_rooms(structure.rooms, scene.rooms)
-    walls = _renamed(structure.walls, scene.walls, _same_wall, f"F{scene.floor}/wall_")
+    walls = _faced(structure.walls, rooms)
+    walls = _renamed(walls, scene.walls, _same_wall, f"F{scene.floor}/wall_")
     named = {new.id: kept.id for new, kept in zip(structure.walls, walls, strict=True)}
     doors = _renamed(_in_walls(structure.doors, named), scene.doors, _same_door, f"F{scene.floor}/door_")
     windows = _renamed(_in_walls(structure.windows, named), scene.windows, _same_window, f"F{scene.floor}/window_")
@@ -157,14 +158,38 @@ def _pairs(new: Sequence[SceneRoom], old: Sequence[SceneRoom]) -> list[tuple[Sce
     return [(room, known[room.id]) for room in new]
 
 
+def _faced(walls: Sequence[Wall], rooms: Sequence[SceneRoom]) -> list[Wall]:
+    """Return walls whose faces have the materials of the rooms, which edits may have changed since the building."""
+    faces = {room.id: room.wall_material for room in rooms}
+    return [
+        msgspec.structs.replace(
+            wall,
+            left_material=faces.get(wall.left or "", wall.left_material),
+            right_material=faces.get(wall.right or "", wall.right_material),
+        )
+        for wall in walls
+    ]
+
+
 def _same_rooms(new: Sequence[SceneRoom], old: Sequence[SceneRoom]) -> list[SceneRoom]:
-    """Return the old room for each whose floor is the same but for rounding."""
-    return [was if _same_room(room, was) else room for room, was in _pairs(new, old)]
+    """Return the old rooms, with other polygons where those differ by more than rounding."""
+    return [was if _same_floor(room, was) else _on_floor_of(was, room) for room, was in _pairs(new, old)]
 
 
-def _same_room(new: SceneRoom, old: SceneRoom) -> bool:
+def _on_floor_of(room: SceneRoom, other: SceneRoom) -> SceneRoom:
+    return msgspec.structs.replace(
+        room,
+        polygon=other.polygon,
+        holes=other.holes,
+        net_polygon=other.net_polygon,
+        net_holes=other.net_holes,
+        area=other.area,
+    )
+
+
+def _same_floor(new: SceneRoom, old: SceneRoom) -> bool:
     nets = Polygon(new.net_polygon, new.net_holes), Polygon(old.net_polygon, old.net_holes)
-    same = msgspec.structs.replace(new, net_polygon=old.net_polygon, net_holes=old.net_holes) == old
+    same = (new.polygon, new.holes) == (old.polygon, old.holes)
     return same and float(nets[0].symmetric_difference(nets[1]).area) < _SAME_FLOOR
 
 

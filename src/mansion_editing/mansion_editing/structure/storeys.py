@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import msgspec
 
 from mansion_assets.catalogue import Catalogue
+from mansion_editing.tools.furnishing import Furnisher
 from mansion_msgs_py.building import Building, FloorEntry
 from mansion_msgs_py.building_folder import BuildingFolder
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -16,8 +17,8 @@ from mansion_msgs_py.topology import FloorTopology
 
 __all__ = ["Judge", "Reshaped", "Storey", "Workshop", "node_of", "storey_of", "updated_building"]
 
-Judge = Callable[[FloorScene, FloorTopology], Sequence[str]]
-"""Returns what is wrong with a storey."""
+Judge = Callable[[FloorScene], Sequence[str]]
+"""Returns the faults that a building would have with a storey, and has not now."""
 
 
 @dataclass(frozen=True)
@@ -70,11 +71,14 @@ class Workshop:
     ----------
     catalogue : Catalogue
         Furniture for rooms that are furnished anew.
+    furnisher : Furnisher
+        The placer, which furnishes them.
     judge : callable
-        Says what is wrong with a finished storey; a change that adds a fault is not made.
+        Says what would be wrong with a finished storey; a change that adds a fault is not made.
     """
 
     catalogue: Catalogue
+    furnisher: Furnisher
     judge: Judge
 
 
