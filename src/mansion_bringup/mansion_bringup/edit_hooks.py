@@ -3,7 +3,7 @@
 import hashlib
 import math
 from collections import OrderedDict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TypeVar
 
@@ -12,10 +12,13 @@ import msgspec
 from mansion_bringup.building.files import building_exports as building_files
 from mansion_bringup.building.files import floor_exports as floor_files
 from mansion_bringup.building.receipt import receipt
+from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.integrity import check_identity
 from mansion_bringup.check.objects import carriers, check_objects
+from mansion_bringup.check.openings import check_openings
 from mansion_bringup.check.reach import check_reach
+from mansion_bringup.check.rooms import check_partition, check_walls
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
@@ -35,26 +38,50 @@ def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]
 
     Notes
     -----
-    An edit changes objects alone, so that only names, poses and reach can go wrong. Faults of names and poses concern
+    Most edits change objects alone, so that only names, poses and reach can go wrong; a floor whose rooms, walls or
+    openings changed is judged whole. Faults of names and poses concern
     one object, an object and what carries it, or two objects that meet: only those that changed and those around them
     are judged. Reach is judged for the whole building, and only when something that stands on a floor or hangs on a
     wall changed. What has no fault afterwards has no new one: the state before is looked at only where there is any.
     """
-    changed = [floor for floor in after if after[floor] is not before[floor]]
+    changed = [floor for floor in after if after[floor] is not before.get(floor)]
     found: list[Fault] = []
     known: set[str] = set()
+    rebuilt = [floor for floor in changed if _structure(before[floor]) != _structure(after[floor])]
+    if rebuilt:
+        found += _floor_faults(after, rebuilt)
+        known |= {str(fault) for fault in _floor_faults(before, rebuilt)} if found else set()
     for floor in changed:
+        if floor in rebuilt:
+            continue
         names = _concerned(before[floor], after[floor])
         faults = _object_faults(after[floor], names)
         found += faults
         if faults:
             known |= {str(fault) for fault in _object_faults(before[floor], names)}
-    if any(_obstacles(before[floor]) != _obstacles(after[floor]) for floor in changed):
+    if rebuilt or any(_obstacles(before[floor]) != _obstacles(after[floor]) for floor in changed):
         faults = _reach_faults(after)
         found += faults
         if faults:
             known |= {str(fault) for fault in _reach_faults(before)}
     return [text for text in map(str, found) if text not in known]
+
+
+def _structure(scene: FloorScene) -> tuple[object, ...]:
+    """Return what of a floor is no object: polygons of rooms, walls, doors, windows and cores."""
+    rooms = [(room.id, room.polygon, room.holes, room.net_polygon, room.net_holes) for room in scene.rooms]
+    walls = [(wall.id, wall.segment) for wall in scene.walls]
+    return rooms, walls, scene.doors, scene.windows, scene.cores
+
+
+def _floor_faults(scenes: Mapping[int, FloorScene], floors: Sequence[int]) -> list[Fault]:
+    """Return all faults of some floors but those of reach."""
+    found = list(check_cores([scenes[floor] for floor in sorted(scenes)]))
+    for floor in floors:
+        scene = scenes[floor]
+        found += [*check_identity(scene.building_id, [scene]), *check_partition(scene), *check_walls(scene)]
+        found += [*check_openings(scene, []), *check_objects(scene)]
+    return found
 
 
 def _concerned(before: FloorScene, after: FloorScene) -> set[str]:

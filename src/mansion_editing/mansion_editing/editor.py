@@ -12,7 +12,7 @@ from mansion_editing.passages import passages_of
 from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.state import Change, SceneState, net_changes, net_rooms
 from mansion_editing.storage import BuildingStore
-from mansion_editing.tools import finishes, furnishing, manipulation, paths, perception, placement, rooms
+from mansion_editing.tools import finishes, furnishing, manipulation, paths, perception, placement, reshaping, rooms
 from mansion_editing.tools.furnishing import Furnisher
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.editing import (
@@ -30,6 +30,7 @@ from mansion_msgs_py.editing import (
     RemoveObjectArgs,
     RenameRoomArgs,
     RoomChange,
+    ReshapeFloorArgs,
     SearchAssetsArgs,
     SearchContentsArgs,
     SetFinishArgs,
@@ -40,7 +41,7 @@ from mansion_msgs_py.editing import (
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
 
-__all__ = ["ACTION_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
+__all__ = ["ACTION_TOOLS", "FLOOR_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
 
 PERCEPTION_TOOLS: Final[dict[str, type[Any]]] = {
     "CheckPath": CheckPathArgs,
@@ -63,8 +64,9 @@ ACTION_TOOLS: Final[dict[str, type[Any]]] = {
     "SetState": SetStateArgs,
     **ROOM_TOOLS,
 }
+FLOOR_TOOLS: Final[dict[str, type[Any]]] = {"ReshapeFloor": ReshapeFloorArgs}
 HISTORY_TOOLS: Final[dict[str, type[Any]]] = {"Undo": ToolArgs, "Redo": ToolArgs, "Diff": ToolArgs, "Save": ToolArgs}
-TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **HISTORY_TOOLS}
+TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **FLOOR_TOOLS, **HISTORY_TOOLS}
 """Each tool's name and the type of its arguments."""
 
 _ASK: Final[dict[str, Callable[[SceneState, Any], Any]]] = {
@@ -154,6 +156,8 @@ class SceneEditor:
             return _ASK[tool](state, args)
         if tool in ACTION_TOOLS:
             return self._edit(tool, args)
+        if tool in FLOOR_TOOLS:
+            return self._reshape(args)
         return {"Undo": self.undo, "Redo": self.redo, "Diff": self.diff, "Save": self.save}[tool]()
 
     def _edit(self, tool: str, args: Any) -> EditResult:
@@ -207,6 +211,20 @@ class SceneEditor:
             raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
         room, new = furnishing.furnish_room(state, args, records, self.furnisher, self._faults_with)
         return f"{room.id} is furnished as a {room.room_type.replace('_', ' ')} with {len(new)} objects"
+
+    def _reshape(self, args: ReshapeFloorArgs) -> EditResult:
+        """Change a storey's structure, which lands at once: its documents are replaced whole."""
+        if self.state.pending:
+            raise MansionError(ErrorCode.CONFLICT, "other edits wait to be saved; Save or Undo them first")
+        if self.furnisher is None:
+            raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
+        made = reshaping.reshape_floor(self.store, self.state, args, self.catalogue, self.furnisher)
+        what = f"ReshapeFloor {encode(_without_editor(args))}"
+        try:
+            done = self.store.land([], self.who, what, documents=made.documents)
+        finally:
+            self.reload()
+        return msgspec.structs.replace(_landed(" ".join(made.moved), done), room_ids=made.rooms)
 
     def _faults_with(self, floor: int, scene: FloorScene) -> list[str]:
         """Return the new faults of the check for a floor as it would be, and the cuts that keep a robot from a part."""

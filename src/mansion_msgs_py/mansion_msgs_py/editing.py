@@ -46,6 +46,7 @@ __all__ = [
     "RenameRoomArgs",
     "RoomChange",
     "RoomParts",
+    "ReshapeFloorArgs",
     "SearchAssetsArgs",
     "SearchContentsArgs",
     "SetFinishArgs",
@@ -232,6 +233,29 @@ class FurnishRoomArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen
     room_id: Text
     room_type: Text = ""
     keep: Annotated[list[Text], msgspec.Meta(max_length=200)] = []
+
+
+class ReshapeFloorArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A change of one storey's structure, with all rooms that it does not concern held where they are.
+
+    Attributes
+    ----------
+    what : str
+        ``area``: the room grows or shrinks; ``door``: a door between the two rooms; ``swap``: they change places;
+        ``stair``, ``elevator``: one more of these.
+    room_id, other_id : str
+        Rooms, by id or words.
+    area : float
+        Square metres that the room gains (or loses, where negative).
+    absolute : bool
+        The room is to have `area`, whatever it has now.
+    """
+
+    what: Literal["area", "door", "swap", "stair", "elevator"]
+    room_id: Text
+    other_id: Text = ""
+    area: Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)] = 0.0
+    absolute: bool = False
 
 
 class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
