@@ -5,13 +5,4 @@ from mansion_editing.structure.doors import add_door
 from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, storey_of, updated_building
 from mansion_editing.structure.swaps import swap_rooms
 
-__all__ = [
-    "Reshaped",
-    "Storey",
-    "Workshop",
-    "add_door",
-    "change_area",
-    "storey_of",
-    "swap_rooms",
-    "updated_building",
-]
+__all__ = ["Reshaped", "Storey", "Workshop", "add_door", "change_area", "storey_of", "swap_rooms", "updated_building"]

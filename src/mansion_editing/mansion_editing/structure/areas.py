@@ -36,9 +36,7 @@ def is_passage(room: SceneRoom) -> bool:
     return is_class(room.room_type, "circulation") or default_knowledge().room(room.room_type).zone == "circulation"
 
 
-def change_area(
-    storey: Storey, room_id: str, area: float, workshop: Workshop, *, absolute: bool = False
-) -> Reshaped:
+def change_area(storey: Storey, room_id: str, area: float, workshop: Workshop, *, absolute: bool = False) -> Reshaped:
     """Make a room larger or smaller by moving walls between it and neighbours that can give or take.
 
     Stairs, lifts, corridors and the outline stay as they are, and so do all rooms that are no neighbours of it.

@@ -42,9 +42,7 @@ def with_shapes(storey: Storey, shapes: Mapping[str, Polygon]) -> Storey:
         By name in the room graph, only rooms that change.
     """
     old = {room.id: polygon_of(room).area for room in storey.layout.rooms}
-    rooms = [
-        layout_room(room.id, shapes[room.id]) if room.id in shapes else room for room in storey.layout.rooms
-    ]
+    rooms = [layout_room(room.id, shapes[room.id]) if room.id in shapes else room for room in storey.layout.rooms]
     layout = msgspec.structs.replace(storey.layout, rooms=rooms)
     scale = storey.layout.area_scale
     nodes = [
@@ -94,14 +92,14 @@ def with_topology(storey: Storey) -> Storey:
             source=edge.source,
             target=edge.target,
             kind=edge.kind,
-            reason=reasons.get((edge.source, edge.target, edge.kind), "the rooms were changed after the building was made"),
+            reason=reasons.get(
+                (edge.source, edge.target, edge.kind), "the rooms were changed after the building was made"
+            ),
         )
         for edge in edges
         if not edge.satisfied
     ]
-    layout = msgspec.structs.replace(
-        storey.layout, edges=edges, unmet_edges=unmet, topology_satisfied=not unmet
-    )
+    layout = msgspec.structs.replace(storey.layout, edges=edges, unmet_edges=unmet, topology_satisfied=not unmet)
     return Storey(storey.program, storey.topology, layout, storey.scene)
 
 

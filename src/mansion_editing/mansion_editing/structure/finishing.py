@@ -49,12 +49,7 @@ class Finished:
 
 
 def finish(
-    storey: Storey,
-    rebuilt: Rebuilt,
-    workshop: Workshop,
-    *,
-    moves: Sequence[MovedWall] = (),
-    anew: Collection[str] = (),
+    storey: Storey, rebuilt: Rebuilt, workshop: Workshop, *, moves: Sequence[MovedWall] = (), anew: Collection[str] = ()
 ) -> Finished:
     """Return the scene of a storey on its new structure.
 

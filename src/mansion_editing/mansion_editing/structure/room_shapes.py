@@ -23,6 +23,9 @@ _SHARE_KEPT = 0.5
 _SLENDER = 3.0
 """Length by width up to which a room may become slender; one that is more so already keeps what it has."""
 
+_MORE_SLENDER = 1.5
+"""Factor by which a room that is asked for may become more slender than it is."""
+
 _NARROWEST = 1.2
 """Width that a room keeps, metres, where it has that much."""
 
@@ -87,7 +90,8 @@ def limits_of(shape: Polygon, room_type: str, structural: Sequence[Segment] = ()
     structural : sequence of Segment
         Structural walls of the storey.
     gives : bool
-        It is a neighbour, which keeps a share of its area; the room that is asked for may have any that its type allows.
+        It is a neighbour, which keeps a share of its area and its proportions; the room that is asked for may have any
+        area that its type allows, and stretch for it.
     """
     least = default_knowledge().room(room_type).least
     area = min(shape.area, max(least, _SHARE_KEPT * shape.area if gives else least))
@@ -98,7 +102,7 @@ def limits_of(shape: Polygon, room_type: str, structural: Sequence[Segment] = ()
         area=area,
         width=width,
         nooks=_nooks(shape, width),
-        slenderness=max(_SLENDER, _slenderness(shape)),
+        slenderness=max(_SLENDER, _slenderness(shape)) * (1.0 if gives else _MORE_SLENDER),
         structural=tuple(line for line in lines if _straddled(shape, line) <= 0.05),
     )
 

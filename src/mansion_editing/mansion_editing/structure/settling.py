@@ -55,7 +55,11 @@ class Settled:
 
 
 def settle(
-    space: RoomSpace, objects: Sequence[SceneObject], moves: Sequence[MovedWall], scene: FloorScene, catalogue: Catalogue
+    space: RoomSpace,
+    objects: Sequence[SceneObject],
+    moves: Sequence[MovedWall],
+    scene: FloorScene,
+    catalogue: Catalogue,
 ) -> Settled:
     """Return where the objects of a room stand after walls or doors of it changed.
 
@@ -141,7 +145,9 @@ def _with_carried(objects: Sequence[SceneObject], roots: dict[str, SceneObject])
             else:
                 carrier = before[item.parent]
                 moved = pose(carrier)
-                after[item.id] = None if moved is None else item if moved == carrier else turned_about(item, carrier, moved)
+                after[item.id] = (
+                    None if moved is None else item if moved == carrier else turned_about(item, carrier, moved)
+                )
         return after[item.id]
 
     for item in objects:

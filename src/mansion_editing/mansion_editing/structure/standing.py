@@ -52,9 +52,7 @@ class RoomSpace:
         self.net = room_polygon(room.net_polygon, room.net_holes)
         self._inner = prep(self.net.buffer(2e-3))
         self._ways = [
-            LineString(door.segment).buffer(
-                NEW_DOOR_DEPTH if door.id in new_doors else DOOR_DEPTH, cap_style="flat"
-            )
+            LineString(door.segment).buffer(NEW_DOOR_DEPTH if door.id in new_doors else DOOR_DEPTH, cap_style="flat")
             for door in doors
             if room.id in door.rooms
         ]
@@ -78,12 +76,14 @@ class RoomSpace:
         low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
         if high > self.room.ceiling_height + 0.03:
             return False
-        if item.mount in ("floor", "wall") and low < _HEAD and item.size[2] > LOW:
-            if any(way.intersection(shape).area > _SLACK for way in self._ways):
-                return False
+        blocks = item.mount in ("floor", "wall") and low < _HEAD and item.size[2] > LOW
+        if blocks and any(way.intersection(shape).area > _SLACK for way in self._ways):
+            return False
         if item.mount != "wall":
             return True
-        if any(sill < high and low < top and area.intersection(shape).area > _SLACK for area, sill, top in self._windows):
+        if any(
+            sill < high and low < top and area.intersection(shape).area > _SLACK for area, sill, top in self._windows
+        ):
             return False
         return self.backs_on_wall(item)
 
@@ -104,7 +104,11 @@ def collides(item: SceneObject, shape: Polygon, others: Iterable[tuple[SceneObje
         if other.size[2] <= LOW or other.id == item.id:
             continue
         below, above = other.position[2] - other.size[2] / 2, other.position[2] + other.size[2] / 2
-        if min(high, above) - max(low, below) > 5e-3 and shape.intersects(area) and shape.intersection(area).area > 5e-4:
+        if (
+            min(high, above) - max(low, below) > 5e-3
+            and shape.intersects(area)
+            and shape.intersection(area).area > 5e-4
+        ):
             return True
     return False
 

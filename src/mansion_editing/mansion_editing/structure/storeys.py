@@ -115,7 +115,7 @@ def node_of(room: SceneRoom | str) -> str:
 
 
 def updated_building(building: Building, before: Storey, after: Storey) -> Building:
-    """Return ``building.json`` after a change of one storey: its program, areas and counts; wishes are left as they are.
+    """Return ``building.json`` after a change of one storey: its program, areas and counts, not yet its wishes.
 
     A storey that was to repeat the changed one, or that the changed one was to repeat, stands for itself from now on.
     """

@@ -46,7 +46,9 @@ def swap_rooms(storey: Storey, room_id: str, other_id: str, workshop: Workshop) 
     a, b = node_of(room), node_of(other)
     before = _renamed(storey, room.id, other.id)
     rewired = Storey(storey.program, _rewired(storey.topology, a, b), storey.layout, before.scene)
-    inner = {door.id for door in before.scene.doors if {room.id, other.id} & set(door.rooms) and door.kind != "entrance"}
+    inner = {
+        door.id for door in before.scene.doors if {room.id, other.id} & set(door.rooms) and door.kind != "entrance"
+    }
     change = Change(
         before=before,
         after=with_shapes(rewired, {a: shapes[b], b: shapes[a]}),

@@ -156,7 +156,7 @@ def _reaches(
 
 
 def _price(reach: _Reach, wanted: float, shapes: Shapes) -> tuple[bool, float]:
-    """Rank a move: those that give all that is wanted, then by what they take of the giver and the corners they make."""
+    """Rank a move: those that give all that is wanted first, then by what they take of the giver and their corners."""
     share = min(wanted, reach.area) / float(shapes[reach.stretch.giver].area)
     return reach.area < wanted - 1e-6, round(share + _CORNER_PRICE * max(reach.corners, 0), 6)
 

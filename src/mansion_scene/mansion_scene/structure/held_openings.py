@@ -86,9 +86,7 @@ def without_held(plan: AccessPlan, held: Sequence[Opening]) -> AccessPlan:
     return replace(plan, passages=tuple(passage for passage in plan.passages if passage.pair not in pairs))
 
 
-def with_furniture(
-    frontages: Mapping[str, Frontage], standing: Mapping[str, Sequence[Polygon]]
-) -> dict[str, Frontage]:
+def with_furniture(frontages: Mapping[str, Frontage], standing: Mapping[str, Sequence[Polygon]]) -> dict[str, Frontage]:
     """Return the frontages of all regions with the furniture that stands in them."""
     return {
         region: replace(frontage, standing=tuple(standing.get(region, ()))) for region, frontage in frontages.items()
