@@ -69,7 +69,7 @@ class RoomSpace:
         return [(edge.start, edge.point(edge.length, 0.0), edge.rotation) for edge in edges]
 
     def holds(self, item: SceneObject) -> bool:
-        """Whether an object is inside, not in front of a door, and where it hangs on a wall also on one, off windows."""
+        """Whether an object is inside, off doors, and where it hangs on a wall also at one and off windows."""
         shape = footprint(item)
         if not self._inner.covers(shape):
             return False
