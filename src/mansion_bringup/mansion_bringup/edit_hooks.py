@@ -38,27 +38,27 @@ def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]
 
     Notes
     -----
-    Most edits change objects alone, so that only names, poses and reach can go wrong; a floor whose rooms, walls or
-    openings changed is judged whole. Faults of names and poses concern
-    one object, an object and what carries it, or two objects that meet: only those that changed and those around them
-    are judged. Reach is judged for the whole building, and only when something that stands on a floor or hangs on a
-    wall changed. What has no fault afterwards has no new one: the state before is looked at only where there is any.
+    Most edits change objects and what is said of rooms alone, so that only names, poses and reach can go wrong. Faults
+    of names and poses concern one object, an object and what carries it, or two objects that meet: only those that
+    changed and those around them are judged. Reach is judged for the whole building, and only when something that
+    stands on a floor or hangs on a wall changed. A floor that is new or has other walls, openings or cores is judged
+    whole, the doors that its room graph wants left out. What has no fault afterwards has no new one: the state before
+    is looked at only where there is any.
     """
-    changed = [floor for floor in after if after[floor] is not before.get(floor)]
+    built = [floor for floor in after if floor not in before or _structure(before[floor]) != _structure(after[floor])]
+    changed = [floor for floor in after if floor not in built and after[floor] is not before[floor]]
     found: list[Fault] = []
     known: set[str] = set()
-    rebuilt = [floor for floor in changed if _structure(before[floor]) != _structure(after[floor])]
-    if rebuilt:
-        found += _floor_faults(after, rebuilt)
-        known |= {str(fault) for fault in _floor_faults(before, rebuilt)} if found else set()
     for floor in changed:
-        if floor in rebuilt:
-            continue
         names = _concerned(before[floor], after[floor])
         faults = _object_faults(after[floor], names)
         found += faults
         if faults:
             known |= {str(fault) for fault in _object_faults(before[floor], names)}
+    rebuilt = bool(built) or before.keys() != after.keys()
+    if rebuilt:
+        found += _structural_faults(after, built)
+        known |= {str(fault) for fault in _structural_faults(before, [floor for floor in built if floor in before])}
     if rebuilt or any(_obstacles(before[floor]) != _obstacles(after[floor]) for floor in changed):
         faults = _reach_faults(after)
         found += faults
@@ -68,20 +68,19 @@ def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]
 
 
 def _structure(scene: FloorScene) -> tuple[object, ...]:
-    """Return what of a floor is no object: polygons of rooms, walls, doors, windows and cores."""
-    rooms = [(room.id, room.polygon, room.holes, room.net_polygon, room.net_holes) for room in scene.rooms]
-    walls = [(wall.id, wall.segment) for wall in scene.walls]
-    return rooms, walls, scene.doors, scene.windows, scene.cores
+    """Return what a floor is built of, without what is said of its rooms and without materials."""
+    rooms = [(r.id, r.kind, r.polygon, r.holes, r.net_polygon, r.net_holes, r.ceiling_height) for r in scene.rooms]
+    walls = [(w.id, w.segment, w.thickness, w.height, w.exterior, w.left, w.right) for w in scene.walls]
+    shell = (scene.outline, scene.holes, scene.elevation, scene.height)
+    return (rooms, walls, shell, scene.doors, scene.windows, scene.cores)
 
 
-def _floor_faults(scenes: Mapping[int, FloorScene], floors: Sequence[int]) -> list[Fault]:
-    """Return all faults of some floors but those of reach."""
-    found = list(check_cores([scenes[floor] for floor in sorted(scenes)]))
-    for floor in floors:
-        scene = scenes[floor]
-        found += [*check_identity(scene.building_id, [scene]), *check_partition(scene), *check_walls(scene)]
-        found += [*check_openings(scene, []), *check_objects(scene)]
-    return found
+def _structural_faults(scenes: Mapping[int, FloorScene], built: Sequence[int]) -> list[Fault]:
+    faults = list(check_cores([scenes[floor] for floor in sorted(scenes)]))
+    for scene in (scenes[floor] for floor in built):
+        faults += check_identity(scene.building_id, [scene])
+        faults += [*check_partition(scene), *check_walls(scene), *check_openings(scene, []), *check_objects(scene)]
+    return faults
 
 
 def _concerned(before: FloorScene, after: FloorScene) -> set[str]:

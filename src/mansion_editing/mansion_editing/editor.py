@@ -40,6 +40,7 @@ from mansion_msgs_py.editing import (
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_msgs_py.wording import with_article
 
 __all__ = ["ACTION_TOOLS", "FLOOR_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
 
@@ -210,7 +211,8 @@ class SceneEditor:
         if self.furnisher is None:
             raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
         room, new = furnishing.furnish_room(state, args, records, self.furnisher, self._faults_with)
-        return f"{room.id} is furnished as a {room.room_type.replace('_', ' ')} with {len(new)} objects"
+        kind = with_article(room.room_type.replace("_", " "))
+        return f"{room.id} is furnished as {kind} with {len(new)} objects"
 
     def _reshape(self, args: ReshapeFloorArgs) -> EditResult:
         """Change a storey's structure, which lands at once: its documents are replaced whole."""
