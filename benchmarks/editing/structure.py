@@ -2,8 +2,9 @@
 
     python benchmarks/editing/structure.py BUILDINGS [-n 60] [--seed 1]
 
-BUILDINGS is a folder of building folders, of which copies are edited. A third of the requests are areas, a third doors
-between rooms that mostly share a wall, a third rooms that change places. After each that is done the whole building is
+BUILDINGS is a folder of building folders, of which copies are edited. A third of the requests are areas, a third doors,
+a third rooms that change places. Of the doors four in five are wanted between rooms that share a wall and have none yet,
+of the places four in five are not those of corridors; the others may be anything. After each that is done the whole building is
 checked with all its files; areas must be as asked within 1%, the polygons of rooms that are not named in the reply
 and the objects of rooms that did not change must be what they were; then it is undone, and the documents must be what
 they were.
@@ -26,6 +27,7 @@ from mansion_bringup.building.files import building_exports, floor_exports
 from mansion_bringup.cli.edit import open_editor
 from mansion_bringup.verify import verify_building
 from mansion_editing.editor import SceneEditor
+from mansion_editing.structure.areas import is_passage
 from mansion_geometry.shared_walls import edge_array, shared_walls, total_length
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneRoom
@@ -46,13 +48,20 @@ def requests(editors: list[SceneEditor], number: int, generator: random.Random) 
             yield building, {"what": what, "room_id": room.id, "area": generator.choice(CHANGES)}
             continue
         pairs = list(combinations(scene.rooms, 2))
-        if what == "door" and generator.random() < 0.8:
-            pairs = [pair for pair in pairs if _side_by_side(*pair)]
+        if generator.random() < 0.8:
+            likely = _could_join if what == "door" else _could_swap
+            pairs = [pair for pair in pairs if likely(scene, *pair)] or pairs
         first, second = generator.choice(pairs)
         yield building, {"what": what, "room_id": first.id, "other_id": second.id}
 
 
-def _side_by_side(one: SceneRoom, other: SceneRoom) -> bool:
+def _could_swap(scene: FloorScene, one: SceneRoom, other: SceneRoom) -> bool:
+    return not any(is_passage(room) or room.kind == "main" for room in (one, other))
+
+
+def _could_join(scene: FloorScene, one: SceneRoom, other: SceneRoom) -> bool:
+    if {one.id, other.id} in (set(door.rooms) for door in scene.doors):
+        return False
     walls = shared_walls(edge_array(Polygon(one.polygon, one.holes)), edge_array(Polygon(other.polygon, other.holes)))
     return total_length(walls) > 1.0
 

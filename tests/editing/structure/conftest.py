@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 import msgspec
 import pytest
-import sample_floors
 
+import sample_floors
 from mansion_assets.catalogue import Catalogue
 from mansion_bringup.check import check_floors
 from mansion_editing.structure import Storey, Workshop
