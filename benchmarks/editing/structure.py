@@ -3,11 +3,11 @@
     python benchmarks/editing/structure.py BUILDINGS [-n 60] [--seed 1]
 
 BUILDINGS is a folder of building folders, of which copies are edited. A third of the requests are areas, a third doors,
-a third rooms that change places. Of the doors four in five are wanted between rooms that share a wall and have none yet,
-of the places four in five are not those of corridors; the others may be anything. After each that is done the whole building is
-checked with all its files; areas must be as asked within 1%, the polygons of rooms that are not named in the reply
-and the objects of rooms that did not change must be what they were; then it is undone, and the documents must be what
-they were.
+a third rooms that change places. Of the doors four in five are wanted between rooms that share a wall and have none
+yet, of the places four in five are not those of corridors; the others may be anything. After each that is done the
+whole building is checked with all its files; areas must be as asked within 1%, the polygons of rooms that are not named
+in the reply and the objects of rooms that did not change must be what they were; then it is undone, and the documents
+must be what they were.
 """
 
 import argparse

@@ -93,7 +93,7 @@ def _new_faults(change: Change, finished: Finished, workshop: Workshop) -> Seque
     held = [room.id for room in scene.rooms if room.id not in change.may_change]
     for room in held:
         if [o for o in scene.objects if o.room == room] != [o for o in was.objects if o.room == room]:
-            return [f"furniture in {room} would be in the way"]
+            return [f"{room}: its furniture, which stays as it is, would be in the way of a door or a wall"]
     return workshop.judge(scene)
 
 
