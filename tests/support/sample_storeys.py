@@ -1,5 +1,6 @@
 """Furnished storeys with the documents that a building folder has, in memory and on disk."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
@@ -18,6 +19,13 @@ from mansion_scene.assembly import furnish_floor
 def office() -> Storey:
     """Return a storey of 20 x 14 m with a stair and a lift beside its corridor."""
     return _storey(sample_floors.office(floors=(1,)))
+
+
+def offices() -> list[Storey]:
+    """Return two such storeys of one building."""
+    made = [_storey(sample_floors.office(floor, floors=(1, 2))) for floor in (1, 2)]
+    program = msgspec.structs.replace(made[0].program, floors=[storey.floor for storey in made])
+    return [replace(storey, program=program) for storey in made]
 
 
 def flat() -> Storey:

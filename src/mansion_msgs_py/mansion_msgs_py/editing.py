@@ -236,13 +236,13 @@ class FurnishRoomArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen
 
 
 class ReshapeFloorArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """A change of one storey's structure, with all rooms that it does not concern held where they are.
+    """A change of structure, with all rooms that it does not concern held where they are.
 
     Attributes
     ----------
     what : str
         ``area``: the room grows or shrinks; ``door``: a door between the two rooms; ``swap``: they change places;
-        ``stair``, ``elevator``: one more of these.
+        ``stair``, ``elevator``: one more of these on all storeys, on floor that the room gives.
     room_id, other_id : str
         Rooms, by id or words.
     area : float

@@ -410,7 +410,7 @@ _EDITING_SERVICES: tuple[ServiceInterface, ...] = (
     ServiceInterface(
         "scene/reshape_floor",
         "scene_editor",
-        "Tool ReshapeFloor: a room larger or smaller, a door between two, or two that change places.",
+        "Tool ReshapeFloor: a room larger or smaller, a door, rooms that change places, one more stair or lift.",
         ReshapeFloorArgs,
         EditResult,
         '{"what": "area", "room_id": "F1/kitchen", "area": 2.0}',

@@ -13,7 +13,7 @@ def test_counts_and_areas_follow_the_scene(office: Storey) -> None:
     building = sample_storeys.index_of(office)
     scene = msgspec.structs.replace(office.scene, objects=office.scene.objects[:5], doors=office.scene.doors[:4])
     after = Storey(office.program, office.topology, office.layout, scene)
-    index = updated_building(building, office, after)
+    index = updated_building(building, [(office, after)])
     assert index.floors[0].objects == index.checks["objects"] == 5
     assert index.checks["doors"] == 4
     assert index.floors[0].area == building.floors[0].area
@@ -27,7 +27,7 @@ def test_copies_of_a_changed_storey_stand_for_themselves(
     program = msgspec.structs.replace(office.program, floors=floors)
     scene = msgspec.structs.replace(office.scene, floor=changed)
     storey = Storey(program, office.topology, office.layout, scene)
-    index = updated_building(sample_storeys.index_of(office), storey, storey)
+    index = updated_building(sample_storeys.index_of(office), [(storey, storey)])
     assert [floor.copy for floor in index.program.floors] == copies
 
 

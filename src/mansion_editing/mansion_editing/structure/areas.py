@@ -8,17 +8,17 @@ from shapely import Polygon
 
 from mansion_editing.structure.attempts import Change, Outcome, attempt
 from mansion_editing.structure.documents import region_shapes, with_shapes
+from mansion_editing.structure.passages import is_passage
 from mansion_editing.structure.rebuilding import passages_of_scene
 from mansion_editing.structure.reports import listed
 from mansion_editing.structure.room_shapes import ShapeLimits, limits_of
 from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
 from mansion_editing.structure.wall_moves import MovedWall, Plan, most_area, plans
 from mansion_geometry.shared_walls import edge_array, shared_walls
-from mansion_knowledge import default_knowledge, is_class
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneRoom
 
-__all__ = ["change_area", "is_passage"]
+__all__ = ["change_area"]
 
 _LEAST_CHANGE = 0.1
 """Square metres below which nothing is moved."""
@@ -29,11 +29,6 @@ _ENOUGH = 3
 
 _SMALLER = (0.8, 0.6, 0.4, 0.2)
 """Shares of a change that are tried where all of it cannot be, to say what can."""
-
-
-def is_passage(room: SceneRoom) -> bool:
-    """Whether a room is there to walk through, so that it keeps its width."""
-    return is_class(room.room_type, "circulation") or default_knowledge().room(room.room_type).zone == "circulation"
 
 
 def change_area(storey: Storey, room_id: str, area: float, workshop: Workshop, *, absolute: bool = False) -> Reshaped:

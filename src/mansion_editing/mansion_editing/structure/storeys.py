@@ -114,22 +114,34 @@ def node_of(room: SceneRoom | str) -> str:
     return name.partition("/")[2] or name
 
 
-def updated_building(building: Building, before: Storey, after: Storey) -> Building:
-    """Return ``building.json`` after a change of one storey: its program, areas and counts, not yet its wishes.
+def updated_building(building: Building, changes: Sequence[tuple[Storey, Storey]]) -> Building:
+    """Return ``building.json`` after a change of storeys: its program, areas and counts, not yet its wishes.
 
-    A storey that was to repeat the changed one, or that the changed one was to repeat, stands for itself from now on.
+    Where one storey changes, another that was to repeat it, or that it was to repeat, stands for itself from then on;
+    what changes all storeys changes copies alike.
+
+    Parameters
+    ----------
+    building : Building
+        As it was.
+    changes : sequence of (Storey, Storey)
+        Each changed storey before and after; the last has the new program.
     """
-    entries = [_entry(entry, after) if entry.floor == after.number else entry for entry in building.floors]
+    after = {new.number: new for _, new in changes}
+    entries = [_entry(entry, after[entry.floor]) if entry.floor in after else entry for entry in building.floors]
     checks = dict(building.checks)
-    for name, old, new in (
-        ("rooms", before.scene.rooms, after.scene.rooms),
-        ("doors", before.scene.doors, after.scene.doors),
-        ("objects", before.scene.objects, after.scene.objects),
-    ):
-        if name in checks:
-            checks[name] += len(new) - len(old)
-    program = msgspec.structs.replace(after.program, floors=_independent(after.program.floors, after.number))
-    return msgspec.structs.replace(building, program=program, floors=entries, checks=checks)
+    for before, now in ((old.scene, new.scene) for old, new in changes):
+        grown = {
+            "rooms": len(now.rooms) - len(before.rooms),
+            "doors": len(now.doors) - len(before.doors),
+            "objects": len(now.objects) - len(before.objects),
+        }
+        checks = {name: count + grown.get(name, 0) for name, count in checks.items()}
+    program = changes[-1][1].program
+    if len(changes) == 1:
+        program = msgspec.structs.replace(program, floors=_independent(program.floors, changes[0][1].number))
+    cores = program.vertical_connectivity.cores
+    return msgspec.structs.replace(building, program=program, floors=entries, checks=checks, cores=cores)
 
 
 def _entry(entry: FloorEntry, storey: Storey) -> FloorEntry:

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import msgspec
 
-from mansion_editing.structure.areas import is_passage
 from mansion_editing.structure.attempts import Change, attempt
 from mansion_editing.structure.documents import region_shapes, with_shapes
+from mansion_editing.structure.passages import is_passage
 from mansion_editing.structure.rebuilding import passages_of_scene
 from mansion_editing.structure.storeys import Reshaped, Storey, Workshop, node_of
 from mansion_msgs_py.errors import ErrorCode, MansionError
