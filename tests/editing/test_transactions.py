@@ -160,6 +160,42 @@ def test_documents_are_replaced_together_and_given_back(folder: Path) -> None:
     assert _documents(folder) == after
 
 
+def test_replacements_wait_with_what_is_done_before_and_after_them(open_editor: EditorFactory, folder: Path) -> None:
+    before = _documents(folder)
+    editor = open_editor(autosave=False)
+    editor.call("RenameRoom", RENAME)
+    editor.call("RemoveObject", {"object_id": "F1/kitchen/mug_1"})
+    data = editor.document(SCENE)
+    assert data is not None and b"Canteen" in data and b"mug_1" not in data
+    scene = decode(FloorScene, data)
+    editor.replace_documents({SCENE: encode_bytes(msgspec.structs.replace(scene, label="E"), indent=1)}, "a new floor")
+    editor.call("RemoveObject", {"object_id": "F1/hall/sofa_1"})
+    editor.call("SetFinish", {**FLOOR, "room_id": "canteen"})
+    editor.call("RemoveObject", {"object_id": "F2/private_office_1/floor_lamp_1"})
+    assert editor.call("Diff").message == (f"~ {SCENE}, ~ {INDEX}, ~ {TOPOLOGY}, - F2/private_office_1/floor_lamp_1")
+    assert editor.call("Save").revisions == {"1": 2, "2": 2}
+    read = BuildingFolder(folder)
+    scene, kitchen = read.scene(1), read.building.program.floors[0].rooms[1]
+    assert (scene.label, [o.id for o in scene.objects if o.category in ("sofa", "mug")]) == ("E", [])
+    assert (kitchen.name, kitchen.floor_material) == ("Canteen", "terrazzo")
+    assert next(n for n in read.topology(1).nodes if n.id == "kitchen").floor_material == "terrazzo"
+    open_editor().call("Undo")
+    assert _documents(folder) == before
+
+
+def test_a_waiting_replacement_is_undone_and_redone(open_editor: EditorFactory, folder: Path) -> None:
+    before = _documents(folder)
+    editor = open_editor(autosave=False)
+    scene = editor.state.scenes[1]
+    editor.replace_documents({SCENE: encode_bytes(msgspec.structs.replace(scene, label="E"), indent=1)}, "a new floor")
+    editor.call("Undo")
+    assert editor.state.scenes[1] == scene
+    editor.call("Redo")
+    assert editor.state.scenes[1].label == "E" and _documents(folder) == before
+    editor.call("Save")
+    assert BuildingFolder(folder).scene(1).label == "E"
+
+
 def test_documents_replaced_meanwhile_are_a_conflict(open_editor: EditorFactory, folder: Path) -> None:
     store = _store(folder)
     changes = _new_floor(store)

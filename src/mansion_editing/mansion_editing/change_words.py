@@ -6,7 +6,7 @@ from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomParts
 __all__ = ["in_words"]
 
 
-def in_words(change: Change | DocumentChange) -> str:
+def in_words(change: Change) -> str:
     """Return a change in words: ``+`` what comes, ``-`` what goes, ``~`` what differs and how a room does.
 
     Examples

@@ -48,6 +48,11 @@ class Documents:
         self._folder = folder
         self._copies = folder / "edits" / "documents"
 
+    def present(self, path: str) -> bytes | None:
+        """Return what a document holds on disk; ``None`` where it is not there."""
+        file = self._folder / path
+        return file.read_bytes() if file.is_file() else None
+
     def replacement(self, path: str, data: bytes | None) -> DocumentChange:
         """Return the change that puts `data` in a document's place, with copies of both kept; ``None`` removes it.
 
@@ -57,9 +62,13 @@ class Documents:
             ``INVALID_PAYLOAD`` for a path that is no document of the building.
         """
         self._require_document(path)
-        file = self._folder / path
-        before = self._keep(file.read_bytes()) if file.is_file() else ""
-        return DocumentChange(path=path, before=before, after="" if data is None else self._keep(data))
+        there = self.present(path)
+        before = "" if there is None else self._keep(there)
+        return self.kept(DocumentChange(path=path, before=before), data)
+
+    def kept(self, change: DocumentChange, data: bytes | None) -> DocumentChange:
+        """Return a change that puts `data` in the document's place instead."""
+        return msgspec.structs.replace(change, after="" if data is None else self._keep(data))
 
     def copy(self, name: str) -> bytes:
         """Return what a stored copy holds.
@@ -82,8 +91,8 @@ class Documents:
             ``CONFLICT`` naming the document.
         """
         self._require_document(change.path)
-        file = self._folder / change.path
-        there = _content(change.path, file.read_bytes()) if file.is_file() else None
+        data = self.present(change.path)
+        there = None if data is None else _content(change.path, data)
         known = _content(change.path, self.copy(change.before)) if change.before else None
         if there != known:
             raise MansionError(

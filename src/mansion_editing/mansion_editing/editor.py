@@ -1,6 +1,6 @@
 """The editor of one building: tools by name, edits that wait or land at once, undo and redo."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
 import msgspec
@@ -10,10 +10,11 @@ from mansion_assets.retrieval.retriever import Retriever
 from mansion_editing.change_words import in_words
 from mansion_editing.passages import passages_of
 from mansion_editing.physics.engine import PhysicsEngine
-from mansion_editing.state import Change, SceneState, net_changes, net_rooms
+from mansion_editing.state import Change, SceneState
 from mansion_editing.storage import BuildingStore
 from mansion_editing.tools import finishes, furnishing, manipulation, paths, perception, placement, reshaping, rooms
 from mansion_editing.tools.furnishing import Furnisher
+from mansion_editing.waiting import document, room_records, waiting
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.editing import (
     CheckPathArgs,
@@ -39,7 +40,9 @@ from mansion_msgs_py.editing import (
     Transaction,
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_msgs_py.topology import TopologyNode
 from mansion_msgs_py.wording import with_article
 
 __all__ = ["ACTION_TOOLS", "FLOOR_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
@@ -119,7 +122,7 @@ class SceneEditor:
     def reload(self) -> None:
         """Take the scenes from disk, dropping what waits to be saved."""
         scenes = list(self.store.scenes().values())
-        self.state = SceneState(scenes, self.catalogue, self.retriever)
+        self.state = SceneState(scenes, self.catalogue, self.retriever, self.store.documents.copy)
         self._what, self._marks, self._redo = [], [], []
 
     def refreshed(self) -> SceneState:
@@ -162,16 +165,20 @@ class SceneEditor:
         return {"Undo": self.undo, "Redo": self.redo, "Diff": self.diff, "Save": self.save}[tool]()
 
     def _edit(self, tool: str, args: Any) -> EditResult:
+        return self._done(lambda: self._act(tool, args), f"{tool} {encode(_without_editor(args))}")
+
+    def _done(self, act: Callable[[], str], what: str) -> EditResult:
+        """Do one edit, whole or not at all, and land it where edits do not wait."""
         start = len(self.state.pending)
         try:
-            message = self._act(tool, args)
+            message = act()
         except BaseException:
             self.state.roll_back(start)
             raise
         done = self.state.pending[start:]
         if len(self.state.pending) > start:
             self._marks.append(start)
-            self._what.append(f"{tool} {encode(_without_editor(args))}")
+            self._what.append(what)
             self._redo = []
         if not self.autosave or not self.state.pending:
             return _told(message, done, saved=not self.state.pending)
@@ -198,7 +205,7 @@ class SceneEditor:
         return f"{item.id}: {encode(item.states)}"
 
     def _act_on_room(self, tool: str, args: Any) -> str:
-        state, records = self.state, self.store.room_records
+        state, records = self.state, self._records
         if tool == "RenameRoom":
             room, old = rooms.rename_room(state, args, records)
             return f"{room.id} is called {room.name!r}, {old!r} before"
@@ -215,18 +222,49 @@ class SceneEditor:
         return f"{room.id} is furnished as {kind} with {len(new)} objects"
 
     def _reshape(self, args: ReshapeFloorArgs) -> EditResult:
-        """Change a storey's structure, which lands at once: its documents are replaced whole."""
-        if self.state.pending:
-            raise MansionError(ErrorCode.CONFLICT, "other edits wait to be saved; Save or Undo them first")
+        """Change the structure of a storey, whose documents are replaced whole."""
         if self.furnisher is None:
             raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
-        made = reshaping.reshape_floor(self.store, self.state, args, self.catalogue, self.furnisher)
-        what = f"ReshapeFloor {encode(_without_editor(args))}"
-        try:
-            done = self.store.land([], self.who, what, documents=made.documents)
-        finally:
-            self.reload()
-        return msgspec.structs.replace(_landed(" ".join(made.moved), done), room_ids=made.rooms)
+        made = reshaping.reshape_floor(
+            self.state, args, self.document, self._new_faults, self.catalogue, self.furnisher
+        )
+        done = self.replace_documents(made.files, f"ReshapeFloor {encode(_without_editor(args))}")
+        return msgspec.structs.replace(done, message=" ".join(made.moved), room_ids=made.rooms)
+
+    def _new_faults(self, changed: Mapping[int, FloorScene]) -> list[str]:
+        """Return the faults that the building would have with other scenes of some floors."""
+        return self.store.new_faults(self.store.scenes(), {**self.state.scenes, **changed})
+
+    def _records(self, floor: int, room_id: str) -> tuple[RoomProgram | None, TopologyNode | None]:
+        return room_records(self.state, self.store.documents, floor, room_id)
+
+    def document(self, path: str) -> bytes | None:
+        """Return a document of the building as what waits makes it; ``None`` where it is not there."""
+        return document(self.state, self.store.documents, path)
+
+    def replace_documents(self, files: Mapping[str, bytes | None], what: str) -> EditResult:
+        """Put other documents in the place of those that the building has, as one edit.
+
+        Parameters
+        ----------
+        files : mapping
+            By path relative to the building's folder; ``None`` takes a document away. They are made from `document`,
+            so that they hold what waits already.
+        what : str
+            For the log.
+
+        Raises
+        ------
+        MansionError
+            As `save` does, and ``INVALID_PAYLOAD`` for a path that is no document of the building.
+        """
+
+        def act() -> str:
+            for path, data in files.items():
+                self.state.apply(self.store.documents.replacement(path, data))
+            return what
+
+        return self._done(act, what)
 
     def _faults_with(self, floor: int, scene: FloorScene) -> list[str]:
         """Return the new faults of the check for a floor as it would be, and the cuts that keep a robot from a part."""
@@ -247,10 +285,10 @@ class SceneEditor:
 
     def diff(self) -> DiffReport:
         """Say what waits to be saved."""
-        changes, changed_rooms = net_changes(self.state.pending), net_rooms(self.state.pending)
-        words = [*map(in_words, changed_rooms), *map(in_words, changes)]
+        changes, changed_rooms, documents = waiting(self.state, self.store.documents)
+        words = [*map(in_words, documents), *map(in_words, changed_rooms), *map(in_words, changes)]
         message = ", ".join(words) or "nothing waits to be saved"
-        return DiffReport(message=message, changes=changes, rooms=changed_rooms)
+        return DiffReport(message=message, changes=changes, rooms=changed_rooms, documents=documents)
 
     def save(self, what: str = "") -> EditResult:
         """Land what waits as one transaction; when it is refused, what waited is dropped.
@@ -260,12 +298,13 @@ class SceneEditor:
         MansionError
             ``INFEASIBLE`` or ``CONFLICT`` with the reason.
         """
-        changes, changed_rooms = net_changes(self.state.pending), net_rooms(self.state.pending)
-        if not (changes or changed_rooms):
+        changes, changed_rooms, documents = waiting(self.state, self.store.documents)
+        if not (changes or changed_rooms or documents):
             self.reload()
             return EditResult(message="nothing to save", saved=True)
         try:
-            done = self.store.land(changes, self.who, what or "; ".join(self._what), rooms=changed_rooms)
+            told = what or "; ".join(self._what)
+            done = self.store.land(changes, self.who, told, rooms=changed_rooms, documents=documents)
         finally:
             self.reload()
         return _landed("saved", done)

@@ -15,7 +15,7 @@ from mansion_msgs_py.program import BuildingProgram, RoomProgram
 from mansion_msgs_py.scene import Discard, FloorScene, Light, Wall
 from mansion_msgs_py.topology import FloorTopology, TopologyNode
 
-__all__ = ["parts_of", "program_with", "scene_with", "topology_with"]
+__all__ = ["parts_of", "program_with", "records_of", "scene_with", "topology_with"]
 
 
 def parts_of(
@@ -31,6 +31,7 @@ def parts_of(
         lights=[light for light in scene.lights if light.room == room_id],
         discarded=[lost for lost in scene.discarded if lost.room == room_id],
         spawn=scene.spawn if scene.spawn is not None and scene.spawn.room == room_id else None,
+        source=scene.sources.get(f"objects/{room_id}", ""),
         program=program,
         node=node,
     )
@@ -40,6 +41,16 @@ def _face(wall: Wall, room_id: str) -> str | None:
     if wall.left == room_id:
         return wall.left_material
     return wall.right_material if wall.right == room_id else None
+
+
+def records_of(
+    program: BuildingProgram, topology: FloorTopology | None, floor: int, room_id: str
+) -> tuple[RoomProgram | None, TopologyNode | None]:
+    """Return a room as the program and its floor's room graph have it, where they do."""
+    short = room_id.partition("/")[2]
+    rooms = next((storey.rooms for storey in program.floors if storey.index == floor), [])
+    nodes = [] if topology is None else topology.nodes
+    return next((room for room in rooms if room.id == short), None), next((n for n in nodes if n.id == short), None)
 
 
 def scene_with(scene: FloorScene, change: RoomChange) -> FloorScene:
@@ -59,6 +70,7 @@ def scene_with(scene: FloorScene, change: RoomChange) -> FloorScene:
             details={"room": change.id},
         )
     order = [room.id for room in scene.rooms]
+    source = {f"objects/{change.id}": after.source} if after.source else {}
     return msgspec.structs.replace(
         scene,
         rooms=[after.room if room.id == change.id else room for room in scene.rooms],
@@ -66,6 +78,7 @@ def scene_with(scene: FloorScene, change: RoomChange) -> FloorScene:
         lights=_with_own(scene.lights, after.lights, change.id, order),
         discarded=_with_own(scene.discarded, after.discarded, change.id, order),
         spawn=after.spawn if before.spawn is not None else scene.spawn,
+        sources=scene.sources | source,
     )
 
 

@@ -1,6 +1,6 @@
 """The static semantic state: a building's scenes with quick answers about them, and the changes that edit them."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TypeAlias, TypeVar
 
@@ -10,17 +10,30 @@ import numpy.typing as npt
 
 from mansion_assets.catalogue import Asset, Catalogue
 from mansion_assets.retrieval.retriever import Retriever, TextRetriever
+from mansion_editing.documents import floor_of, is_scene
 from mansion_editing.passages import Passages, passages_of
 from mansion_editing.room_parts import scene_with
+from mansion_msgs_py.codec import decode
 from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomChange
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_scene.decor.frames import room_polygon
 
-__all__ = ["Change", "FloorIndex", "SceneState", "changed", "inverse", "net_changes", "net_rooms", "rebase"]
+__all__ = [
+    "Change",
+    "FloorIndex",
+    "SceneChange",
+    "SceneState",
+    "changed",
+    "inverse",
+    "net_changes",
+    "net_rooms",
+    "rebase",
+]
 
-Change: TypeAlias = ObjectChange | RoomChange
-_Kind = TypeVar("_Kind", bound=ObjectChange | RoomChange | DocumentChange)
+Change: TypeAlias = ObjectChange | RoomChange | DocumentChange
+SceneChange: TypeAlias = ObjectChange | RoomChange
+_Kind = TypeVar("_Kind", bound=Change)
 
 
 class FloorIndex:
@@ -73,14 +86,24 @@ class SceneState:
     catalogue : Catalogue
     retriever : Retriever, optional
         What SearchAssets asks; text search when absent.
+    copies : callable, optional
+        Returns a stored copy of a document by its name; needed where documents are replaced.
 
     Attributes
     ----------
-    pending : list of ObjectChange and RoomChange
+    pending : list of ObjectChange, RoomChange and DocumentChange
         What differs from the scenes handed in, in the order it was done.
     """
 
-    def __init__(self, scenes: Sequence[FloorScene], catalogue: Catalogue, retriever: Retriever | None = None) -> None:
+    def __init__(
+        self,
+        scenes: Sequence[FloorScene],
+        catalogue: Catalogue,
+        retriever: Retriever | None = None,
+        copies: Callable[[str], bytes] | None = None,
+    ) -> None:
+        self._copies = copies
+        self._replaced: list[FloorScene | None] = []
         self.catalogue = catalogue
         self.retriever: Retriever = retriever or TextRetriever()
         self.scenes = {scene.floor: scene for scene in scenes}
@@ -186,16 +209,36 @@ class SceneState:
 
     def apply(self, change: Change) -> None:
         """Do one change and remember it."""
-        self.scenes[change.floor] = changed(self.scenes[change.floor], change)
-        self._indexes.pop(change.floor, None)
+        if isinstance(change, DocumentChange):
+            self._replace_document(change)
+        else:
+            self._put(change.floor, changed(self.scenes[change.floor], change))
         self.pending.append(change)
+
+    def _replace_document(self, change: DocumentChange) -> None:
+        floor = floor_of(change.path)
+        if floor is not None and is_scene(change.path):
+            assert self._copies is not None
+            self._replaced.append(self.scenes.get(floor))
+            self._put(floor, decode(FloorScene, self._copies(change.after)) if change.after else None)
+
+    def _put(self, floor: int, scene: FloorScene | None) -> None:
+        self._indexes.pop(floor, None)
+        if scene is None:
+            self.scenes.pop(floor, None)
+        else:
+            self.scenes[floor] = scene
 
     def roll_back(self, count: int) -> None:
         """Take back all but the first `count` pending changes."""
         while len(self.pending) > count:
             change = self.pending.pop()
-            self.scenes[change.floor] = changed(self.scenes[change.floor], inverse(change))
-            self._indexes.pop(change.floor, None)
+            if not isinstance(change, DocumentChange):
+                self._put(change.floor, changed(self.scenes[change.floor], inverse(change)))
+            elif is_scene(change.path):
+                floor = floor_of(change.path)
+                assert floor is not None
+                self._put(floor, self._replaced.pop())
 
 
 def inverse(change: _Kind) -> _Kind:
@@ -203,7 +246,7 @@ def inverse(change: _Kind) -> _Kind:
     return msgspec.structs.replace(change, before=change.after, after=change.before)
 
 
-def changed(scene: FloorScene, change: Change) -> FloorScene:
+def changed(scene: FloorScene, change: SceneChange) -> FloorScene:
     """Return `scene` with one change done.
 
     Raises

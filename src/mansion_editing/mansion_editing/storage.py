@@ -16,17 +16,16 @@ from pathlib import Path
 import msgspec
 
 from mansion_editing.documents import Documents, floor_of, is_scene
-from mansion_editing.room_parts import parts_of, program_with, topology_with
-from mansion_editing.state import Change, changed, inverse, rebase
+from mansion_editing.room_parts import parts_of, program_with, records_of, topology_with
+from mansion_editing.state import SceneChange, changed, inverse, rebase
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.building_folder import INDEX, BuildingFolder, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
-from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject
-from mansion_msgs_py.topology import FloorTopology, TopologyNode
+from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.world import ObjectState, WorldState
 
 __all__ = ["BuildingStore", "Records", "Validator", "append_line", "locked", "refuse_in_session", "refuse_robots"]
@@ -93,18 +92,6 @@ class BuildingStore:
         self._reader = BuildingFolder(self.folder)
         return {floor: self._reader.scene(floor) for floor in self._reader.floors}
 
-    def room_records(self, floor: int, room_id: str) -> tuple[RoomProgram | None, TopologyNode | None]:
-        """Return a room as the building's program and its floor's room graph on disk have it, where they do."""
-        short = room_id.partition("/")[2]
-        storeys = BuildingFolder(self.folder).building.program.floors
-        rooms = next((storey.rooms for storey in storeys if storey.index == floor), [])
-        graph = self._topology(floor)
-        nodes = [] if graph is None else graph.nodes
-        return (
-            next((room for room in rooms if room.id == short), None),
-            next((node for node in nodes if node.id == short), None),
-        )
-
     def _topology(self, floor: int) -> FloorTopology | None:
         if not (self.folder / floor_directory(floor) / "topology.json").is_file():
             return None
@@ -159,7 +146,7 @@ class BuildingStore:
             _refuse_mixed(carried, rooms, documents)
             refuse_in_session(self.folder, carried, before)
             after = self._replaced(before, documents)
-            changes_of_floors: list[Change] = [*carried, *rooms]
+            changes_of_floors: list[SceneChange] = [*carried, *rooms]
             for change in changes_of_floors:
                 after[change.floor] = changed(after[change.floor], change)
             self._refuse_stale_records(rooms, before)
@@ -204,8 +191,10 @@ class BuildingStore:
         return {floor: after[floor] for floor in floors}
 
     def _refuse_stale_records(self, rooms: Sequence[RoomChange], scenes: Scenes) -> None:
+        program = BuildingFolder(self.folder).building.program
         for change in rooms:
-            there = parts_of(scenes[change.floor], change.id, *self.room_records(change.floor, change.id))
+            records = records_of(program, self._topology(change.floor), change.floor, change.id)
+            there = parts_of(scenes[change.floor], change.id, *records)
             if there != change.before:
                 raise MansionError(
                     ErrorCode.CONFLICT,
@@ -252,7 +241,7 @@ class BuildingStore:
         """Write a scene with its changes, where it does not have the revision that they make yet."""
         if scene.revision >= revision:
             return
-        changes: list[Change] = [*transaction.changes, *transaction.rooms]
+        changes: list[SceneChange] = [*transaction.changes, *transaction.rooms]
         for change in changes:
             if change.floor == scene.floor:
                 scene = changed(scene, change)

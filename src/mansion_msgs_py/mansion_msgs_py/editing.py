@@ -384,6 +384,8 @@ class RoomParts(msgspec.Struct, frozen=True, kw_only=True):
         By wall, the material of the side that the room has of it.
     spawn : SpawnPose, optional
         Where the robot starts, when that is in this room.
+    source : str
+        Who chose the furniture, where a model was asked (see `FloorScene.sources`).
     program, node : optional
         The room in the building's program and in its floor's room graph, where they have it.
     """
@@ -393,6 +395,7 @@ class RoomParts(msgspec.Struct, frozen=True, kw_only=True):
     lights: list[Light] = []
     discarded: list[Discard] = []
     spawn: SpawnPose | None = None
+    source: str = ""
     program: RoomProgram | None = None
     node: TopologyNode | None = None
 
@@ -424,6 +427,11 @@ class DocumentChange(msgspec.Struct, frozen=True, kw_only=True):
     path: str
     before: str = ""
     after: str = ""
+
+    @property
+    def id(self) -> str:
+        """Path of the document."""
+        return self.path
 
 
 class Transaction(msgspec.Struct, frozen=True, kw_only=True):
@@ -487,6 +495,7 @@ class DiffReport(msgspec.Struct, frozen=True, kw_only=True):
     message: str
     changes: list[ObjectChange]
     rooms: list[RoomChange] = []
+    documents: list[DocumentChange] = []
 
 
 class AgentStep(msgspec.Struct, frozen=True, kw_only=True):

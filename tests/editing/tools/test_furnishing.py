@@ -4,12 +4,14 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from mansion_assets.catalogue import Catalogue
 from mansion_editing.editor import SceneEditor
 from mansion_editing.tools.furnishing import room_type_named
 from mansion_msgs_py.building_folder import BuildingFolder
+from mansion_msgs_py.codec import encode_bytes
 from mansion_msgs_py.errors import MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_scene.refurnishing import furnish_room
@@ -78,6 +80,18 @@ def test_the_robot_starts_where_the_new_furniture_leaves_room(open_editor: Edito
     assert all(abs(i.position[0] - spawn.x) + abs(i.position[1] - spawn.y) > 0.2 for i in near)
 
 
+def test_what_a_model_chose_is_no_longer_said_to_be_its_choice(open_editor: EditorFactory, folder: Path) -> None:
+    file = folder / "floors/floor_1/scene.json"
+    sources = {f"objects/{HALL}": "llm", f"objects/{KITCHEN}": "llm"}
+    file.write_bytes(encode_bytes(msgspec.structs.replace(BuildingFolder(folder).scene(1), sources=sources), indent=1))
+    before = _documents(folder)
+    editor = open_editor(furnisher=furnish_room)
+    editor.call("FurnishRoom", {"room_id": HALL})
+    assert list(editor.state.scenes[1].sources.values()) == ["rules: furnished anew", "llm"]
+    editor.call("Undo")
+    assert _documents(folder) == before
+
+
 def test_another_type_is_told_to_all_documents(open_editor: EditorFactory, folder: Path) -> None:
     before = _documents(folder)
     editor = open_editor(furnisher=furnish_room)
@@ -94,12 +108,15 @@ def test_another_type_is_told_to_all_documents(open_editor: EditorFactory, folde
     assert _documents(folder) == before
 
 
-def test_a_name_of_its_own_stays(open_editor: EditorFactory) -> None:
+@pytest.mark.parametrize(("name", "after"), [("Neptune", "Neptune"), ("Private offices 1", "Bedroom")])
+def test_a_name_of_its_own_stays_and_one_of_its_kind_does_not(
+    open_editor: EditorFactory, name: str, after: str
+) -> None:
     editor = open_editor(furnisher=furnish_room)
-    editor.call("RenameRoom", {"room_id": OFFICE, "name": "Neptune"})
-    editor.call("FurnishRoom", {"room_id": "neptune", "room_type": "bedroom"})
+    editor.call("RenameRoom", {"room_id": OFFICE, "name": name})
+    editor.call("FurnishRoom", {"room_id": name, "room_type": "bedroom"})
     found = editor.state.room(OFFICE)
-    assert found is not None and (found[1].name, found[1].room_type) == ("Neptune", "bedroom")
+    assert found is not None and (found[1].name, found[1].room_type, found[1].aliases) == (after, "bedroom", [])
 
 
 def test_an_arrangement_with_a_fault_is_not_taken(open_editor: EditorFactory, folder: Path) -> None:

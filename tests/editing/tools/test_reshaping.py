@@ -79,8 +79,15 @@ def test_a_refusal_says_why_and_leaves_the_building_as_it_was(
     assert documents(office_folder) == before
 
 
-def test_other_edits_must_not_wait(editor: SceneEditor) -> None:
+def test_it_waits_with_other_edits_and_lands_with_them(editor: SceneEditor, office_folder: Path) -> None:
+    before = documents(office_folder)
     editor.autosave = False
-    editor.call("RemoveObject", {"object_id": editor.state.scenes[1].objects[0].id})
-    with pytest.raises(MansionError, match="wait to be saved"):
-        editor.call("ReshapeFloor", {"what": "area", "room_id": "F1/storage", "area": 2.0})
+    editor.call("RenameRoom", {"room_id": "F1/meeting_room_1", "name": "Den"})
+    reply = editor.call("ReshapeFloor", {"what": "area", "room_id": "den", "area": 6.0})
+    assert not reply.saved
+    assert documents(office_folder) == before
+    assert editor.call("Save").saved
+    den = next(room for room in BuildingFolder(office_folder).scene(1).rooms if room.name == "Den")
+    assert den.area == pytest.approx(42.0, abs=0.01)
+    editor.call("Undo")
+    assert documents(office_folder) == before

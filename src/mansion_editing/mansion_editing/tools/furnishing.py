@@ -13,6 +13,7 @@ from mansion_editing.state import SceneState
 from mansion_editing.tools.rooms import RoomRecords, change_room, names_on_floor, room_named, with_carriers
 from mansion_knowledge import default_knowledge, is_class
 from mansion_knowledge.object_kinds import answers, is_service
+from mansion_language import singular
 from mansion_msgs_py.editing import FurnishRoomArgs, RoomParts
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.program import RequestedObject
@@ -168,8 +169,9 @@ def _is_id(room: SceneRoom) -> bool:
 
 def _names_kind(name: str, kind: str) -> bool:
     known = default_knowledge().rooms.get(kind)
-    plain = normalise(name)
-    return plain in ("", kind) or (known is not None and plain.replace("_", " ") in known.synonyms)
+    *first, last = normalise(name).split("_")
+    plain = " ".join([*first, singular(last)])
+    return plain in ("", kind.replace("_", " ")) or (known is not None and plain in known.synonyms)
 
 
 def _kind_name(kind: str, taken: Collection[str]) -> str:
@@ -246,7 +248,10 @@ def _furnish(
         objects.extend(made)
         everything = [*standing, *made]
         spawn = parts.spawn and place_spawn(room, scene.doors, everything)
-        return msgspec.structs.replace(parts, lights=room_lights(room, everything), discarded=lost, spawn=spawn)
+        source = parts.source and "rules: furnished anew"
+        return msgspec.structs.replace(
+            parts, lights=room_lights(room, everything), discarded=lost, spawn=spawn, source=source
+        )
 
     change_room(state, floor, room_id, records, furnished)
     for item in objects:

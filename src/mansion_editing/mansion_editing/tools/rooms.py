@@ -47,9 +47,7 @@ def change_room(
     state: SceneState, floor: int, room_id: str, records: RoomRecords, change: Callable[[RoomParts], RoomParts]
 ) -> bool:
     """Do a change of what is said of a room; tell whether anything differs."""
-    known = next((c for c in reversed(state.pending) if isinstance(c, RoomChange) and c.id == room_id), None)
-    program, node = (known.after.program, known.after.node) if known else records(floor, room_id)
-    before = parts_of(state.scenes[floor], room_id, program, node)
+    before = parts_of(state.scenes[floor], room_id, *records(floor, room_id))
     assert before is not None
     after = change(before)
     if after != before:
