@@ -134,7 +134,8 @@ def main() -> None:
             counts[f"{asked['what']} {became}"] += 1
             faults += len(wrong)
             if args.verbose or wrong:
-                print(editors[building].store.folder.name, asked, became, *words, *wrong, sep="\n    ", flush=True)
+                told = f"{became} after {seconds[-1]:.1f} s"
+                print(editors[building].store.folder.name, asked, told, *words, *wrong, sep="\n    ", flush=True)
     print(f"{args.n} requests over {len(editors)} buildings: {dict(sorted(counts.items()))}, {faults} faults")
     print(f"median {sorted(seconds)[len(seconds) // 2]:.1f} s with check and undo, longest {max(seconds):.1f} s")
 

@@ -23,7 +23,10 @@ __all__ = ["change_area"]
 _LEAST_CHANGE = 0.1
 """Square metres below which nothing is moved."""
 
-_MOST_PLANS = 8
+_MOST_PLANS = 6
+_FEW_PLANS = 3
+"""Plans that are tried for an area that is only offered."""
+
 _ENOUGH = 3
 """Plans that work from which the one that loses least is taken."""
 
@@ -111,6 +114,16 @@ class _Neighbourhood:
                 break
         return min(found, key=lambda outcome: outcome.losses, default=None), reason
 
+    def _works(self, change: float) -> bool:
+        """Whether one of the first plans for a change can be carried out."""
+        for plan in itertools.islice(self._plans(change), _FEW_PLANS):
+            try:
+                attempt(self._change(plan), self.workshop)
+            except MansionError:
+                continue
+            return True
+        return False
+
     def _plans(self, change: float) -> Iterator[Plan]:
         return plans(self.node, change, self.others, self.shapes, self.limits)
 
@@ -146,7 +159,7 @@ class _Neighbourhood:
         most = min(change, bound - now) if change > 0 else max(change, bound - now)
         word = "largest" if change > 0 else "smallest"
         for share in (0.98, *_SMALLER) if abs(most) >= _LEAST_CHANGE else ():
-            if abs(most * share) >= _LEAST_CHANGE and self._best(most * share)[0] is not None:
+            if abs(most * share) >= _LEAST_CHANGE and self._works(most * share):
                 return f"the {word} possible is {now + most * share:.1f} m2"
         return "its walls cannot be moved"
 

@@ -100,9 +100,7 @@ def _storey(state: SceneState, index: Building, documents: Documents, floor: int
 def _read(kind: type[T], documents: Documents, path: str) -> T:
     data = documents(path)
     if data is None:
-        raise MansionError(
-            ErrorCode.NOT_FOUND, f"the building has no {path}, without which its structure stays as it is"
-        )
+        raise MansionError(ErrorCode.NOT_FOUND, f"the building has no {path}, which a change of structure needs")
     return decode(kind, data)
 
 
