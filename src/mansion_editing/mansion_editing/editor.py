@@ -20,6 +20,7 @@ from mansion_editing.tools import (
     paths,
     perception,
     placement,
+    reshaping,
     rooms,
     swapping,
 )
@@ -42,6 +43,7 @@ from mansion_msgs_py.editing import (
     PlacingWishes,
     RemoveObjectArgs,
     RenameRoomArgs,
+    ReshapeFloorArgs,
     RoomChange,
     SearchAssetsArgs,
     SearchContentsArgs,
@@ -57,7 +59,7 @@ from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.topology import TopologyNode
 from mansion_msgs_py.wording import with_article
 
-__all__ = ["ACTION_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
+__all__ = ["ACTION_TOOLS", "FLOOR_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
 
 Scenes: TypeAlias = Mapping[int, FloorScene]
 
@@ -84,8 +86,9 @@ ACTION_TOOLS: Final[dict[str, type[Any]]] = {
     "SwapObjects": SwapObjectsArgs,
     **ROOM_TOOLS,
 }
+FLOOR_TOOLS: Final[dict[str, type[Any]]] = {"ReshapeFloor": ReshapeFloorArgs}
 HISTORY_TOOLS: Final[dict[str, type[Any]]] = {"Undo": ToolArgs, "Redo": ToolArgs, "Diff": ToolArgs, "Save": ToolArgs}
-TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **HISTORY_TOOLS}
+TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **FLOOR_TOOLS, **HISTORY_TOOLS}
 """Each tool's name and the type of its arguments."""
 
 _ASK: Final[dict[str, Callable[[SceneState, Any], Any]]] = {
@@ -175,6 +178,8 @@ class SceneEditor:
             return _ASK[tool](state, args)
         if tool in ACTION_TOOLS:
             return self._edit(tool, args)
+        if tool in FLOOR_TOOLS:
+            return self._reshape(args)
         return {"Undo": self.undo, "Redo": self.redo, "Diff": self.diff, "Save": self.save}[tool]()
 
     def _edit(self, tool: str, args: Any) -> EditResult:
@@ -239,6 +244,20 @@ class SceneEditor:
         room, new = furnishing.furnish_room(state, args, records, self.furnisher, self._faults_with)
         kind = with_article(room.room_type.replace("_", " "))
         return f"{room.id} is furnished as {kind} with {len(new)} objects"
+
+    def _reshape(self, args: ReshapeFloorArgs) -> EditResult:
+        """Change the structure of a storey, whose documents are replaced whole."""
+        if self.furnisher is None:
+            raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
+        made = reshaping.reshape_floor(
+            self.state, args, self.document, self._new_faults, self.catalogue, self.furnisher
+        )
+        done = self.replace_documents(made.files, f"ReshapeFloor {encode(_without_editor(args))}")
+        return msgspec.structs.replace(done, message=" ".join(made.moved), room_ids=made.rooms)
+
+    def _new_faults(self, changed: Mapping[int, FloorScene]) -> list[str]:
+        """Return the faults that the building would have with other scenes of some floors."""
+        return self.store.new_faults(self.store.scenes(), {**self.state.scenes, **changed})
 
     def _records(self, floor: int, room_id: str) -> tuple[RoomProgram | None, TopologyNode | None]:
         return room_records(self.state, self.store.documents, floor, room_id)

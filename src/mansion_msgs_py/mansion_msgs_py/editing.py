@@ -48,6 +48,7 @@ __all__ = [
     "RenameRoomArgs",
     "RoomChange",
     "RoomParts",
+    "ReshapeFloorArgs",
     "SearchAssetsArgs",
     "SearchContentsArgs",
     "SetFinishArgs",
@@ -144,11 +145,18 @@ class SearchContentsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, fro
 
 
 class PlaceInContainerArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """A new object of the catalogue, and the container to put it into; `color` is a word for its main material."""
+    """A new object of the catalogue, and the container to put it into; `color` is a word for its main material.
+
+    Attributes
+    ----------
+    name : str
+        What people call it; what the asset is called when empty.
+    """
 
     asset_id: Text
     container_id: Text
     color: Text = ""
+    name: Text = ""
 
 
 class PlacingWishes(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
@@ -186,11 +194,14 @@ class PlaceOnSurfaceArgs(PlacingWishes, kw_only=True, forbid_unknown_fields=True
     ----------
     color : str
         A word for its main material; that of the asset when empty.
+    name : str
+        What people call it; what the asset is called when empty.
     """
 
     asset_id: Text
     receptacle_id: Text
     color: Text = ""
+    name: Text = ""
 
 
 class RemoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
@@ -297,6 +308,29 @@ class FurnishRoomArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen
     room_id: Text
     room_type: Text = ""
     keep: Annotated[list[Text], msgspec.Meta(max_length=200)] = []
+
+
+class ReshapeFloorArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A change of structure, with all rooms that it does not concern held where they are.
+
+    Attributes
+    ----------
+    what : str
+        ``area``: the room grows or shrinks; ``door``: a door between the two rooms; ``swap``: they change places;
+        ``stair``, ``elevator``: one more of these on all storeys, on floor that the room gives.
+    room_id, other_id : str
+        Rooms, by id or words.
+    area : float
+        Square metres that the room gains (or loses, where negative).
+    absolute : bool
+        The room is to have `area`, whatever it has now.
+    """
+
+    what: Literal["area", "door", "swap", "stair", "elevator"]
+    room_id: Text
+    other_id: Text = ""
+    area: Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)] = 0.0
+    absolute: bool = False
 
 
 class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):

@@ -573,6 +573,7 @@ def place_any(
     *,
     colour: str = "",
     near: str = "",
+    name: str = "",
     wishes: Mapping[str, Any] | None = None,
 ) -> Generator[Action, Outcome, tuple[str, str]]:
     """Try variants of an asset on one receptacle; return the new object's id, or an empty id and the reason.
@@ -581,6 +582,8 @@ def place_any(
     ----------
     near : str
         Id of an object to put it beside.
+    name : str
+        What to call it; what the asset is called when empty.
     wishes : mapping, optional
         Further arguments of PlaceOnSurface.
     """
@@ -589,6 +592,8 @@ def place_any(
         arguments: dict[str, Any] = {"asset_id": asset.asset_id}
         if colour and colour_of(asset.material) != colour:
             arguments["color"] = colour
+        if name and name != asset.name:
+            arguments["name"] = name
         if relation == "in":
             tool, arguments["container_id"] = "PlaceInContainer", carrier
         else:

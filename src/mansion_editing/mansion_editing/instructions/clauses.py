@@ -184,6 +184,11 @@ class ClauseReader:
         """Read ``, ground floor`` and ``, in the kitchen`` where the place before lacks just that."""
         read = read_place(self.words, at + 1, self.lexicon, self.floors)
         place, _ = _joined(found)
+        room = self.phrase(at + 1)
+        bare = place.rooms is None or not place.rooms.words
+        own = room is not None and room.noun.kind in ("room", "both") and self.lexicon.is_own_room(room.noun.words)
+        if room is not None and own and bare and self.text(room.end) in ("", ",", ".", "please", ":", "-"):
+            return ReadPlace(Place(rooms=room.rooms()), at + 1, room.end)
         nearer = read is not None and read.place.anchor is not None and place.anchor is None and place.rooms is not None
         if read is not None and nearer and (read.end >= len(self.words) or self.text(read.end) in (",", ".", "please")):
             return read
@@ -229,7 +234,7 @@ class ClauseReader:
                 return found
             found.append(self._named(item, found))
             after = self.conjunction(item.end)
-            if not after or self.starts_clause(after):
+            if not after or self.starts_clause(after) or self.text(after) in ("only", "just"):
                 return found
             at = after
 
@@ -280,6 +285,8 @@ class ClauseReader:
         if word in MODALS or word in (
             "is",
             "are",
+            "stay",
+            "remain",
             "need",
             "has",
             "have",
@@ -418,6 +425,16 @@ class ClauseReader:
                     out.append(Forbid(things=item.phrase.things(), place=goal, quote=quote))
             else:
                 out.append(Keep(things=self._all(item.things()), quote=quote))
+        contrast = end + (self.text(end) == ",")
+        if deed == "remove" and self.text(contrast) in ("only", "just", "but") and contrast > end:
+            meant = self.items(contrast + 1)
+            own, _ = _joined(list(items[-1].places))
+            stop = meant[-1].end
+            for item in meant:
+                things = self._all_if_plural(item.things())
+                placed = things if item.places or own == Place() else with_place(things, own)
+                out.append(Remove(things=placed, quote=self.quote(at, stop)))
+            return out, stop
         return out, end
 
     def _not_left(self, at: int, place: int) -> tuple[list[Statement], int]:
@@ -483,6 +500,9 @@ class ClauseReader:
         amount = item.phrase.amount
         goal, each = self._framed(shared)
         things = item.phrase.things()
+        if amount.kind == "fewer":
+            fewer = msgspec.structs.replace(things, amount=Amount(number=amount.number), plural=False)
+            return [Remove(things=with_place(fewer, goal) if goal != Place() else fewer, quote=quote)]
         if negated and amount.kind == "at_most":
             negated = False
         if amount.kind == "none" or negated:
@@ -605,8 +625,13 @@ class ClauseReader:
             before = self.words[at:place]
             if self.lexicon.is_way(word.text) and {"have", "has", "need"} & {w.text for w in before}:
                 return self._way(at, place + 1)
-            if any(self.lexicon.is_own_room((w.text,)) or self.lexicon.is_object((w.text,)) for w in before):
+            if word.raw in ("like", "love") and "would" in {w.text for w in before}:
+                return self._wanted(at, place + 1)
+            known = any(self.lexicon.is_own_room((w.text,)) or self.lexicon.is_object((w.text,)) for w in before)
+            if known and not {"would", "have", "has"} & {w.text for w in self.words[at : place + 2]}:
                 return None
+            if word.raw == "asked" and self.text(place + 1) == "for":
+                return self._wanted(at, place + 2)
             having = {"have", "has", "need"} & {w.text for w in before}
             if having:
                 continue
@@ -645,6 +670,13 @@ class ClauseReader:
             place += 1
             if self.text(place) in ("have", "see", "get", "find"):
                 place += 1
+            elif verb_at(self.words, place, self.lexicon) is None and self.item(place + 1) is not None:
+                item = self.item(place + 1)
+                assert item is not None
+                if self.text(item.end) not in (",", "so", "and", "but") or "so" not in (self.text(item.end), self.text(item.end + 1)):
+                    raise NotUnderstood(at, self.boundary(at))
+                self.topic = item.things()
+                return [Mention(quote=self.quote(at, item.end))], item.end
             else:
                 return self.read(place)
         if self.text(place) == "you" and self.text(place + 1) == "to":
@@ -719,6 +751,10 @@ class ClauseReader:
             return [_state(items[0].things(), state, self.quote(at, end + 1), value=value)], end + 1
         if items[0].is_room and self.text(end) == "with":
             return self._equip(at, place)
+        source_only = bool(items[0].places) and all(p.source for p in items[0].places)
+        if len(items) == 1 and self.text(at) in ("fetch", "bring", "get", "carry", "take") and items[0].phrase.definite and source_only:
+            self.topic = items[0].things()
+            return [Mention(quote=self.quote(at, end))], end
         structure = self._new_core(items, at, end)
         if structure is not None:
             return [structure], end
@@ -789,8 +825,9 @@ class ClauseReader:
         ):
             return self._move(at, place)
         away = self.text(end) in ("away", "out", "off")
-        if self._goes_on_with_it(end) and not away:
-            return self._go(at, place)
+        if self._goes_on_with_it(end + away):
+            self.topic = items[0].things()
+            return [Mention(quote=self.quote(at, end + away))], end + away
         if away or (any(p.source for p in places) and self.text(at) == "take"):
             return self._remove(at, place)
         if self.text(at) in ("grab", "pick") and not items[0].phrase.definite:
@@ -833,14 +870,14 @@ class ClauseReader:
         if any(p.relative or p.goal for p in item.places) and (phrase.definite or phrase.refers):
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
-        moved = phrase.definite or phrase.refers or source != Place() or phrase.amount.kind in ("all", "all_but")
+        moved = phrase.definite or (phrase.refers and phrase.amount.kind != "more") or source != Place() or phrase.amount.kind in ("all", "all_but")
         if not moved:
             if phrase.amount.kind in ("exactly", "at_least", "at_most"):
                 return Ensure(things=phrase.things(), place=goal, each=each, quote=quote)
             return Add(things=phrase.things(), place=goal, each=each, quote=quote)
         things = phrase.things()
         if source != Place():
-            things = with_place(things, source)
+            things = with_place(things, self._framed((source, False))[0] if source.rooms is None else source)
         return Move(things=things, place=goal, or_new=source == Place() and not phrase.refers, quote=quote)
 
     def _new_core(self, items: Sequence[Item], at: int, end: int) -> Statement | None:
@@ -915,7 +952,8 @@ class ClauseReader:
     def _removed(
         self, items: Sequence[Item], item: Item, more: Sequence[ReadPlace], besides: tuple[Things, ...], quote: str
     ) -> Statement:
-        own = item.places or next((other.places for other in items[items.index(item) :] if other.places), ())
+        at = items.index(item)
+        own = item.places or next((other.places for other in (*items[at:], *reversed(items[:at])) if other.places), ())
         place, _ = self._framed(_joined([*own, *more]))
         things = item.phrase.things()
         number = next((b.amount.number for b in besides if b.refers == "last" and b.amount.number), 0)
@@ -929,7 +967,7 @@ class ClauseReader:
             return Clear(place=place, spare=besides, quote=quote)
         if item.phrase.amount.kind == "some" and item.phrase.amount.number == 0 and item.phrase.plural:
             things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
-        things = msgspec.structs.replace(things, beside=besides)
+        things = msgspec.structs.replace(things, beside=tuple(_named_as(one, things.noun) for one in besides))
         return Remove(things=with_place(things, place) if place != Place() else things, quote=quote)
 
     def exceptions(self, at: int) -> tuple[int, tuple[Things, ...]]:
@@ -942,11 +980,14 @@ class ClauseReader:
                 continue
             if self.starts_clause(place + len(phrase)):
                 return at, ()
+            places, stop = self.places(place + len(phrase))
+            if places:
+                return stop, (Things(amount=Amount(kind="all", number=0), plural=True, place=_joined(places)[0]),)
             try:
                 items = self.items(place + len(phrase))
             except NotUnderstood:
                 return at, ()
-            return items[-1].end, tuple(self._all(item.things()) for item in items)
+            return items[-1].end, tuple(_kind_of_its_own(self._all(item.things())) for item in items)
         return at, ()
 
     def _all(self, things: Things) -> Things:
@@ -1134,7 +1175,8 @@ class ClauseReader:
     def _switch(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``turn on the lamp``, ``switch the lamp off``, ``turn the sofa by 90 degrees``."""
         place -= self.text(place - 1) in ("on", "off") and place - 1 > at
-        if self.text(place) in ("on", "off"):
+        misspelt = self.text(place) == "of" and self.text(place + 1) in ("the", "all", "every", "both")
+        if self.text(place) in ("on", "off") or misspelt:
             value = self.text(place) == "on"
             items = self.items(place + 1)
             end, besides = self.exceptions(items[-1].end)
@@ -1171,7 +1213,8 @@ class ClauseReader:
                 Things(noun="light", definite=True, plural=True, amount=Amount(kind="all", number=0)),
                 Place(rooms=rooms),
             )
-        things = msgspec.structs.replace(self._all_if_plural(things), beside=besides)
+        spared = tuple(_named_as(one, things.noun) for one in besides)
+        things = msgspec.structs.replace(self._all_if_plural(things), beside=spared)
         return _state(with_place(things, place) if place != Place() else things, state, quote, value=value)
 
     def _open(self, at: int, place: int) -> tuple[list[Statement], int]:
@@ -1820,9 +1863,17 @@ class ClauseReader:
             nothing = self._nothing(place)
             if nothing is not None:
                 return nothing
+        rest = place
+        while self.text(rest) in ("everything", "else", "all", "the", "other", "thing", "rest", "of", "it", "anything"):
+            rest += 1
+        if rest > place and self.text(rest) in ("as", "where", "alone", "unchanged", "untouched", "in", "like"):
+            while self.text(rest) in ("as", "where", "alone", "unchanged", "untouched", "in", "place", "it", "is", "they", "are"):
+                rest += 1
+            return [Mention(quote=self.quote(at, rest))], rest
         items = self.items(place)
         end = items[-1].end
         item = items[0]
+        end += self.text(end) in ("inside", "there", "here")
         if self.text(end) in STATE_WORDS or (
             self.text(end) in ("switched", "turned") and self.text(end + 1) in STATE_WORDS
         ):
@@ -2017,10 +2068,10 @@ class ClauseReader:
         if not places or end == places[-1].end:
             return None
         kept = self.items(end)
-        place, quote = _joined(places)[0], self.quote(at, kept[-1].end)
-        out: list[Statement] = [Ensure(things=item.phrase.things(), place=place, quote=quote) for item in kept]
+        where, quote = _joined(places)[0], self.quote(at, kept[-1].end)
+        out: list[Statement] = [Ensure(things=item.phrase.things(), place=where, quote=quote) for item in kept]
         spare = tuple(self._all(item.phrase.things()) for item in kept)
-        return [*out, Clear(place=place, spare=spare, quote=quote)], kept[-1].end
+        return [*out, Clear(place=where, spare=spare, quote=quote)], kept[-1].end
 
     def _number_should_be(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the number of apples on the desk should be 2``."""
@@ -2112,8 +2163,8 @@ class ClauseReader:
         switched = self._state_of([item], item, state, (), quote, value=value)
         brought = not item.phrase.definite and item.phrase.amount.kind == "some" and bool(item.places)
         if brought and not item.is_room:
-            where, each = self._framed(item.goal())
-            return [Ensure(things=item.phrase.things(), place=where, each=each, quote=quote), switched], place + 1
+            goal, each = self._framed(item.goal())
+            return [Ensure(things=item.phrase.things(), place=goal, each=each, quote=quote), switched], place + 1
         return [switched], place + 1
 
     def _predicate(self, item: Item, end: int, at: int) -> tuple[list[Statement], int] | None:
@@ -2121,9 +2172,11 @@ class ClauseReader:
         place = end
         negated = False
         modal = False
-        while self.text(place) in MODALS or self.text(place) in BE or self.text(place) in (
+        while self.text(place) in MODALS or (self.text(place) in BE and self.text(place) not in ("stay", "remain")) or self.text(place) in (
             "to", "not", "also", "always", "never", "do", "does", "now", "all", "both", "still", "get", "longer", "each",
-            "supposed", "has", "have", "no", "just", "only",
+            "supposed",
+            "itself",
+            "themselves", "has", "have", "no", "just", "only",
         ):  # fmt: skip
             if self.text(place) in ("has", "have", "get") and self.text(place + 1) not in ("to", "be"):
                 if self._participle(place + 1) is None:
@@ -2214,7 +2267,7 @@ class ClauseReader:
         if word == "do" and self.text(place + 1) == "with":
             return self._said_having(item, place + 1, at, negated)
         if word in ("has", "have") and self.text(place + 1) == "no" and self.text(place + 2) in ("business", "place"):
-            places, end = self.places(place + 3)
+            places, end = self.places(place + 3 + (self.text(place + 3) == "being"))
             gone = Item(item.phrase, (*item.places, *places), end).things()
             return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
         if (
@@ -2252,23 +2305,24 @@ class ClauseReader:
     def _said_gone(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``must go``, ``should disappear``, ``goes``."""
         word = self.text(place)
+        if word in ("stay", "remain") or (word == "be" and self.text(place + 1) == "left"):
+            end = place + 1
+            places, after = self.places(end)
+            end = after if places and not any(p.goal for p in places) else end
+            while self.text(end) in ("put", "there", "here", "as", "it", "is", "where", "they", "are", "untouched", "alone", "in", "on", "place"):
+                end += 1
+            kept = Item(item.phrase, (*item.places, *(places if end == after else ())), end)
+            return [Keep(things=self._all(kept.things()), quote=self.quote(at, end))], end
         if word in ("go", "disappear", "vanish", "leave") and not negated:
             places, end = self.places(place + 1)
             if not places:
                 end += self.text(end) in ("away",)
                 return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, end))], end
-            source, goal, _ = self._source_and_goal((*item.places, *places))
-            whole = Item(item.phrase, places, end)
-            if source != Place():
-                return [
-                    Move(things=with_place(item.phrase.things(), source), place=goal, quote=self.quote(at, end))
-                ], end
-            return [self._added([whole], whole, self.quote(at, end))], end
+            return [self._brought(item, places, self.quote(at, end))], end
         if word in ("belong", "come", "sit", "stand", "lie", "live", "rest", "hang") and not negated:
             places, end = self.places(place + 1)
             if places:
-                whole = Item(item.phrase, places, end)
-                return [self._added([whole], whole, self.quote(at, end))], end
+                return [self._brought(item, places, self.quote(at, end))], end
         return None
 
     def _said_where(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
@@ -2295,8 +2349,18 @@ class ClauseReader:
             return [Remove(things=things, quote=quote)], end
         whole = Item(item.phrase, places, end)
         if item.phrase.definite or item.phrase.refers:
-            return [self._added([whole], whole, quote)], end
+            return [self._brought(item, places, quote)], end
         return self._there(whole, whole.goal(), quote), end
+
+    def _brought(self, item: Item, places: Sequence[ReadPlace], quote: str) -> Statement:
+        """Return that a subject, with the place where it is, goes to other places."""
+        whole = Item(item.phrase, tuple(places), item.end)
+        if not item.places:
+            return self._added([whole], whole, quote)
+        source, _ = self._framed(_joined(list(item.places)))
+        goal, _ = self._framed(_joined([p for p in places if not p.source]))
+        things = with_place(item.phrase.things(), source)
+        return Move(things=self._all_if_plural(things), place=goal, quote=quote)
 
     def _said_good(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``a mug on the desk would be nice``, and ``the desk is too bare``, which tells what comes next is about."""
@@ -2354,23 +2418,39 @@ class ClauseReader:
         """Read things with their places and no verb: ``three apples in a bowl on the table``."""
         items = self.items(at)
         end = items[-1].end
+        out: list[Statement] = []
         found = self._state_after(items[-1], end, at) if len(items) == 1 else None
         if found is not None:
             return found
         if any(item.is_room for item in items):
             raise NotUnderstood(at, self.boundary(at))
+        if self.text(end) in ("out", "away", "gone"):
+            quote = self.quote(at, end + 1)
+            return [self._removed(items, item, (), (), quote) for item in items], end + 1
         if not any(item.places for item in items) and self.frame == Place():
             kinds = {item.phrase.amount.kind for item in items}
-            if not kinds & {"more", "none", "exactly"}:
+            if not kinds & {"more", "fewer", "none", "exactly"}:
                 raise NotUnderstood(at, end)
         quote = self.quote(at, end)
-        out: list[Statement] = []
+        out = []
         for item in items:
             if item.phrase.amount.kind == "more":
                 out.append(self._added(items, item, quote))
             else:
                 out += self._there(item, self._shared_goal(items, item), quote)
         return out, end
+
+
+def _kind_of_its_own(things: Things) -> Things:
+    """Return an exception that names no kind of its own ("not those in the lab") as one of any kind at its place."""
+    if things.refers == "last" and things.place is not None:
+        return msgspec.structs.replace(things, refers="", noun="")
+    return things
+
+
+def _named_as(spared: Things, noun: str) -> Things:
+    """Return an exception without a noun as one of the kind that it is excepted from."""
+    return msgspec.structs.replace(spared, noun=noun) if not spared.noun and not spared.refers else spared
 
 
 def _state(things: Things, state: str, quote: str, *, value: bool) -> SetState:

@@ -32,6 +32,8 @@ _PERSONS_OF_ROOMS = frozenset("child guest staff patient nurse teacher family ma
 _NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "place", "side"])
 """Nouns that end names of objects but do not name any by themselves."""
 
+_STOREY_WORDS = frozenset("upper lower ground floor first second third fourth fifth sixth top".split())
+
 _CORES = frozenset(["stair", "staircase", "elevator", "entrance", "exit", "stairwell"])
 
 
@@ -90,7 +92,7 @@ class Lexicon:
     def speller(self) -> Speller:
         """Mends words to names of the building and the catalogue, and to the words of instructions."""
         own = {word for name in self._room_names | self._object_names for word in name}
-        return Speller(own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS)
+        return Speller(own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS | _STOREY_WORDS)
 
     @cached_property
     def kept(self) -> frozenset[str]:

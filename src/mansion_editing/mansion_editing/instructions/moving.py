@@ -44,13 +44,17 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         arrived = all_at(state, things_of(state, kind, context), place, context)
         if arrived:
             none = f"there is no {thing_words(msgspec.structs.replace(things, definite=False))}"
-            return Done(f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already", context)
+            said = f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already"
+            rooms = tuple(dict.fromkeys(item.room for item in arrived))
+            return Done(said, context.followed([item.id for item in arrived], rooms, things.noun))
     targets = _targets(state, place, context)
     there = {item.id for item in all_at(state, found, place, context)}
     away = [item for item in found if item.id not in there]
     single = not things.plural and things.amount.number <= 1 and things.amount.kind in ("some", "all")
     if (found and not away) or (there and single and not means_one(things) and not statement.or_new):
-        return Done(f"{listed(sorted(there))} {_is(there)} there already; nothing had to move", context)
+        said = f"{listed(sorted(there))} {_is(there)} there already; nothing had to move"
+        rooms = tuple(dict.fromkeys(item.room for item in found if item.id in there))
+        return Done(said, context.followed(sorted(there), rooms, things.noun))
     chosen = _to_move(state, statement, away, targets, context)
     before = [(item, whereabouts(item).removeprefix("in ")) for item in chosen]
     ids: list[str] = []

@@ -61,7 +61,8 @@ _ENDS_RUN: Final = (
                  "whatever", "short", "away", "does", "did", "look", "seem", "each", "anew", "afresh", "want", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
 )  # fmt: skip
 _MAY_BE_NOUN: Final = frozenset(
-    ["light", "open", "left", "right", "front", "stand", "set", "middle", "dark", "present"]
+    ["light", "open", "left", "right", "front", "stand", "set", "middle", "dark", "present", "sitting", "waiting",
+     "standing", "living"]
 )
 
 
@@ -115,7 +116,7 @@ class NounPhrase:
             noun="" if noun.kind == "anything" else " ".join((*noun.words, *filter(None, [noun.number]))),
             amount=self.amount,
             definite=self.definite,
-            plural=self.noun.plural,
+            plural=self.noun.plural and not (self.amount.number == 1 and not self.definite),
             colour=noun.colour,
             material=noun.material,
             states=dict(noun.states),
@@ -267,7 +268,7 @@ def _indefinite(words: Sequence[Word], at: int) -> Amounted:
         if _text(words, place) in ("the", "these", "those"):
             place += 1
             whole = _number(words, place)
-            return Amount(number=number, of=whole or 0), True, False, place + (whole is not None)
+            return Amount(number=number, of=whole or 0), whole is not None, False, place + (whole is not None)
         return Amount(kind="more" if more else "some", number=number), False, False, place
     if _text(words, place) in ("additional", "extra", "further", "second", "third"):
         return Amount(kind="more", number=1), False, False, place + 1
@@ -279,7 +280,7 @@ def _counted(words: Sequence[Word], at: int, number: int, *, definite: bool) -> 
     if _text(words, place) == "of" and _text(words, place + 1) in ("the", "these", "those", "them", "my", "our"):
         place += 1 if _text(words, place + 1) == "them" else 2
         whole = _number(words, place)
-        return Amount(number=number, of=whole or 0), True, False, place + (whole is not None)
+        return Amount(number=number, of=whole or 0), whole is not None, False, place + (whole is not None)
     if _text(words, place) in ("more", "additional", "extra", "further"):
         return Amount(kind="more", number=number), definite, False, place + 1
     if _text(words, place) == "other" and not definite:
@@ -315,6 +316,8 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     start = at
     while _text(words, at) in ADVERBS and _text(words, at) not in ("only", "just", "exactly", "back", "first", "next"):
         at += 1
+    if _text(words, at) in ("only", "just") and _text(words, at + 1) in DETERMINERS:
+        at += 1
     if at < len(words) and words[at].kind == "id":
         noun = Noun((words[at].raw,), "object")
         return NounPhrase(noun, Amount(number=1), True, start, at + 1)
@@ -344,6 +347,9 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     found, end = _noun(words, place, end, lexicon)
     if found is None:
         return None
+    if _text(words, end) in ("more", "less", "fewer") and amount.kind == "some" and amount.number and not definite:
+        kind: AmountKind = "more" if words[end].text == "more" else "fewer"
+        return NounPhrase(replace(found, floors=storeys), Amount(kind=kind, number=amount.number), False, start, end + 1)
     count = _number_after(words, end)
     if count is not None and amount.number in (0, 1) and not definite:
         amount, end = Amount(number=count[0]), count[1]
@@ -430,7 +436,7 @@ def _end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if word.kind == "number" and _is_compound(words, end):
             end += 2
             continue
-        if word.text == "one" and end > at and not _starts_noun(words, end + 1, end + 1, lexicon):
+        if word.text == "one" and end > at and _is_last_of_run(words, end, at, lexicon):
             return end + 1
         if word.kind == "number" and end > at and not _names_number(words, end, lexicon, at):
             if word.text not in ("double", "twin", "triple", "single"):
@@ -444,6 +450,10 @@ def _end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if text in DETERMINERS and end >= at and text != "own":
             break
         if text == "other" and _text(words, end + 1) == "than":
+            break
+        if end > at and text in ("more", "less", "fewer", "itself", "themselves"):
+            break
+        if end > at and text in ("turn", "switch") and _text(words, end + 1) in ("on", "off"):
             break
         if end > at and (text,) in BY_WORDS and end + 1 < len(words) and words[end + 1].text in _ARTICLES_AFTER_VERBS:
             break
@@ -474,9 +484,16 @@ def _starts_noun(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> 
             span = tuple(w.text for w in words[first:last])
             if span == (text,) and text != "light":
                 continue
-            if lexicon.is_object(span) or lexicon.is_own_room(span):
+            if lexicon.is_object(span) or lexicon.is_own_room(span) or (len(span) > 1 and lexicon.is_room(span)):
                 return True
     return text == "open" and end == at and end + 1 < len(words) and lexicon.is_object((words[end + 1].text,))
+
+
+def _is_last_of_run(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
+    """Whether ``one`` stands for a noun ("the red one"), and does not begin the next phrase ("the sofa one more")."""
+    before = tuple(w.text for w in words[at:end])
+    named = any(lexicon.is_object(before[k:]) or lexicon.is_room(before[k:]) for k in range(len(before)))
+    return not named and not _starts_noun(words, end + 1, end + 1, lexicon)
 
 
 def _names_number(words: Sequence[Word], end: int, lexicon: Lexicon, at: int) -> bool:
@@ -564,7 +581,7 @@ def _split(
         elif own or room:
             kind = "room"
         return _modified(run[:first], span, kind, number, lexicon, plural=run[-1].plural)
-    if run and run[-1].text == "one" and run[-1].kind == "number":
+    if run and run[-1].text == "one":
         return _modified(run[:-1], ("one",), "anything", "", lexicon, plural=run[-1].plural)
     return None
 

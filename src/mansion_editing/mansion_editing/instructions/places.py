@@ -320,6 +320,9 @@ def _at_noun(
 ) -> ReadPlace:
     """Return the place that a preposition and a noun make: in a room, or in a relation to a thing."""
     noun = target.noun
+    if target.refers == "last" and target.amount.kind == "all" and relation == "in" and not noun.words:
+        rooms = Rooms(same=True, every=True, number=target.amount.number)
+        return ReadPlace(Place(rooms=rooms), start, target.end, goal, source, each=True)
     if noun.words in (("ceiling",), ("wall",)) and noun.owned:
         spot: Spot = "wall" if noun.words == ("wall",) else ""
         return ReadPlace(Place(rooms=Rooms(words=noun.owned), spot=spot), start, target.end, goal, source)
@@ -367,12 +370,13 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
         return one or other
     if other.words and not one.words:
         one, other = other, one
-    here = (SAME_FLOOR,) if other.same and one.words and not one.floors else ()
+    here = (SAME_FLOOR,) if other.same and not other.every and one.words and not one.floors else ()
     return msgspec.structs.replace(
         one,
         floors=one.floors or other.floors or here,
         every=one.every or (other.every and not other.words),
-        same=one.same or (other.same and not here),
+        same=one.same or (other.same and not here and not (one.words and other.every)),
+        number=one.number or other.number,
         next_to=one.next_to or other.next_to or (other.words if one.words else ""),
     )
 

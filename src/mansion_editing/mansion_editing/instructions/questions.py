@@ -410,6 +410,9 @@ def _reach(reader: ClauseReader, at: int) -> tuple[Ask, int] | None:
         and reader.text(at + 2) not in ("get", "go", "walk", "drive")
     ):
         return None
+    going = ("get", "go", "walk", "drive", "travel", "come", "navigate", "move", "reach", "enter", "way", "path", "route")
+    if reader.text(place) not in ("reach", "enter") and not any(w.text in going for w in reader.words[at:place]):
+        return None
     place += reader.text(place) in ("reach", "enter")
     try:
         statements, end = reader._way(at, place)

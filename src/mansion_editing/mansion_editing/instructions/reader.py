@@ -7,6 +7,7 @@ import msgspec
 
 from mansion_editing.instructions.clauses import ClauseReader, NotUnderstood
 from mansion_editing.instructions.lexicon import Lexicon
+from mansion_editing.instructions.noun_phrases import Noun
 from mansion_editing.instructions.places import SAME_FLOOR, merged, read_place, with_place
 from mansion_editing.instructions.questions import read_question
 from mansion_editing.instructions.statements import (
@@ -26,7 +27,7 @@ from mansion_editing.instructions.statements import (
     Things,
 )
 from mansion_editing.instructions.storeys import read_storeys
-from mansion_editing.instructions.words import COURTESIES, PERSONS, Word, split_words
+from mansion_editing.instructions.words import FUNCTION_WORDS, COURTESIES, PERSONS, Word, split_words
 from mansion_editing.state import SceneState
 
 __all__ = ["read_instruction"]
@@ -62,6 +63,8 @@ class _Reader:
         self.unknown: list[str] = []
         self.topic: Things | None = None
         self.spared: tuple[Things, ...] = ()
+        self.frames: tuple[Place, ...] = ()
+        self.last_noun: Noun | None = None
 
     def read(self) -> Instruction:
         """Read all sentences in order."""
@@ -81,10 +84,17 @@ class _Reader:
                     (
                         w
                         for w in reversed(out)
-                        if self.lexicon.is_own_room((w.text, following)) or self.lexicon.is_object((w.text, following))
+                        if w.kind == "word"
+                        and w.text not in FUNCTION_WORDS
+                        and self.lexicon.is_own_room((w.text, following))
+                        or w.kind == "word"
+                        and w.text not in FUNCTION_WORDS
+                        and (self.lexicon.is_object((w.text, following)) and not self.lexicon.is_own_room((w.text,)))
                     ),
                     None,
                 )
+                if owner is None and word.text == "its":
+                    word = Word("the", word.raw, "word", word.start, word.end)
                 if owner is not None:
                     out.append(Word("the", "the", "word", word.start, word.start))
                     word = Word(owner.text, owner.raw, "word", word.start, word.end)
@@ -98,10 +108,16 @@ class _Reader:
 
     def _read_sentence(self, words: Sequence[Word], *, marked: bool) -> None:
         reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
+        self.frames = ()
+        reader.last_noun = self.last_noun
+        self._read_words(reader, words, marked=marked)
+        self.last_noun = reader.last_noun
+
+    def _read_words(self, reader: ClauseReader, words: Sequence[Word], *, marked: bool) -> None:
         at = reader.skip(0)
         if at >= len(words):
             return
-        if self._reads_scope(reader, at):
+        if self._reads_scope(reader, at) or self._tells_of_person(reader, at):
             return
         if self._reads_question(reader, words, at, marked=marked):
             return
@@ -179,6 +195,10 @@ class _Reader:
     def _read_clause(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         try:
             found, end = reader.read(at)
+            for other in self.frames:
+                first, reader.frame = reader.frame, other
+                found = [*found, *reader.read(at)[0]]
+                reader.frame = first
         except NotUnderstood as fault:
             stop = max(fault.end, at + 1)
             more = self._more_of_the_same(reader, words, at)
@@ -220,7 +240,9 @@ class _Reader:
         topic = self.topic
 
         def named(value: Any) -> Any:
-            if isinstance(value, Things) and value.refers == "last":
+            if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
+                return msgspec.structs.replace(value, things=topic, or_new=True)
+            if isinstance(value, Things) and value.refers == "last" and not value.noun:
                 return topic
             if not isinstance(value, msgspec.Struct):
                 return tuple(named(part) for part in value) if isinstance(value, tuple) else value
@@ -274,7 +296,9 @@ class _Reader:
             pair = (text, words[end + 1].text if end + 1 < len(words) else "")
             if tuple(w.text for w in words[end : end + 3]) == ("from", "now", "on"):
                 end += 3
-            elif pair in (("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"), ("at", "all"),
+            elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
+                end = self._contrasted(reader, end + 2)
+            elif pair in (("any", "more"), ("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"), ("at", "all"),
                         ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
                         ("from", "now"), ("now", "on"), ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so")):  # fmt: skip
                 end += 2
@@ -299,6 +323,13 @@ class _Reader:
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _contrasted(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of what is not meant: ``rather than two``, ``instead of on the shelf``; 0 where it is a thing."""
+        if at < len(reader.words) and reader.words[at].kind == "number":
+            return at + 1
+        places, end = reader.places(at)
+        return end if places else 0
 
     def _names_anything(self, words: Sequence[Word]) -> bool:
         """Whether words name an object or a room of the building."""
@@ -344,6 +375,10 @@ class _Reader:
         if first is None:
             return at
         places, end = reader.places(at)
+        more = read_place(reader.words, end + 1, self.lexicon, self.floors) if reader.text(end) == "and" else None
+        if more is not None and more.place.rooms is not None and reader.starts_clause(reader.skip(more.end)):
+            self.frames = (more.place,)
+            end = more.end
         comma = reader.text(end) in (",", ":", "-")
         after = reader.skip(end)
         if not (comma or reader.starts_clause(after) or reader.phrase(after) is not None) or after >= len(reader.words):
@@ -384,6 +419,46 @@ class _Reader:
         if refined == self.statements:
             return False
         self.statements = refined
+        return True
+
+    def _tells_of_person(self, reader: ClauseReader, at: int) -> bool:
+        """Read ``She sleeps in the children's room``, which tells where the bed is; and why something is not right."""
+        words = reader.words
+        first = reader.text(at)
+        whole = self._quote(words, 0, len(words))
+        if first in ("he", "she") and at + 1 < len(words):
+            places, end = reader.places(at + 2)
+            if places and reader.skip(end) >= len(words) and self.statements and places[0].place.rooms is not None:
+                place = places[0].place
+                self.statements = [_narrowed(s, place) if _is_open(s) else s for s in self.statements]
+                self.statements.append(Mention(quote=whole))
+                return True
+        if first in ("why",):
+            there = next((k for k in range(at, len(words)) if words[k].text == "there"), -1)
+            item = reader.item(there + 1) if there >= 0 else None
+            self.topic = None if item is None else item.things()
+            if self.topic is not None and not self.topic.definite:
+                whole_of_it = Amount(kind="all", number=0)
+                self.topic = msgspec.structs.replace(self.topic, amount=whole_of_it, plural=True, definite=True)
+            self.statements.append(Mention(quote=whole))
+            return True
+        told = words[at].raw in ("is", "are", "looks") and len(words) - at <= 7
+        if told and not reader.item(at + 1):
+            self.statements.append(Mention(quote=whole))
+            return True
+        return self._tells_what_was_left(reader, at)
+
+    def _tells_what_was_left(self, reader: ClauseReader, at: int) -> bool:
+        """Read ``A guest left a suitcase in room 4``, which says what the next sentence is about."""
+        words = reader.words
+        left = next((k for k in range(at, min(at + 8, len(words))) if words[k].raw in ("left", "forgot", "lost")), -1)
+        if left < 0 or not {w.text for w in words[at:left]} & PERSONS:
+            return False
+        item = reader.item(left + 1)
+        if item is None or reader.skip(item.end) < len(words):
+            return False
+        self.topic = item.phrase.things()
+        self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
         return True
 
     def _tells_storeys(self, reader: ClauseReader, at: int) -> bool:
@@ -434,6 +509,11 @@ def _background(words: Sequence[Word], at: int) -> int:
     purpose = (
         first == "so" and following in ("that", "we", "i", "they", "people", "the", "it", "everyone", "guest", "nobody")
     ) or (first == "in" and following in ("case", "order"))
+    if [w.text for w in words[at : at + 4]] == ["you", "are", "at", "it"]:
+        return min(at + 5, len(words))
+    if first == "while" and following in ("you", "we", "i"):
+        stop = next((k for k in range(at, len(words)) if words[k].text == ","), len(words) - 1)
+        return stop + 1
     if first in ("for", "before", "during", "after", "when") and at == 0:
         comma = next((k for k in range(at, min(len(words), at + 9)) if words[k].text in (",", ":")), None)
         return at if comma is None else comma
@@ -453,6 +533,8 @@ def _is_background(words: Sequence[Word]) -> bool:
     texts = [w.text for w in words]
     if not texts:
         return False
+    if texts[0] in ("is", "are", "look") and len(words) <= 6:
+        return True
     if words[0].raw in ("it's", "its", "they're", "that's") and len(words) <= 4:
         return True
     people = PERSONS | frozenset(
@@ -502,7 +584,7 @@ def _with_storeys(statements: Sequence[Statement]) -> list[Statement]:
 
     def filled(value: Any) -> Any:
         if isinstance(value, Rooms) and value.floors == (SAME_FLOOR,):
-            return msgspec.structs.replace(value, floors=last[0])
+            return msgspec.structs.replace(value, floors=last[0], same=value.same or not last[0])
         if isinstance(value, Rooms) and value.floors:
             last[0] = value.floors
         if not isinstance(value, msgspec.Struct):

@@ -88,7 +88,10 @@ def rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[str]:
 
 def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRoom]:
     pool = sorted((room for floor, room in state.rooms() if not rooms.floors or floor in rooms.floors), key=room_order)
-    if rooms.same:
+    if rooms.same and rooms.words:
+        storeys = {name.split("/", 1)[0] for name in context.rooms}
+        pool = [room for room in pool if room.id.split("/", 1)[0] in storeys]
+    elif rooms.same:
         last = context.rooms or tuple(dict.fromkeys(item.room for item in _existing(state, context.things)))
         pool = [room for room in pool if room.id in last]
     if rooms.next_to:
@@ -461,7 +464,8 @@ def _the_one(
     preferred = [item for item in found if prefer is not None and prefer(item)]
     if len(found) > 1 and len({item.room for item in found}) == 1 and _names_lights(things):
         return [item for item in found if item.mount == "ceiling"] or found
-    found = preferred if len(preferred) == 1 else found
+    here = [item for item in found if item.room in context.rooms]
+    found = preferred if len(preferred) == 1 else here if len(here) == 1 else found
     if len(found) > 1:
         raise _ambiguous(thing_words(things), [_title(None, item) for item in found], [item.id for item in found])
     return found
@@ -591,7 +595,10 @@ def _alike(
     last = [item for item in found if item.id in context.things]
     if last:
         return last if place.relation in ("on", "in") else last[:1]
+    found = [item for item in found if item.room in context.rooms] or found
     kinds = {(item.room, item.category) for item in found}
+    if len(found) == 1:
+        return found
     if place.relation in ("on", "in") and len(kinds) == 1:
         return found
     raise _ambiguous(thing_words(anchor), [_title(state, item) for item in found], [item.id for item in found])

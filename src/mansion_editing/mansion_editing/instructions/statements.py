@@ -41,7 +41,7 @@ __all__ = [
     "Turn",
 ]
 
-AmountKind: TypeAlias = Literal["some", "exactly", "at_least", "at_most", "more", "all", "all_but", "none"]
+AmountKind: TypeAlias = Literal["some", "exactly", "at_least", "at_most", "more", "fewer", "all", "all_but", "none"]
 Relation: TypeAlias = Literal[
     "", "on", "in", "under", "above", "beside", "left", "right", "behind", "front", "between", "around", "near"
 ]
@@ -56,8 +56,8 @@ class Amount(msgspec.Struct, frozen=True, kw_only=True):
     ----------
     kind : str
         ``some``: the number as it stands ("two mugs", "the two mugs", "a mug"); ``exactly``; ``at_least``;
-        ``at_most``; ``more``: besides those that are there ("another", "two more"); ``all``; ``all_but`` the number;
-        ``none``.
+        ``at_most``; ``more``: besides those that are there ("another", "two more"); ``fewer``: so many of them go
+        ("one sofa less"); ``all``; ``all_but`` the number; ``none``.
     number : int
         0 where no number is given ("mugs", "all mugs").
     of : int

@@ -82,7 +82,7 @@ PARTICIPLES: Final[dict[tuple[str, ...], Deed]] = {
     **dict.fromkeys([("removed",), ("deleted",), ("gone",), ("taken", "away"), ("taken", "out"), ("thrown", "out"),
                      ("thrown", "away"), ("discarded",), ("eliminated",), ("cleared", "away"), ("taken", "off"),
                      ("binned",), ("taken", "down"), ("disposed", "of"), ("dropped",), ("scrapped",)], "remove"),
-    **dict.fromkeys([("moved",), ("relocated",), ("transferred",), ("shifted",), ("carried",), ("brought",),
+    **dict.fromkeys([("moved",), ("relocated",), ("transferred",), ("shifted",), ("carried",), ("brought",), ("taken",),
                      ("pushed",), ("pulled",), ("returned",)], "move"),
     **dict.fromkeys([("placed",), ("put",), ("added",), ("installed",), ("positioned",), ("provided",), ("mounted",),
                      ("hung",), ("set",), ("laid",), ("stored",), ("kept",), ("left",), ("stacked",), ("parked",),

@@ -105,7 +105,7 @@ ADVERBS: Final = frozenset(
     "meanwhile still already back over right straight directly exactly properly carefully completely fully "
     "entirely totally somewhere anywhere maybe perhaps instead together only else as well either once then "
     "therefore today tonight tomorrow here actually basically slightly bit little even same way thus altogether "
-    "neatly nicely safely gently everywhere along".split()
+    "neatly nicely safely gently everywhere along though itself themselves anyway however besides".split()
 )
 VAGUE: Final = frozenset(
     "nice new small large big clean fresh full empty good proper decent spare extra additional cosy cozy comfortable "
@@ -129,11 +129,12 @@ _SHORT: Final = {
     "cuz": "because", "cos": "because", "tv": "tv", "bedrm": "bedroom", "rm": "room", "flr": "floor", "ppl": "people",
     "wanna": "want", "gonna": "will", "lemme": "let", "gimme": "give", "n": "and", "smth": "something", "centre": "middle",
     "center": "middle", "storey": "floor", "story": "floor", "level": "floor", "upon": "on", "onto": "onto",
-    "meter": "metre", "lift": "elevator", "kid": "child", "teh": "the", "adn": "and", "taht": "that", "hte": "the",
+    "meter": "metre", "lift": "elevator", "kid": "child", "fl": "floor", "goes": "go", "teh": "the", "adn": "and", "taht": "that", "hte": "the",
     **dict.fromkeys("dont doesnt shouldnt isnt arent cant wont mustnt didnt".split(), "not"),
 }  # fmt: skip
 _ID: Final = re.compile(r"\b[fF]-?\d+/[A-Za-z0-9_./-]*[A-Za-z0-9_]|\b[a-z]+(?:_[a-z0-9]+)+\b")
-_VERB_BEFORE_NOUN: Final = frozenset(["is", "has", "was", "does"])
+_DOTTED: Final = re.compile(r"\b(fl|flr|rm|no|nr|approx|ca|st|incl)\.(?=\s)", re.IGNORECASE)
+"""Abbreviations whose point ends no sentence."""
 
 
 def split_words(text: str, speller: Speller, kept: frozenset[str]) -> list[Word]:
@@ -146,6 +147,7 @@ def split_words(text: str, speller: Speller, kept: frozenset[str]) -> list[Word]
     kept : frozenset of str
         English words that are no mistakes, though the speller does not know them.
     """
+    text = _DOTTED.sub(r"\1 ", text)
     ids = {match.start(): match for match in _ID.finditer(text)}
     hidden = _ID.sub(lambda match: "q" * len(match.group()), text.replace("’", "'").replace("`", "'"))
     words = [

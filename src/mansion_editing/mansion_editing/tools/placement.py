@@ -106,10 +106,10 @@ def place_on_surface(
     wish = wish_of(state, args)
     if room is not None:
         floor = room[0]
-        placed = put_in_room(state, _new(state, asset, *room, args.color), *room, wish, accept=accept)
+        placed = put_in_room(state, _new(state, asset, *room, args.color, args.name), *room, wish, accept=accept)
     else:
         floor, receptacle = object_named(state, args.receptacle_id, "$.receptacle_id")
-        new = _new(state, asset, floor, receptacle, args.color)
+        new = _new(state, asset, floor, receptacle, args.color, args.name)
         placed = settle_on(state, new, floor, receptacle, engine, inside=False, wish=wish)
     state.add(floor, placed)
     return placed
@@ -149,15 +149,17 @@ def place_in_container(state: SceneState, args: PlaceInContainerArgs, engine: Ph
     """
     asset = state.catalogue.asset(args.asset_id)
     floor, container = object_named(state, args.container_id, "$.container_id")
-    placed = settle_on(state, _new(state, asset, floor, container, args.color), floor, container, engine, inside=True)
+    placed = settle_on(state, _new(state, asset, floor, container, args.color, args.name), floor, container, engine, inside=True)
     state.add(floor, placed)
     return placed
 
 
-def _new(state: SceneState, asset: Asset, floor: int, place: SceneRoom | SceneObject, colour: str) -> SceneObject:
+def _new(
+    state: SceneState, asset: Asset, floor: int, place: SceneRoom | SceneObject, colour: str, name: str
+) -> SceneObject:
     """Return a new object in the room that is, or that has, its place; where exactly is found later."""
     room = place.room if isinstance(place, SceneObject) else place.id
-    new = scene_object(asset, state.new_id(floor, room, asset.category), room, (0.0, 0.0, 0.0), 0.0)
+    new = scene_object(asset, state.new_id(floor, room, asset.category), room, (0.0, 0.0, 0.0), 0.0, name=name)
     return recoloured(new, colour)
 
 
