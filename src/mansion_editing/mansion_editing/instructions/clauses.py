@@ -232,11 +232,21 @@ class ClauseReader:
             new = placed is not None and placed[0] == "add" and not item.phrase.definite
             if found and (self.predicate_follows(item.end) or self._is_way(item.phrase) or new):
                 return found
-            found.append(self._named(item, found))
+            found.append(self._as_before(self._named(item, found), found))
             after = self.conjunction(item.end)
             if not after or self.starts_clause(after) or self.text(after) in ("only", "just"):
                 return found
             at = after
+
+    def _as_before(self, item: Item, before: Sequence[Item]) -> Item:
+        """Give a bare noun the quantifier before it: any bottle of wine or beer."""
+        amount = item.phrase.amount
+        bare = item.phrase.end - item.phrase.start == len(item.phrase.noun.words) and not item.phrase.definite
+        if not before or not bare or before[-1].phrase.amount.kind not in ("all", "none") or amount.kind != "some":
+            return item
+        first = before[-1].phrase
+        phrase = replace(item.phrase, amount=first.amount, definite=first.definite)
+        return Item(phrase, item.places, item.end)
 
     def _named(self, item: Item, before: Sequence[Item]) -> Item:
         """Put the noun that came before for ``one``: two red mugs and a blue one."""
@@ -2417,6 +2427,8 @@ class ClauseReader:
     def _verbless(self, at: int) -> tuple[list[Statement], int]:
         """Read things with their places and no verb: ``three apples in a bowl on the table``."""
         items = self.items(at)
+        if self._is_way(items[0].phrase):
+            return self._way(at, items[0].phrase.end)
         end = items[-1].end
         out: list[Statement] = []
         found = self._state_after(items[-1], end, at) if len(items) == 1 else None

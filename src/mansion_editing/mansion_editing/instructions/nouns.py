@@ -96,6 +96,7 @@ _MANY: Final[dict[str, Callable[[SceneObject], bool]]] = {
     "decor": _one_of(_DECORATION),
     "carpet": _one_of(_RUGS),
     "rug": _one_of(_RUGS),
+    "alcohol": _one_of(("beer_bottle", "wine_bottle", "beer_tap")),
     "appliance": _ending(_APPLIANCES),
     "toy": _one_of(_TOYS),
     "book": _one_of(_BOOKS),

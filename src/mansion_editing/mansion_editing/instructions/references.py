@@ -90,7 +90,7 @@ def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRo
     pool = sorted((room for floor, room in state.rooms() if not rooms.floors or floor in rooms.floors), key=room_order)
     if rooms.same and rooms.words:
         storeys = {name.split("/", 1)[0] for name in context.rooms}
-        pool = [room for room in pool if room.id.split("/", 1)[0] in storeys]
+        pool = [room for room in pool if not storeys or room.id.split("/", 1)[0] in storeys]
     elif rooms.same:
         last = context.rooms or tuple(dict.fromkeys(item.room for item in _existing(state, context.things)))
         pool = [room for room in pool if room.id in last]
@@ -596,12 +596,21 @@ def _alike(
     if last:
         return last if place.relation in ("on", "in") else last[:1]
     found = [item for item in found if item.room in context.rooms] or found
+    own = {item.id for item in found if _is_of_its_room(state, item, anchor.noun)}
+    found = [item for item in found if item.id in own] or found
     kinds = {(item.room, item.category) for item in found}
     if len(found) == 1:
         return found
     if place.relation in ("on", "in") and len(kinds) == 1:
         return found
     raise _ambiguous(thing_words(anchor), [_title(state, item) for item in found], [item.id for item in found])
+
+
+def _is_of_its_room(state: SceneState, item: SceneObject, noun: str) -> bool:
+    """Whether a room is named as the thing in it is: the dining table of the dining room."""
+    room = state.room(item.room)
+    first = stems(noun)[:1]
+    return room is not None and len(stems(noun)) > 1 and first == stems(room[1].name or room[1].room_type)[:1]
 
 
 def _between(state: SceneState, place: Place, found: list[SceneObject], context: Context) -> list[Target]:

@@ -16,6 +16,7 @@ from mansion_editing.instructions.references import (
     means_one,
     one_room_each,
     place_words,
+    rooms_of,
     thing_words,
     things_meant,
     things_of,
@@ -100,7 +101,9 @@ def _nothing_to_remove(things: Things, state: SceneState, context: Context) -> D
     where = "" if place is None else f" {place_words(place)}"
     verb = "is" if len(found) == 1 else "are"
     left = counted(len(found), things.noun or "thing").replace("0 ", "no ", 1 if not found else 0)
-    return Done(f"there was nothing to remove: there {verb} {left}{where}", context)
+    rooms = [] if place is None or place.rooms is None else rooms_of(state, place.rooms, context)
+    said = f"there was nothing to remove: there {verb} {left}{where}"
+    return Done(said, context.followed((), rooms, things.noun))
 
 
 def to_clear(statement: Clear, state: SceneState, context: Context) -> list[SceneObject]:

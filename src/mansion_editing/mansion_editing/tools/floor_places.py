@@ -123,7 +123,7 @@ class FloorSpace:
     ) -> None:
         area = room_polygon(room.net_polygon, room.net_holes)
         self._inner = prep(area.buffer(1e-4))
-        self._size = thing.size
+        self._size, self._flat = thing.size, flat
         self._wall = f"the wall of {room.id}"
         others = [
             item
@@ -143,7 +143,7 @@ class FloorSpace:
 
     def is_free(self, pose: Pose) -> bool:
         """Whether nothing is in the way of a pose, nor before its front."""
-        return not self.hindrances(pose) and not self.before(pose)
+        return not self.hindrances(pose) and (self._flat or not self.before(pose))
 
     def hindrances(self, pose: Pose, ignored: Collection[str] = ()) -> list[str]:
         """Return what is in the way of a pose: objects, doors and walls, in words."""
