@@ -28,7 +28,7 @@ from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.world import ObjectState, WorldState
 
-__all__ = ["BuildingStore", "Records", "Validator", "append_line", "locked", "refuse_in_session", "refuse_robots"]
+__all__ = ["BuildingStore", "Records", "Validator", "append_line", "landed_by", "locked", "refuse_in_session", "refuse_robots"]
 
 Scenes = Mapping[int, FloorScene]
 Validator = Callable[[Scenes, Scenes], Sequence[str]]
@@ -419,6 +419,11 @@ def _stacks(log: Iterable[Transaction], who: str) -> tuple[list[Transaction], li
 
 PATIENCE = 30.0
 """Seconds to wait for another editor; one holds the lock for a single transaction."""
+
+
+def landed_by(log: Iterable[Transaction], who: str) -> list[Transaction]:
+    """Return what a user has landed and not taken back, in its order."""
+    return _stacks(log, who)[0]
 
 
 def append_line(path: Path, line: bytes) -> None:

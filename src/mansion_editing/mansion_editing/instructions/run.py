@@ -1,10 +1,13 @@
 """Carry out an instruction that was read: each statement with tools, the whole checked, and landed or dropped."""
 
+from dataclasses import replace
+
 from mansion_editing.agent.facts import Policy, Unmet, Verdict
 from mansion_editing.agent.instruct import run_agent, undo_or_redo
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.carrying_out import carry
 from mansion_editing.instructions.checking import Step, faults, moved_aside
+from mansion_editing.instructions.conversation import context_of, is_taken_back, repeated
 from mansion_editing.instructions.references import Context, things_of
 from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention
 from mansion_editing.state import SceneState
@@ -36,8 +39,11 @@ def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> Agent
         ``CONFLICT`` when edits wait in the editor already.
     """
     (first, *more) = instruction.statements or [Mention()]
-    if isinstance(first, History) and first.what in ("undo", "redo") and not more and not instruction.not_understood:
-        return undo_or_redo(editor, "Undo" if first.what == "undo" else "Redo")
+    if isinstance(first, History) and not more and not instruction.not_understood:
+        if first.what == "redo":
+            return undo_or_redo(editor, "Redo")
+        if is_taken_back(first, editor):
+            return undo_or_redo(editor, "Undo")
     return run_agent(editor, _policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
 
 
@@ -48,11 +54,15 @@ def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
     asked = [statement for statement in instruction.statements if not isinstance(statement, Mention)]
     if not asked:
         return Verdict("the words ask for nothing", failed=["the words ask for nothing"])
+    try:
+        instruction = repeated(instruction, editor)
+    except MansionError as error:
+        return _refused(error, "")
     state = editor.state
     steps: list[Step] = []
     replies: list[str] = []
     before = _copied(state)
-    context = Context(kept=_kept(instruction, state))
+    context = replace(context_of(editor), kept=_kept(instruction, state))
     for statement in instruction.statements:
         try:
             done = yield from carry(statement, state, context)
