@@ -232,11 +232,22 @@ class ClauseReader:
             new = placed is not None and placed[0] == "add" and not item.phrase.definite
             if found and (self.predicate_follows(item.end) or self._is_way(item.phrase) or new):
                 return found
-            found.append(self._as_before(self._named(item, found), found))
+            found.append(self._beside_it(self._as_before(self._named(item, found), found), found))
             after = self.conjunction(item.end)
             if not after or self.starts_clause(after) or self.text(after) in ("only", "just"):
                 return found
             at = after
+
+    def _beside_it(self, item: Item, before: Sequence[Item]) -> Item:
+        """Put the thing before for ``it``: the table or anything on it."""
+        last = before[-1] if before else None
+        if last is None or not last.phrase.definite or not item.places:
+            return item
+        anchor = item.places[0].place.anchor
+        if anchor is None or anchor.refers != "last" or anchor.noun:
+            return item
+        place = msgspec.structs.replace(item.places[0].place, anchor=last.things())
+        return Item(item.phrase, (replace(item.places[0], place=place), *item.places[1:]), item.end)
 
     def _as_before(self, item: Item, before: Sequence[Item]) -> Item:
         """Give a bare noun the quantifier before it: any bottle of wine or beer."""
@@ -376,6 +387,10 @@ class ClauseReader:
         """
         if self.words[at].kind == "ordinal" and verb_at(self.words, at + 1, self.lexicon) is not None:
             at += 1
+        if self.words[at].kind == "ordinal" and self.text(at + 1) == "," and self.starts_clause(at + 2):
+            at += 2
+        if self.text(at) in ("only", "just", "to") and verb_at(self.words, at + 1, self.lexicon) is not None:
+            at += 1
         for opening in (self._negated, self._existential, self._going, self._desired, self._of_persons, self._with_verb,
                         self._with_predicate):  # fmt: skip
             found = opening(at)
@@ -428,7 +443,7 @@ class ClauseReader:
         out: list[Statement] = []
         for item in items:
             if deed in ("add", "bring", "set", "give", "equip"):
-                if item.phrase.definite:
+                if item.phrase.definite and not item.phrase.refers:
                     out.append(Keep(things=self._all(item.phrase.things()), quote=quote))
                 else:
                     goal, _ = self._framed(self._shared_goal(items, item))
@@ -500,6 +515,8 @@ class ClauseReader:
             goal, _ = self._shared_goal(items, items[0])
             self.frame = Place(rooms=goal.rooms) if goal.rooms is not None else self.frame
             return [Mention(quote=self.quote(at, end))], end
+        if len(items) == 1 and between <= {"there", "is", "are", "already", "still", "currently"}:
+            self.topic = items[0].things()
         out: list[Statement] = []
         for item in items:
             out += self._there(item, self._shared_goal(items, item), self.quote(at, end), negated=negated)
@@ -525,6 +542,7 @@ class ClauseReader:
     def _framed(self, goal: tuple[Place, bool]) -> tuple[Place, bool]:
         """Return a place with what the sentence began with."""
         place, each = goal
+        each = each or (self.frame.rooms is not None and self.frame.rooms.every and bool(self.frame.rooms.words))
         return (place if self.frame == Place() else merged(place, self.frame) if place != Place() else self.frame), each
 
     def _shared_goal(self, items: Sequence[Item], item: Item) -> tuple[Place, bool]:
@@ -596,7 +614,8 @@ class ClauseReader:
             return self._wanted(at, place + 4 + (self.text(place + 4) == "for"))
         if who in MODALS and self.text(place + 1) in ("you", "we", "i", "somebody", "someone"):
             place += 2
-            while self.text(place) in ("please", "maybe", "just", "also", "perhaps", "kindly", "possibly"):
+            while self.text(place) in ("please", "maybe", "just", "also", "perhaps", "kindly", "possibly", "be", "so", "kind", "as",
+                                       "to", "mind"):  # fmt: skip
                 place += 1
             if self.text(place) in ("have", "get") and who in ("can", "could", "may", "might"):
                 return self._wanted(at, place + 1)
@@ -625,6 +644,9 @@ class ClauseReader:
     def _going(self, at: int) -> tuple[list[Statement], int] | None:
         """Read ``the nurse must be able to walk from the lobby to the lab``."""
         if self.text(at) in ("there", "make", "check", "ensure", "verify"):
+            return None
+        subject = self.item(at)
+        if subject is not None and subject.phrase.noun.kind == "object" and not self._is_way(subject.phrase):
             return None
         return self._reaching(at, at)
 
@@ -2394,6 +2416,10 @@ class ClauseReader:
             if goal is not None and not goal.is_room:
                 quote = self.quote(at, goal.end)
                 return [Turn(things=self._all_if_plural(item.things()), facing=goal.things(), quote=quote)], goal.end
+        verb = self.words[item.end].raw if item.end < len(self.words) else ""
+        if verb in ("died", "broke", "fell", "leaks", "squeaks", "smells", "wobbles", "cracked") and place == item.end:
+            self.topic = item.things()
+            return [Mention(quote=self.quote(at, place + 1))], place + 1
         if self.text(item.end) not in ("is", "are", "look", "seem", "feel") or any(
             w.text in MODALS for w in self.words[item.end : place]
         ):
@@ -2408,7 +2434,8 @@ class ClauseReader:
             stop += 1
         told = self.words[item.end + 1 : stop]
         named = any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in told)
-        if not told or named or negated or (stop < len(self.words) and self.words[stop].kind == "number"):
+        scarce = {"enough", "sufficient"} & {w.text for w in told}
+        if not told or named or (negated and not scarce) or (stop < len(self.words) and self.words[stop].kind == "number"):
             return None
         if item.is_room:
             self.frame = Place(rooms=item.rooms())

@@ -26,6 +26,9 @@ HYPERNYMS = frozenset(
 WAYS = frozenset(["way", "path", "route", "access", "passage", "walkway"])
 """Nouns for what a robot gets through by."""
 
+_LIKE = {"kid": "child"}
+"""Words that instructions are read with in place of others."""
+
 _PERSONS_OF_ROOMS = frozenset("child guest staff patient nurse teacher family man woman doctor".split())
 """Persons that rooms are named after, whose name alone does not mean the room."""
 
@@ -106,7 +109,11 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
         bare = own[:-1] if own and own[-1].isdecimal() else own
         kind = stems(room.room_type.replace("_", " "))
         for said in (own, bare, stems(room.name), kind, *(stems(alias) for alias in room.aliases)):
-            name = tuple(word for word in said if word != "s")  # of a genitive: the children's room
+            name = tuple(_LIKE.get(word, word) for word in said if word != "s")  # of a genitive: the children's room
+            proper = tuple(word for word in name if word not in _words_of_kinds(state.catalogue) and not word.isdecimal())
+            if proper and len(proper) < len(name):
+                yield proper
+                yield (*proper, "room")
             if not name:
                 continue
             yield name
@@ -116,6 +123,13 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
                 continue
             if len(name) > 1 and name[-1] in ("room", "area", "office", "suite", "studio", "hall"):
                 yield name[:-1]
+
+
+@lru_cache(maxsize=4)
+def _words_of_kinds(catalogue: Catalogue) -> frozenset[str]:
+    """Return the words that kinds of rooms are called by, which are no proper names."""
+    usual = "left right north south east west big small main upper lower front back new old open private shared"
+    return frozenset(word for kind in _kinds_of_rooms(catalogue) for word in kind) | frozenset(usual.split())
 
 
 @lru_cache(maxsize=4)

@@ -10,7 +10,7 @@ from mansion_editing.instructions.lexicon import Lexicon
 from mansion_editing.instructions.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.statements import Place, Relation, Rooms, Spot, Things
 from mansion_editing.instructions.storeys import read_storeys
-from mansion_editing.instructions.words import Word
+from mansion_editing.instructions.words import BE, MODALS, Word
 
 __all__ = ["SAME_FLOOR", "ReadPlace", "merged", "read_place", "with_place"]
 
@@ -69,6 +69,9 @@ _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
     (("to",), ""), (("towards",), ""), (("toward",), ""), (("of",), ""), (("for",), ""), (("throughout",), "in"),
     (("across",), "in"), (("left",), "left"), (("right",), "right"),
 )  # fmt: skip
+_EXISTENCE: Final = BE | MODALS | frozenset(["need", "has", "have"])
+"""After ``there`` they say that something is, not where."""
+
 _SOURCES: Final = frozenset(["from", "off", "out", "away"])
 _GOALS: Final = frozenset(["to", "into", "onto", "back", "over", "up", "down", "towards", "toward"])
 _SPOTS: Final[dict[str, Spot]] = {
@@ -110,7 +113,11 @@ def _between_ends(found: ReadPlace, start: int, end: int) -> ReadPlace:
 
 
 def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    if _text(words, at) in ("up", "over", "down", "in", "right") and _text(words, at + 1) == "there":
+        at += 1
     if _text(words, at) in ("there", "here"):
+        if _text(words, at + 1) in _EXISTENCE:
+            return None
         return ReadPlace(Place(rooms=Rooms(same=True)), at, at + 1)
     if _text(words, at) in ("upstairs", "downstairs") or (at < len(words) and words[at].kind == "level"):
         return _storey(words, at, at, floors)

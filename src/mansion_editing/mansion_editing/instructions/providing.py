@@ -328,6 +328,11 @@ def replace_things(statement: Replace, state: SceneState, context: Context) -> W
         gone += yield from removed([old], state)
         share = number // len(olds) + (order < number % len(olds))
         made += yield from _in_place_of(old, by, share, state)
+    kinds = {item.category for item in live(state, made)}
+    other = by.noun != statement.things.noun and not (by.colour or by.material)
+    if other and kinds and kinds <= {old.category for old in olds}:
+        kind = kinds.pop().replace("_", " ")
+        raise Unmet(f"the catalogue has no {by.noun} of its own; what comes nearest is another {kind}")
     carried = [name for name in gone if name not in {old.id for old in olds}]
     reply = f"{listed(olds)} replaced by {listed(made)}" + (f"; gone with it: {listed(carried)}" if carried else "")
     rooms = tuple(dict.fromkeys(old.room for old in olds))

@@ -6,7 +6,7 @@ from typing import Any, Final
 import msgspec
 
 from mansion_editing.instructions.clauses import ClauseReader, NotUnderstood
-from mansion_editing.instructions.lexicon import Lexicon
+from mansion_editing.instructions.lexicon import HYPERNYMS, Lexicon
 from mansion_editing.instructions.noun_phrases import Noun
 from mansion_editing.instructions.places import SAME_FLOOR, merged, read_place, with_place
 from mansion_editing.instructions.questions import read_question
@@ -22,6 +22,7 @@ from mansion_editing.instructions.statements import (
     Move,
     Place,
     Remove,
+    Replace,
     Rooms,
     Statement,
     Things,
@@ -65,14 +66,29 @@ class _Reader:
         self.spared: tuple[Things, ...] = ()
         self.frames: tuple[Place, ...] = ()
         self.last_noun: Noun | None = None
+        self.told: list[tuple[str, Place]] = []
+        self.is_last = False
 
     def read(self) -> Instruction:
         """Read all sentences in order."""
-        for sentence, marked in _sentences(self.words):
+        sentences = list(_sentences(self.words))
+        for number, (sentence, marked) in enumerate(sentences):
+            self.is_last = number + 1 == len(sentences)
             self._read_sentence(self._owners_named(sentence), marked=marked)
+        if any(isinstance(s, Add | Ensure) and s.things.noun not in HYPERNYMS for s in self.statements):
+            self.statements = [
+                Mention(quote=s.quote) if isinstance(s, Add | Ensure) and s.things.noun in HYPERNYMS else s for s in self.statements
+            ]
+        self.statements = [s for one in self.statements for s in [self._told_later(one)]]
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
             self.unknown = [self.text.strip()]
         return Instruction(statements=_with_storeys(self.statements), not_understood=self.unknown)
+
+    def _told_later(self, statement: Statement) -> Statement:
+        """Return a statement with the places of things that a sentence before it told."""
+        for noun, place in self.told:
+            statement = _refined(statement, noun, place)
+        return statement
 
     def _owners_named(self, words: Sequence[Word]) -> list[Word]:
         """Put the owner where a pronoun stands for it: the mayor's for ``his office``, the umbrella's for ``its stand``."""
@@ -210,6 +226,8 @@ class _Reader:
                 start = min(fault.start, at) if fault.start < len(words) else at
                 self.unknown.append(self._quote(words, start, stop))
             return stop
+        if tuple(w.text for w in words[end : end + 2]) == ("instead", "of"):
+            found, end = _in_place_of(reader, found, end)
         topic, reader.topic = reader.topic, None
         found = [self._about_topic(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
@@ -238,6 +256,9 @@ class _Reader:
         if self.topic is None:
             return statement
         topic = self.topic
+        numbered = isinstance(statement, Add | Ensure) and statement.things.refers == "last" and not statement.things.noun
+        if isinstance(statement, Add | Ensure) and numbered and statement.things.amount.number:
+            return _so_many(statement, topic)
 
         def named(value: Any) -> Any:
             if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
@@ -288,6 +309,13 @@ class _Reader:
         exact = False
         while end < len(words):
             comma = words[end].text in (",", "and")
+            rest = tuple(w.text for w in words[end + comma : end + comma + 3])
+            if rest in (("every", "single", "one"), ("all", "of", "them"), ("each", "of", "them"), ("from", "now", "on")):
+                end += comma + 3
+                continue
+            if rest == ("not", "one", "more"):
+                end, exact = end + comma + 3, True
+                continue
             limit = tuple(w.text for w in words[end + comma : end + comma + 2])
             if limit in (("no", "more"), ("no", "less"), ("not", "more"), ("no", "fewer")):
                 end, exact = end + comma + 2, True
@@ -416,6 +444,11 @@ class _Reader:
         if refined == self.statements and item.is_room and place.rooms is not None and self.statements:
             rooms = merged(Place(rooms=item.phrase.rooms()), place)
             refined = [_narrowed(s, rooms) if _is_open(s) else s for s in self.statements]
+        if refined == self.statements and not (self.is_last or item.is_room or item.phrase.refers) and item.phrase.definite:
+            self.told.append((f"{noun} {number}".strip(), place))
+            self.topic = with_place(item.phrase.things(), place)
+            self.statements.append(Mention(quote=self._quote(reader.words, at, stop)))
+            return True
         if refined == self.statements:
             return False
         self.statements = refined
@@ -471,6 +504,28 @@ class _Reader:
             return False
         self.statements.append(Mention(quote=self._quote(reader.words, at, end + 1)))
         return True
+
+
+def _in_place_of(reader: ClauseReader, found: list[Statement], end: int) -> tuple[list[Statement], int]:
+    """Return that something new comes for what is there: ``a round table instead of the desk``."""
+    old = reader.item(end + 2)
+    new = found[-1]
+    if old is None or old.is_room or not isinstance(new, Add | Ensure):
+        return found, end
+    things = old.things() if new.place == Place() else with_place(old.things(), Place(rooms=new.place.rooms))
+    return [*found[:-1], Replace(things=things, by=new.things, quote=new.quote)], old.end
+
+
+def _so_many(statement: Add | Ensure, topic: Things) -> Statement:
+    """Return that there are so many of what was told before: ``There are three; make it five``."""
+    amount = statement.things.amount
+    kind = amount.kind if amount.kind != "some" else "exactly"
+    counted = Amount(kind=kind, number=amount.number)
+    things = msgspec.structs.replace(topic, amount=counted, definite=False, plural=amount.number > 1, place=None)
+    place = topic.place or statement.place
+    if kind == "more":
+        return Add(things=things, place=place, quote=statement.quote)
+    return Ensure(things=things, place=place, quote=statement.quote)
 
 
 def _exactly(statement: Statement) -> Statement:

@@ -93,6 +93,8 @@ def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRo
         pool = [room for room in pool if not storeys or room.id.split("/", 1)[0] in storeys]
     elif rooms.same:
         last = context.rooms or tuple(dict.fromkeys(item.room for item in _existing(state, context.things)))
+        if not last and rooms.floors:
+            last = tuple(room.id for room in pool)
         pool = [room for room in pool if room.id in last]
     if rooms.next_to:
         beside = _next_rooms(state, rooms, context)
@@ -291,6 +293,8 @@ def _owned(state: SceneState, pool: list[SceneObject], owner: str, context: Cont
     if inside:
         return inside
     holders = {item.id for item in called(state, (item for _, item in state.objects()), words)}
+    if not rooms and not holders:
+        return pool  # the baby's high chair: an owner who is no part of the building
     return [item for item in pool if item.parent in holders]
 
 

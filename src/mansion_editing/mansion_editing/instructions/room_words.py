@@ -50,9 +50,9 @@ def _numbered(words: str) -> tuple[str, str | None]:
 
 def _rank(room: SceneRoom, name: str, number: str | None) -> int:
     """Return how well a name fits: 7 its own, 6 an alias, 5 its kind, 4 that without "room", 3 a synonym, 2 its end."""
-    wanted = stems(name)
-    called = [stems(text) for text in (room.name, room.id.rsplit("/", 1)[-1].replace("_", " ")) if text]
-    aliases = [stems(alias) for alias in room.aliases]
+    wanted = _read_like(name)
+    called = [_read_like(text) for text in (room.name, room.id.rsplit("/", 1)[-1].replace("_", " ")) if text]
+    aliases = [_read_like(alias) for alias in room.aliases]
     own = [*called, *aliases]
     whole = wanted if number is None else (*wanted, number)
     if whole in own:
@@ -71,6 +71,11 @@ def _rank(room: SceneRoom, name: str, number: str | None) -> int:
         return 2
     said = {*kind, *(word for text in own for word in text)}
     return 1 if bare and set(bare) <= said else 0
+
+
+def _read_like(text: str) -> tuple[str, ...]:
+    """Return the words of a name as instructions are read: without the s of genitives, children for kids."""
+    return tuple("child" if word == "kid" else word for word in stems(text) if word != "s")
 
 
 def _is_synonym(wanted: tuple[str, ...], kind: tuple[str, ...]) -> bool:

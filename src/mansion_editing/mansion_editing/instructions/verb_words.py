@@ -21,7 +21,7 @@ _VERBS: Final[dict[Deed, str]] = {
     "bring": "bring|fetch|deliver|get|carry|return",
     "remove": "remove|delete|take away|take out|take off|take down|get rid of|throw away|throw out|dispose of|discard|"
               "eliminate|clear away|erase|bin|scrap|drop off|rid|ditch|lose|junk|trash|chuck out|chuck|"
-              "uninstall|dump|clear off|clear out|withdraw|subtract|pull out|do away with|kick out|toss out|"
+              "uninstall|dump|away with|off with|clear off|clear out|withdraw|subtract|pull out|do away with|kick out|toss out|"
               "move out|put away|destroy|strip out",
     "take": "take|grab|pick up|pick|collect|catch",
     "go": "go to|walk to|look at|find|approach|search for|go over to|drive to|take a look at|consider|locate|look for",
