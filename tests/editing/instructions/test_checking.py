@@ -7,8 +7,8 @@ import msgspec
 import pytest
 
 from mansion_editing.editor import SceneEditor
-from mansion_editing.instructions.checking import Step, fault, faults
-from mansion_editing.instructions.references import Context
+from mansion_editing.instructions.checking.faults import Step, fault, faults
+from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.run import carry_out
 from mansion_editing.instructions.statements import (
     Add,

@@ -3,15 +3,10 @@
 import msgspec
 import pytest
 
-from mansion_editing.instructions.references import (
-    Ambiguous,
-    Context,
-    one_room_each,
-    places_of,
-    rooms_of,
-    things_meant,
-    things_of,
-)
+from mansion_editing.instructions.meaning.choices import one_room_each, things_meant
+from mansion_editing.instructions.meaning.context import Ambiguous, Context
+from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
+from mansion_editing.instructions.meaning.targets import places_of
 from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import MansionError

@@ -21,11 +21,11 @@ __all__ = [
     "AGENT_TOOLS",
     "MOST_EDITS",
     "MOST_STEPS",
+    "history_tool",
     "instruct",
     "provision",
     "run_agent",
     "undo_or_redo",
-    "history_tool",
 ]
 
 _LAST: Final = (
@@ -235,8 +235,8 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> A
         edits wait to be saved.
     """
     if planner == "rules":
-        from mansion_editing.instructions.reader import read_instruction
         from mansion_editing.instructions.run import carry_out
+        from mansion_editing.instructions.sentences.reader import read_instruction
 
         return carry_out(editor, read_instruction(instruction, editor.state), instruction)
     return run_agent(editor, _policy(editor, instruction, planner), instruction)

@@ -6,9 +6,10 @@ from typing import Any
 import msgspec
 
 from mansion_editing.editor import SceneEditor
-from mansion_editing.instructions.reader import read_instruction
-from mansion_editing.instructions.references import Context, rooms_of
-from mansion_editing.instructions.room_words import room_order
+from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.descriptions import rooms_of
+from mansion_editing.instructions.meaning.room_words import room_order
+from mansion_editing.instructions.sentences.reader import read_instruction
 from mansion_editing.instructions.statements import (
     Add,
     Amount,

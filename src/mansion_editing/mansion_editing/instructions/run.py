@@ -5,10 +5,11 @@ from dataclasses import replace
 from mansion_editing.agent.facts import Policy, Unmet, Verdict
 from mansion_editing.agent.instruct import run_agent, undo_or_redo
 from mansion_editing.editor import SceneEditor
-from mansion_editing.instructions.carrying_out import carry
-from mansion_editing.instructions.checking import Step, faults, moved_aside
+from mansion_editing.instructions.checking.faults import Step, faults, moved_aside
 from mansion_editing.instructions.conversation import context_of, is_taken_back, repeated
-from mansion_editing.instructions.references import Context, things_of
+from mansion_editing.instructions.doing.carrying_out import carry
+from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.descriptions import things_of
 from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention
 from mansion_editing.state import SceneState
 from mansion_msgs_py.editing import AgentReport
