@@ -115,7 +115,9 @@ def _more_of(things: Things, earlier: Sequence[Statement], quote: str) -> Statem
     """Return the last thing that was brought, once more."""
     last = next((one for one in reversed(earlier) if isinstance(one, Add | Ensure)), None)
     if last is None:
-        raise MansionError(ErrorCode.NOT_FOUND, "your last instruction brought nothing of which there could be one more")
+        raise MansionError(
+            ErrorCode.NOT_FOUND, "your last instruction brought nothing of which there could be one more"
+        )
     noun = things.noun or last.things.noun
     amount = Amount(kind="more", number=max(1, things.amount.number))
     more = msgspec.structs.replace(last.things, noun=noun, amount=amount, plural=amount.number > 1)

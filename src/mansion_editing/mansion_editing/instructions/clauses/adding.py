@@ -4,10 +4,12 @@ import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.states import States, state_set
+from mansion_editing.instructions.phrases.word_sets import BACK_IN_PLACE
 from mansion_editing.instructions.phrases.words import STATE_WORDS
 from mansion_editing.instructions.statements import Add, Amount, Ensure, History, Mention, Place, Statement, Things
 
 __all__ = ["Adding"]
+
 
 class Adding(States):
     """Reads ``put``, ``add``, ``bring``, ``give`` and ``set``."""
@@ -25,7 +27,7 @@ class Adding(States):
         back = self.text(end) == "back" or "back" in (w.text for w in self.words[at:place])
         if back and len(items) == 1 and not items[0].places and (items[0].phrase.refers or items[0].phrase.definite):
             end += self.text(end) == "back"
-            while self.text(end) in ("where", "it", "they", "was", "were", "to", "its", "place", "there", "again"):
+            while self.text(end) in BACK_IN_PLACE:
                 end += 1
             return [History(what="restore", things=items[0].things(), quote=self.quote(at, end))], end
         verb = self.text(at)
@@ -35,7 +37,12 @@ class Adding(States):
         if items[0].is_room and self.text(end) == "with":
             return self._equip(at, place)
         source_only = bool(items[0].places) and all(p.source for p in items[0].places)
-        if len(items) == 1 and self.text(at) in ("fetch", "bring", "get", "carry", "take") and items[0].phrase.definite and source_only:
+        if (
+            len(items) == 1
+            and self.text(at) in ("fetch", "bring", "get", "carry", "take")
+            and items[0].phrase.definite
+            and source_only
+        ):
             self.topic = items[0].things()
             return [Mention(quote=self.quote(at, end))], end
         structure = self._new_core(items, at, end)

@@ -4,9 +4,11 @@ from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.moving import Moving
 from mansion_editing.instructions.clauses.sizes import Sizes
 from mansion_editing.instructions.clauses.wishes import Wishes
+from mansion_editing.instructions.phrases.word_sets import PROPERTIES
 from mansion_editing.instructions.statements import Furnish, Mention, Reshape, Statement
 
 __all__ = ["Changing"]
+
 
 class Changing(Wishes, Moving, Sizes):
     """Reads ``change`` and ``make``."""
@@ -14,15 +16,7 @@ class Changing(Wishes, Moving, Sizes):
     def _change(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``change the colour of the sofa to red``, ``change the sofa for an armchair``."""
         start = place
-        if self.text(place) == "the" and self.text(place + 1) in (
-            "colour",
-            "color",
-            "name",
-            "material",
-            "type",
-            "kind",
-            "use",
-        ):
+        if self.text(place) == "the" and self.text(place + 1) in PROPERTIES:
             what = self.text(place + 1)
             place += 2 + (self.text(place + 2) == "of")
             if what == "name":

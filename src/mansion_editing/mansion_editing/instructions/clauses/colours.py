@@ -6,6 +6,7 @@ from mansion_editing.instructions.clauses.items import Item, NotUnderstood, join
 from mansion_editing.instructions.clauses.outcomes import Outcomes
 from mansion_editing.instructions.phrases.nouns import MATERIALS
 from mansion_editing.instructions.phrases.places import merged
+from mansion_editing.instructions.phrases.word_sets import BEFORE_COLOUR_WORDS, BEFORE_SURFACES
 from mansion_editing.instructions.statements import Finish, Paint, Place, Rooms, Statement, Surface
 from mansion_language.colours import COLOUR_WORDS
 
@@ -20,22 +21,7 @@ class Colours(Outcomes):
     def _colour_at(self, at: int) -> tuple[str, str, int] | None:
         """Read a colour or a material: ``dark red``, ``oak parquet``."""
         place = at
-        while self.text(place) in (
-            "a",
-            "an",
-            "the",
-            "in",
-            "light",
-            "dark",
-            "pale",
-            "bright",
-            "deep",
-            "soft",
-            "to",
-            "of",
-            "as",
-            "made",
-        ):
+        while self.text(place) in BEFORE_COLOUR_WORDS:
             place += 1
         colour = material = ""
         start = place
@@ -75,7 +61,7 @@ class Colours(Outcomes):
 
     def _surface(self, at: int) -> tuple[tuple[Surface, Rooms], int] | None:
         place = at
-        while self.text(place) in ("the", "all", "its", "a", "whole", "all", "four", "every"):
+        while self.text(place) in BEFORE_SURFACES:
             place += 1
         if self.text(place) in _PART:
             part, end = _PART[self.text(place)], place + 1

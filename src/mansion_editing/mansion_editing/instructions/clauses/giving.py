@@ -7,6 +7,7 @@ from mansion_editing.instructions.statements import Statement
 
 __all__ = ["Giving"]
 
+
 class Giving(Outcomes):
     """Reads ``equip the office with two desks``."""
 

@@ -2,9 +2,11 @@
 
 from mansion_editing.instructions.clauses.items import joined_places
 from mansion_editing.instructions.clauses.sentence import Sentence
+from mansion_editing.instructions.phrases.word_sets import EARLIER_STEPS
 from mansion_editing.instructions.statements import History, Place, Statement
 
 __all__ = ["PastSteps"]
+
 
 class PastSteps(Sentence):
     """Reads ``undo that``, ``put it back`` and ``the same for the bedroom``."""
@@ -12,10 +14,7 @@ class PastSteps(Sentence):
     def _undo(self, at: int, place: int) -> tuple[list[Statement], int]:
         what = "undo" if self.text(at) in ("undo", "revert", "reverse", "roll", "cancel") else "redo"
         end = place
-        while end < len(self.words) and self.text(end) in (
-            "the", "that", "it", "this", "last", "latest", "previous", "my", "your", "edit", "change", "step", "one",
-            "instruction", "thing", "what", "you", "did", "just", "again", "recent", "most", "action", "have", "done",
-        ):  # fmt: skip
+        while end < len(self.words) and self.text(end) in EARLIER_STEPS:  # fmt: skip
             end += 1
         return [History(what="undo" if what == "undo" else "redo", quote=self.quote(at, end))], end
 

@@ -11,6 +11,7 @@ from mansion_editing.instructions.statements import Place, Rooms, Things
 
 __all__ = ["Item", "NotUnderstood", "joined_places"]
 
+
 class NotUnderstood(Exception):
     """Words that belong to no statement.
 

@@ -3,10 +3,12 @@
 from mansion_editing.instructions.clauses.adding import Adding
 from mansion_editing.instructions.clauses.items import NotUnderstood
 from mansion_editing.instructions.clauses.wishes import Wishes
+from mansion_editing.instructions.phrases.word_sets import ALL_THE_REST, KEPT_AS_IT_IS, LEFT_ALONE, LEFT_AS_IT_IS
 from mansion_editing.instructions.phrases.words import STATE_WORDS
 from mansion_editing.instructions.statements import Keep, Mention, Statement
 
 __all__ = ["Keeping"]
+
 
 class Keeping(Wishes, Adding):
     """Reads ``leave``, ``keep`` and ``let``."""
@@ -18,10 +20,10 @@ class Keeping(Wishes, Adding):
             if nothing is not None:
                 return nothing
         rest = place
-        while self.text(rest) in ("everything", "else", "all", "the", "other", "thing", "rest", "of", "it", "anything"):
+        while self.text(rest) in ALL_THE_REST:
             rest += 1
-        if rest > place and self.text(rest) in ("as", "where", "alone", "unchanged", "untouched", "in", "like"):
-            while self.text(rest) in ("as", "where", "alone", "unchanged", "untouched", "in", "place", "it", "is", "they", "are"):
+        if rest > place and self.text(rest) in LEFT_ALONE:
+            while self.text(rest) in LEFT_AS_IT_IS:
                 rest += 1
             return [Mention(quote=self.quote(at, rest))], rest
         items = self.items(place)
@@ -36,28 +38,7 @@ class Keeping(Wishes, Adding):
             quote = self.quote(at, end + 1)
             return [self._state_of(items, i, state, (), quote, value=value) for i in items], end + 1
         alone = end
-        while self.text(alone) in (
-            "alone",
-            "as",
-            "where",
-            "it",
-            "they",
-            "is",
-            "are",
-            "untouched",
-            "in",
-            "place",
-            "be",
-            "there",
-            "unchanged",
-            "exactly",
-            "like",
-            "that",
-            "stand",
-            "the",
-            "way",
-            "was",
-        ):
+        while self.text(alone) in KEPT_AS_IT_IS:
             alone += 1
         if alone > end or (item.phrase.definite and not any(p.place.relation for p in item.places)):
             quote = self.quote(at, alone)

@@ -9,6 +9,7 @@ from mansion_editing.instructions.statements import Add, Move, Place, Replace, R
 
 __all__ = ["Moving"]
 
+
 class Moving(Outcomes):
     """Reads ``move``, ``swap`` and ``replace``."""
 
@@ -59,7 +60,9 @@ class Moving(Outcomes):
         if len(items) == 2:
             one, other = items
             shared = other.places and not one.places
-            first = one.things() if not shared else with_place(one.phrase.things(), joined_places(list(other.places))[0])
+            first = (
+                one.things() if not shared else with_place(one.phrase.things(), joined_places(list(other.places))[0])
+            )
             return [Swap(one=first, other=other.things(), quote=quote)], end
         raise NotUnderstood(at, self.boundary(at))
 

@@ -7,10 +7,12 @@ from mansion_editing.instructions.clauses.states import States, state_set
 from mansion_editing.instructions.phrases.places import read_place, with_place
 from mansion_editing.instructions.phrases.verb_words import Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import AFTER_NEGATED, DISTURBING
 from mansion_editing.instructions.phrases.words import STATE_WORDS
 from mansion_editing.instructions.statements import Amount, Ensure, Forbid, Keep, Place, Remove, Statement, Things
 
 __all__ = ["Negations"]
+
 
 class Negations(States):
     """Reads ``do not`` and ``never``."""
@@ -31,7 +33,7 @@ class Negations(States):
         if self.text(place) in ("forget", "hesitate") and self.text(place + 1) in ("to", "about"):
             return self.read(place + 2)
         verb = verb_at(self.words, place, self.lexicon)
-        if self.text(place) in ("touch", "disturb", "alter", "bother", "affect", "move", "break", "mess"):
+        if self.text(place) in DISTURBING:
             items = self.items(place + 1 + (self.text(place + 1) == "with"))
             end = items[-1].end
             return [Keep(things=self._all(i.things()), quote=self.quote(at, end)) for i in items if not i.is_room], end
@@ -54,7 +56,7 @@ class Negations(States):
             place += self.text(place) in ("on", "off")
         items = self.items(place)
         end = items[-1].end
-        while self.text(end) in ("on", "off", "any", "more", "either", "yet", "at", "all", "anymore", "there", "away"):
+        while self.text(end) in AFTER_NEGATED:
             end += 1
         quote = self.quote(at, end)
         out: list[Statement] = []

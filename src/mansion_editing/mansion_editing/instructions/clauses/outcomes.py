@@ -7,9 +7,11 @@ import msgspec
 from mansion_editing.instructions.clauses.items import Item, joined_places
 from mansion_editing.instructions.clauses.sentence import Sentence
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
+from mansion_editing.instructions.phrases.word_sets import NO_FRONTED_PLACES
 from mansion_editing.instructions.statements import Add, Amount, Clear, Ensure, Move, Place, Remove, Statement, Things
 
 __all__ = ["Outcomes", "named_as"]
+
 
 class Outcomes(Sentence):
     """Makes statements of items and the places that are said of them."""
@@ -82,7 +84,12 @@ class Outcomes(Sentence):
         if any(p.relative or p.goal for p in item.places) and (phrase.definite or phrase.refers):
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
-        moved = phrase.definite or (phrase.refers and phrase.amount.kind != "more") or source != Place() or phrase.amount.kind in ("all", "all_but")
+        moved = (
+            phrase.definite
+            or (phrase.refers and phrase.amount.kind != "more")
+            or source != Place()
+            or phrase.amount.kind in ("all", "all_but")
+        )
         if not moved:
             if phrase.amount.kind in ("exactly", "at_least", "at_most"):
                 return Ensure(things=phrase.things(), place=goal, each=each, quote=quote)
@@ -170,7 +177,7 @@ class Outcomes(Sentence):
     def _fronted(self, place: int) -> int:
         """Read a place before the object ("put on the desk two mugs") into the frame."""
         read = read_place(self.words, place, self.lexicon, self.floors)
-        if read is None or self.text(place) in ("next", "back", "there", "here", "second", "first", "third"):
+        if read is None or self.text(place) in NO_FRONTED_PLACES:
             return place
         following, end = self.places(place)
         end += self.text(end) == ","

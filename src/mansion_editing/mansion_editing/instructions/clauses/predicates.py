@@ -7,6 +7,14 @@ from mansion_editing.instructions.clauses.items import Item
 from mansion_editing.instructions.clauses.states import States
 from mansion_editing.instructions.clauses.ways import Ways
 from mansion_editing.instructions.phrases.places import merged, with_place
+from mansion_editing.instructions.phrases.word_sets import (
+    BEFORE_PREDICATES,
+    BEING_SOMEWHERE,
+    FAILING,
+    PRAISE,
+    STAYING_AS_IT_IS,
+    WANTING,
+)
 from mansion_editing.instructions.phrases.words import BE, HAVE, MODALS
 from mansion_editing.instructions.statements import (
     Amount,
@@ -30,6 +38,7 @@ from mansion_editing.instructions.statements import (
 
 __all__ = ["Predicates"]
 
+
 class Predicates(States, Colours, Ways):
     """Reads predicates."""
 
@@ -38,12 +47,7 @@ class Predicates(States, Colours, Ways):
         place = end
         negated = False
         modal = False
-        while self.text(place) in MODALS or (self.text(place) in BE and self.text(place) not in ("stay", "remain")) or self.text(place) in (
-            "to", "not", "also", "always", "never", "do", "does", "now", "all", "both", "still", "get", "longer", "each",
-            "supposed",
-            "itself",
-            "themselves", "has", "have", "no", "just", "only",
-        ):  # fmt: skip
+        while self.text(place) in MODALS or (self.text(place) in BE and self.text(place) not in ("stay", "remain")) or self.text(place) in BEFORE_PREDICATES:  # fmt: skip
             if self.text(place) in ("has", "have", "get") and self.text(place + 1) not in ("to", "be"):
                 if self._participle(place + 1) is None:
                     break
@@ -140,7 +144,7 @@ class Predicates(States, Colours, Ways):
             word not in HAVE
             and word not in ("carry", "bear", "store")
             and not (word == "with" and self.text(place - 1) == "do")
-            and word not in ("need", "require", "lack", "get", "want", "deserve", "miss", "missing", "keep")
+            and word not in WANTING
         ):
             return None
         if self.text(place + 1) == "to":
@@ -175,7 +179,7 @@ class Predicates(States, Colours, Ways):
             end = place + 1
             places, after = self.places(end)
             end = after if places and not any(p.goal for p in places) else end
-            while self.text(end) in ("put", "there", "here", "as", "it", "is", "where", "they", "are", "untouched", "alone", "in", "on", "place"):
+            while self.text(end) in STAYING_AS_IT_IS:
                 end += 1
             kept = Item(item.phrase, (*item.places, *(places if end == after else ())), end)
             return [Keep(things=self._all(kept.things()), quote=self.quote(at, end))], end
@@ -185,7 +189,7 @@ class Predicates(States, Colours, Ways):
                 end += self.text(end) in ("away",)
                 return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, end))], end
             return [self._brought(item, places, self.quote(at, end))], end
-        if word in ("belong", "come", "sit", "stand", "lie", "live", "rest", "hang") and not negated:
+        if word in BEING_SOMEWHERE and not negated:
             places, end = self.places(place + 1)
             if places:
                 return [self._brought(item, places, self.quote(at, end))], end
@@ -220,18 +224,7 @@ class Predicates(States, Colours, Ways):
 
     def _said_good(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         """Read ``a mug on the desk would be nice``, and ``the desk is too bare``, which tells what comes next is about."""
-        if self.text(place) in (
-            "nice",
-            "good",
-            "great",
-            "lovely",
-            "fine",
-            "helpful",
-            "appreciated",
-            "perfect",
-            "ideal",
-            "welcome",
-        ):
+        if self.text(place) in PRAISE:
             if negated or not any(w.text in MODALS for w in self.words[item.end : place]):
                 return None
             return self._there(item, item.goal(), self.quote(at, place + 1)), place + 1
@@ -241,7 +234,7 @@ class Predicates(States, Colours, Ways):
                 quote = self.quote(at, goal.end)
                 return [Turn(things=self._all_if_plural(item.things()), facing=goal.things(), quote=quote)], goal.end
         verb = self.words[item.end].raw if item.end < len(self.words) else ""
-        if verb in ("died", "broke", "fell", "leaks", "squeaks", "smells", "wobbles", "cracked") and place == item.end:
+        if verb in FAILING and place == item.end:
             self.topic = item.things()
             return [Mention(quote=self.quote(at, place + 1))], place + 1
         if self.text(item.end) not in ("is", "are", "look", "seem", "feel") or any(
@@ -259,7 +252,12 @@ class Predicates(States, Colours, Ways):
         told = self.words[item.end + 1 : stop]
         named = any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in told)
         scarce = {"enough", "sufficient"} & {w.text for w in told}
-        if not told or named or (negated and not scarce) or (stop < len(self.words) and self.words[stop].kind == "number"):
+        if (
+            not told
+            or named
+            or (negated and not scarce)
+            or (stop < len(self.words) and self.words[stop].kind == "number")
+        ):
             return None
         if item.is_room:
             self.frame = Place(rooms=item.rooms())

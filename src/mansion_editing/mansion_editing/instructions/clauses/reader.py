@@ -13,6 +13,7 @@ from mansion_editing.instructions.statements import Place, Statement
 
 __all__ = ["ClauseReader"]
 
+
 class ClauseReader(Keeping, Changing, Taking, PastSteps):
     """Reads the clauses of one sentence."""
 

@@ -2,9 +2,11 @@
 
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.moving import Moving
+from mansion_editing.instructions.phrases.word_sets import AWAY
 from mansion_editing.instructions.statements import Clear, Mention, Statement
 
 __all__ = ["Removing"]
+
 
 class Removing(Moving):
     """Reads ``remove``, ``clear`` and ``tidy``."""
@@ -17,7 +19,7 @@ class Removing(Moving):
         end = items[-1].end
         if taking and any(p.goal and not p.source for p in items[-1].places):
             return self._move(at, place)
-        while self.text(end) in ("away", "out", "off", "completely", "altogether", "entirely", "too"):
+        while self.text(end) in AWAY:
             end += 1
         more, end = self.places(end)
         end, besides = self.exceptions(end)

@@ -7,9 +7,11 @@ import msgspec
 from mansion_editing.instructions.clauses.giving import Giving
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place
+from mansion_editing.instructions.phrases.word_sets import BEFORE_DOORS, BEFORE_NAMES
 from mansion_editing.instructions.statements import Furnish, Rename, Reshape, Statement
 
 __all__ = ["RoomChanges"]
+
 
 class RoomChanges(Giving):
     """Reads what becomes of rooms."""
@@ -28,7 +30,7 @@ class RoomChanges(Giving):
             places.append(read)
             end = read.end
         rooms = Item(item.phrase, tuple(places), end).rooms()
-        while self.text(end) in ("to", "as", "into", '"', "the", "be", "called", "named", ":"):
+        while self.text(end) in BEFORE_NAMES:
             end += 1
         name, stop = self._name(end)
         return [Rename(room=rooms, name=name, quote=self.quote(at, stop))], stop
@@ -83,7 +85,7 @@ class RoomChanges(Giving):
     def _door_between(self, at: int, place: int) -> tuple[list[Statement], int] | None:
         """Read ``add a door between the kitchen and the dining room``."""
         start = place
-        while self.text(place) in ("a", "an", "another", "the", "new", "connecting", "internal", "one", "extra"):
+        while self.text(place) in BEFORE_DOORS:
             place += 1
         if self.text(place) not in ("door", "doorway", "opening", "passage"):
             return None

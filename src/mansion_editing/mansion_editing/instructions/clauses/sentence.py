@@ -14,6 +14,7 @@ from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place
 from mansion_editing.instructions.phrases.verb_words import PARTICIPLES, Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import AFTER_THANKS, BEFORE_VERBS, BEGIN_CLAUSES, PREDICATE_VERBS
 from mansion_editing.instructions.phrases.words import (
     BE,
     COURTESIES,
@@ -220,13 +221,13 @@ class Sentence(ABC):
 
     def starts_clause(self, at: int) -> bool:
         """Whether a clause with a verb of its own begins at a place."""
-        while self.text(at) in ("please", "then", "also", "just", "not", "never", "do", "finally"):
+        while self.text(at) in BEFORE_VERBS:
             if self.text(at) == "do" and self.text(at + 1) != "not":
                 break
             at += 1
         if verb_at(self.words, at, self.lexicon) is not None:
             return True
-        if self.text(at) in ("there", "i", "we", "you", "nothing", "make", "let", "if", "because", "nobody"):
+        if self.text(at) in BEGIN_CLAUSES:
             return True
         return False
 
@@ -235,21 +236,7 @@ class Sentence(ABC):
         word = self.text(at)
         if word in (",", "-", ":"):
             return False
-        if word in MODALS or word in (
-            "is",
-            "are",
-            "stay",
-            "remain",
-            "need",
-            "has",
-            "have",
-            "go",
-            "get",
-            "belong",
-            "lack",
-            "want",
-            "face",
-        ):
+        if word in MODALS or word in PREDICATE_VERBS:
             return True
         if word in STATE_WORDS:
             nominal = word in ("on", "off") and self.phrase(at + 1) is not None
@@ -281,19 +268,7 @@ class Sentence(ABC):
         """Return the place after courtesies, adverbs and marks."""
         while at < len(self.words) and self.text(at) in _SKIPPED:
             if self.text(at) in ("thank", "thanks"):
-                while self.text(at + 1) in (
-                    "you",
-                    "very",
-                    "so",
-                    "much",
-                    "a",
-                    "lot",
-                    "in",
-                    "advance",
-                    "for",
-                    "your",
-                    "help",
-                ):
+                while self.text(at + 1) in AFTER_THANKS:
                     at += 1
             if self.text(at) == "there" and (self.text(at + 1) in BE or self.text(at + 1) in MODALS
                                              or self.text(at + 1) in ("need", "has", "have")):  # fmt: skip

@@ -5,9 +5,11 @@ import msgspec
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.outcomes import Outcomes
 from mansion_editing.instructions.phrases.places import with_place
+from mansion_editing.instructions.phrases.word_sets import BEFORE_AREAS
 from mansion_editing.instructions.statements import Add, Amount, Ensure, Place, Remove, Reshape, Statement
 
 __all__ = ["Sizes"]
+
 
 class Sizes(Outcomes):
     """Reads ``enlarge the lobby by 10 m2`` and ``reduce the chairs to two``."""
@@ -15,21 +17,7 @@ class Sizes(Outcomes):
     def _amount_of_area(self, at: int) -> tuple[float, bool, int] | None:
         """Read ``by 10 m2`` or ``to 40 m2``."""
         place = at
-        while self.text(place) in (
-            ",",
-            "by",
-            "to",
-            "about",
-            "of",
-            "around",
-            "up",
-            "at",
-            "an",
-            "another",
-            "extra",
-            "roughly",
-            "approximately",
-        ):
+        while self.text(place) in BEFORE_AREAS:
             place += 1
         absolute = any(w.text == "to" for w in self.words[at:place])
         if place + 1 < len(self.words) and self.words[place].kind == "number" and self.words[place + 1].text == "m2":

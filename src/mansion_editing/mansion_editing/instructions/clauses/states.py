@@ -9,10 +9,12 @@ from mansion_editing.instructions.clauses.outcomes import named_as
 from mansion_editing.instructions.clauses.rooms import RoomChanges
 from mansion_editing.instructions.clauses.turning import Turning
 from mansion_editing.instructions.phrases.places import with_place
+from mansion_editing.instructions.phrases.word_sets import BEFORE_STATES
 from mansion_editing.instructions.phrases.words import STATE_WORDS
 from mansion_editing.instructions.statements import Amount, Ensure, Place, SetState, Statement, Things
 
 __all__ = ["States", "state_set"]
+
 
 class States(RoomChanges, Turning):
     """Reads states, and the other things that turning means."""
@@ -82,18 +84,7 @@ class States(RoomChanges, Turning):
 
     def _state_after(self, item: Item, end: int, at: int) -> tuple[list[Statement], int] | None:
         place = end
-        while self.text(place) in (
-            "switched",
-            "turned",
-            "left",
-            "kept",
-            "powered",
-            "wide",
-            "fully",
-            "be",
-            "always",
-            ",",
-        ):
+        while self.text(place) in BEFORE_STATES:
             if self.text(place) == "," and self.text(place + 1) not in (
                 "switched",
                 "turned",

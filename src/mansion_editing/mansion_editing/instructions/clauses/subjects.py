@@ -6,10 +6,12 @@ import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, joined_places
 from mansion_editing.instructions.clauses.predicates import Predicates
+from mansion_editing.instructions.phrases.word_sets import BEFORE_COLOURS
 from mansion_editing.instructions.phrases.words import BE, MODALS
 from mansion_editing.instructions.statements import Amount, Clear, Ensure, Mention, Place, Statement, Things
 
 __all__ = ["Subjects"]
+
 
 class Subjects(Predicates):
     """Reads subjects, and what is said of them."""
@@ -24,7 +26,7 @@ class Subjects(Predicates):
         surface = self._surface(at)
         if surface is not None:
             end = surface[1]
-            while self.text(end) in MODALS or self.text(end) in ("be", "is", "are", "in", "get", "painted", "have"):
+            while self.text(end) in MODALS or self.text(end) in BEFORE_COLOURS:
                 end += 1
             colour = self._colour_at(end)
             if colour is not None and end > surface[1] - 1:

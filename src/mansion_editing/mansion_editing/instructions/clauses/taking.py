@@ -8,6 +8,7 @@ from mansion_editing.instructions.statements import Mention, Statement
 
 __all__ = ["Taking"]
 
+
 class Taking(Adding, Removing):
     """Reads ``take`` and ``find``."""
 

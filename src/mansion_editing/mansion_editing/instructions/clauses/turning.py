@@ -3,9 +3,11 @@
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.outcomes import Outcomes
 from mansion_editing.instructions.phrases.places import ReadPlace, read_place, with_place
+from mansion_editing.instructions.phrases.word_sets import TOWARDS
 from mansion_editing.instructions.statements import Statement, Turn
 
 __all__ = ["Turning"]
+
 
 class Turning(Outcomes):
     """Reads turns by degrees and towards things."""
@@ -28,21 +30,7 @@ class Turning(Outcomes):
             if places:
                 things = with_place(things, joined_places(places)[0])
             return [Turn(things=things, degrees=value, quote=self.quote(at, last))], last
-        while self.text(end) in (
-            "to",
-            "towards",
-            "toward",
-            "so",
-            "that",
-            "it",
-            "face",
-            "at",
-            "is",
-            "they",
-            "and",
-            "facing",
-            "them",
-        ):
+        while self.text(end) in TOWARDS:
             end += 1
         goal = self.item(end)
         if goal is None or goal.is_room:

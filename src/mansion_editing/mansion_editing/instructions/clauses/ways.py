@@ -3,9 +3,20 @@
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.sentence import Sentence
 from mansion_editing.instructions.phrases.places import read_place
+from mansion_editing.instructions.phrases.word_sets import (
+    ABILITIES,
+    ALONG_WAYS,
+    BEFORE_ENDS_OF_WAYS,
+    DIRECTIONS,
+    FREE_WAYS,
+    GOING,
+    GOING_SOMEWHERE,
+    WAYS,
+)
 from mansion_editing.instructions.statements import Reach, Rooms, Statement, Things
 
 __all__ = ["Ways"]
+
 
 class Ways(Sentence):
     """Reads who must get from where to where."""
@@ -15,7 +26,7 @@ class Ways(Sentence):
         start = place
         if self.text(place) == "nothing":
             way = next((k for k in range(place, min(place + 6, len(self.words)))
-                        if self.text(k) in ("way", "path", "route", "access", "door", "doorway", "passage")), None)  # fmt: skip
+                        if self.text(k) in WAYS), None)  # fmt: skip
             return None if way is None else self._way(at, way + 1)
         if self.text(place) in ("the", "a", "delivery") and "robot" in (w.text for w in self.words[place : place + 4]):
             joint = next((k for k in range(place, len(self.words)) if self.text(k) == "from"), None)
@@ -26,27 +37,13 @@ class Ways(Sentence):
             if self._is_going(place):
                 break
             if self.words[place].kind == "mark" or word in ("to", "on", "in"):
-                going = self.text(place + 1) in (
-                    "be",
-                    "get",
-                    "go",
-                    "walk",
-                    "drive",
-                    "reach",
-                    "travel",
-                    "come",
-                    "move",
-                    "enter",
-                )
+                going = self.text(place + 1) in GOING_SOMEWHERE
                 if word != "to" or not going:
                     return None
             place += 1
         else:
             return None
-        moving = any(
-            w.text in ("can", "could", "able", "possible", "must", "should", "may", "has", "have", "need", "will")
-            for w in self.words[start:place]
-        )
+        moving = any(w.text in ABILITIES for w in self.words[start:place])
         if not moving:
             return None
         if self.text(place) == "find" or self.text(place) == "make":
@@ -60,10 +57,8 @@ class Ways(Sentence):
             return True
         if word in ("find", "make"):
             return following in ("a", "the", "his", "its", "their", "my") and self.text(at + 2) == "way"
-        directions = ("to", "from", "into", "in", "inside", "through", "around", "up", "down", "over", "all", "out", "there",
-                      "everywhere", "anywhere", "across", "freely", "back", "upstairs", "towards", "straight", "safely",
-                      "easily", "between")  # fmt: skip
-        going = ("get", "go", "walk", "drive", "travel", "come", "navigate", "move", "pass", "roll")
+        directions = DIRECTIONS  # fmt: skip
+        going = GOING
         return word in going and following in directions
 
     def _way(self, at: int, place: int) -> tuple[list[Statement], int]:
@@ -72,9 +67,7 @@ class Ways(Sentence):
         ends: list[Things | Rooms] = []
         end = place
         while end < len(self.words):
-            while self.text(end) in ("all", "the", "way", "leading", "down", "up", "over", "through", "straight", "that",
-                                     "leads", "lead", "clear", "free", "open", "unobstructed", "around", "easily", "safely",
-                                     "still", "always", "directly", "back") and self.text(end) != "the":  # fmt: skip
+            while self.text(end) in ALONG_WAYS and self.text(end) != "the":  # fmt: skip
                 end += 1
             if self.text(end) == "from":
                 found = self._end_of_way(end + 1)
@@ -82,7 +75,7 @@ class Ways(Sentence):
                     break
                 start, end = found
                 continue
-            joint = self.text(end) in ("to", "into", "towards", "inside", "and", ",", "in")
+            joint = self.text(end) in BEFORE_ENDS_OF_WAYS
             if ends and self.text(end) in ("and", ",") and self.starts_clause(end + 1):
                 break
             found = self._end_of_way(end + joint) if joint or not ends else None
@@ -90,8 +83,7 @@ class Ways(Sentence):
                 break
             ends.append(found[0])
             end = found[1]
-        while self.text(end) in ("be", "is", "are", "clear", "free", "open", "possible", "without", "being", "blocked", "stay",
-                                 "there", "unobstructed", "should", "must", "obstacle", "any", "by", "robot", "on", "foot", "a"):  # fmt: skip
+        while self.text(end) in FREE_WAYS:  # fmt: skip
             end += 1
         if start is None and not ends:
             raise NotUnderstood(at, self.boundary(at))

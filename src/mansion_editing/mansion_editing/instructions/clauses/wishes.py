@@ -4,10 +4,23 @@ from mansion_editing.instructions.clauses.items import NotUnderstood
 from mansion_editing.instructions.clauses.negations import Negations
 from mansion_editing.instructions.clauses.subjects import Subjects
 from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import (
+    AFTER_CHECKS,
+    AFTER_MODALS,
+    ANY_LONGER,
+    BEFORE_REQUESTS,
+    BEFORE_WISHES,
+    EXISTENCE,
+    OPINIONS,
+    THIRD_PERSON_WISHES,
+    TOLD_EXISTENCE,
+    WISHES,
+)
 from mansion_editing.instructions.phrases.words import BE, MODALS
 from mansion_editing.instructions.statements import Mention, Place, Statement
 
 __all__ = ["Wishes"]
+
 
 class Wishes(Subjects, Negations):
     """Reads ``I want``, ``there should be``, ``can you`` and ``make sure that``."""
@@ -18,17 +31,13 @@ class Wishes(Subjects, Negations):
             return None
         place = at + 1
         contracted = self.words[at].raw in ("there's", "theres")
-        while self.text(place) in MODALS or self.text(place) in (
-            "be", "is", "are", "to", "need", "has", "have", "not", "also", "always", "ought", "supposed", "no", "longer",
-        ):  # fmt: skip
+        while self.text(place) in MODALS or self.text(place) in EXISTENCE:  # fmt: skip
             place += 1
         if place == at + 1 and not contracted:
             return None
         between = {w.text for w in self.words[at:place]}
         negated = "not" in between or "no" in between
-        told = between <= {"there", "is", "are", "no", "not", "currently", "still"} and (
-            negated or self.text(place) == "no"
-        )
+        told = between <= TOLD_EXISTENCE and (negated or self.text(place) == "no")
         items = self.items(place)
         if self._is_way(items[0].phrase):
             return self._way(at, items[0].phrase.end)
@@ -55,18 +64,9 @@ class Wishes(Subjects, Negations):
         who = self.text(place)
         if who in ("i", "we", "you", "one", "they", "it") and who not in ("it",):
             place += 1
-            while self.text(place) in MODALS or self.text(place) in (
-                "really",
-                "also",
-                "just",
-                "do",
-                "still",
-                "ve",
-                "d",
-                "ll",
-            ):
+            while self.text(place) in MODALS or self.text(place) in BEFORE_WISHES:
                 place += 1
-            if self.text(place) in ("think", "believe", "guess", "feel", "suggest", "propose", "ask", "hope"):
+            if self.text(place) in OPINIONS:
                 return self.read(place + 1 + (self.text(place + 1) in ("that", "you")) + (self.text(place + 2) == "to"))
             if self.text(place) == "not" and self.text(place + 1) in ("want", "like", "wish"):
                 return self._unwanted(at, place + 2)
@@ -81,19 +81,7 @@ class Wishes(Subjects, Negations):
                 return self._unwanted(at, place + 2)
             if self.text(place) in ("was", "am", "were", "are") and self.text(place + 1) in ("hoping", "looking"):
                 return self._wanted(at, place + 2)
-            if self.text(place) in (
-                "like",
-                "love",
-                "want",
-                "need",
-                "prefer",
-                "require",
-                "have",
-                "wish",
-                "expect",
-                "fancy",
-                "appreciate",
-            ):
+            if self.text(place) in WISHES:
                 return self._wanted(at, place + 1)
             if who in ("you",) and place > at + 1:
                 return self.read(self.skip(place))
@@ -104,24 +92,14 @@ class Wishes(Subjects, Negations):
             return self._wanted(at, place + 4 + (self.text(place + 4) == "for"))
         if who in MODALS and self.text(place + 1) in ("you", "we", "i", "somebody", "someone"):
             place += 2
-            while self.text(place) in ("please", "maybe", "just", "also", "perhaps", "kindly", "possibly", "be", "so", "kind", "as",
-                                       "to", "mind"):  # fmt: skip
+            while self.text(place) in BEFORE_REQUESTS:  # fmt: skip
                 place += 1
             if self.text(place) in ("have", "get") and who in ("can", "could", "may", "might"):
                 return self._wanted(at, place + 1)
             return self.read(place)
         if who in MODALS and self.text(place + 1) not in ("not", "it"):
             asked = self.item(place + 1)
-            if asked is not None and self.text(asked.end) in (
-                "be",
-                "go",
-                "get",
-                "have",
-                "stand",
-                "move",
-                "come",
-                "face",
-            ):
+            if asked is not None and self.text(asked.end) in AFTER_MODALS:
                 found = self._predicate(asked, asked.end, at)
                 if found is not None:
                     return found
@@ -159,10 +137,7 @@ class Wishes(Subjects, Negations):
                 continue
             if word.kind == "mark" or word.text in BE:
                 return None
-            if (
-                word.raw in ("wants", "want", "needs", "need", "likes", "requires", "expects", "lacks")
-                and self.item(at) is None
-            ):
+            if word.raw in THIRD_PERSON_WISHES and self.item(at) is None:
                 return self._wanted(at, place + 1)
         return None
 
@@ -176,7 +151,7 @@ class Wishes(Subjects, Negations):
             return self._negated_verb(at, *verb)
         items = self.items(place)
         end = items[-1].end
-        while self.text(end) in ("any", "more", "anymore", "at", "all", "there", "longer"):
+        while self.text(end) in ANY_LONGER:
             end += 1
         quote = self.quote(at, end)
         return [self._removed(items, item, (), (), quote) for item in items if not item.is_room], end
@@ -195,7 +170,10 @@ class Wishes(Subjects, Negations):
             elif verb_at(self.words, place, self.lexicon) is None and self.item(place + 1) is not None:
                 item = self.item(place + 1)
                 assert item is not None
-                if self.text(item.end) not in (",", "so", "and", "but") or "so" not in (self.text(item.end), self.text(item.end + 1)):
+                if self.text(item.end) not in (",", "so", "and", "but") or "so" not in (
+                    self.text(item.end),
+                    self.text(item.end + 1),
+                ):
                     raise NotUnderstood(at, self.boundary(at))
                 self.topic = item.things()
                 return [Mention(quote=self.quote(at, item.end))], item.end
@@ -234,7 +212,7 @@ class Wishes(Subjects, Negations):
 
     def _check(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``make sure that ...``: a way, or a clause that shall be true."""
-        while self.text(place) in ("that", "whether", "if", "for", "to", ",", ":"):
+        while self.text(place) in AFTER_CHECKS:
             place += 1
         found_by = self._found_by_somebody(at, place)
         if found_by is not None:

@@ -231,13 +231,17 @@ def _place_one(
             return "", f"{target.anchor.id} is gone"
         carrier = object_info(state, *found)
         relation = relation_of(place.relation, carrier, state)
-        made, reason = yield from place_any(assets, carrier.id, relation, colour=colour, name=things.noun, wishes=wishes)
+        made, reason = yield from place_any(
+            assets, carrier.id, relation, colour=colour, name=things.noun, wishes=wishes
+        )
         if not made and alone:
             made = yield from make_room(ObjectDescription(things.noun, 1, colour), assets, carrier, state)
         return made, reason
     stands = _goes_to_room(assets, state)
     if target.anchor is not None and target.anchor.parent is not None and not stands:
-        return (yield from place_any(assets, target.anchor.parent, "on", colour=colour, name=things.noun, wishes=wishes))
+        return (
+            yield from place_any(assets, target.anchor.parent, "on", colour=colour, name=things.noun, wishes=wishes)
+        )
     if stands or target.anchor is not None or place.spot:
         return (yield from place_any(assets, target.room, "on", colour=colour, name=things.noun, wishes=wishes))
     surfaces = yield from find_surfaces(Scope("room", "", (target.room,)), state, things.noun)

@@ -66,7 +66,9 @@ def concerned(state: SceneState, things: Things, context: Context) -> list[Scene
     found = things_of(state, things, context)
     for spared in things.beside:
         if not things_of(state, spared, context):
-            raise MansionError(ErrorCode.NOT_FOUND, f"there is no {bare_words(spared)}{at_words(spared.place)} to leave out")
+            raise MansionError(
+                ErrorCode.NOT_FOUND, f"there is no {bare_words(spared)}{at_words(spared.place)} to leave out"
+            )
     return found if means_one(things) else [item for item in found if item.id not in context.kept]
 
 
@@ -151,7 +153,9 @@ def _names_lights(things: Things) -> bool:
 def too_few(things: Things, found: list[SceneObject]) -> MansionError:
     only = "only " if things.amount.number >= len(found) else ""
     verb = "is" if len(found) == 1 else "are"
-    message = f"there {verb} {only}{len(found)} {bare_words(things)}{at_words(things.place)}, not {things.amount.number}: "
+    message = (
+        f"there {verb} {only}{len(found)} {bare_words(things)}{at_words(things.place)}, not {things.amount.number}: "
+    )
     return MansionError(ErrorCode.INFEASIBLE, message + _ids(found))
 
 

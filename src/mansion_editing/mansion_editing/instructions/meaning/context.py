@@ -7,6 +7,7 @@ from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["Ambiguous", "Context", "ambiguous"]
 
+
 class Ambiguous(MansionError):
     """Words that mean one thing fit several; `details` has the candidates."""
 

@@ -17,6 +17,7 @@ from mansion_msgs_py.scene import SceneObject
 
 __all__ = ["Target", "places_of"]
 
+
 @dataclass(frozen=True)
 class Target:
     """Where something may go.

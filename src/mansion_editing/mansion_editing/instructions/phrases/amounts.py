@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Final, TypeAlias
 
+from mansion_editing.instructions.phrases.word_sets import BEFORE_ALL_OF, WHOLES
 from mansion_editing.instructions.phrases.words import DETERMINERS, PREPOSITIONS, Word, text_at
 from mansion_editing.instructions.statements import Amount, AmountKind
 
@@ -63,7 +64,7 @@ def read_amount(words: Sequence[Word], at: int) -> Amounted:
     number = number_at(words, at)
     if first == "half" or (first in ("every", "each") and at + 1 < len(words) and words[at + 1].kind == "ordinal"):
         return Amount(number=0), False, False, len(words)  # no share of things can be asked for
-    if first in ("all", "both", "every", "each", "everything", "any", "either"):
+    if first in WHOLES:
         return _all(words, at)
     if first in ("no", "none", "neither") or (first == "not" and text_at(words, at + 1) in ("a", "any", "one")):
         place = at + 1 + (first == "not")
@@ -100,7 +101,7 @@ def _all(words: Sequence[Word], at: int) -> Amounted:
         return Amount(kind="all", number=0), True, False, at
     if text_at(words, place) == "single" or text_at(words, place) == "one":
         place += 1
-    while text_at(words, place) in ("of", "the", "these", "those", "my", "our", "your", "their"):
+    while text_at(words, place) in BEFORE_ALL_OF:
         place += 1
     if first == "either":
         return Amount(kind="some", number=1), False, False, place

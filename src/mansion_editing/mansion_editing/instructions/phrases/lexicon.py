@@ -95,7 +95,9 @@ class Lexicon:
     def speller(self) -> Speller:
         """Mends words to names of the building and the catalogue, and to the words of instructions."""
         own = {word for name in self._room_names | self._object_names for word in name}
-        return Speller(own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS | _STOREY_WORDS)
+        return Speller(
+            own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS | _STOREY_WORDS
+        )
 
     @cached_property
     def kept(self) -> frozenset[str]:
@@ -110,7 +112,9 @@ def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
         kind = stems(room.room_type.replace("_", " "))
         for said in (own, bare, stems(room.name), kind, *(stems(alias) for alias in room.aliases)):
             name = tuple(_LIKE.get(word, word) for word in said if word != "s")  # of a genitive: the children's room
-            proper = tuple(word for word in name if word not in _words_of_kinds(state.catalogue) and not word.isdecimal())
+            proper = tuple(
+                word for word in name if word not in _words_of_kinds(state.catalogue) and not word.isdecimal()
+            )
             if proper and len(proper) < len(name):
                 yield proper
                 yield (*proper, "room")

@@ -9,10 +9,12 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.nouns import Noun, read_noun
 from mansion_editing.instructions.phrases.runs import ENDS_RUN, end_of_run
 from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS
 from mansion_editing.instructions.phrases.words import ADVERBS, DETERMINERS, STATE_WORDS, Word, text_at
 from mansion_editing.instructions.statements import Amount, AmountKind, Place, Rooms, Things
 
 __all__ = ["NounPhrase", "noun_phrase"]
+
 
 @dataclass(frozen=True)
 class NounPhrase:
@@ -82,7 +84,14 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         Those of the building.
     """
     start = at
-    while text_at(words, at) in ADVERBS and text_at(words, at) not in ("only", "just", "exactly", "back", "first", "next"):
+    while text_at(words, at) in ADVERBS and text_at(words, at) not in (
+        "only",
+        "just",
+        "exactly",
+        "back",
+        "first",
+        "next",
+    ):
         at += 1
     if text_at(words, at) in ("only", "just") and text_at(words, at + 1) in DETERMINERS:
         at += 1
@@ -96,7 +105,7 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     if text_at(words, place) in ("it", "them", "they", "those", "these") and place <= at + 2:
         noun = Noun((), "anything", plural=words[place].text != "it")
         return NounPhrase(noun, amount, True, start, place + 1, refers="last")
-    if place == at + 1 and words[at].text in ("this", "that", "these", "those", "both", "another", "all", "each"):
+    if place == at + 1 and words[at].text in BARE_PRONOUNS:
         bare = place >= len(words) or not words[place].text[:1].isalpha() or words[place].text in ENDS_RUN
         if bare and text_at(words, place) != "with":
             noun = Noun((), "anything", plural=words[at].text in ("these", "those", "both", "all"))
@@ -117,7 +126,9 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         return None
     if text_at(words, end) in ("more", "less", "fewer") and amount.kind == "some" and amount.number and not definite:
         kind: AmountKind = "more" if words[end].text == "more" else "fewer"
-        return NounPhrase(replace(found, floors=storeys), Amount(kind=kind, number=amount.number), False, start, end + 1)
+        return NounPhrase(
+            replace(found, floors=storeys), Amount(kind=kind, number=amount.number), False, start, end + 1
+        )
     count = _number_after(words, end)
     if count is not None and amount.number in (0, 1) and not definite:
         amount, end = Amount(number=count[0]), count[1]
@@ -162,7 +173,11 @@ def _number_after(words: Sequence[Word], at: int) -> tuple[int, int] | None:
         return int(words[at + 1].value), at + 3
     place = at + (text_at(words, at) == ",")
     number = number_at(words, place)
-    if number is not None and text_at(words, place + 1) == "of" and text_at(words, place + 2) in ("them", "those", "these"):
+    if (
+        number is not None
+        and text_at(words, place + 1) == "of"
+        and text_at(words, place + 2) in ("them", "those", "these")
+    ):
         return number, place + 3
     return None
 

@@ -9,6 +9,7 @@ import msgspec
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
 from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.word_sets import BEFORE_PLACES, BEFORE_SPOTS, NEAR_SPOTS
 from mansion_editing.instructions.phrases.words import BE, MODALS, Word, text_at
 from mansion_editing.instructions.statements import Place, Relation, Rooms, Spot, Things
 
@@ -86,7 +87,7 @@ def read_place(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequenc
     place = at
     if text_at(words, place) == "there" and text_at(words, place + 1) in ("in", "on", "at", "by"):
         place += 1
-    while text_at(words, place) in ("somewhere", "anywhere", "just", "right", "directly", "all", "still", "already", "currently", "straight", "exactly") and place < at + 3:  # fmt: skip
+    while text_at(words, place) in BEFORE_PLACES and place < at + 3:  # fmt: skip
         if text_at(words, place) == "right" and text_at(words, place + 1) == "of":
             break
         if text_at(words, place) == "all" and text_at(words, place + 1) not in ("over", "around", "along", "across"):
@@ -232,7 +233,9 @@ def _this_building(words: Sequence[Word], at: int) -> int:
     if text_at(words, at) not in ("this", "our", "the", "my"):
         return 0
     told = False
-    while place < len(words) and (words[place].kind == "number" or text_at(words, place) in ("floor", "whole", "entire")):
+    while place < len(words) and (
+        words[place].kind == "number" or text_at(words, place) in ("floor", "whole", "entire")
+    ):
         told = True
         place += 1
     plain = text_at(words, place) == "building" or (
@@ -269,7 +272,7 @@ def _spot(
             return None
         return ReadPlace(msgspec.structs.replace(inner.place, spot="middle"), start, inner.end)
     place = at
-    while text_at(words, place) in ("the", "a", "an", "one", "any", "far", "back", "free", "main", "front", "room"):
+    while text_at(words, place) in BEFORE_SPOTS:
         place += 1
     word = text_at(words, place)
     if word not in _SPOTS or (place == at and word not in ("middle",)):
@@ -278,8 +281,7 @@ def _spot(
     ceiling_or_wall = phrase[0] in _ON and spot == "wall"
     if relation in ("", "above", "under", "behind") and not goal:
         return None
-    if spot in ("window", "door") and phrase[0] not in ("by", "at", "next", "near", "beside", "close", "to", "in",
-                                                       "opposite", "under", "right", "against"):  # fmt: skip
+    if spot in ("window", "door") and phrase[0] not in NEAR_SPOTS:  # fmt: skip
         return None
     if spot == "door" and text_at(words, place + 1) in ("of", "to"):
         return None

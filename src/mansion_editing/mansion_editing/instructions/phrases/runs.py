@@ -43,8 +43,22 @@ ENDS_RUN: Final = (
 
 
 _MAY_BE_NOUN: Final = frozenset(
-    ["light", "open", "left", "right", "front", "stand", "set", "middle", "dark", "present", "sitting", "waiting",
-     "standing", "living"]
+    [
+        "light",
+        "open",
+        "left",
+        "right",
+        "front",
+        "stand",
+        "set",
+        "middle",
+        "dark",
+        "present",
+        "sitting",
+        "waiting",
+        "standing",
+        "living",
+    ]
 )
 
 

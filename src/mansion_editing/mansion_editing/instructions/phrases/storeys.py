@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Final
 
+from mansion_editing.instructions.phrases.word_sets import BEFORE_STOREYS
 from mansion_editing.instructions.phrases.words import PREPOSITIONS, Word
 
 __all__ = ["Storeys", "read_storeys"]
@@ -32,7 +33,7 @@ def read_storeys(words: Sequence[Word], at: int, floors: Sequence[int]) -> Store
     """
     place = at
     every = False
-    while place < len(words) and words[place].text in ("the", "all", "both", "each", "every", "our", "of"):
+    while place < len(words) and words[place].text in BEFORE_STOREYS:
         every = every or words[place].text in ("all", "both", "each", "every")
         place += 1
     if place >= len(words):

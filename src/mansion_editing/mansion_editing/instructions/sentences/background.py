@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import Final
 
+from mansion_editing.instructions.phrases.word_sets import AFTER_PURPOSES, AFTER_REASONS, PAST_VERBS
 from mansion_editing.instructions.phrases.words import PERSONS, Word
 
 __all__ = ["end_of_background", "is_background", "split_sentences"]
@@ -28,12 +29,8 @@ def end_of_background(words: Sequence[Word], at: int) -> int:
     """Return the end of a reason or a purpose that begins at a place: ``because ...``, ``so that ...``."""
     first = words[at].text
     following = words[at + 1].text if at + 1 < len(words) else ""
-    reason = first in ("because", "otherwise") or (
-        first in ("since", "as") and following in ("i", "we", "the", "they", "it", "there", "my", "our", "he", "she")
-    )
-    purpose = (
-        first == "so" and following in ("that", "we", "i", "they", "people", "the", "it", "everyone", "guest", "nobody")
-    ) or (first == "in" and following in ("case", "order"))
+    reason = first in ("because", "otherwise") or (first in ("since", "as") and following in AFTER_REASONS)
+    purpose = (first == "so" and following in AFTER_PURPOSES) or (first == "in" and following in ("case", "order"))
     if [w.text for w in words[at : at + 4]] == ["you", "are", "at", "it"]:
         return min(at + 5, len(words))
     if first == "while" and following in ("you", "we", "i"):
@@ -43,7 +40,11 @@ def end_of_background(words: Sequence[Word], at: int) -> int:
         comma = next((k for k in range(at, min(len(words), at + 9)) if words[k].text in (",", ":")), None)
         return at if comma is None else comma
     words_after = [w.text for w in words[at : at + 9]]
-    if first == "if" and following in ("something", "anything", "it", "there") and {"way", "block", "blocked", "blocking"} & set(words_after):
+    if (
+        first == "if"
+        and following in ("something", "anything", "it", "there")
+        and {"way", "block", "blocked", "blocking"} & set(words_after)
+    ):
         return len(words)
     if not (reason or purpose):
         return at
@@ -65,31 +66,7 @@ def is_background(words: Sequence[Word]) -> bool:
     people = PERSONS | frozenset(
         ["my", "our", "one", "somebody", "her", "his", "their", "daughter", "son", "mother", "father", "boss"]
     )
-    past = any(
-        w.raw.endswith("ed")
-        or w.raw
-        in (
-            "is",
-            "are",
-            "was",
-            "were",
-            "has",
-            "have",
-            "had",
-            "will",
-            "like",
-            "likes",
-            "stole",
-            "came",
-            "got",
-            "said",
-            "left",
-            "arrive",
-            "arrives",
-            "visit",
-        )
-        for w in words
-    )
+    past = any(w.raw.endswith("ed") or w.raw in PAST_VERBS for w in words)
     return (
         texts[0] in people
         and past

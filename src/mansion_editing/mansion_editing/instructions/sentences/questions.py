@@ -8,6 +8,17 @@ import msgspec
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood
 from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.places import merged
+from mansion_editing.instructions.phrases.word_sets import (
+    AFTER_COUNTED,
+    AFTER_WHAT,
+    AFTER_WHERE,
+    AFTER_WHICH_ROOMS,
+    BEFORE_ASKED_STATES,
+    BEFORE_COUNTED,
+    GOING_OR_WAYS,
+    HAVING,
+    OPEN_QUESTIONS,
+)
 from mansion_editing.instructions.phrases.words import BE, MODALS, STATE_WORDS, Word
 from mansion_editing.instructions.statements import Amount, Ask, Place, Rooms, Things
 
@@ -65,10 +76,7 @@ def _plain(item: Item) -> Things:
 
 def _rest(reader: ClauseReader, at: int) -> tuple[Place | None, int]:
     """Read ``are there in the lobby`` after what is asked for."""
-    while reader.text(at) in BE or reader.text(at) in MODALS or reader.text(at) in (
-        "there", "do", "does", "we", "have", "has", "i", "got", "you", "find", "it", "exist", "in", "total", "altogether", "currently",
-        "now", "right", "at", "moment", "the",
-    ):  # fmt: skip
+    while reader.text(at) in BE or reader.text(at) in MODALS or reader.text(at) in AFTER_COUNTED:  # fmt: skip
         if reader.text(at) in ("in", "at", "right", "the") and reader.text(at + 1) not in (
             "total",
             "moment",
@@ -131,19 +139,7 @@ def _count(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tupl
     if reader.text(at) not in ("count", "list"):
         return None
     place = at + 1
-    while reader.text(place) in (
-        "all",
-        "the",
-        "everything",
-        "number",
-        "of",
-        "what",
-        "is",
-        "are",
-        "me",
-        "thing",
-        "object",
-    ):
+    while reader.text(place) in BEFORE_COUNTED:
         if reader.text(place) in ("what", "everything", "thing", "object"):
             where, end = _rest(reader, place + 1)
             return (Ask(about="what", place=where), end) if where is not None else None
@@ -167,7 +163,7 @@ def _where(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tupl
     if first != "where":
         return None
     place = at + 1
-    while reader.text(place) in BE or reader.text(place) in ("can", "i", "find", "do", "we", "have", "does", "one"):
+    while reader.text(place) in BE or reader.text(place) in AFTER_WHERE:
         place += 1
     item = reader.item(place)
     if item is None:
@@ -198,19 +194,7 @@ def _which_rooms(reader: ClauseReader, at: int) -> tuple[Ask, int] | None:
     where, after = reader.places(place)
     if where:
         place = after
-    while reader.text(place) in BE or reader.text(place) in (
-        "have",
-        "has",
-        "contain",
-        "hold",
-        "there",
-        "do",
-        "can",
-        "i",
-        "find",
-        "with",
-        "that",
-    ):
+    while reader.text(place) in BE or reader.text(place) in AFTER_WHICH_ROOMS:
         place += 1
     if place >= len(reader.words):
         named = where[0].place.rooms if where else None
@@ -244,26 +228,7 @@ def _what(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tuple
             raise NotUnderstood(at, reader.boundary(at))
         end = item.end + (reader.text(item.end) in BE)
         return Ask(about="colour", things=_plain(item), place=_place_of(item)), end
-    while reader.text(place) in BE or reader.text(place) in (
-        "object",
-        "thing",
-        "item",
-        "furniture",
-        "there",
-        "kind",
-        "of",
-        "else",
-        "stand",
-        "lie",
-        "sit",
-        "all",
-        "can",
-        "i",
-        "see",
-        "do",
-        "we",
-        "have",
-    ):
+    while reader.text(place) in BE or reader.text(place) in AFTER_WHAT:
         place += 1
     where, end = _rest(reader, place)
     if where is None:
@@ -294,7 +259,7 @@ def _how_large(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> 
 def _yes_or_no(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tuple[Ask, int] | None:
     """Read ``is the fridge closed?``, ``are there chairs in the lobby?``, ``does the kitchen have a sink?``."""
     first = reader.text(at)
-    if first not in ("is", "are", "do", "does", "has", "have", "was", "were", "can", "could", "there", "any"):
+    if first not in OPEN_QUESTIONS:
         if not (opened and reader.item(at) is not None):
             return None
     elif not (marked or opened):
@@ -314,18 +279,7 @@ def _yes_or_no(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> 
     if item is None:
         raise NotUnderstood(at, reader.boundary(at))
     end = item.end
-    while reader.text(end) in BE or reader.text(end) in (
-        "currently",
-        "still",
-        "already",
-        "switched",
-        "turned",
-        "all",
-        "now",
-        "either",
-        "completely",
-        "really",
-    ):
+    while reader.text(end) in BE or reader.text(end) in BEFORE_ASKED_STATES:
         end += 1
     if reader.text(end) in STATE_WORDS:
         name, value = STATE_WORDS[reader.text(end)]
@@ -383,7 +337,7 @@ def _has(reader: ClauseReader, at: int) -> tuple[Ask, int] | None:
             return None
         holder = Place(rooms=item.rooms()) if item.is_room else Place(relation="on", anchor=item.phrase.things())
         place = item.end
-    while reader.text(place) in ("have", "has", "got", "contain", "hold", "already", "still", "include", "get", "need"):
+    while reader.text(place) in HAVING:
         place += 1
     thing = reader.item(place)
     if thing is None:
@@ -411,7 +365,7 @@ def _reach(reader: ClauseReader, at: int) -> tuple[Ask, int] | None:
         and reader.text(at + 2) not in ("get", "go", "walk", "drive")
     ):
         return None
-    going = ("get", "go", "walk", "drive", "travel", "come", "navigate", "move", "reach", "enter", "way", "path", "route")
+    going = GOING_OR_WAYS
     if reader.text(place) not in ("reach", "enter") and not any(w.text in going for w in reader.words[at:place]):
         return None
     place += reader.text(place) in ("reach", "enter")

@@ -11,6 +11,7 @@ from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
 from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.places import merged, read_place, with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
 from mansion_editing.instructions.phrases.words import COURTESIES, FUNCTION_WORDS, PERSONS, Word, split_words
 from mansion_editing.instructions.sentences.background import end_of_background, is_background, split_sentences
 from mansion_editing.instructions.sentences.questions import read_question
@@ -42,6 +43,7 @@ from mansion_editing.instructions.statements import (
 from mansion_editing.state import SceneState
 
 __all__ = ["read_instruction"]
+
 
 def read_instruction(text: str, state: SceneState) -> Instruction:
     """Read what an instruction says.
@@ -84,7 +86,8 @@ class _Reader:
             self._read_sentence(self._owners_named(sentence), marked=marked)
         if any(isinstance(s, Add | Ensure) and s.things.noun not in HYPERNYMS for s in self.statements):
             self.statements = [
-                Mention(quote=s.quote) if isinstance(s, Add | Ensure) and s.things.noun in HYPERNYMS else s for s in self.statements
+                Mention(quote=s.quote) if isinstance(s, Add | Ensure) and s.things.noun in HYPERNYMS else s
+                for s in self.statements
             ]
         self.statements = [s for one in self.statements for s in [self._told_later(one)]]
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
@@ -107,12 +110,18 @@ class _Reader:
                     (
                         w
                         for w in reversed(out)
-                        if (w.kind == "word"
-                        and w.text not in FUNCTION_WORDS
-                        and self.lexicon.is_own_room((w.text, following)))
-                        or (w.kind == "word"
-                        and w.text not in FUNCTION_WORDS
-                        and (self.lexicon.is_object((w.text, following)) and not self.lexicon.is_own_room((w.text,))))
+                        if (
+                            w.kind == "word"
+                            and w.text not in FUNCTION_WORDS
+                            and self.lexicon.is_own_room((w.text, following))
+                        )
+                        or (
+                            w.kind == "word"
+                            and w.text not in FUNCTION_WORDS
+                            and (
+                                self.lexicon.is_object((w.text, following)) and not self.lexicon.is_own_room((w.text,))
+                            )
+                        )
                     ),
                     None,
                 )
@@ -263,7 +272,9 @@ class _Reader:
         if self.topic is None:
             return statement
         topic = self.topic
-        numbered = isinstance(statement, Add | Ensure) and statement.things.refers == "last" and not statement.things.noun
+        numbered = (
+            isinstance(statement, Add | Ensure) and statement.things.refers == "last" and not statement.things.noun
+        )
         if isinstance(statement, Add | Ensure) and numbered and statement.things.amount.number:
             return so_many(statement, topic)
 
@@ -283,7 +294,7 @@ class _Reader:
         """Whether words before a colon are a heading: ``Initial state:``."""
         if stop >= len(words) or words[stop].text != ":" or stop - at > 9:
             return False
-        usual = ("thing", "state", "task", "list", "step", "change", "order", "room")
+        usual = HEADINGS
         nouns = [w.text for w in words[at:stop] if w.text not in usual]
         named = any(self.lexicon.is_object((noun,)) or self.lexicon.is_own_room((noun,)) for noun in nouns)
         return not named or words[at].text in ("we", "i")
@@ -317,7 +328,12 @@ class _Reader:
         while end < len(words):
             comma = words[end].text in (",", "and")
             rest = tuple(w.text for w in words[end + comma : end + comma + 3])
-            if rest in (("every", "single", "one"), ("all", "of", "them"), ("each", "of", "them"), ("from", "now", "on")):
+            if rest in (
+                ("every", "single", "one"),
+                ("all", "of", "them"),
+                ("each", "of", "them"),
+                ("from", "now", "on"),
+            ):
                 end += comma + 3
                 continue
             if rest == ("not", "one", "more"):
@@ -337,18 +353,11 @@ class _Reader:
                         ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
                         ("from", "now"), ("now", "on"), ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so")):  # fmt: skip
                 end += 2
-            elif text in COURTESIES or text in ("too", "also", "again", "instead", "anymore", "altogether", "now", "there", "here",
-                                               "already", "completely", "together", "each", "only", ")", "first", "back",
-                                               "neatly", "nicely", "somewhere", "asap", "today", "both", "either", "yet",
-                                               "visible", "properly", "immediately", "away"):  # fmt: skip
+            elif text in COURTESIES or text in AFTER_CLAUSES:  # fmt: skip
                 end += 1
             else:
                 break
-        if (
-            end >= len(words)
-            or words[end].kind == "mark"
-            or words[end].text in ("and", "but", "then", "while", "plus", "so", "&")
-        ):
+        if end >= len(words) or words[end].kind == "mark" or words[end].text in JOINING:
             return end, exact
         if end_of_background(words, end) > end or reader.starts_clause(end):
             return end, exact
@@ -451,7 +460,11 @@ class _Reader:
         if refined == self.statements and item.is_room and place.rooms is not None and self.statements:
             rooms = merged(Place(rooms=item.phrase.rooms()), place)
             refined = [narrowed(s, rooms) if is_open(s) else s for s in self.statements]
-        if refined == self.statements and not (self.is_last or item.is_room or item.phrase.refers) and item.phrase.definite:
+        if (
+            refined == self.statements
+            and not (self.is_last or item.is_room or item.phrase.refers)
+            and item.phrase.definite
+        ):
             self.told.append((f"{noun} {number}".strip(), place))
             self.topic = with_place(item.phrase.things(), place)
             self.statements.append(Mention(quote=self._quote(reader.words, at, stop)))

@@ -11,6 +11,7 @@ from mansion_editing.instructions.statements import Add, Amount, Ensure, Move, P
 
 __all__ = ["exactly", "in_place_of", "is_open", "narrowed", "so_many", "with_noun_at", "with_storeys"]
 
+
 def exactly(statement: Statement) -> Statement:
     """Return a statement of exactly the number that it names."""
     if isinstance(statement, Ensure | Add) and statement.things.amount.kind == "some":
@@ -91,7 +92,9 @@ def _replaced(value: Any, noun: str, place: Place) -> Any:
     for name in value.__struct_fields__:
         old = getattr(value, name)
         new = (
-            tuple(with_noun_at(part, noun, place) for part in old) if isinstance(old, tuple) else with_noun_at(old, noun, place)
+            tuple(with_noun_at(part, noun, place) for part in old)
+            if isinstance(old, tuple)
+            else with_noun_at(old, noun, place)
         )
         if new != old:
             changes[name] = new
