@@ -60,9 +60,13 @@ class Adding(States):
 
     def _places_after_places(self, items: list[Item]) -> tuple[list[Item], list[Item]]:
         """Tell further places from things: in ``a mug on the table and the desk`` the desk is a place."""
-        at = next((k for k in range(1, len(items)) if items[k - 1].places and not items[k].places and not items[0].phrase.definite
-                   and (items[k].is_room or items[k].phrase.definite)), len(items))  # fmt: skip
-        return items[:at], items[at:]
+        if items[0].phrase.definite:
+            return items, []
+        for at in range(1, len(items)):
+            bare = items[at - 1].places and not items[at].places
+            if bare and (items[at].is_room or items[at].phrase.definite):
+                return items[:at], items[at:]
+        return items, []
 
     def _with_companions(self, item: Item, said: list[Statement], at: int, end: int) -> tuple[list[Statement], int]:
         """Read what comes with new things: ``12 desks, each with a chair``, ``a tray with two mugs``."""

@@ -14,7 +14,7 @@ class PastSteps(Sentence):
     def _undo(self, at: int, place: int) -> tuple[list[Statement], int]:
         what = "undo" if self.text(at) in ("undo", "revert", "reverse", "roll", "cancel") else "redo"
         end = place
-        while end < len(self.words) and self.text(end) in EARLIER_STEPS:  # fmt: skip
+        while end < len(self.words) and self.text(end) in EARLIER_STEPS:
             end += 1
         return [History(what="undo" if what == "undo" else "redo", quote=self.quote(at, end))], end
 

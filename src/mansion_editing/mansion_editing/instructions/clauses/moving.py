@@ -31,7 +31,7 @@ class Moving(Outcomes):
         quote = self.quote(at, end)
         for item in items:
             own = item.places or items[-1].places
-            source, goal, each = self._source_and_goal(own)
+            source, goal, _ = self._source_and_goal(own)
             if goal == Place():
                 raise NotUnderstood(at, end)
             things = item.phrase.things()

@@ -17,7 +17,7 @@ class Outcomes(Sentence):
     """Makes statements of items and the places that are said of them."""
 
     def _shared_goal(self, items: Sequence[Item], item: Item) -> tuple[Place, bool]:
-        """Return where a thing of several goes: its own place, else the next one's after it, else the last before it."""
+        """Return where a thing of several goes: its own place, else the next one's, else the last before it."""
         at = items.index(item)
         if items[at].places:
             return items[at].goal()
@@ -71,7 +71,7 @@ class Outcomes(Sentence):
         if amount.kind == "none" or negated:
             gone = with_place(things, goal) if goal != Place() else things
             return [Remove(things=msgspec.structs.replace(gone, amount=Amount(kind="all", number=0)), quote=quote)]
-        if item.phrase.definite and not item.phrase.noun.kind == "anything":
+        if item.phrase.definite and item.phrase.noun.kind != "anything":
             return [Move(things=things, place=goal, or_new=True, quote=quote)]
         return [Ensure(things=things, place=goal, each=each, quote=quote)]
 

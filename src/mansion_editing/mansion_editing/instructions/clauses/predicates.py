@@ -45,24 +45,27 @@ class Predicates(States, Colours, Ways):
     def _predicate(self, item: Item, end: int, at: int) -> tuple[list[Statement], int] | None:
         """Read what is said of a subject."""
         place = end
-        negated = False
-        modal = False
-        while self.text(place) in MODALS or (self.text(place) in BE and self.text(place) not in ("stay", "remain")) or self.text(place) in BEFORE_PREDICATES:  # fmt: skip
-            if self.text(place) in ("has", "have", "get") and self.text(place + 1) not in ("to", "be"):
-                if self._participle(place + 1) is None:
-                    break
-            if self.text(place) in ("to", "only", "just", "no", "all", "both") and self.phrase(place + 1) is not None:
-                if self.text(place) != "to" or self.text(place - 1) in BE or place == end:
-                    break
-            negated = negated or self.text(place) in ("not", "never", "no")
-            modal = modal or self.text(place) in MODALS
+        while self._is_before_predicate(place, end):
             place += 1
+        negated = any(word.text in ("not", "never", "no") for word in self.words[end:place])
         for reader in (self._said_state, self._said_participle, self._said_having, self._said_gone, self._said_where,
                        self._said_colour, self._said_good):  # fmt: skip
             found = reader(item, place, at, negated)
             if found is not None:
                 return found
         return None
+
+    def _is_before_predicate(self, at: int, end: int) -> bool:
+        """Whether a word between a subject, whose end is given, and what is said of it only joins them."""
+        word = self.text(at)
+        if not (word in MODALS or word in BEFORE_PREDICATES or word in BE - {"stay", "remain"}):
+            return False
+        having = word in ("has", "have", "get") and self.text(at + 1) not in ("to", "be")
+        if having and self._participle(at + 1) is None:
+            return False
+        if word in ("to", "only", "just", "no", "all", "both") and self.phrase(at + 1) is not None:
+            return word == "to" and self.text(at - 1) not in BE and at != end
+        return True
 
     def _said_state(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         found = self._state_after(item, place, at)
@@ -223,7 +226,7 @@ class Predicates(States, Colours, Ways):
         return self._there(whole, whole.goal(), quote), end
 
     def _said_good(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
-        """Read ``a mug on the desk would be nice``, and ``the desk is too bare``, which tells what comes next is about."""
+        """Read ``a mug would be nice``, and ``the desk is too bare``, which tells what comes next is about."""
         if self.text(place) in PRAISE:
             if negated or not any(w.text in MODALS for w in self.words[item.end : place]):
                 return None

@@ -49,9 +49,9 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
             "close": self._close, "start": self._start, "stop": self._stop, "paint": self._paint,
             "rename": self._rename, "furnish": self._furnish, "equip": self._equip, "enlarge": self._enlarge,
             "shrink": self._shrink, "make": self._make, "turn": self._rotate, "check": self._check, "undo": self._undo,
-            "redo": self._undo, "restore": self._restore, "leave": self._leave, "tidy": self._tidy, "keep": self._keep, "let": self._let,
-            "change": self._change, "give": self._give, "take": self._take, "go": self._go, "set": self._set, "want": self._want,
-            "repeat": self._repeat, "connect": self._connect, "use": self._use,
+            "redo": self._undo, "restore": self._restore, "leave": self._leave, "tidy": self._tidy, "keep": self._keep,
+            "let": self._let, "change": self._change, "give": self._give, "take": self._take, "go": self._go,
+            "set": self._set, "want": self._want, "repeat": self._repeat, "connect": self._connect, "use": self._use,
         }  # fmt: skip
         reader = readers.get(deed)
         if reader is None:

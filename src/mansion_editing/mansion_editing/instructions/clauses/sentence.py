@@ -36,6 +36,12 @@ _SKIPPED: Final = COURTESIES | frozenset(["also", "now", "then", "just", "simply
                                           "thus", "therefore", "yet", "while", "plus", "for", "now", ")", "(", "!",
                                           '"', "\n", "?", ";"])  # fmt: skip
 
+_EXCEPTIONS: Final = (
+    ("except", "for"), ("apart", "from"), ("other", "than"), ("aside", "from"), ("except",), ("but", "not"),
+    ("and", "not"), ("not",), ("besides",), ("but",), ("save", "for"), ("excluding",), ("without",),
+)  # fmt: skip
+"""Words that begin an exception."""
+
 
 class Sentence(ABC):
     """Reads the clauses of one sentence.
@@ -227,9 +233,7 @@ class Sentence(ABC):
             at += 1
         if verb_at(self.words, at, self.lexicon) is not None:
             return True
-        if self.text(at) in BEGIN_CLAUSES:
-            return True
-        return False
+        return self.text(at) in BEGIN_CLAUSES
 
     def predicate_follows(self, at: int) -> bool:
         """Whether the words at a place make the noun phrase before them the subject of a clause."""
@@ -285,8 +289,7 @@ class Sentence(ABC):
     def exceptions(self, at: int) -> tuple[int, tuple[Things, ...]]:
         """Read ``except the vase and the lamp``."""
         place = at + (self.text(at) == ",")
-        for phrase in (("except", "for"), ("apart", "from"), ("other", "than"), ("aside", "from"), ("except",),
-                       ("but", "not"), ("and", "not"), ("not",), ("besides",), ("but",), ("save", "for"), ("excluding",), ("without",)):  # fmt: skip
+        for phrase in _EXCEPTIONS:
             span = tuple(w.text for w in self.words[place : place + len(phrase)])
             if span != phrase:
                 continue

@@ -57,9 +57,7 @@ class Ways(Sentence):
             return True
         if word in ("find", "make"):
             return following in ("a", "the", "his", "its", "their", "my") and self.text(at + 2) == "way"
-        directions = DIRECTIONS  # fmt: skip
-        going = GOING
-        return word in going and following in directions
+        return word in GOING and following in DIRECTIONS
 
     def _way(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read the ends of a way."""
@@ -67,7 +65,7 @@ class Ways(Sentence):
         ends: list[Things | Rooms] = []
         end = place
         while end < len(self.words):
-            while self.text(end) in ALONG_WAYS and self.text(end) != "the":  # fmt: skip
+            while self.text(end) in ALONG_WAYS and self.text(end) != "the":
                 end += 1
             if self.text(end) == "from":
                 found = self._end_of_way(end + 1)
@@ -83,7 +81,7 @@ class Ways(Sentence):
                 break
             ends.append(found[0])
             end = found[1]
-        while self.text(end) in FREE_WAYS:  # fmt: skip
+        while self.text(end) in FREE_WAYS:
             end += 1
         if start is None and not ends:
             raise NotUnderstood(at, self.boundary(at))

@@ -31,7 +31,7 @@ class Wishes(Subjects, Negations):
             return None
         place = at + 1
         contracted = self.words[at].raw in ("there's", "theres")
-        while self.text(place) in MODALS or self.text(place) in EXISTENCE:  # fmt: skip
+        while self.text(place) in MODALS or self.text(place) in EXISTENCE:
             place += 1
         if place == at + 1 and not contracted:
             return None
@@ -59,40 +59,18 @@ class Wishes(Subjects, Negations):
         return out, end
 
     def _desired(self, at: int) -> tuple[list[Statement], int] | None:
-        """Read ``I want``, ``we need``, ``I would like``, ``can you``, ``make sure that`` and what follows."""
+        """Read ``I want``, ``can you``, ``is it possible to``, ``let us`` and what follows."""
         place = at
         who = self.text(place)
-        if who in ("i", "we", "you", "one", "they", "it") and who not in ("it",):
-            place += 1
-            while self.text(place) in MODALS or self.text(place) in BEFORE_WISHES:
-                place += 1
-            if self.text(place) in OPINIONS:
-                return self.read(place + 1 + (self.text(place + 1) in ("that", "you")) + (self.text(place + 2) == "to"))
-            if self.text(place) == "not" and self.text(place + 1) in ("want", "like", "wish"):
-                return self._unwanted(at, place + 2)
-            longer = {"anymore", "longer"} & {w.text for w in self.words} or "any more" in self.quote(
-                at, len(self.words)
-            )
-            if self.text(place) == "not" and self.text(place + 1) == "need" and longer:
-                return self._unwanted(at, place + 2)
-            if self.text(place) == "not":
-                raise NotUnderstood(at, self.boundary(at))
-            if self.text(place) == "rather" and self.text(place + 1) == "not":
-                return self._unwanted(at, place + 2)
-            if self.text(place) in ("was", "am", "were", "are") and self.text(place + 1) in ("hoping", "looking"):
-                return self._wanted(at, place + 2)
-            if self.text(place) in WISHES:
-                return self._wanted(at, place + 1)
-            if who in ("you",) and place > at + 1:
-                return self.read(self.skip(place))
-            return None
+        if who in ("i", "we", "you", "one", "they"):
+            return self._desired_by(at)
         if who == "what" and self.text(place + 1) in ("i", "we") and self.text(place + 3) == "is":
             return self._wanted(at, place + 4)
         if who in MODALS and self.text(place + 1) == "it" and self.text(place + 3) == "possible":
             return self._wanted(at, place + 4 + (self.text(place + 4) == "for"))
         if who in MODALS and self.text(place + 1) in ("you", "we", "i", "somebody", "someone"):
             place += 2
-            while self.text(place) in BEFORE_REQUESTS:  # fmt: skip
+            while self.text(place) in BEFORE_REQUESTS:
                 place += 1
             if self.text(place) in ("have", "get") and who in ("can", "could", "may", "might"):
                 return self._wanted(at, place + 1)
@@ -105,8 +83,32 @@ class Wishes(Subjects, Negations):
                     return found
         if self.words[at].raw == "let's":
             return self.read(place + 1)
-        if who in ("let",) and self.text(place + 1) in ("us", "me", "there"):
+        if who == "let" and self.text(place + 1) in ("us", "me", "there"):
             return self.read(place + 1 + (self.text(place + 1) != "there"))
+        return None
+
+    def _desired_by(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``I want``, ``we do not need``, ``I think that`` and what follows."""
+        place = at + 1
+        while self.text(place) in MODALS or self.text(place) in BEFORE_WISHES:
+            place += 1
+        if self.text(place) in OPINIONS:
+            return self.read(place + 1 + (self.text(place + 1) in ("that", "you")) + (self.text(place + 2) == "to"))
+        if self.text(place) == "not" and self.text(place + 1) in ("want", "like", "wish"):
+            return self._unwanted(at, place + 2)
+        longer = {"anymore", "longer"} & {w.text for w in self.words} or "any more" in self.quote(at, len(self.words))
+        if self.text(place) == "not" and self.text(place + 1) == "need" and longer:
+            return self._unwanted(at, place + 2)
+        if self.text(place) == "not":
+            raise NotUnderstood(at, self.boundary(at))
+        if self.text(place) == "rather" and self.text(place + 1) == "not":
+            return self._unwanted(at, place + 2)
+        if self.text(place) in ("was", "am", "were", "are") and self.text(place + 1) in ("hoping", "looking"):
+            return self._wanted(at, place + 2)
+        if self.text(place) in WISHES:
+            return self._wanted(at, place + 1)
+        if self.text(at) == "you" and place > at + 1:
+            return self.read(self.skip(place))
         return None
 
     def _going(self, at: int) -> tuple[list[Statement], int] | None:
@@ -243,7 +245,7 @@ class Wishes(Subjects, Negations):
         """Read ``the robot will find a stapler on the desk``."""
         somebody = frozenset("robot agent i we one guest visitor people everyone whoever someone subject".split())
         for k in range(place + 1, min(place + 6, len(self.words))):
-            if self.text(k) in ("find", "see", "grab", "pick") and self.phrase(k + 1) is not None:
-                if somebody & {w.text for w in self.words[place:k]}:
-                    return self._wanted(at, k + 1)
+            finding = self.text(k) in ("find", "see", "grab", "pick") and self.phrase(k + 1) is not None
+            if finding and somebody & {w.text for w in self.words[place:k]}:
+                return self._wanted(at, k + 1)
         return None

@@ -1,4 +1,4 @@
-"""The nouns that an instruction to a building may use: its rooms by all their names, and the objects of the catalogue."""
+"""The nouns that an instruction may use: a building's rooms by all their names, and the objects of the catalogue."""
 
 from collections.abc import Iterator
 from functools import cached_property, lru_cache

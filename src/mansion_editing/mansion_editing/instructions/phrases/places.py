@@ -47,13 +47,16 @@ class ReadPlace:
 _ON: Final = ("on", "onto", "atop")
 _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
     (("on", "top", "of"), "on"), (("on", "to"), "on"), (("in", "to"), "in"), (("inside", "of"), "in"),
-    (("in", "front", "of"), "front"), (("on", "either", "side", "of"), "around"), (("on", "both", "side", "of"), "around"),
+    (("in", "front", "of"), "front"), (("on", "either", "side", "of"), "around"),
+    (("on", "both", "side", "of"), "around"),
     (("to", "the", "left", "and", "right", "of"), "around"), (("on", "the", "left", "and", "right", "of"), "around"),
-    (("left", "and", "right", "of"), "around"), (("on", "each", "side", "of"), "around"), (("to", "both", "side", "of"), "around"),
+    (("left", "and", "right", "of"), "around"), (("on", "each", "side", "of"), "around"),
+    (("to", "both", "side", "of"), "around"),
     (("to", "the", "left", "of"), "left"), (("left", "of"), "left"), (("to", "the", "right", "of"), "right"),
     (("right", "of"), "right"), (("on", "the", "left", "of"), "left"), (("on", "the", "right", "of"), "right"),
     (("on", "the", "left", "side", "of"), "left"), (("on", "the", "right", "side", "of"), "right"),
-    (("right", "next", "to"), "beside"), (("next", "to"), "beside"), (("close", "to"), "near"), (("near", "to"), "near"),
+    (("right", "next", "to"), "beside"), (("next", "to"), "beside"), (("close", "to"), "near"),
+    (("near", "to"), "near"),
     (("by", "the", "side", "of"), "beside"), (("at", "the", "side", "of"), "beside"), (("side", "of"), "beside"),
     (("out", "of"), "in"), (("off", "of"), "on"), (("from", "under"), "under"), (("from", "on"), "on"),
     (("from", "inside"), "in"), (("from", "off"), "on"), (("away", "from"), "near"), (("from", "in"), "in"),
@@ -87,7 +90,7 @@ def read_place(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequenc
     place = at
     if text_at(words, place) == "there" and text_at(words, place + 1) in ("in", "on", "at", "by"):
         place += 1
-    while text_at(words, place) in BEFORE_PLACES and place < at + 3:  # fmt: skip
+    while text_at(words, place) in BEFORE_PLACES and place < at + 3:
         if text_at(words, place) == "right" and text_at(words, place + 1) == "of":
             break
         if text_at(words, place) == "all" and text_at(words, place + 1) not in ("over", "around", "along", "across"):
@@ -281,7 +284,7 @@ def _spot(
     ceiling_or_wall = phrase[0] in _ON and spot == "wall"
     if relation in ("", "above", "under", "behind") and not goal:
         return None
-    if spot in ("window", "door") and phrase[0] not in NEAR_SPOTS:  # fmt: skip
+    if spot in ("window", "door") and phrase[0] not in NEAR_SPOTS:
         return None
     if spot == "door" and text_at(words, place + 1) in ("of", "to"):
         return None

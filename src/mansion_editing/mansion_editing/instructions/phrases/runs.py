@@ -32,33 +32,19 @@ _ARTICLES_AFTER_VERBS: Final = frozenset(
 
 ENDS_RUN: Final = (
     PREPOSITIONS | CONJUNCTIONS | BE | MODALS | (HAVE - {"hold"}) | (NEED - {"miss"}) | PARTICIPLES_OF_REST
-    | frozenset(["not", "there", "please", "to", "thanks", "it", "them", "i", "we", "you", "do", "than", "because",
-                 "since", "switched", "turned", "powered", "painted", "removed", "gone", "moved", "replaced", "empty",
-                 "emptied", "cleared", "closed", "shut", "opened", "open", "running", "lit", "already", "too",
-                 "instead", "again", "somewhere", "anywhere", "here", "now", "also", "as", "if", "so", "that",
-                 "facing", "exactly", "which", "upstairs", "downstairs", "each", "both", "all", "every", "ajar",
-                 "deleted", "reachable", "accessible", "where", "belong", "sit", "lie", "apart", "rather", "wherever", "whose",
-                 "whatever", "short", "away", "does", "did", "look", "seem", "each", "anew", "afresh", "want", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
+    | frozenset(
+        "not there please to thanks it them i we you do than because since switched turned powered painted removed "
+        "gone moved replaced empty emptied cleared closed shut opened open running lit already too instead again "
+        "somewhere anywhere here now also as if so that facing exactly which upstairs downstairs each both all every "
+        "ajar deleted reachable accessible where belong sit lie apart rather wherever whose whatever short away does "
+        "did look seem anew afresh want visible go disappear vanish put exceed trade untouched alone starting next "
+        "either".split()
+    )
 )  # fmt: skip
 
 
 _MAY_BE_NOUN: Final = frozenset(
-    [
-        "light",
-        "open",
-        "left",
-        "right",
-        "front",
-        "stand",
-        "set",
-        "middle",
-        "dark",
-        "present",
-        "sitting",
-        "waiting",
-        "standing",
-        "living",
-    ]
+    "light open left right front stand set middle dark present sitting waiting standing living".split()
 )
 
 
@@ -75,15 +61,15 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
             continue
         if word.text == "one" and end > at and _is_last_of_run(words, end, at, lexicon):
             return end + 1
-        if word.kind == "number" and end > at and not _names_number(words, end, lexicon, at):
-            if word.text not in ("double", "twin", "triple", "single"):
-                break
+        counted = word.kind == "number" and word.text not in ("double", "twin", "triple", "single")
+        if counted and end > at and not _names_number(words, end, lexicon, at):
+            break
         if text == "can" and end > at and lexicon.is_object((words[end - 1].text, "can")):
             end += 1
             continue
-        if text in ENDS_RUN and not (end > at and word.genitive):
-            if not (text in _MAY_BE_NOUN and _starts_noun(words, end, at, lexicon)):
-                break
+        ending = text in ENDS_RUN and not (end > at and word.genitive)
+        if ending and not (text in _MAY_BE_NOUN and _starts_noun(words, end, at, lexicon)):
+            break
         if text in DETERMINERS and end >= at and text != "own":
             break
         if text == "other" and text_at(words, end + 1) == "than":

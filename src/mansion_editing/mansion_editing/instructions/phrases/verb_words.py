@@ -5,23 +5,26 @@ from typing import Final, Literal, TypeAlias
 __all__ = ["BY_WORDS", "GERUNDS", "LONGEST", "PARTICIPLES", "VERB_WORDS", "Deed"]
 
 Deed: TypeAlias = Literal[
-    "add", "bring", "remove", "take", "clear", "tidy", "go", "move", "swap", "replace", "switch", "open", "close", "paint", "rename",
-    "furnish", "equip", "enlarge", "shrink", "number", "make", "turn", "check", "undo", "redo", "leave", "keep", "let",
-    "change", "tell", "give", "set", "want", "go", "restore", "repeat", "start", "stop", "connect", "use",
+    "add", "bring", "remove", "take", "clear", "tidy", "go", "move", "swap", "replace", "switch", "open", "close",
+    "paint", "rename", "furnish", "equip", "enlarge", "shrink", "number", "make", "turn", "check", "undo", "redo",
+    "leave", "keep", "let", "change", "tell", "give", "set", "want", "restore", "repeat", "start", "stop", "connect",
+    "use",
 ]  # fmt: skip
 """What a verb asks for."""
 
 _VERBS: Final[dict[Deed, str]] = {
     "add": "add|put|place|lay|install|position|supply|provide|insert|drop|stick|deposit|park|stand|hang|mount|spawn|"
            "create|include|store|hide|serve|spread|fix|arrange|distribute|rest|toss|shelve|line up|set up|"
-           "set out|lay out|squeeze|tuck|fit|attach|introduce|order|buy|build in|throw in|lean|display|plug in|assemble|"
+           "set out|lay out|squeeze|tuck|fit|attach|introduce|order|buy|build in|throw in|lean|display|plug in|"
+           "assemble|"
            "scatter|drape|put up|put down|put out|add in|put in|put back|place back|set down|put on|dock|situate|"
            "generate|organise|organize|prepare|decorate|procure|leave behind|slot|slide in|nest|sit|"
            "lay down|rack|file|organize",
     "bring": "bring|fetch|deliver|get|carry|return",
     "remove": "remove|delete|take away|take out|take off|take down|get rid of|throw away|throw out|dispose of|discard|"
               "eliminate|clear away|erase|bin|scrap|drop off|rid|ditch|lose|junk|trash|chuck out|chuck|"
-              "uninstall|dump|away with|off with|clear off|clear out|withdraw|subtract|pull out|do away with|kick out|toss out|"
+              "uninstall|dump|away with|off with|clear off|clear out|withdraw|subtract|pull out|do away with|kick out|"
+              "toss out|"
               "move out|put away|destroy|strip out",
     "take": "take|grab|pick up|pick|collect|catch",
     "go": "go to|walk to|look at|find|approach|search for|go over to|drive to|take a look at|consider|locate|look for",
@@ -54,7 +57,8 @@ _VERBS: Final[dict[Deed, str]] = {
     "keep": "keep|maintain|preserve|hold|spare|save",
     "let": "let|allow",
     "change": "change|turn into|alter|modify",
-    "tell": "tell me|tell|count|list|show me|show|find out|report|say|name me|give me a count of|look up|look|let me know",
+    "tell": "tell me|tell|count|list|show me|show|find out|report|say|name me|give me a count of|look up|look|"
+            "let me know",
     "give": "give|hand",
     "set": "set",
     "want": "want|need|require|have|like to have|love|wish for|expect|wish|fancy|prefer|go for|would like",

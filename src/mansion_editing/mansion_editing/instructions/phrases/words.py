@@ -115,7 +115,8 @@ VAGUE: Final = frozenset(
     "normal usual standard regular suitable matching similar different own personal certain main existing current "
     "single individual separate loose dirty tasty hot warm tidy cute elegant cheap sturdy soft heavy light dark "
     "bright stylish random correct appropriate several whole entire more other further free available ripe "
-    "unused used broken cold chilled cool iced refrigerated favourite favorite old-fashioned possible actual particular required necessary freestanding stray second-hand visible "
+    "unused used broken cold chilled cool iced refrigerated favourite favorite old-fashioned possible actual "
+    "particular required necessary freestanding stray second-hand visible "
     "matching useless unneeded unnecessary remaining respective".split()
 )
 BREAKS: Final = frozenset([",", ";", ".", ":", "!", "?", "\n", "-", "(", ")", '"', "*", "/", "=", "#", "|", "[", "]"])
@@ -129,9 +130,11 @@ FUNCTION_WORDS: Final = (
 _SHORT: Final = {
     "pls": "please", "plz": "please", "u": "you", "ur": "your", "w": "with", "thx": "thanks", "bcs": "because",
     "cuz": "because", "cos": "because", "tv": "tv", "bedrm": "bedroom", "rm": "room", "flr": "floor", "ppl": "people",
-    "wanna": "want", "gonna": "will", "lemme": "let", "gimme": "give", "n": "and", "smth": "something", "centre": "middle",
+    "wanna": "want", "gonna": "will", "lemme": "let", "gimme": "give", "n": "and", "smth": "something",
+    "centre": "middle",
     "center": "middle", "storey": "floor", "story": "floor", "level": "floor", "upon": "on", "onto": "onto",
-    "meter": "metre", "lift": "elevator", "kid": "child", "fl": "floor", "goes": "go", "teh": "the", "adn": "and", "taht": "that", "hte": "the",
+    "meter": "metre", "lift": "elevator", "kid": "child", "fl": "floor", "goes": "go",
+    "teh": "the", "adn": "and", "taht": "that", "hte": "the",
     **dict.fromkeys("dont doesnt shouldnt isnt arent cant wont mustnt didnt".split(), "not"),
 }  # fmt: skip
 _ID: Final = re.compile(r"\b[fF]-?\d+/[A-Za-z0-9_./-]*[A-Za-z0-9_]|\b[a-z]+(?:_[a-z0-9]+)+\b")

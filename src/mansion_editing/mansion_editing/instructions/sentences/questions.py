@@ -28,7 +28,8 @@ _OPENINGS: Final = (
     ("tell", "me"), ("let", "me", "know"), ("can", "you", "tell", "me"), ("could", "you", "tell", "me"), ("say",),
     ("please", "tell", "me"), ("do", "you", "know"), ("i", "want", "to", "know"), ("i", "would", "like", "to", "know"),
     ("show", "me"), ("find", "out"), ("check",), ("i", "wonder"), ("please",), ("hi",), ("hello",), ("and",), (",",),
-    ("whether",), ("if",), ("so",), ("ok",), ("hey",), ("sorry",), ("but",), ("just", "tell", "me"), ("also",), ("quick", "question"),
+    ("whether",), ("if",), ("so",), ("ok",), ("hey",), ("sorry",), ("but",), ("just", "tell", "me"), ("also",),
+    ("quick", "question"),
     (":",), ("we", "want", "to", "know"), ("would", "you", "tell", "me"), ("could", "you", "please", "tell", "me"),
     ("can", "you", "check"), ("could", "you", "check"),
 )  # fmt: skip
@@ -76,7 +77,7 @@ def _plain(item: Item) -> Things:
 
 def _rest(reader: ClauseReader, at: int) -> tuple[Place | None, int]:
     """Read ``are there in the lobby`` after what is asked for."""
-    while reader.text(at) in BE or reader.text(at) in MODALS or reader.text(at) in AFTER_COUNTED:  # fmt: skip
+    while reader.text(at) in BE or reader.text(at) in MODALS or reader.text(at) in AFTER_COUNTED:
         if reader.text(at) in ("in", "at", "right", "the") and reader.text(at + 1) not in (
             "total",
             "moment",
@@ -97,9 +98,8 @@ def _rest(reader: ClauseReader, at: int) -> tuple[Place | None, int]:
 
 
 def _how_many(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tuple[Ask, int] | None:
-    if (reader.text(at), reader.text(at + 1)) not in (("how", "many"), ("how", "much")):
-        if (reader.text(at), reader.text(at + 1)) != ("number", "of"):
-            return None
+    if (reader.text(at), reader.text(at + 1)) not in (("how", "many"), ("how", "much"), ("number", "of")):
+        return None
     item = reader.item(at + 2)
     if item is None:
         raise NotUnderstood(at, reader.boundary(at))

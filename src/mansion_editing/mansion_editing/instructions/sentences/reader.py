@@ -1,7 +1,7 @@
 """Instructions in English to statements: sentences, their clauses in order, and what one sentence tells of another."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, Final
 
 import msgspec
 
@@ -43,6 +43,13 @@ from mansion_editing.instructions.statements import (
 from mansion_editing.state import SceneState
 
 __all__ = ["read_instruction"]
+
+_EVERY_ONE: Final = (("every", "single", "one"), ("all", "of", "them"), ("each", "of", "them"), ("from", "now", "on"))
+_PAIRS_AFTER_CLAUSES: Final = (
+    ("any", "more"), ("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"),
+    ("at", "all"), ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
+    ("from", "now"), ("now", "on"), ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so"),
+)  # fmt: skip
 
 
 def read_instruction(text: str, state: SceneState) -> Instruction:
@@ -101,30 +108,12 @@ class _Reader:
         return statement
 
     def _owners_named(self, words: Sequence[Word]) -> list[Word]:
-        """Put the owner where a pronoun stands for it: the mayor's for ``his office``, the umbrella's for ``its stand``."""
+        """Put the owner for a pronoun: the mayor's for ``his office``, the umbrella's for ``its stand``."""
         out: list[Word] = []
         for at, word in enumerate(words):
             following = words[at + 1].text if at + 1 < len(words) else ""
             if word.text in ("his", "her", "their", "its") and following:
-                owner = next(
-                    (
-                        w
-                        for w in reversed(out)
-                        if (
-                            w.kind == "word"
-                            and w.text not in FUNCTION_WORDS
-                            and self.lexicon.is_own_room((w.text, following))
-                        )
-                        or (
-                            w.kind == "word"
-                            and w.text not in FUNCTION_WORDS
-                            and (
-                                self.lexicon.is_object((w.text, following)) and not self.lexicon.is_own_room((w.text,))
-                            )
-                        )
-                    ),
-                    None,
-                )
+                owner = next((w for w in reversed(out) if self._owns(w, following)), None)
                 if owner is None and word.text == "its":
                     word = Word("the", word.raw, "word", word.start, word.end)
                 if owner is not None:
@@ -132,6 +121,14 @@ class _Reader:
                     word = Word(owner.text, owner.raw, "word", word.start, word.end)
             out.append(word)
         return out
+
+    def _owns(self, owner: Word, noun: str) -> bool:
+        """Whether two words make the name of a room of the building, or of an object that no room owns."""
+        if owner.kind != "word" or owner.text in FUNCTION_WORDS:
+            return False
+        pair = (owner.text, noun)
+        thing = self.lexicon.is_object(pair) and not self.lexicon.is_own_room((owner.text,))
+        return thing or self.lexicon.is_own_room(pair)
 
     def _quote(self, words: Sequence[Word], start: int, end: int) -> str:
         if start >= end:
@@ -177,7 +174,7 @@ class _Reader:
         return end + 1
 
     def _repeats(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
-        """Read what only repeats an earlier instruction: ``and in the bedroom too``, ``one more``, ``the same upstairs``."""
+        """Read what only repeats an earlier instruction: ``and in the bedroom too``, ``the same upstairs``."""
         if self.statements:
             return False
         if reader.text(at) in ("same", "likewise", "ditto") or (
@@ -253,7 +250,7 @@ class _Reader:
         return end
 
     def _more_of_the_same(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
-        """Read things without a verb after a statement, which go where the things before them went: ``and a pen too``."""
+        """Read things without a verb, which go where the things before them went: ``and a pen too``."""
         last = self.statements[-1] if self.statements else None
         if not isinstance(last, Add | Ensure) or at == 0 or words[at - 1].text not in ("and", "also", ",", "plus"):
             return None
@@ -328,12 +325,7 @@ class _Reader:
         while end < len(words):
             comma = words[end].text in (",", "and")
             rest = tuple(w.text for w in words[end + comma : end + comma + 3])
-            if rest in (
-                ("every", "single", "one"),
-                ("all", "of", "them"),
-                ("each", "of", "them"),
-                ("from", "now", "on"),
-            ):
+            if rest in _EVERY_ONE:
                 end += comma + 3
                 continue
             if rest == ("not", "one", "more"):
@@ -349,11 +341,9 @@ class _Reader:
                 end += 3
             elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
                 end = self._contrasted(reader, end + 2)
-            elif pair in (("any", "more"), ("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"), ("at", "all"),
-                        ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
-                        ("from", "now"), ("now", "on"), ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so")):  # fmt: skip
+            elif pair in _PAIRS_AFTER_CLAUSES:
                 end += 2
-            elif text in COURTESIES or text in AFTER_CLAUSES:  # fmt: skip
+            elif text in COURTESIES or text in AFTER_CLAUSES:
                 end += 1
             else:
                 break
@@ -369,7 +359,7 @@ class _Reader:
         return stop, exact
 
     def _contrasted(self, reader: ClauseReader, at: int) -> int:
-        """Return the end of what is not meant: ``rather than two``, ``instead of on the shelf``; 0 where it is a thing."""
+        """Return the end of what is not meant: ``than two``, ``of on the shelf``; 0 where it is a thing."""
         if at < len(reader.words) and reader.words[at].kind == "number":
             return at + 1
         places, end = reader.places(at)
