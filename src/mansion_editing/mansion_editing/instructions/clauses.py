@@ -2417,7 +2417,7 @@ class ClauseReader:
                 quote = self.quote(at, goal.end)
                 return [Turn(things=self._all_if_plural(item.things()), facing=goal.things(), quote=quote)], goal.end
         verb = self.words[item.end].raw if item.end < len(self.words) else ""
-        if verb in ("died", "broke", "fell", "leaks", "squeaks", "smells", "wobbles", "cracked") and place == item.end:
+        if verb in ("died", "broke", "fell", "leaks", "squeaks", "smells", "wobbles", "cracked", "burst") and place == item.end:
             self.topic = item.things()
             return [Mention(quote=self.quote(at, place + 1))], place + 1
         if self.text(item.end) not in ("is", "are", "look", "seem", "feel") or any(

@@ -58,7 +58,7 @@ _ENDS_RUN: Final = (
                  "instead", "again", "somewhere", "anywhere", "here", "now", "also", "as", "if", "so", "that",
                  "facing", "exactly", "which", "upstairs", "downstairs", "each", "both", "all", "every", "ajar",
                  "deleted", "reachable", "accessible", "where", "belong", "sit", "lie", "apart", "rather", "wherever", "whose",
-                 "whatever", "short", "away", "does", "did", "look", "seem", "each", "anew", "afresh", "want", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
+                 "whatever", "died", "broke", "fell", "short", "away", "does", "did", "look", "seem", "each", "anew", "afresh", "want", "visible", "than", "go", "disappear", "vanish", "put", "exceed", "trade", "untouched", "alone", "starting", "next", "either"])
 )  # fmt: skip
 _MAY_BE_NOUN: Final = frozenset(
     ["light", "open", "left", "right", "front", "stand", "set", "middle", "dark", "present", "sitting", "waiting",
@@ -116,7 +116,7 @@ class NounPhrase:
             noun="" if noun.kind == "anything" else " ".join((*noun.words, *filter(None, [noun.number]))),
             amount=self.amount,
             definite=self.definite,
-            plural=self.noun.plural and not (self.amount.number == 1 and not self.definite),
+            plural=self.noun.plural and not (self.amount.number == 1 and self.amount.kind in ("some", "more")),
             colour=noun.colour,
             material=noun.material,
             states=dict(noun.states),
@@ -268,7 +268,7 @@ def _indefinite(words: Sequence[Word], at: int) -> Amounted:
         if _text(words, place) in ("the", "these", "those"):
             place += 1
             whole = _number(words, place)
-            return Amount(number=number, of=whole or 0), whole is not None, False, place + (whole is not None)
+            return Amount(number=number, of=whole or 0), False, False, place + (whole is not None)
         return Amount(kind="more" if more else "some", number=number), False, False, place
     if _text(words, place) in ("additional", "extra", "further", "second", "third"):
         return Amount(kind="more", number=1), False, False, place + 1
@@ -280,7 +280,7 @@ def _counted(words: Sequence[Word], at: int, number: int, *, definite: bool) -> 
     if _text(words, place) == "of" and _text(words, place + 1) in ("the", "these", "those", "them", "my", "our"):
         place += 1 if _text(words, place + 1) == "them" else 2
         whole = _number(words, place)
-        return Amount(number=number, of=whole or 0), whole is not None, False, place + (whole is not None)
+        return Amount(number=number, of=whole or 0), False, False, place + (whole is not None)
     if _text(words, place) in ("more", "additional", "extra", "further"):
         return Amount(kind="more", number=number), definite, False, place + 1
     if _text(words, place) == "other" and not definite:
