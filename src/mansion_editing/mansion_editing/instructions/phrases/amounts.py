@@ -129,7 +129,7 @@ def _indefinite(words: Sequence[Word], at: int) -> Amounted:
         if text_at(words, place) in ("the", "these", "those"):
             place += 1
             whole = number_at(words, place)
-            return Amount(number=number, of=whole or 0), whole is not None, False, place + (whole is not None)
+            return Amount(number=number, of=whole or 0), False, False, place + (whole is not None)
         return Amount(kind="more" if more else "some", number=number), False, False, place
     if text_at(words, place) in ("additional", "extra", "further", "second", "third"):
         return Amount(kind="more", number=1), False, False, place + 1
@@ -141,7 +141,7 @@ def _counted(words: Sequence[Word], at: int, number: int, *, definite: bool) -> 
     if text_at(words, place) == "of" and text_at(words, place + 1) in ("the", "these", "those", "them", "my", "our"):
         place += 1 if text_at(words, place + 1) == "them" else 2
         whole = number_at(words, place)
-        return Amount(number=number, of=whole or 0), whole is not None, False, place + (whole is not None)
+        return Amount(number=number, of=whole or 0), False, False, place + (whole is not None)
     if text_at(words, place) in ("more", "additional", "extra", "further"):
         return Amount(kind="more", number=number), definite, False, place + 1
     if text_at(words, place) == "other" and not definite:

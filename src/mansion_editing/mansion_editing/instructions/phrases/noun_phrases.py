@@ -48,7 +48,7 @@ class NounPhrase:
             noun="" if noun.kind == "anything" else " ".join((*noun.words, *filter(None, [noun.number]))),
             amount=self.amount,
             definite=self.definite,
-            plural=self.noun.plural and not (self.amount.number == 1 and not self.definite),
+            plural=self.noun.plural and not (self.amount.number == 1 and self.amount.kind in ("some", "more")),
             colour=noun.colour,
             material=noun.material,
             states=dict(noun.states),

@@ -100,7 +100,7 @@ BEFORE_PREDICATES: Final = frozenset(
 )
 WANTING: Final = frozenset("need require lack get want deserve miss missing keep".split())
 BEING_SOMEWHERE: Final = frozenset("belong come sit stand lie live rest hang".split())
-FAILING: Final = frozenset("died broke fell leaks squeaks smells wobbles cracked".split())
+FAILING: Final = frozenset("died broke fell leaks squeaks smells wobbles cracked burst".split())
 BEFORE_COLOURS: Final = frozenset("be is are in get painted have".split())
 BEFORE_STATES: Final = frozenset("switched turned left kept powered wide fully be always ,".split())
 DISTURBING: Final = frozenset("touch disturb alter bother affect move break mess".split())

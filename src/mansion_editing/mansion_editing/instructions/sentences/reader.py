@@ -274,6 +274,9 @@ class _Reader:
         )
         if isinstance(statement, Add | Ensure) and numbered and statement.things.amount.number:
             return so_many(statement, topic)
+        moved = isinstance(statement, Move) and statement.place == Place() and statement.things.refers == "last"
+        if isinstance(statement, Move) and moved and statement.things.amount.number > 1:
+            return so_many(Ensure(things=statement.things, place=Place(), quote=statement.quote), topic)
 
         def named(value: Any) -> Any:
             if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
