@@ -14,7 +14,13 @@ from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place
 from mansion_editing.instructions.phrases.verb_words import PARTICIPLES, Deed
 from mansion_editing.instructions.phrases.verbs import verb_at
-from mansion_editing.instructions.phrases.word_sets import AFTER_THANKS, BEFORE_VERBS, BEGIN_CLAUSES, PREDICATE_VERBS
+from mansion_editing.instructions.phrases.word_sets import (
+    AFTER_THANKS,
+    BEFORE_VERBS,
+    BEGIN_CLAUSES,
+    BETWEEN_CLAUSES,
+    PREDICATE_VERBS,
+)
 from mansion_editing.instructions.phrases.words import (
     BE,
     COURTESIES,
@@ -28,13 +34,7 @@ from mansion_editing.instructions.statements import Amount, Place, Statement, Th
 
 __all__ = ["Sentence"]
 
-_SKIPPED: Final = COURTESIES | frozenset(["also", "now", "then", "just", "simply", "finally", "afterwards", "again",
-                                          "too", "meanwhile", "next", "first", "and", "but", "so", ",", "-", "*", ":",
-                                          "quickly", "immediately", "kindly", "maybe", "perhaps", "otherwise", ".",
-                                          "once", "still", "already", "today", "asap", "else", "as", "well", "there",
-                                          "here", "back", "together", "instead", "carefully", "neatly", "nicely",
-                                          "thus", "therefore", "yet", "while", "plus", "for", "now", ")", "(", "!",
-                                          '"', "\n", "?", ";"])  # fmt: skip
+_SKIPPED: Final = COURTESIES | BETWEEN_CLAUSES
 
 _EXCEPTIONS: Final = (
     ("except", "for"), ("apart", "from"), ("other", "than"), ("aside", "from"), ("except",), ("but", "not"),

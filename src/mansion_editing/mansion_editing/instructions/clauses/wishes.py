@@ -12,6 +12,7 @@ from mansion_editing.instructions.phrases.word_sets import (
     BEFORE_WISHES,
     EXISTENCE,
     OPINIONS,
+    SOMEBODY,
     THIRD_PERSON_WISHES,
     TOLD_EXISTENCE,
     WISHES,
@@ -243,9 +244,8 @@ class Wishes(Subjects, Negations):
 
     def _found_by_somebody(self, at: int, place: int) -> tuple[list[Statement], int] | None:
         """Read ``the robot will find a stapler on the desk``."""
-        somebody = frozenset("robot agent i we one guest visitor people everyone whoever someone subject".split())
         for k in range(place + 1, min(place + 6, len(self.words))):
             finding = self.text(k) in ("find", "see", "grab", "pick") and self.phrase(k + 1) is not None
-            if finding and somebody & {w.text for w in self.words[place:k]}:
+            if finding and SOMEBODY & {w.text for w in self.words[place:k]}:
                 return self._wanted(at, k + 1)
         return None

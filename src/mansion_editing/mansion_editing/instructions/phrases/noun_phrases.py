@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Final, Literal
 
 from mansion_editing.instructions.phrases.amounts import number_at, read_amount
 from mansion_editing.instructions.phrases.lexicon import Lexicon
@@ -14,6 +14,9 @@ from mansion_editing.instructions.phrases.words import ADVERBS, DETERMINERS, STA
 from mansion_editing.instructions.statements import Amount, AmountKind, Place, Rooms, Things
 
 __all__ = ["NounPhrase", "noun_phrase"]
+
+_IN_PHRASES: Final = frozenset(["only", "just", "exactly", "back", "first", "next"])
+"""Adverbs that may belong to a noun phrase."""
 
 
 @dataclass(frozen=True)
@@ -84,14 +87,7 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         Those of the building.
     """
     start = at
-    while text_at(words, at) in ADVERBS and text_at(words, at) not in (
-        "only",
-        "just",
-        "exactly",
-        "back",
-        "first",
-        "next",
-    ):
+    while text_at(words, at) in ADVERBS - _IN_PHRASES:
         at += 1
     if text_at(words, at) in ("only", "just") and text_at(words, at + 1) in DETERMINERS:
         at += 1
@@ -102,14 +98,9 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     if whatever is not None:
         return whatever
     amount, definite, each, place = read_amount(words, at)
-    if text_at(words, place) in ("it", "them", "they", "those", "these") and place <= at + 2:
-        noun = Noun((), "anything", plural=words[place].text != "it")
-        return NounPhrase(noun, amount, True, start, place + 1, refers="last")
-    if place == at + 1 and words[at].text in BARE_PRONOUNS:
-        bare = place >= len(words) or not words[place].text[:1].isalpha() or words[place].text in ENDS_RUN
-        if bare and text_at(words, place) != "with":
-            noun = Noun((), "anything", plural=words[at].text in ("these", "those", "both", "all"))
-            return NounPhrase(noun, amount, True, start, place, refers="last")
+    pronoun = _pronoun(words, start, at, place, amount)
+    if pronoun is not None:
+        return pronoun
     if text_at(words, place) in ("other", "rest", "remaining", "remainder"):
         others = _others(words, at, place, amount, lexicon, floors)
         if others is not None:
@@ -136,6 +127,20 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         amount = Amount(number=1)
     noun = replace(found, floors=storeys)
     return NounPhrase(noun, amount, definite, start, end, each=each)
+
+
+def _pronoun(words: Sequence[Word], start: int, at: int, place: int, amount: Amount) -> NounPhrase | None:
+    """Read ``it``, ``two of them``, ``these``; an amount was read up to `place`."""
+    if text_at(words, place) in ("it", "them", "they", "those", "these") and place <= at + 2:
+        noun = Noun((), "anything", plural=words[place].text != "it")
+        return NounPhrase(noun, amount, True, start, place + 1, refers="last")
+    if place != at + 1 or words[at].text not in BARE_PRONOUNS:
+        return None
+    bare = place >= len(words) or not words[place].text[:1].isalpha() or words[place].text in ENDS_RUN
+    if not bare or text_at(words, place) == "with":
+        return None
+    noun = Noun((), "anything", plural=words[at].text in ("these", "those", "both", "all"))
+    return NounPhrase(noun, amount, True, start, place, refers="last")
 
 
 def _whatever(words: Sequence[Word], at: int) -> NounPhrase | None:

@@ -41,6 +41,7 @@ __all__ = [
     "BEFORE_WISHES",
     "BEGIN_CLAUSES",
     "BEING_SOMEWHERE",
+    "BETWEEN_CLAUSES",
     "DIRECTIONS",
     "DISTURBING",
     "EARLIER_STEPS",
@@ -64,6 +65,8 @@ __all__ = [
     "PRAISE",
     "PREDICATE_VERBS",
     "PROPERTIES",
+    "RELATIVES",
+    "SOMEBODY",
     "STAYING_AS_IT_IS",
     "THIRD_PERSON_WISHES",
     "TOLD_EXISTENCE",
@@ -87,6 +90,7 @@ AFTER_CHECKS: Final = frozenset("that whether if for to , :".split())
 EXISTENCE: Final = frozenset("be is are to need has have not also always ought supposed no longer".split())
 TOLD_EXISTENCE: Final = frozenset("there is are no not currently still".split())
 PRAISE: Final = frozenset("nice good great lovely fine helpful appreciated perfect ideal welcome".split())
+SOMEBODY: Final = frozenset("robot agent i we one guest visitor people everyone whoever someone subject".split())
 
 # Clauses and subjects
 
@@ -168,6 +172,12 @@ BEFORE_STOREYS: Final = frozenset("the all both each every our of".split())
 
 # Sentences around clauses
 
+BETWEEN_CLAUSES: Final = frozenset(
+    "also now then just simply finally afterwards again too meanwhile next first and but so quickly immediately "
+    "kindly maybe perhaps otherwise once still already today asap else as well there here back together instead "
+    "carefully neatly nicely thus therefore yet while plus for".split()
+) | frozenset([",", "-", "*", ":", ".", ")", "(", "!", '"', "\n", "?", ";"])
+RELATIVES: Final = frozenset("my our one somebody her his their daughter son mother father boss".split())
 AFTER_REASONS: Final = frozenset("i we the they it there my our he she".split())
 AFTER_PURPOSES: Final = frozenset("that we i they people the it everyone guest nobody".split())
 PAST_VERBS: Final = frozenset(

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import Final
 
-from mansion_editing.instructions.phrases.word_sets import AFTER_PURPOSES, AFTER_REASONS, PAST_VERBS
+from mansion_editing.instructions.phrases.word_sets import AFTER_PURPOSES, AFTER_REASONS, PAST_VERBS, RELATIVES
 from mansion_editing.instructions.phrases.words import PERSONS, Word
 
 __all__ = ["end_of_background", "is_background", "split_sentences"]
@@ -63,9 +63,7 @@ def is_background(words: Sequence[Word]) -> bool:
         return True
     if words[0].raw in ("it's", "its", "they're", "that's") and len(words) <= 4:
         return True
-    people = PERSONS | frozenset(
-        ["my", "our", "one", "somebody", "her", "his", "their", "daughter", "son", "mother", "father", "boss"]
-    )
+    people = PERSONS | RELATIVES
     past = any(w.raw.endswith("ed") or w.raw in PAST_VERBS for w in words)
     return (
         texts[0] in people
