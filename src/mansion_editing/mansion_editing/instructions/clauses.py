@@ -138,6 +138,8 @@ class ClauseReader:
         self.frame = Place()
         self.last_noun: Noun | None = None
         self.topic: Things | None = None
+        self.affirmed: Things | None = None
+        self.follows = False
 
     # Pieces
 
@@ -177,7 +179,8 @@ class ClauseReader:
                 read = self._place_after_comma(at, found)
             if read is None:
                 return tuple(found), start
-            found.append(replace(read, relative=True) if relative else read)
+            owned = not found and self.text(read.start) == "of" and read.place.rooms is not None
+            found.append(replace(read, relative=True) if relative or owned else read)
             at = read.end
 
     def _place_after_comma(self, at: int, found: list[ReadPlace]) -> ReadPlace | None:
@@ -345,8 +348,15 @@ class ClauseReader:
             place += 1
         return place
 
+    def taken_affirmed(self) -> Things | None:
+        """Return what the clause just read said to be there, and forget it."""
+        affirmed, self.affirmed = self.affirmed, None
+        return affirmed
+
     def skip(self, at: int) -> int:
         """Return the place after courtesies, adverbs and marks."""
+        if self.text(at) == "," and self.text(at + 1) in ("would", "could", "will", "can") and at + 3 >= len(self.words):
+            return len(self.words)
         while at < len(self.words) and self.text(at) in _SKIPPED:
             if self.text(at) in ("thank", "thanks"):
                 while self.text(at + 1) in (
@@ -367,6 +377,8 @@ class ClauseReader:
                                              or self.text(at + 1) in ("need", "has", "have")):  # fmt: skip
                 break
             if self.text(at) == "for" and self.text(at + 1) not in ("now", "me", "us"):
+                break
+            if self.text(at) == "next" and self.text(at + 1) == "to":
                 break
             if self.text(at) == "for" and self.text(at + 1) in ("me", "us"):
                 at += 1
@@ -391,6 +403,8 @@ class ClauseReader:
             at += 2
         if self.text(at) in ("only", "just", "to") and verb_at(self.words, at + 1, self.lexicon) is not None:
             at += 1
+        if at >= len(self.words):
+            raise NotUnderstood(len(self.words) - 1, len(self.words))
         for opening in (self._negated, self._existential, self._going, self._desired, self._of_persons, self._with_verb,
                         self._with_predicate):  # fmt: skip
             found = opening(at)
@@ -511,6 +525,9 @@ class ClauseReader:
         following = self._state_after(items[-1], end, at)
         if following is not None:
             return following
+        affirmed = not negated and len(items) == 1 and (between or {"is"}) <= {"there", "is", "are", "already", "still", "currently"}
+        if affirmed and items[0].phrase.amount.kind in ("some",):
+            self.affirmed = items[0].things()
         if told or (items[0].phrase.amount.kind == "none" and between <= {"there", "is", "are"}):
             goal, _ = self._shared_goal(items, items[0])
             self.frame = Place(rooms=goal.rooms) if goal.rooms is not None else self.frame
@@ -589,6 +606,9 @@ class ClauseReader:
                 raise NotUnderstood(at, self.boundary(at))
             if self.text(place) == "rather" and self.text(place + 1) == "not":
                 return self._unwanted(at, place + 2)
+            pleased = self.text(place) == "be" and self.text(place + 1) in ("glad", "happy", "grateful", "pleased")
+            if pleased and self.text(place + 2) in ("of", "with", "about", "for"):
+                return self._wanted(at, place + 3)
             if self.text(place) in ("was", "am", "were", "are") and self.text(place + 1) in ("hoping", "looking"):
                 return self._wanted(at, place + 2)
             if self.text(place) in (
@@ -2463,6 +2483,8 @@ class ClauseReader:
             return found
         if any(item.is_room for item in items):
             raise NotUnderstood(at, self.boundary(at))
+        if items[0].phrase.definite and not self.follows and self.text(end) not in ("out", "away", "gone"):
+            raise NotUnderstood(at, end)
         if self.text(end) in ("out", "away", "gone"):
             quote = self.quote(at, end + 1)
             return [self._removed(items, item, (), (), quote) for item in items], end + 1

@@ -321,6 +321,8 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     if at < len(words) and words[at].kind == "id":
         noun = Noun((words[at].raw,), "object")
         return NounPhrase(noun, Amount(number=1), True, start, at + 1)
+    if tuple(w.text for w in words[at : at + 3]) == ("every", "single", "one"):
+        return None
     whatever = _whatever(words, at)
     if whatever is not None:
         return whatever
@@ -442,6 +444,9 @@ def _end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
             if word.text not in ("double", "twin", "triple", "single"):
                 break
         if text == "can" and end > at and lexicon.is_object((words[end - 1].text, "can")):
+            end += 1
+            continue
+        if end == at and text in ("empty", "free", "clear", "closed") and _starts_noun(words, end + 1, end + 1, lexicon):
             end += 1
             continue
         if text in _ENDS_RUN and not (end > at and word.genitive):

@@ -55,7 +55,7 @@ _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
     (("right", "next", "to"), "beside"), (("next", "to"), "beside"), (("close", "to"), "near"), (("near", "to"), "near"),
     (("by", "the", "side", "of"), "beside"), (("at", "the", "side", "of"), "beside"), (("side", "of"), "beside"),
     (("out", "of"), "in"), (("off", "of"), "on"), (("from", "under"), "under"), (("from", "on"), "on"),
-    (("from", "inside"), "in"), (("from", "off"), "on"), (("away", "from"), "near"), (("from", "in"), "in"),
+    (("from", "inside"), "in"), (("from", "off"), "on"), (("away", "from"), ""), (("from", "in"), "in"),
     (("from", "behind"), "behind"), (("from", "the", "top", "of"), "on"), (("in", "the", "middle", "of"), "in"),
     (("back", "to"), ""), (("back", "in"), "in"), (("back", "on"), "on"), (("back", "into"), "in"),
     (("over", "to"), ""), (("over", "in"), "in"), (("up", "to"), ""), (("down", "to"), ""), (("down", "in"), "in"),
@@ -88,7 +88,7 @@ def read_place(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequenc
     """Read one prepositional phrase, or a storey alone; None where there is none."""
     start = at
     place = at
-    if _text(words, place) == "there" and _text(words, place + 1) in ("in", "on", "at", "by"):
+    if _text(words, place) in ("there", "away") and _text(words, place + 1) in ("in", "on", "at", "by", "into"):
         place += 1
     while _text(words, place) in ("somewhere", "anywhere", "just", "right", "directly", "all", "still", "already", "currently", "straight", "exactly") and place < at + 3:  # fmt: skip
         if _text(words, place) == "right" and _text(words, place + 1) == "of":
@@ -116,7 +116,7 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if _text(words, at) in ("up", "over", "down", "in", "right") and _text(words, at + 1) == "there":
         at += 1
     if _text(words, at) in ("there", "here"):
-        if _text(words, at + 1) in _EXISTENCE:
+        if _text(words, at + 1) in _EXISTENCE or words[at].raw in ("there's", "theres"):
             return None
         return ReadPlace(Place(rooms=Rooms(same=True)), at, at + 1)
     if _text(words, at) in ("upstairs", "downstairs") or (at < len(words) and words[at].kind == "level"):
