@@ -31,6 +31,8 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
             at += 2
         if self.text(at) in ("only", "just", "to") and verb_at(self.words, at + 1, self.lexicon) is not None:
             at += 1
+        if at >= len(self.words):
+            raise NotUnderstood(len(self.words) - 1, len(self.words))
         for opening in (self._negated, self._existential, self._going, self._desired, self._of_persons, self._with_verb,
                         self._with_predicate):  # fmt: skip
             found = opening(at)
@@ -70,6 +72,8 @@ class ClauseReader(Keeping, Changing, Taking, PastSteps):
             return found
         if any(item.is_room for item in items):
             raise NotUnderstood(at, self.boundary(at))
+        if items[0].phrase.definite and not self.follows and self.text(end) not in ("out", "away", "gone"):
+            raise NotUnderstood(at, end)
         if self.text(end) in ("out", "away", "gone"):
             quote = self.quote(at, end + 1)
             return [self._removed(items, item, (), (), quote) for item in items], end + 1

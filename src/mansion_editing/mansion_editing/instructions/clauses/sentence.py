@@ -65,6 +65,8 @@ class Sentence(ABC):
         self.frame = Place()
         self.last_noun: Noun | None = None
         self.topic: Things | None = None
+        self.affirmed: Things | None = None
+        self.follows = False
 
     def until(self, end: int) -> Self:
         """Return a reader of the words before a place."""
@@ -116,7 +118,8 @@ class Sentence(ABC):
                 read = self._place_after_comma(at, found)
             if read is None:
                 return tuple(found), start
-            found.append(replace(read, relative=True) if relative else read)
+            owned = not found and self.text(read.start) == "of" and read.place.rooms is not None
+            found.append(replace(read, relative=True) if relative or owned else read)
             at = read.end
 
     def _place_after_comma(self, at: int, found: list[ReadPlace]) -> ReadPlace | None:
@@ -268,8 +271,16 @@ class Sentence(ABC):
             place += 1
         return place
 
+    def taken_affirmed(self) -> Things | None:
+        """Return what the clause just read said to be there, and forget it."""
+        affirmed, self.affirmed = self.affirmed, None
+        return affirmed
+
     def skip(self, at: int) -> int:
         """Return the place after courtesies, adverbs and marks."""
+        asking = self.text(at) == "," and self.text(at + 1) in ("would", "could", "will", "can")
+        if asking and at + 3 >= len(self.words):
+            return len(self.words)
         while at < len(self.words) and self.text(at) in _SKIPPED:
             if self.text(at) in ("thank", "thanks"):
                 while self.text(at + 1) in AFTER_THANKS:
@@ -278,6 +289,8 @@ class Sentence(ABC):
                                              or self.text(at + 1) in ("need", "has", "have")):  # fmt: skip
                 break
             if self.text(at) == "for" and self.text(at + 1) not in ("now", "me", "us"):
+                break
+            if self.text(at) == "next" and self.text(at + 1) == "to":
                 break
             if self.text(at) == "for" and self.text(at + 1) in ("me", "us"):
                 at += 1

@@ -48,11 +48,15 @@ class Wishes(Subjects, Negations):
         following = self._state_after(items[-1], end, at)
         if following is not None:
             return following
+        only = {"there", "is", "are", "already", "still", "currently"}
+        affirmed = not negated and len(items) == 1 and (between or {"is"}) <= only
+        if affirmed and items[0].phrase.amount.kind == "some":
+            self.affirmed = items[0].things()
         if told or (items[0].phrase.amount.kind == "none" and between <= {"there", "is", "are"}):
             goal, _ = self._shared_goal(items, items[0])
             self.frame = Place(rooms=goal.rooms) if goal.rooms is not None else self.frame
             return [Mention(quote=self.quote(at, end))], end
-        if len(items) == 1 and between <= {"there", "is", "are", "already", "still", "currently"}:
+        if len(items) == 1 and between <= only:
             self.topic = items[0].things()
         out: list[Statement] = []
         for item in items:
@@ -104,6 +108,9 @@ class Wishes(Subjects, Negations):
             raise NotUnderstood(at, self.boundary(at))
         if self.text(place) == "rather" and self.text(place + 1) == "not":
             return self._unwanted(at, place + 2)
+        pleased = self.text(place) == "be" and self.text(place + 1) in ("glad", "happy", "grateful", "pleased")
+        if pleased and self.text(place + 2) in ("of", "with", "about", "for"):
+            return self._wanted(at, place + 3)
         if self.text(place) in ("was", "am", "were", "are") and self.text(place + 1) in ("hoping", "looking"):
             return self._wanted(at, place + 2)
         if self.text(place) in WISHES:

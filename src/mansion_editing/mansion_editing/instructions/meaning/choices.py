@@ -64,6 +64,9 @@ def concerned(state: SceneState, things: Things, context: Context) -> list[Scene
         ``NOT_FOUND`` for an exception that is not there.
     """
     found = things_of(state, things, context)
+    loosely = things.definite and things.plural and things.amount.kind in ("some", "all") and things.place is None
+    if loosely and not things.refers and not things.owned and context.rooms:
+        found = [item for item in found if item.room in context.rooms] or found
     for spared in things.beside:
         if not things_of(state, spared, context):
             raise MansionError(

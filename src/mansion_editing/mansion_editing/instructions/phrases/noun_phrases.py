@@ -94,6 +94,8 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     if at < len(words) and words[at].kind == "id":
         noun = Noun((words[at].raw,), "object")
         return NounPhrase(noun, Amount(number=1), True, start, at + 1)
+    if tuple(w.text for w in words[at : at + 3]) == ("every", "single", "one"):
+        return None
     whatever = _whatever(words, at)
     if whatever is not None:
         return whatever

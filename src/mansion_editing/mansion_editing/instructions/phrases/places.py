@@ -59,7 +59,7 @@ _PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
     (("near", "to"), "near"),
     (("by", "the", "side", "of"), "beside"), (("at", "the", "side", "of"), "beside"), (("side", "of"), "beside"),
     (("out", "of"), "in"), (("off", "of"), "on"), (("from", "under"), "under"), (("from", "on"), "on"),
-    (("from", "inside"), "in"), (("from", "off"), "on"), (("away", "from"), "near"), (("from", "in"), "in"),
+    (("from", "inside"), "in"), (("from", "off"), "on"), (("away", "from"), ""), (("from", "in"), "in"),
     (("from", "behind"), "behind"), (("from", "the", "top", "of"), "on"), (("in", "the", "middle", "of"), "in"),
     (("back", "to"), ""), (("back", "in"), "in"), (("back", "on"), "on"), (("back", "into"), "in"),
     (("over", "to"), ""), (("over", "in"), "in"), (("up", "to"), ""), (("down", "to"), ""), (("down", "in"), "in"),
@@ -88,7 +88,7 @@ def read_place(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequenc
     """Read one prepositional phrase, or a storey alone; None where there is none."""
     start = at
     place = at
-    if text_at(words, place) == "there" and text_at(words, place + 1) in ("in", "on", "at", "by"):
+    if text_at(words, place) in ("there", "away") and text_at(words, place + 1) in ("in", "on", "at", "by", "into"):
         place += 1
     while text_at(words, place) in BEFORE_PLACES and place < at + 3:
         if text_at(words, place) == "right" and text_at(words, place + 1) == "of":
@@ -116,7 +116,7 @@ def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Seque
     if text_at(words, at) in ("up", "over", "down", "in", "right") and text_at(words, at + 1) == "there":
         at += 1
     if text_at(words, at) in ("there", "here"):
-        if text_at(words, at + 1) in _EXISTENCE:
+        if text_at(words, at + 1) in _EXISTENCE or words[at].raw in ("there's", "theres"):
             return None
         return ReadPlace(Place(rooms=Rooms(same=True)), at, at + 1)
     if text_at(words, at) in ("upstairs", "downstairs") or (at < len(words) and words[at].kind == "level"):

@@ -67,6 +67,10 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if text == "can" and end > at and lexicon.is_object((words[end - 1].text, "can")):
             end += 1
             continue
+        bare = end == at and text in ("empty", "free", "clear", "closed")
+        if bare and _starts_noun(words, end + 1, end + 1, lexicon):
+            end += 1
+            continue
         ending = text in ENDS_RUN and not (end > at and word.genitive)
         if ending and not (text in _MAY_BE_NOUN and _starts_noun(words, end, at, lexicon)):
             break

@@ -34,11 +34,14 @@ from mansion_editing.instructions.statements import (
     Keep,
     Mention,
     Move,
+    Paint,
     Place,
     Remove,
     Rooms,
+    SetState,
     Statement,
     Things,
+    Turn,
 )
 from mansion_editing.state import SceneState
 
@@ -150,6 +153,7 @@ class _Reader:
             return
         if self._reads_question(reader, words, at, marked=marked):
             return
+        at = self._read_heading(reader, words, at)
         at = self._read_exception(reader, at)
         at = self._read_frame(reader, at)
         if self._repeats(reader, words, at):
@@ -164,6 +168,20 @@ class _Reader:
                 at = end
                 continue
             at = self._read_clause(reader, words, at)
+
+    def _read_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read what a sentence is about: ``The lamp: ...``, ``Too many chairs ...``."""
+        heading = reader.item(at)
+        if heading is not None and heading.phrase.definite and not heading.is_room and reader.text(heading.end) == ":":
+            self.topic = heading.things()
+            self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
+            at = heading.end + 1
+        if reader.text(at) == "many" and at > 0 and words[at - 1].text == "too":
+            much = reader.item(at + 1)
+            if much is not None:
+                self.statements.append(Mention(quote=self._quote(words, at - 1, much.end)))
+                at = reader.skip(much.end)
+        return at
 
     def _read_exception(self, reader: ClauseReader, at: int) -> int:
         """Read ``Apart from the vase, ...``, an exception to what comes next."""
@@ -222,8 +240,17 @@ class _Reader:
         return True
 
     def _read_clause(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        same = self._same_of_others(reader, words, at)
+        if same is not None:
+            return same
+        last = self.statements[-1] if self.statements else None
+        reader.follows = isinstance(last, Add | Ensure | Move)
         try:
             found, end = reader.read(at)
+            affirmed = reader.taken_affirmed()
+            if affirmed is not None and not (self.is_last and reader.skip(end) >= len(words)):
+                reader.topic = msgspec.structs.replace(affirmed, definite=True)
+                found = [Mention(quote=self._quote(words, at, end))]
             for other in self.frames:
                 first, reader.frame = reader.frame, other
                 found = [*found, *reader.read(at)[0]]
@@ -249,6 +276,28 @@ class _Reader:
         self._take([exactly(statement) for statement in found] if exact else found)
         return end
 
+    def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
+        """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, SetState | Remove | Paint | Turn) or at == 0 or reader.starts_clause(at):
+            return None
+        if words[at - 1].text not in ("and", "also", ",", "plus"):
+            return None
+        item = reader.item(at)
+        if item is None or item.is_room or reader.predicate_follows(item.end) or item.phrase.amount.kind == "none":
+            return None
+        end = item.end + (reader.text(item.end) in ("too", "also"))
+        if end < len(words) and words[end].text not in ("and", ",", ".", "please"):
+            return None
+        things = item.things()
+        rooms = last.things.place.rooms if last.things.place is not None else None
+        if things.place is None and rooms is not None:
+            things = with_place(things, Place(rooms=rooms))
+        if things.plural and things.amount.number == 0:
+            things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
+        self.statements.append(msgspec.structs.replace(last, things=things, quote=self._quote(words, at, end)))
+        return end
+
     def _more_of_the_same(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb, which go where the things before them went: ``and a pen too``."""
         last = self.statements[-1] if self.statements else None
@@ -269,6 +318,7 @@ class _Reader:
         if self.topic is None:
             return statement
         topic = self.topic
+        rooms = topic.place.rooms if topic.place is not None else None
         numbered = (
             isinstance(statement, Add | Ensure) and statement.things.refers == "last" and not statement.things.noun
         )
@@ -281,6 +331,8 @@ class _Reader:
         def named(value: Any) -> Any:
             if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
                 return msgspec.structs.replace(value, things=topic, or_new=True)
+            if isinstance(value, Rooms) and value.same and not value.words and rooms:
+                return rooms
             if isinstance(value, Things) and value.refers == "last" and not value.noun:
                 return topic
             if not isinstance(value, msgspec.Struct):
@@ -497,13 +549,20 @@ class _Reader:
     def _tells_what_was_left(self, reader: ClauseReader, at: int) -> bool:
         """Read ``A guest left a suitcase in room 4``, which says what the next sentence is about."""
         words = reader.words
-        left = next((k for k in range(at, min(at + 8, len(words))) if words[k].raw in ("left", "forgot", "lost")), -1)
+        verbs = ("left", "forgot", "lost", "dropped", "has", "have", "uses", "needs", "put")
+        left = next((k for k in range(at, min(at + 8, len(words))) if words[k].raw in verbs), -1)
+        if self.is_last:
+            return False
         if left < 0 or not {w.text for w in words[at:left]} & PERSONS:
             return False
         item = reader.item(left + 1)
-        if item is None or reader.skip(item.end) < len(words):
+        end = len(words) if item is None else item.end
+        end += 2 if tuple(w.text for w in words[end : end + 2]) == ("any", "more") else 0
+        if item is None or reader.skip(end) < len(words):
             return False
-        self.topic = item.phrase.things()
+        self.topic = item.things()
+        if words[left].raw in ("has", "have", "uses", "needs"):
+            self.topic = msgspec.structs.replace(self.topic, definite=True)
         self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
         return True
 
