@@ -28,7 +28,16 @@ from mansion_msgs_py.scene import FloorScene, SceneObject
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.world import ObjectState, WorldState
 
-__all__ = ["BuildingStore", "Records", "Validator", "append_line", "landed_by", "locked", "refuse_in_session", "refuse_robots"]
+__all__ = [
+    "BuildingStore",
+    "Records",
+    "Validator",
+    "append_line",
+    "landed_by",
+    "locked",
+    "refuse_in_session",
+    "refuse_robots",
+]
 
 Scenes = Mapping[int, FloorScene]
 Validator = Callable[[Scenes, Scenes], Sequence[str]]

@@ -126,7 +126,7 @@ def test_a_room_is_told_apart_by_what_the_statement_needs(furnished_state: Scene
 
 
 def test_the_table_of_two_rooms_is_ambiguous_and_that_of_one_is_not(furnished_state: SceneState) -> None:
-    with pytest.raises(Ambiguous, match="dining_table_1 in kitchen or F2"):
+    with pytest.raises(Ambiguous, match="dining_table_1 in Kitchen or F2"):
         places_of(furnished_state, Place(relation="on", anchor=the("dining table")), HERE)
     (target,) = places_of(
         furnished_state, Place(relation="on", anchor=the("dining table"), rooms=Rooms(words="kitchen")), HERE

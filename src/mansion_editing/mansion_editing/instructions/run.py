@@ -1,6 +1,7 @@
 """Carry out an instruction that was read: each statement with tools, the whole checked, and landed or dropped."""
 
 from dataclasses import replace
+from typing import Final
 
 from mansion_editing.agent.facts import Policy, Unmet, Verdict
 from mansion_editing.agent.instruct import run_agent, undo_or_redo
@@ -48,10 +49,17 @@ def carry_out(editor: SceneEditor, instruction: Instruction, text: str) -> Agent
     return run_agent(editor, _policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
 
 
+_EXAMPLES: Final = (
+    'what can be asked for: "put two red mugs on the desk in the study", "remove two of the four chairs in the lobby", '
+    '"turn the floor lamp upstairs off", "move the plant to the corner of the kitchen", "rename the study to Den"'
+)
+
+
 def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
     if instruction.not_understood:
-        words = "; ".join(repr(part) for part in instruction.not_understood)
-        return Verdict(f"not understood: {words}", failed=[f"not understood: {words}"])
+        words = "; ".join(repr(part[:80]) for part in instruction.not_understood)
+        reason = f"not understood: {words}; {_EXAMPLES}"
+        return Verdict(reason, failed=[reason])
     asked = [statement for statement in instruction.statements if not isinstance(statement, Mention)]
     if not asked:
         return Verdict("the words ask for nothing", failed=["the words ask for nothing"])
@@ -78,13 +86,15 @@ def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
     found = faults(steps)
     if found:
         return Verdict(f"the edit was dropped: {'; '.join(found)}", failed=found)
-    question = all(isinstance(statement, Ask) for statement in asked)
-    return Verdict("; ".join(replies) if not question else " ".join(replies), replies, question=question)
+    if all(isinstance(statement, Ask) for statement in asked):
+        return Verdict(" ".join(replies), replies, question=True)
+    told = f" (ignored, as scenes do not record it: {', '.join(instruction.ignored)})" if instruction.ignored else ""
+    return Verdict("; ".join(replies) + told, replies)
 
 
 def _kept(instruction: Instruction, state: SceneState) -> frozenset[str]:
     """Return the ids of what shall stay as it is, wherever in the instruction that is said."""
-    keeps = [statement for statement in instruction.statements if isinstance(statement, Keep)]
+    keeps = [s for s in instruction.statements if isinstance(s, Keep) and not s.things.refers]
     return frozenset(item.id for keep in keeps for item in things_of(state, keep.things, Context()))
 
 

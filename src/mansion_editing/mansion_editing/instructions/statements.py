@@ -400,7 +400,10 @@ class Instruction(msgspec.Struct, frozen=True, kw_only=True):
         In the order in which they are carried out.
     not_understood : list of str
         Words that belong to none.
+    ignored : list of str
+        Adjectives that are understood but that no scene describes ("clean").
     """
 
     statements: list[Statement]
     not_understood: list[str] = []
+    ignored: list[str] = []

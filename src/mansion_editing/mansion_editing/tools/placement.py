@@ -149,7 +149,9 @@ def place_in_container(state: SceneState, args: PlaceInContainerArgs, engine: Ph
     """
     asset = state.catalogue.asset(args.asset_id)
     floor, container = object_named(state, args.container_id, "$.container_id")
-    placed = settle_on(state, _new(state, asset, floor, container, args.color, args.name), floor, container, engine, inside=True)
+    placed = settle_on(
+        state, _new(state, asset, floor, container, args.color, args.name), floor, container, engine, inside=True
+    )
     state.add(floor, placed)
     return placed
 

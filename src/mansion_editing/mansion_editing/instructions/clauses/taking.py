@@ -4,7 +4,7 @@ from mansion_editing.instructions.clauses.adding import Adding
 from mansion_editing.instructions.clauses.items import NotUnderstood
 from mansion_editing.instructions.clauses.removing import Removing
 from mansion_editing.instructions.phrases.places import read_place
-from mansion_editing.instructions.statements import Mention, Statement
+from mansion_editing.instructions.statements import History, Mention, Statement
 
 __all__ = ["Taking"]
 
@@ -14,6 +14,8 @@ class Taking(Adding, Removing):
 
     def _take(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``take the mug to the kitchen``, ``take the mug off the desk``, and ``take the mug and put it ...``."""
+        if self.text(place) in ("that", "it", "this") and self.text(place + 1) == "back":
+            return [History(what="undo", quote=self.quote(at, place + 2))], place + 2
         items = self.items(place)
         end = items[-1].end
         places = items[-1].places

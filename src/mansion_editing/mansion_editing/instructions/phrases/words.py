@@ -27,6 +27,7 @@ __all__ = [
     "PRONOUNS",
     "REASONS",
     "STATE_WORDS",
+    "UNRECORDED",
     "VAGUE",
     "Word",
     "split_words",
@@ -109,6 +110,12 @@ ADVERBS: Final = frozenset(
     "therefore today tonight tomorrow here actually basically slightly bit little even same way thus altogether "
     "neatly nicely safely gently everywhere along though itself themselves anyway however besides".split()
 )
+UNRECORDED: Final = frozenset(
+    "nice new small large big clean fresh cosy cozy comfortable modern old fancy simple pretty beautiful lovely little "
+    "tiny huge tall long wide low high dirty tasty warm cute elegant cheap sturdy soft heavy stylish ripe".split()
+)
+"""Adjectives that are understood but that no scene describes."""
+
 VAGUE: Final = frozenset(
     "nice new small large big clean fresh full empty good proper decent spare extra additional cosy cozy comfortable "
     "modern old fancy simple plain pretty beautiful lovely little tiny huge tall short long wide narrow low high "

@@ -12,7 +12,14 @@ from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.places import merged, read_place, with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
-from mansion_editing.instructions.phrases.words import COURTESIES, FUNCTION_WORDS, PERSONS, Word, split_words
+from mansion_editing.instructions.phrases.words import (
+    COURTESIES,
+    FUNCTION_WORDS,
+    PERSONS,
+    UNRECORDED,
+    Word,
+    split_words,
+)
 from mansion_editing.instructions.sentences.background import end_of_background, is_background, split_sentences
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.refinement import (
@@ -102,7 +109,8 @@ class _Reader:
         self.statements = [s for one in self.statements for s in [self._told_later(one)]]
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
             self.unknown = [self.text.strip()]
-        return Instruction(statements=with_storeys(self.statements), not_understood=self.unknown)
+        ignored = list(dict.fromkeys(word.raw for word in self.words if word.text in UNRECORDED))
+        return Instruction(statements=with_storeys(self.statements), not_understood=self.unknown, ignored=ignored)
 
     def _told_later(self, statement: Statement) -> Statement:
         """Return a statement with the places of things that a sentence before it told."""
