@@ -10,12 +10,16 @@ from mansion_editing.editor import SceneEditor
 from mansion_editing.physics.engine import StaticEngine
 from mansion_editing.state import SceneState
 from mansion_editing.storage import BuildingStore, Validator
+from mansion_editing.tools.furnishing import Furnisher
 from mansion_msgs_py.building import Building, FloorEntry
+from mansion_msgs_py.building_folder import floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.program import AreaSummary, BuildingProgram, FloorProgram, VerticalConnectivity
+from mansion_msgs_py.program import AreaSummary, BuildingProgram, FloorProgram, RoomProgram, VerticalConnectivity
 from mansion_msgs_py.request import BuildRequest
-from mansion_msgs_py.scene import Door, FloorScene, SceneCore, SceneObject, SceneRoom, SpawnPose
+from mansion_msgs_py.scene import Door, FloorScene, SceneCore, SceneObject, SceneRoom, SpawnPose, Wall
+from mansion_msgs_py.topology import FloorTopology, TopologyNode
 from mansion_scene.decor.frames import scene_object
+from mansion_scene.lighting import room_lights
 
 
 def _rectangle(x0: float, y0: float, x1: float, y1: float) -> list[tuple[float, float]]:
@@ -31,7 +35,22 @@ def _room(name: str, kind: str, box: tuple[float, float, float, float], role: st
         polygon=_rectangle(*box),
         net_polygon=_rectangle(x0 + 0.06, y0 + 0.06, x1 - 0.06, y1 - 0.06),
         area=(x1 - x0) * (y1 - y0),
+        name=name.partition("/")[2].replace("_", " ").capitalize(),
+        floor_material="oak_hardwood",
+        wall_material="white_drywall",
+        ceiling_material="white_drywall",
     )
+
+
+def _wall(name: str, a: tuple[float, float], b: tuple[float, float], left: str, right: str | None) -> Wall:
+    return Wall(
+        id=name, segment=(a, b), thickness=0.12 if right else 0.24, height=2.8, exterior=right is None, left=left,
+        right=right, left_material="white_drywall", right_material="white_drywall" if right else "facade_render",
+    )  # fmt: skip
+
+
+def _node(room: SceneRoom) -> TopologyNode:
+    return TopologyNode(id=room.id.partition("/")[2], type=room.kind, area=room.area, room_type=room.room_type)
 
 
 def _door(name: str, a: tuple[float, float], b: tuple[float, float], *rooms: str | None) -> Door:
@@ -56,10 +75,14 @@ def _floor(number: int, rooms: list[SceneRoom], doors: list[Door], objects: list
         height=3.2,
         outline=_rectangle(0, 0, 12, 12),
         rooms=rooms,
-        walls=[],
+        walls=[
+            _wall(f"F{number}/wall_1", (6, 0), (6, 6), rooms[0].id, rooms[1].id),
+            _wall(f"F{number}/wall_2", (12.12, 0), (12.12, 6), rooms[1].id, None),
+        ],
         doors=doors,
         cores=[core],
         objects=objects,
+        lights=[light for room in rooms for light in room_lights(room, objects)],
         spawn=SpawnPose(x=1.0, y=1.0, yaw=90.0, room=rooms[0].id),
     )
 
@@ -103,6 +126,9 @@ def scenes(catalogue: Catalogue) -> list[FloorScene]:
             table,
             on_table,
             stand("F1/hall/sofa_1", catalogue.by_category("sofa")[0].key, 4.0, 1.0),
+            scene_object(
+                catalogue.by_category("smoke_detector")[0], "F1/hall/smoke_detector_1", "F1/hall", (3.0, 3.0, 2.77), 0.0
+            ),
         ],
     )
     second = _floor(
@@ -137,6 +163,8 @@ def folder(scenes: list[FloorScene], tmp_path: Path) -> Path:
         name = f"floors/floor_{scene.floor}/scene.json"
         (tmp_path / name).parent.mkdir(parents=True)
         (tmp_path / name).write_bytes(encode_bytes(scene, indent=1))
+        graph = FloorTopology(nodes=[_node(room) for room in scene.rooms], edges=[], floor=scene.floor)
+        (tmp_path / floor_directory(scene.floor) / "topology.json").write_bytes(encode_bytes(graph, indent=1))
         entries.append(
             FloorEntry(
                 floor=scene.floor,
@@ -155,12 +183,22 @@ def folder(scenes: list[FloorScene], tmp_path: Path) -> Path:
         reasoning="made by hand",
         vertical_connectivity=VerticalConnectivity(method="stair"),
         floors=[
-            FloorProgram(index=n, requirement="", gross_floor_area=144.0, rooms=[], area_summary=area) for n in (1, 2)
+            FloorProgram(
+                index=scene.floor,
+                requirement="",
+                gross_floor_area=144.0,
+                rooms=[
+                    RoomProgram(id=room.id.partition("/")[2], area_estimate=room.area, room_type=room.room_type)
+                    for room in scene.rooms
+                ],
+                area_summary=area,
+            )
+            for scene in scenes
         ],
     )
     request = BuildRequest(description="a house of two floors")
     building = Building(building_id="house", request=request, program=program, floors=entries, cores=[], seed=0)
-    (tmp_path / "building.json").write_bytes(encode_bytes(building))
+    (tmp_path / "building.json").write_bytes(encode_bytes(building, indent=1))
     return tmp_path
 
 
@@ -168,8 +206,14 @@ def folder(scenes: list[FloorScene], tmp_path: Path) -> Path:
 def open_editor(folder: Path, catalogue: Catalogue) -> Callable[..., SceneEditor]:
     """Return what opens an editor of the folder."""
 
-    def make(who: str = "ann", *, autosave: bool = True, validator: Validator | None = None) -> SceneEditor:
+    def make(
+        who: str = "ann",
+        *,
+        autosave: bool = True,
+        validator: Validator | None = None,
+        furnisher: Furnisher | None = None,
+    ) -> SceneEditor:
         store = BuildingStore(folder, validator=validator, clock=lambda: "2026-01-01T00:00:00")
-        return SceneEditor(store, catalogue, StaticEngine(), who=who, autosave=autosave)
+        return SceneEditor(store, catalogue, StaticEngine(), who=who, autosave=autosave, furnisher=furnisher)
 
     return make

@@ -3,7 +3,7 @@
 import hashlib
 import math
 from collections import OrderedDict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TypeVar
 
@@ -12,10 +12,13 @@ import msgspec
 from mansion_bringup.building.files import building_exports as building_files
 from mansion_bringup.building.files import floor_exports as floor_files
 from mansion_bringup.building.receipt import receipt
+from mansion_bringup.check.cores import check_cores
 from mansion_bringup.check.fault import Fault
 from mansion_bringup.check.integrity import check_identity
 from mansion_bringup.check.objects import carriers, check_objects
+from mansion_bringup.check.openings import check_openings
 from mansion_bringup.check.reach import check_reach
+from mansion_bringup.check.rooms import check_partition, check_walls
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import MansionError
@@ -35,12 +38,15 @@ def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]
 
     Notes
     -----
-    An edit changes objects alone, so that only names, poses and reach can go wrong. Faults of names and poses concern
-    one object, an object and what carries it, or two objects that meet: only those that changed and those around them
-    are judged. Reach is judged for the whole building, and only when something that stands on a floor or hangs on a
-    wall changed. What has no fault afterwards has no new one: the state before is looked at only where there is any.
+    Most edits change objects and what is said of rooms alone, so that only names, poses and reach can go wrong. Faults
+    of names and poses concern one object, an object and what carries it, or two objects that meet: only those that
+    changed and those around them are judged. Reach is judged for the whole building, and only when something that
+    stands on a floor or hangs on a wall changed. A floor that is new or has other walls, openings or cores is judged
+    whole, the doors that its room graph wants left out. What has no fault afterwards has no new one: the state before
+    is looked at only where there is any.
     """
-    changed = [floor for floor in after if after[floor] is not before[floor]]
+    built = [floor for floor in after if floor not in before or _structure(before[floor]) != _structure(after[floor])]
+    changed = [floor for floor in after if floor not in built and after[floor] is not before[floor]]
     found: list[Fault] = []
     known: set[str] = set()
     for floor in changed:
@@ -49,12 +55,32 @@ def new_faults(before: Mapping[int, FloorScene], after: Mapping[int, FloorScene]
         found += faults
         if faults:
             known |= {str(fault) for fault in _object_faults(before[floor], names)}
-    if any(_obstacles(before[floor]) != _obstacles(after[floor]) for floor in changed):
+    rebuilt = bool(built) or before.keys() != after.keys()
+    if rebuilt:
+        found += _structural_faults(after, built)
+        known |= {str(fault) for fault in _structural_faults(before, [floor for floor in built if floor in before])}
+    if rebuilt or any(_obstacles(before[floor]) != _obstacles(after[floor]) for floor in changed):
         faults = _reach_faults(after)
         found += faults
         if faults:
             known |= {str(fault) for fault in _reach_faults(before)}
     return [text for text in map(str, found) if text not in known]
+
+
+def _structure(scene: FloorScene) -> tuple[object, ...]:
+    """Return what a floor is built of, without what is said of its rooms and without materials."""
+    rooms = [(r.id, r.kind, r.polygon, r.holes, r.net_polygon, r.net_holes, r.ceiling_height) for r in scene.rooms]
+    walls = [(w.id, w.segment, w.thickness, w.height, w.exterior, w.left, w.right) for w in scene.walls]
+    shell = (scene.outline, scene.holes, scene.elevation, scene.height)
+    return (rooms, walls, shell, scene.doors, scene.windows, scene.cores)
+
+
+def _structural_faults(scenes: Mapping[int, FloorScene], built: Sequence[int]) -> list[Fault]:
+    faults = list(check_cores([scenes[floor] for floor in sorted(scenes)]))
+    for scene in (scenes[floor] for floor in built):
+        faults += check_identity(scene.building_id, [scene])
+        faults += [*check_partition(scene), *check_walls(scene), *check_openings(scene, []), *check_objects(scene)]
+    return faults
 
 
 def _concerned(before: FloorScene, after: FloorScene) -> set[str]:

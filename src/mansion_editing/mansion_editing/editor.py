@@ -1,39 +1,67 @@
 """The editor of one building: tools by name, edits that wait or land at once, undo and redo."""
 
-from collections.abc import Callable
-from typing import Any, Final
+from collections.abc import Callable, Mapping, Sequence, Set
+from typing import Any, Final, TypeAlias
 
 import msgspec
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.retrieval.retriever import Retriever
+from mansion_editing.change_words import in_words
 from mansion_editing.passages import passages_of
 from mansion_editing.physics.engine import PhysicsEngine
-from mansion_editing.state import SceneState, net_changes
+from mansion_editing.state import Change, SceneState
 from mansion_editing.storage import BuildingStore
-from mansion_editing.tools import manipulation, paths, perception, placement
+from mansion_editing.tools import (
+    finishes,
+    furnishing,
+    manipulation,
+    painting,
+    paths,
+    perception,
+    placement,
+    reshaping,
+    rooms,
+    swapping,
+)
+from mansion_editing.tools.furnishing import Furnisher
+from mansion_editing.waiting import document, room_records, waiting
 from mansion_msgs_py.codec import decode, encode
 from mansion_msgs_py.editing import (
     CheckPathArgs,
     CheckSurfaceArgs,
+    ClearRoomArgs,
     DiffReport,
     EditResult,
+    FurnishRoomArgs,
     ListObjectsArgs,
     MoveObjectArgs,
     ObjectChange,
+    PaintObjectArgs,
     PlaceInContainerArgs,
     PlaceOnSurfaceArgs,
+    PlacingWishes,
     RemoveObjectArgs,
+    RenameRoomArgs,
+    ReshapeFloorArgs,
+    RoomChange,
     SearchAssetsArgs,
     SearchContentsArgs,
+    SetFinishArgs,
     SetStateArgs,
+    SwapObjectsArgs,
     ToolArgs,
     Transaction,
 )
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.program import RoomProgram
+from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_msgs_py.topology import TopologyNode
+from mansion_msgs_py.wording import with_article
 
-__all__ = ["ACTION_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "TOOLS", "SceneEditor"]
+__all__ = ["ACTION_TOOLS", "FLOOR_TOOLS", "HISTORY_TOOLS", "PERCEPTION_TOOLS", "ROOM_TOOLS", "TOOLS", "SceneEditor"]
+
+Scenes: TypeAlias = Mapping[int, FloorScene]
 
 PERCEPTION_TOOLS: Final[dict[str, type[Any]]] = {
     "CheckPath": CheckPathArgs,
@@ -42,15 +70,25 @@ PERCEPTION_TOOLS: Final[dict[str, type[Any]]] = {
     "CheckSurface": CheckSurfaceArgs,
     "SearchContents": SearchContentsArgs,
 }
+ROOM_TOOLS: Final[dict[str, type[Any]]] = {
+    "RenameRoom": RenameRoomArgs,
+    "SetFinish": SetFinishArgs,
+    "ClearRoom": ClearRoomArgs,
+    "FurnishRoom": FurnishRoomArgs,
+}
 ACTION_TOOLS: Final[dict[str, type[Any]]] = {
     "PlaceInContainer": PlaceInContainerArgs,
     "PlaceOnSurface": PlaceOnSurfaceArgs,
     "RemoveObject": RemoveObjectArgs,
     "MoveObject": MoveObjectArgs,
     "SetState": SetStateArgs,
+    "PaintObject": PaintObjectArgs,
+    "SwapObjects": SwapObjectsArgs,
+    **ROOM_TOOLS,
 }
+FLOOR_TOOLS: Final[dict[str, type[Any]]] = {"ReshapeFloor": ReshapeFloorArgs}
 HISTORY_TOOLS: Final[dict[str, type[Any]]] = {"Undo": ToolArgs, "Redo": ToolArgs, "Diff": ToolArgs, "Save": ToolArgs}
-TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **HISTORY_TOOLS}
+TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **FLOOR_TOOLS, **HISTORY_TOOLS}
 """Each tool's name and the type of its arguments."""
 
 _ASK: Final[dict[str, Callable[[SceneState, Any], Any]]] = {
@@ -76,6 +114,8 @@ class SceneEditor:
         Land each edit at once.
     retriever : Retriever, optional
         What SearchAssets asks; text search when absent.
+    furnisher : Furnisher, optional
+        The placer, which FurnishRoom asks.
     """
 
     def __init__(
@@ -87,26 +127,28 @@ class SceneEditor:
         who: str = "",
         autosave: bool = True,
         retriever: Retriever | None = None,
+        furnisher: Furnisher | None = None,
     ) -> None:
         self.store, self.catalogue, self.engine = store, catalogue, engine
-        self.who, self.autosave, self.retriever = who, autosave, retriever
+        self.who, self.autosave, self.retriever, self.furnisher = who, autosave, retriever, furnisher
         self.state = SceneState([], catalogue, retriever)
         self._what: list[str] = []
         self._marks: list[int] = []
-        self._redo: list[tuple[str, list[ObjectChange]]] = []
+        self._redo: list[tuple[str, list[Change]]] = []
         self.reload()
 
     def reload(self) -> None:
         """Take the scenes from disk, dropping what waits to be saved."""
         scenes = list(self.store.scenes().values())
-        self.state = SceneState(scenes, self.catalogue, self.retriever)
+        self.state = SceneState(scenes, self.catalogue, self.retriever, self.store.documents.copy)
         self._what, self._marks, self._redo = [], [], []
 
     def refreshed(self) -> SceneState:
         """Return the state, reloaded when nothing is pending and another editor has landed a transaction."""
         if not self.state.pending:
             scenes = self.store.scenes()
-            if any(self.state.scenes[f].revision != s.revision for f, s in scenes.items()):
+            seen = {floor: scene.revision for floor, scene in self.state.scenes.items()}
+            if seen != {floor: scene.revision for floor, scene in scenes.items()}:
                 self.reload()
         return self.state
 
@@ -136,57 +178,152 @@ class SceneEditor:
             return _ASK[tool](state, args)
         if tool in ACTION_TOOLS:
             return self._edit(tool, args)
+        if tool in FLOOR_TOOLS:
+            return self._reshape(args)
         return {"Undo": self.undo, "Redo": self.redo, "Diff": self.diff, "Save": self.save}[tool]()
 
     def _edit(self, tool: str, args: Any) -> EditResult:
+        return self._done(lambda: self._act(tool, args), f"{tool} {encode(_without_editor(args))}")
+
+    def _done(self, act: Callable[[], str], what: str) -> EditResult:
+        """Do one edit, whole or not at all, and land it where edits do not wait."""
         start = len(self.state.pending)
         try:
-            message = self._act(tool, args)
+            message = act()
         except BaseException:
             self.state.roll_back(start)
             raise
-        ids = list(dict.fromkeys(change.id for change in self.state.pending[start:]))
+        done = self.state.pending[start:]
         if len(self.state.pending) > start:
             self._marks.append(start)
-            self._what.append(f"{tool} {encode(_without_editor(args))}")
+            self._what.append(what)
             self._redo = []
         if not self.autosave or not self.state.pending:
-            return EditResult(message=message, object_ids=ids, saved=not self.state.pending)
+            return _told(message, done, saved=not self.state.pending)
         saved = self.save()
         return msgspec.structs.replace(saved, message=message)
 
     def _act(self, tool: str, args: Any) -> str:
         state, engine = self.state, self.engine
+        if tool in ROOM_TOOLS:
+            return self._act_on_room(tool, args)
         if tool == "PlaceInContainer":
             item = placement.place_in_container(state, args, engine)
             return f"{item.id} is in {item.parent}"
         if tool == "PlaceOnSurface":
             item = placement.place_on_surface(state, args, engine, self._acceptable)
-            return f"{item.id} is on {item.parent or 'the floor of ' + item.room}"
+            return f"{item.id} is {_where(item)}"
         if tool == "RemoveObject":
             gone = manipulation.remove_object(state, args)
             return f"removed {', '.join(gone)}" if gone else "there was nothing to remove"
         if tool == "MoveObject":
-            item = manipulation.move_object(state, args, engine)
-            return f"{item.id} is now on {item.parent or 'the floor of ' + item.room}"
+            item = manipulation.move_object(state, args, engine, self._acceptable)
+            return f"{item.id} is now {_where(item)}"
+        if tool == "SwapObjects":
+            one, other = swapping.swap_objects(state, args, engine, self._sound)
+            return f"{one.id} is now {_where(one)}, {other.id} {_where(other)}"
+        if tool == "PaintObject":
+            item = painting.paint_object(state, args)
+            return f"{item.id} is of {item.material}, {item.color}"
         item = manipulation.set_state(state, args)
         return f"{item.id}: {encode(item.states)}"
+
+    def _act_on_room(self, tool: str, args: Any) -> str:
+        state, records = self.state, self._records
+        if tool == "RenameRoom":
+            room, old = rooms.rename_room(state, args, records)
+            return f"{room.id} is called {room.name!r}, {old!r} before"
+        if tool == "SetFinish":
+            room, finish = finishes.set_finish(state, args, records)
+            return f"the {args.part} of {room.id}: {finish.name}"
+        if tool == "ClearRoom":
+            room, gone = rooms.clear_room(state, args, records)
+            return f"took {len(gone)} objects out of {room.id}" if gone else f"{room.id} holds nothing loose"
+        if self.furnisher is None:
+            raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
+        room, new = furnishing.furnish_room(state, args, records, self.furnisher, self._faults_with)
+        kind = with_article(room.room_type.replace("_", " "))
+        return f"{room.id} is furnished as {kind} with {len(new)} objects"
+
+    def _reshape(self, args: ReshapeFloorArgs) -> EditResult:
+        """Change the structure of a storey, whose documents are replaced whole."""
+        if self.furnisher is None:
+            raise MansionError(ErrorCode.UNAVAILABLE, "this editor was opened without a placer, which furnishes rooms")
+        made = reshaping.reshape_floor(
+            self.state, args, self.document, self._new_faults, self.catalogue, self.furnisher
+        )
+        done = self.replace_documents(made.files, f"ReshapeFloor {encode(_without_editor(args))}")
+        return msgspec.structs.replace(done, message=" ".join(made.moved), room_ids=made.rooms)
+
+    def _new_faults(self, changed: Mapping[int, FloorScene]) -> list[str]:
+        """Return the faults that the building would have with other scenes of some floors."""
+        return self.store.new_faults(self.store.scenes(), {**self.state.scenes, **changed})
+
+    def _records(self, floor: int, room_id: str) -> tuple[RoomProgram | None, TopologyNode | None]:
+        return room_records(self.state, self.store.documents, floor, room_id)
+
+    def document(self, path: str) -> bytes | None:
+        """Return a document of the building as what waits makes it; ``None`` where it is not there."""
+        return document(self.state, self.store.documents, path)
+
+    def replace_documents(self, files: Mapping[str, bytes | None], what: str) -> EditResult:
+        """Put other documents in the place of those that the building has, as one edit.
+
+        Parameters
+        ----------
+        files : mapping
+            By path relative to the building's folder; ``None`` takes a document away. They are made from `document`,
+            so that they hold what waits already.
+        what : str
+            For the log.
+
+        Raises
+        ------
+        MansionError
+            As `save` does, and ``INVALID_PAYLOAD`` for a path that is no document of the building.
+        """
+
+        def act() -> str:
+            for path, data in files.items():
+                self.state.apply(self.store.documents.replacement(path, data))
+            return what
+
+        return self._done(act, what)
+
+    def _faults_with(self, floor: int, scene: FloorScene) -> list[str]:
+        """Return the new faults of the check for a floor as it would be, and the cuts that keep a robot from a part."""
+        before = self.store.scenes()
+        faults = self.store.new_faults(before, {**before, **self.state.scenes, floor: scene})
+        known = passages_of(before[floor]).cuts.keys()
+        return [*faults, *(f"{room} would be cut for a robot" for room in passages_of(scene).cuts.keys() - known)]
 
     def _acceptable(self, floor: int, item: SceneObject) -> bool:
         """Whether an object causes no new fault of the check and cuts no room for a robot."""
         before = dict(self.state.scenes)
-        objects = [*before[floor].objects, item]
-        after = {**before, floor: msgspec.structs.replace(before[floor], objects=objects)}
+        return self._sound(before, {**before, floor: manipulation.scene_with(self.state, floor, item)})
+
+    def _sound(self, before: Scenes, after: Scenes) -> bool:
+        """Whether the floors have no new fault of the check and no room that is newly cut for a robot."""
         if self.store.new_faults(before, after):
             return False
-        cuts = passages_of(after[floor]).cuts
-        return cuts.keys() <= self.state.index(floor).passages.cuts.keys()
+        return all(
+            passages_of(scene).cuts.keys() <= self._cuts(before[floor])
+            for floor, scene in after.items()
+            if scene is not before[floor]
+        )
+
+    def _cuts(self, scene: FloorScene) -> Set[str]:
+        """Return the rooms of a floor that are cut for a robot; those of the floor as it is are remembered."""
+        if self.state.scenes[scene.floor] is scene:
+            return self.state.index(scene.floor).passages.cuts.keys()
+        return passages_of(scene).cuts.keys()
 
     def diff(self) -> DiffReport:
         """Say what waits to be saved."""
-        changes = net_changes(self.state.pending)
-        words = [f"{'+' if c.before is None else '-' if c.after is None else '~'} {c.id}" for c in changes]
-        return DiffReport(message=", ".join(words) or "nothing waits to be saved", changes=changes)
+        changes, changed_rooms, documents = waiting(self.state, self.store.documents)
+        words = [*map(in_words, documents), *map(in_words, changed_rooms), *map(in_words, changes)]
+        message = ", ".join(words) or "nothing waits to be saved"
+        return DiffReport(message=message, changes=changes, rooms=changed_rooms, documents=documents)
 
     def save(self, what: str = "") -> EditResult:
         """Land what waits as one transaction; when it is refused, what waited is dropped.
@@ -196,12 +333,13 @@ class SceneEditor:
         MansionError
             ``INFEASIBLE`` or ``CONFLICT`` with the reason.
         """
-        changes = net_changes(self.state.pending)
-        if not changes:
+        changes, changed_rooms, documents = waiting(self.state, self.store.documents)
+        if not (changes or changed_rooms or documents):
             self.reload()
             return EditResult(message="nothing to save", saved=True)
         try:
-            done = self.store.land(changes, self.who, what or "; ".join(self._what))
+            told = what or "; ".join(self._what)
+            done = self.store.land(changes, self.who, told, rooms=changed_rooms, documents=documents)
         finally:
             self.reload()
         return _landed("saved", done)
@@ -213,8 +351,7 @@ class SceneEditor:
             taken = self.state.pending[start:]
             self._redo.append((self._what.pop(), taken))
             self.state.roll_back(start)
-            ids = list(dict.fromkeys(change.id for change in taken))
-            return EditResult(message=f"undid {', '.join(ids)}", object_ids=ids)
+            return _told(f"undid {_ids(taken)}", taken)
         done = self.store.undo(self.who)
         self.reload()
         return _landed(done.what, done)
@@ -227,17 +364,39 @@ class SceneEditor:
             self._what.append(what)
             for change in changes:
                 self.state.apply(change)
-            ids = list(dict.fromkeys(change.id for change in changes))
-            return EditResult(message=f"redid {', '.join(ids)}", object_ids=ids)
+            return _told(f"redid {_ids(changes)}", changes)
         done = self.store.redo(self.who)
         self.reload()
         return _landed(done.what, done)
+
+
+def _where(item: SceneObject) -> str:
+    """Return in words what carries an object."""
+    if item.mount in ("wall", "ceiling"):
+        return f"on the {item.mount} of {item.room}"
+    if item.mount == "floor":
+        return f"below {item.parent}" if item.parent else f"on the floor of {item.room}"
+    return f"on {item.parent}"
+
+
+def _ids(changes: Sequence[Change]) -> str:
+    return ", ".join(dict.fromkeys(change.id for change in changes))
+
+
+def _told(message: str, changes: Sequence[Change], *, saved: bool = False) -> EditResult:
+    return EditResult(
+        message=message,
+        object_ids=list(dict.fromkeys(change.id for change in changes if isinstance(change, ObjectChange))),
+        room_ids=list(dict.fromkeys(change.id for change in changes if isinstance(change, RoomChange))),
+        saved=saved,
+    )
 
 
 def _landed(message: str, done: Transaction) -> EditResult:
     return EditResult(
         message=message,
         object_ids=[change.id for change in done.changes],
+        room_ids=[change.id for change in done.rooms],
         saved=True,
         transaction=done.number,
         revisions=done.revisions,
@@ -245,5 +404,8 @@ def _landed(message: str, done: Transaction) -> EditResult:
 
 
 def _without_editor(args: Any) -> dict[str, Any]:
+    """Return the arguments that are given, wishes for the place last."""
     plain: dict[str, Any] = msgspec.to_builtins(args)
-    return {name: value for name, value in plain.items() if name != "editor" and value not in ("", None)}
+    last = PlacingWishes.__struct_fields__
+    names = sorted(plain, key=lambda name: name in last)
+    return {name: plain[name] for name in names if name != "editor" and plain[name] not in ("", None)}

@@ -1,7 +1,8 @@
 """The static semantic state: a building's scenes with quick answers about them, and the changes that edit them."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
+from typing import TypeAlias, TypeVar
 
 import msgspec
 import numpy as np
@@ -9,13 +10,30 @@ import numpy.typing as npt
 
 from mansion_assets.catalogue import Asset, Catalogue
 from mansion_assets.retrieval.retriever import Retriever, TextRetriever
+from mansion_editing.documents import floor_of, is_scene
 from mansion_editing.passages import Passages, passages_of
-from mansion_msgs_py.editing import ObjectChange
+from mansion_editing.room_parts import scene_with
+from mansion_msgs_py.codec import decode
+from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomChange
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_scene.decor.frames import room_polygon
 
-__all__ = ["FloorIndex", "SceneState", "changed", "inverse", "net_changes", "rebase"]
+__all__ = [
+    "Change",
+    "FloorIndex",
+    "SceneChange",
+    "SceneState",
+    "changed",
+    "inverse",
+    "net_changes",
+    "net_rooms",
+    "rebase",
+]
+
+Change: TypeAlias = ObjectChange | RoomChange | DocumentChange
+SceneChange: TypeAlias = ObjectChange | RoomChange
+_Kind = TypeVar("_Kind", bound=Change)
 
 
 class FloorIndex:
@@ -68,18 +86,28 @@ class SceneState:
     catalogue : Catalogue
     retriever : Retriever, optional
         What SearchAssets asks; text search when absent.
+    copies : callable, optional
+        Returns a stored copy of a document by its name; needed where documents are replaced.
 
     Attributes
     ----------
-    pending : list of ObjectChange
+    pending : list of ObjectChange, RoomChange and DocumentChange
         What differs from the scenes handed in, in the order it was done.
     """
 
-    def __init__(self, scenes: Sequence[FloorScene], catalogue: Catalogue, retriever: Retriever | None = None) -> None:
+    def __init__(
+        self,
+        scenes: Sequence[FloorScene],
+        catalogue: Catalogue,
+        retriever: Retriever | None = None,
+        copies: Callable[[str], bytes] | None = None,
+    ) -> None:
+        self._copies = copies
+        self._replaced: list[FloorScene | None] = []
         self.catalogue = catalogue
         self.retriever: Retriever = retriever or TextRetriever()
         self.scenes = {scene.floor: scene for scene in scenes}
-        self.pending: list[ObjectChange] = []
+        self.pending: list[Change] = []
         self._indexes: dict[int, FloorIndex] = {}
 
     @property
@@ -179,33 +207,55 @@ class SceneState:
         at = self.index(floor).at[item.id]
         self.apply(ObjectChange(floor=floor, index=at, before=item, after=by))
 
-    def apply(self, change: ObjectChange) -> None:
+    def apply(self, change: Change) -> None:
         """Do one change and remember it."""
-        self.scenes[change.floor] = changed(self.scenes[change.floor], change)
-        self._indexes.pop(change.floor, None)
+        if isinstance(change, DocumentChange):
+            self._replace_document(change)
+        else:
+            self._put(change.floor, changed(self.scenes[change.floor], change))
         self.pending.append(change)
+
+    def _replace_document(self, change: DocumentChange) -> None:
+        floor = floor_of(change.path)
+        if floor is not None and is_scene(change.path):
+            assert self._copies is not None
+            self._replaced.append(self.scenes.get(floor))
+            self._put(floor, decode(FloorScene, self._copies(change.after)) if change.after else None)
+
+    def _put(self, floor: int, scene: FloorScene | None) -> None:
+        self._indexes.pop(floor, None)
+        if scene is None:
+            self.scenes.pop(floor, None)
+        else:
+            self.scenes[floor] = scene
 
     def roll_back(self, count: int) -> None:
         """Take back all but the first `count` pending changes."""
         while len(self.pending) > count:
             change = self.pending.pop()
-            self.scenes[change.floor] = changed(self.scenes[change.floor], inverse(change))
-            self._indexes.pop(change.floor, None)
+            if not isinstance(change, DocumentChange):
+                self._put(change.floor, changed(self.scenes[change.floor], inverse(change)))
+            elif is_scene(change.path):
+                floor = floor_of(change.path)
+                assert floor is not None
+                self._put(floor, self._replaced.pop())
 
 
-def inverse(change: ObjectChange) -> ObjectChange:
+def inverse(change: _Kind) -> _Kind:
     """Return the change that takes `change` back."""
     return msgspec.structs.replace(change, before=change.after, after=change.before)
 
 
-def changed(scene: FloorScene, change: ObjectChange) -> FloorScene:
+def changed(scene: FloorScene, change: SceneChange) -> FloorScene:
     """Return `scene` with one change done.
 
     Raises
     ------
     MansionError
-        ``CONFLICT`` when the object is not as the change has it before.
+        ``CONFLICT`` when the object or the room is not as the change has it before.
     """
+    if isinstance(change, RoomChange):
+        return scene_with(scene, change)
     objects = list(scene.objects)
     before, after = change.before, change.after
     if before is not None:
@@ -231,10 +281,12 @@ def changed(scene: FloorScene, change: ObjectChange) -> FloorScene:
     return msgspec.structs.replace(scene, objects=objects)
 
 
-def net_changes(changes: Sequence[ObjectChange]) -> list[ObjectChange]:
-    """Return changes that together do the same, at most one for each object; an object added and removed has none."""
+def net_changes(changes: Sequence[Change]) -> list[ObjectChange]:
+    """Return changes of objects that together do the same, at most one each; an object added and removed has none."""
     out: dict[tuple[int, str], ObjectChange] = {}
     for change in changes:
+        if not isinstance(change, ObjectChange):
+            continue
         key = (change.floor, change.id)
         first = out.get(key)
         if first is not None:
@@ -246,8 +298,21 @@ def net_changes(changes: Sequence[ObjectChange]) -> list[ObjectChange]:
     return list(out.values())
 
 
+def net_rooms(changes: Sequence[Change]) -> list[RoomChange]:
+    """Return changes of rooms that together do the same, at most one for each room."""
+    out: dict[str, RoomChange] = {}
+    for change in changes:
+        if isinstance(change, RoomChange):
+            first = out.get(change.id, change)
+            out[change.id] = msgspec.structs.replace(change, before=first.before)
+    return [change for change in out.values() if change.before != change.after]
+
+
 def rebase(changes: Sequence[ObjectChange], scenes: Mapping[int, FloorScene]) -> list[ObjectChange]:
     """Return the changes as they apply to `scenes`, with new ids for additions whose id is taken by now.
+
+    Each `index` is the place that the object has when its change is done after those before it, so that the inverse
+    changes in reversed order bring back the floor's list as it was.
 
     Raises
     ------
@@ -275,6 +340,23 @@ def rebase(changes: Sequence[ObjectChange], scenes: Mapping[int, FloorScene]) ->
                 f"{parent}, which should carry {change.id}, was removed meanwhile; look again and repeat the edit",
                 details={"object": parent},
             )
+    return _placed(out, scenes)
+
+
+def _placed(changes: Sequence[ObjectChange], scenes: Mapping[int, FloorScene]) -> list[ObjectChange]:
+    """Return the changes with the places that their objects have in the lists of their floors."""
+    lists = {floor: [item.id for item in scene.objects] for floor, scene in scenes.items()}
+    out = []
+    for change in changes:
+        ids = lists[change.floor]
+        at = min(change.index, len(ids))
+        if change.before is not None:
+            at = ids.index(change.id) if change.id in ids else at
+            if change.after is None:
+                ids[at : at + 1] = []
+        else:
+            ids.insert(at, change.id)
+        out.append(msgspec.structs.replace(change, index=at))
     return out
 
 

@@ -1,7 +1,8 @@
 """A building on disk and its edits: transactions that land whole, a log, undo and redo.
 
-``DIR/edits/log.jsonl`` holds one `Transaction` a line. A transaction is written to ``pending.json`` first, then into
-the scenes, then into the log; whoever takes the lock next finishes what a killed process left.
+``DIR/edits/log.jsonl`` holds one `Transaction` a line: changes of objects, of rooms, and of whole documents, of which
+copies lie in ``DIR/edits/documents``. A transaction is written to ``pending.json`` first, then into the documents, then
+into the log; whoever takes the lock next finishes what a killed process left.
 """
 
 import fcntl
@@ -14,17 +15,29 @@ from pathlib import Path
 
 import msgspec
 
-from mansion_editing.state import changed, inverse, rebase
+from mansion_editing.documents import Documents, floor_of, is_scene
+from mansion_editing.room_parts import parts_of, program_with, records_of, topology_with
+from mansion_editing.state import SceneChange, changed, inverse, rebase
 from mansion_msgs_py.building import Building
-from mansion_msgs_py.building_folder import BuildingFolder, floor_directory
+from mansion_msgs_py.building_folder import INDEX, BuildingFolder, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.editing import ObjectChange, Transaction
+from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomChange, Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import write_atomic
 from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.world import ObjectState, WorldState
 
-__all__ = ["BuildingStore", "Records", "Validator", "append_line", "locked", "refuse_in_session"]
+__all__ = [
+    "BuildingStore",
+    "Records",
+    "Validator",
+    "append_line",
+    "landed_by",
+    "locked",
+    "refuse_in_session",
+    "refuse_robots",
+]
 
 Scenes = Mapping[int, FloorScene]
 Validator = Callable[[Scenes, Scenes], Sequence[str]]
@@ -47,6 +60,11 @@ class BuildingStore:
     clock : callable
         Returns the time for the log.
 
+    Attributes
+    ----------
+    documents : Documents
+        Makes the changes that replace whole documents.
+
     Raises
     ------
     MansionError
@@ -66,6 +84,7 @@ class BuildingStore:
         self._records = records
         self._clock = clock
         self._reader = BuildingFolder(folder)
+        self.documents = Documents(folder)
         self._edits = folder / "edits"
         self.lock_file = self._edits / "lock"
         if (self._edits / "pending.json").exists():
@@ -74,12 +93,18 @@ class BuildingStore:
 
     @property
     def building(self) -> Building:
-        """The content of ``building.json`` when the store was opened."""
+        """The content of ``building.json`` when the scenes were last read."""
         return self._reader.building
 
     def scenes(self) -> dict[int, FloorScene]:
         """Return all floors as they are on disk."""
+        self._reader = BuildingFolder(self.folder)
         return {floor: self._reader.scene(floor) for floor in self._reader.floors}
+
+    def _topology(self, floor: int) -> FloorTopology | None:
+        if not (self.folder / floor_directory(floor) / "topology.json").is_file():
+            return None
+        return self._reader.topology(floor)
 
     def log(self) -> list[Transaction]:
         """Return all transactions, oldest first."""
@@ -95,16 +120,26 @@ class BuildingStore:
         who: str,
         what: str,
         *,
+        rooms: Sequence[RoomChange] = (),
+        documents: Sequence[DocumentChange] = (),
         undoes: int | None = None,
         redoes: int | None = None,
     ) -> Transaction:
         """Write changes as one transaction; on any refusal the building stays as it was.
 
+        Parameters
+        ----------
+        changes : sequence of ObjectChange
+        rooms : sequence of RoomChange
+        documents : sequence of DocumentChange
+            From `documents.replacement`. A floor whose scene is among them has no other changes.
+
         Raises
         ------
         MansionError
-            ``CONFLICT`` when another editor changed the same objects or a running session holds one; ``INFEASIBLE``
-            with the faults that the building would have.
+            ``CONFLICT`` when another editor changed the same objects, rooms or documents, or a running session holds
+            one; ``INFEASIBLE`` with the faults that the building would have; ``INVALID_PAYLOAD`` for changes of a floor
+            whose scene is replaced.
 
         Notes
         -----
@@ -115,27 +150,66 @@ class BuildingStore:
             self._recover()
             before = self.scenes()
             carried = rebase(changes, before)
-            if not carried:
+            if not (carried or rooms or documents):
                 raise MansionError(ErrorCode.CONFLICT, "nothing to save")
+            _refuse_mixed(carried, rooms, documents)
             refuse_in_session(self.folder, carried, before)
-            after = dict(before)
-            for change in carried:
+            after = self._replaced(before, documents)
+            changes_of_floors: list[SceneChange] = [*carried, *rooms]
+            for change in changes_of_floors:
                 after[change.floor] = changed(after[change.floor], change)
+            self._refuse_stale_records(rooms, before)
             self._refuse_faults(before, after)
-            touched = sorted({change.floor for change in carried})
             transaction = Transaction(
                 number=len(self.log()) + 1,
                 who=who,
                 what=what,
                 changes=carried,
-                revisions={str(floor): before[floor].revision + 1 for floor in touched},
+                rooms=list(rooms),
+                documents=list(documents),
+                revisions=_next_revisions(before, after, carried, rooms, documents),
                 undoes=undoes,
                 redoes=redoes,
                 time=self._clock(),
             )
             write_atomic(self._edits / "pending.json", encode_bytes(transaction), durable=True)
-            self._finish(transaction, before)
+            self._finish(transaction)
         return transaction
+
+    def _replaced(self, before: Scenes, documents: Sequence[DocumentChange]) -> dict[int, FloorScene]:
+        """Return the floors as they are once documents are replaced, which must be as their changes know them."""
+        after = dict(before)
+        floors = list(before)
+        for change in documents:
+            self.documents.require_unchanged(change)
+            floor = floor_of(change.path)
+            if floor is not None and is_scene(change.path) and change.after:
+                after[floor] = decode(FloorScene, self.documents.copy(change.after))
+                refuse_in_session(self.folder, _differences(before.get(floor), after[floor]), before)
+                refuse_robots(self.folder, floor)
+            elif change.path == INDEX:
+                index = decode(Building, self.documents.copy(change.after))
+                floors = [entry.floor for entry in index.floors]
+        missing = [floor for floor in floors if floor not in after]
+        if missing:
+            raise MansionError(
+                ErrorCode.INVALID_PAYLOAD,
+                f"the new {INDEX} names floors {missing}, of which there is no scene",
+                path="$.documents",
+            )
+        return {floor: after[floor] for floor in floors}
+
+    def _refuse_stale_records(self, rooms: Sequence[RoomChange], scenes: Scenes) -> None:
+        program = BuildingFolder(self.folder).building.program
+        for change in rooms:
+            records = records_of(program, self._topology(change.floor), change.floor, change.id)
+            there = parts_of(scenes[change.floor], change.id, *records)
+            if there != change.before:
+                raise MansionError(
+                    ErrorCode.CONFLICT,
+                    f"{change.id} was changed since this edit began; look again and repeat the edit",
+                    details={"room": change.id},
+                )
 
     def new_faults(self, before: Scenes, after: Scenes) -> list[str]:
         """Return the faults that the validator finds after and not before."""
@@ -154,30 +228,48 @@ class BuildingStore:
     def _recover(self) -> None:
         """Finish the transaction of a process that was killed; the lock is held."""
         pending = self._edits / "pending.json"
-        if not pending.exists():
-            return
-        transaction = decode(Transaction, pending.read_bytes())
-        self._finish(transaction, self.scenes())
+        if pending.exists():
+            self._finish(decode(Transaction, pending.read_bytes()))
 
-    def _finish(self, transaction: Transaction, scenes: Scenes) -> None:
+    def _finish(self, transaction: Transaction) -> None:
+        """Write what a transaction changes; done again after an interruption it does the same."""
+        for document in transaction.documents:
+            self.documents.put(document, transaction.revisions.get(str(floor_of(document.path))))
+        scenes = self.scenes()
         for name, revision in transaction.revisions.items():
-            floor = int(name)
-            scene = scenes[floor]
-            if scene.revision >= revision:
-                continue
-            for change in transaction.changes:
-                if change.floor == floor:
-                    scene = changed(scene, change)
-            scene = msgspec.structs.replace(scene, revision=revision)
-            write_atomic(
-                self.folder / floor_directory(floor) / "scene.json", encode_bytes(scene, indent=1), durable=True
-            )
-        self._recount(int(name) for name in transaction.revisions)
+            self._raise(scenes[int(name)], revision, transaction)
+        self._write_records(transaction.rooms)
+        self._recount(scenes if transaction.documents else map(int, transaction.revisions))
         for name, data in (self._records(self.folder, self.scenes()) if self._records else {}).items():
             write_atomic(self.folder / name, data, durable=True)
         if len(self.log()) < transaction.number:
             append_line(self._edits / "log.jsonl", encode_bytes(transaction))
         (self._edits / "pending.json").unlink()
+
+    def _raise(self, scene: FloorScene, revision: int, transaction: Transaction) -> None:
+        """Write a scene with its changes, where it does not have the revision that they make yet."""
+        if scene.revision >= revision:
+            return
+        changes: list[SceneChange] = [*transaction.changes, *transaction.rooms]
+        for change in changes:
+            if change.floor == scene.floor:
+                scene = changed(scene, change)
+        self._write(f"{floor_directory(scene.floor)}/scene.json", msgspec.structs.replace(scene, revision=revision))
+
+    def _write_records(self, rooms: Sequence[RoomChange]) -> None:
+        """Write rooms into the building's program and the room graphs of their floors."""
+        building = BuildingFolder(self.folder).building
+        program = building.program
+        for change in rooms:
+            program = program_with(program, change)
+            graph = self._topology(change.floor)
+            if graph is not None and topology_with(graph, change) != graph:
+                self._write(f"{floor_directory(change.floor)}/topology.json", topology_with(graph, change))
+        if program != building.program:
+            self._write(INDEX, msgspec.structs.replace(building, program=program))
+
+    def _write(self, name: str, payload: msgspec.Struct) -> None:
+        write_atomic(self.folder / name, encode_bytes(payload, indent=1), durable=True)
 
     def _recount(self, floors: Iterable[int]) -> None:
         """Write the numbers of objects of some floors into ``building.json``."""
@@ -202,8 +294,14 @@ class BuildingStore:
         if not undoable:
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no edit of {who!r} to undo")
         last = undoable[-1]
-        changes = [inverse(change) for change in reversed(last.changes)]
-        return self.land(changes, who, f"undo {last.number}: {last.what}", undoes=_root(last))
+        return self.land(
+            [inverse(change) for change in reversed(last.changes)],
+            who,
+            f"undo {last.number}: {last.what}",
+            rooms=[inverse(change) for change in reversed(last.rooms)],
+            documents=[inverse(change) for change in reversed(last.documents)],
+            undoes=_root(last),
+        )
 
     def redo(self, who: str) -> Transaction:
         """Do again what `who` undid last.
@@ -217,7 +315,14 @@ class BuildingStore:
         if not redoable:
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no undone edit of {who!r} to redo")
         last = redoable[-1]
-        return self.land(last.changes, who, f"redo {last.number}: {last.what}", redoes=_root(last))
+        return self.land(
+            last.changes,
+            who,
+            f"redo {last.number}: {last.what}",
+            rooms=last.rooms,
+            documents=last.documents,
+            redoes=_root(last),
+        )
 
     def refresh(
         self,
@@ -256,6 +361,49 @@ class BuildingStore:
         return behind
 
 
+def _refuse_mixed(
+    changes: Sequence[ObjectChange], rooms: Sequence[RoomChange], documents: Sequence[DocumentChange]
+) -> None:
+    replaced = {floor_of(document.path) for document in documents if is_scene(document.path)}
+    mixed = [f for f in _floors_of(changes, rooms) if f in replaced]
+    if mixed:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD,
+            f"the scenes of floors {mixed} are replaced, so that they can have no other changes",
+            path="$.documents",
+        )
+
+
+def _floors_of(changes: Sequence[ObjectChange], rooms: Sequence[RoomChange]) -> list[int]:
+    return sorted({change.floor for change in changes} | {change.floor for change in rooms})
+
+
+def _next_revisions(
+    before: Scenes,
+    after: Scenes,
+    changes: Sequence[ObjectChange],
+    rooms: Sequence[RoomChange],
+    documents: Sequence[DocumentChange],
+) -> dict[str, int]:
+    """Return the next revision of each floor that changes have touched."""
+    touched = set(_floors_of(changes, rooms))
+    touched |= {floor for document in documents if (floor := floor_of(document.path)) in after and floor is not None}
+    last = {floor: (before.get(floor) or after[floor]).revision for floor in touched}
+    return {str(floor): last[floor] + 1 for floor in sorted(touched)}
+
+
+def _differences(before: FloorScene | None, after: FloorScene) -> list[ObjectChange]:
+    """Return the changes of objects that the replacement of a scene amounts to, without additions."""
+    if before is None:
+        return []
+    there = {item.id: item for item in after.objects}
+    return [
+        ObjectChange(floor=before.floor, index=index, before=item, after=there.get(item.id))
+        for index, item in enumerate(before.objects)
+        if there.get(item.id) != item
+    ]
+
+
 def _root(transaction: Transaction) -> int:
     return transaction.redoes or transaction.number
 
@@ -280,6 +428,11 @@ def _stacks(log: Iterable[Transaction], who: str) -> tuple[list[Transaction], li
 
 PATIENCE = 30.0
 """Seconds to wait for another editor; one holds the lock for a single transaction."""
+
+
+def landed_by(log: Iterable[Transaction], who: str) -> list[Transaction]:
+    """Return what a user has landed and not taken back, in its order."""
+    return _stacks(log, who)[0]
 
 
 def append_line(path: Path, line: bytes) -> None:
@@ -354,8 +507,26 @@ def refuse_in_session(folder: Path, changes: Iterable[ObjectChange], scenes: Map
                     raise _conflict(str(parent), session)
 
 
-def _overlays(folder: Path) -> dict[str, dict[str, ObjectState]]:
-    out = {}
+def refuse_robots(folder: Path, floor: int) -> None:
+    """Refuse to replace a floor on which a session's robot is.
+
+    Raises
+    ------
+    MansionError
+        ``CONFLICT`` naming the session.
+    """
+    for session, world in _worlds(folder):
+        if world.robot.floor == floor:
+            raise MansionError(
+                ErrorCode.CONFLICT,
+                f"the robot of the session {session!r} is on floor {floor}; reset the building in that session, or "
+                "remove its folder below `state`, first",
+                details={"floor": floor, "session": session},
+            )
+
+
+def _worlds(folder: Path) -> Iterator[tuple[str, WorldState]]:
+    """Yield the saved world of each session."""
     for file in sorted(folder.glob("state/*/world.json")):
         try:
             world = decode(WorldState, file.read_bytes())
@@ -365,11 +536,17 @@ def _overlays(folder: Path) -> dict[str, dict[str, ObjectState]]:
             raise MansionError(
                 ErrorCode.CONFLICT, f"{file} cannot be read ({error.info.message}); remove it to edit the building"
             ) from None
+        yield world.session or file.parent.name, world
+
+
+def _overlays(folder: Path) -> dict[str, dict[str, ObjectState]]:
+    out = {}
+    for session, world in _worlds(folder):
         touched = {state.id: state for state in world.objects}
         if world.robot.held is not None:
             held = world.robot.held
             touched.setdefault(held, ObjectState(id=held, held_by=world.session))
-        out[world.session or file.parent.name] = touched
+        out[session] = touched
     return out
 
 

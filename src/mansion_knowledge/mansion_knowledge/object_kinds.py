@@ -1,4 +1,4 @@
-"""Which kinds of objects answer for which: a dining chair is a chair, a wall screen is a television."""
+"""What kinds of objects are to each other and to a building: a dining chair is a chair, a basin is fixed."""
 
 from functools import cache
 from importlib.resources import files
@@ -11,6 +11,8 @@ __all__ = [
     "added_for",
     "answers",
     "idle_without",
+    "is_fixed",
+    "is_service",
     "seats_of_row",
     "single_seat",
     "single_seat_categories",
@@ -26,6 +28,8 @@ class _Kinds(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     added: dict[str, str]
     single_seats: dict[str, str]
     idle_without: dict[str, list[str]]
+    services: list[str]
+    installed: list[str]
 
 
 @cache
@@ -53,6 +57,28 @@ def answers(requested: str, category: str) -> bool:
 def idle_without(category: str) -> list[str]:
     """Return the categories that a room has no use for without one: a television stand without a television."""
     return _kinds().idle_without.get(category, [])
+
+
+def is_service(category: str) -> bool:
+    """Tell whether objects of a category belong to the building's services, whatever a room is used for.
+
+    Examples
+    --------
+    >>> is_service("smoke_detector"), is_service("toilet"), is_service("painting")
+    (True, False, False)
+    """
+    return category in _kinds().services
+
+
+def is_fixed(category: str) -> bool:
+    """Tell whether objects of a category are fixed to the building: services, sanitary ware, lamps, fitted kitchens.
+
+    Examples
+    --------
+    >>> is_fixed("smoke_detector"), is_fixed("toilet"), is_fixed("painting")
+    (True, True, False)
+    """
+    return is_service(category) or category in _kinds().installed
 
 
 def added_for(requested: str) -> str:

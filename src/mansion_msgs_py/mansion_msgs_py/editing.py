@@ -5,13 +5,15 @@ D.2): CheckPath, SearchAssets, ListObjects, CheckSurface, SearchContents, PlaceI
 PlaceOnSurface. Every one takes `editor` besides, the name that ``scene/open`` gave a building on the server.
 """
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
 
-from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.program import RoomProgram
+from mansion_msgs_py.scene import Discard, Light, SceneObject, SceneRoom, SpawnPose
 from mansion_msgs_py.shapes import Point3
 from mansion_msgs_py.task import Task
+from mansion_msgs_py.topology import TopologyNode
 
 __all__ = [
     "AgentReport",
@@ -20,9 +22,12 @@ __all__ = [
     "AssetInfo",
     "CheckPathArgs",
     "CheckSurfaceArgs",
+    "ClearRoomArgs",
     "DiffReport",
+    "DocumentChange",
     "EditResult",
     "EditorInfo",
+    "FurnishRoomArgs",
     "InstructArgs",
     "ListObjectsArgs",
     "MoveObjectArgs",
@@ -30,23 +35,41 @@ __all__ = [
     "ObjectInfo",
     "ObjectList",
     "OpenEditorArgs",
+    "PaintObjectArgs",
     "PathReport",
     "PathStep",
     "PlaceInContainerArgs",
     "PlaceOnSurfaceArgs",
+    "PlacingWishes",
     "ProvisionArgs",
     "ReceptacleContents",
     "ReceptacleReport",
     "RemoveObjectArgs",
+    "RenameRoomArgs",
+    "RoomChange",
+    "RoomParts",
+    "ReshapeFloorArgs",
     "SearchAssetsArgs",
     "SearchContentsArgs",
+    "SetFinishArgs",
     "SetStateArgs",
+    "Side",
+    "Spot",
+    "SwapObjectsArgs",
     "ToolArgs",
     "Transaction",
 ]
 
 Text = Annotated[str, msgspec.Meta(max_length=400)]
 Coordinate = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
+Degrees = Annotated[float, msgspec.Meta(ge=-3600.0, le=3600.0)]
+Gap = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
+
+Side: TypeAlias = Literal["", "beside", "left", "right", "behind", "front", "under", "above", "between", "around"]
+"""Where something is, seen from another object; left and right are the object's own."""
+
+Spot: TypeAlias = Literal["", "wall", "corner", "window", "door", "middle"]
+"""A part of a room."""
 
 
 class ToolArgs(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -122,28 +145,63 @@ class SearchContentsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, fro
 
 
 class PlaceInContainerArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """A new object of the catalogue, and the container to put it into; `color` is a word for its main material."""
+    """A new object of the catalogue, and the container to put it into; `color` is a word for its main material.
+
+    Attributes
+    ----------
+    name : str
+        What people call it; what the asset is called when empty.
+    """
 
     asset_id: Text
     container_id: Text
     color: Text = ""
+    name: Text = ""
 
 
-class PlaceOnSurfaceArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
-    """A new object of the catalogue, and what to put it on; a room's id is its floor, for furniture.
+class PlacingWishes(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """Wishes for the place of an object: seen from another object, in its room, and which way it looks.
+
+    Attributes
+    ----------
+    near : str
+        An object. Alone it is a preference: as close to it as there is room. With `side` or `within` it must hold.
+    side : str
+        Where from `near`, in its own frame: its front is where it looks, its left that of who looks out of it.
+        ``above`` is for what hangs, ``under`` for what stands on the floor; ``around`` is any side, turned to `near`.
+    other : str
+        The second object of ``between``.
+    within : float, optional
+        Greatest gap between the footprints of the object and `near` (and `other`), metres.
+    spot : str
+        A part of the room: at a wall, in a corner, at a window or a door, in the middle.
+    facing : str
+        An object that its front shall be turned to.
+    """
+
+    near: Text = ""
+    side: Side = ""
+    other: Text = ""
+    within: Gap | None = None
+    spot: Spot = ""
+    facing: Text = ""
+
+
+class PlaceOnSurfaceArgs(PlacingWishes, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A new object of the catalogue, and what to put it on; a room's id is its floor, or its walls and its ceiling.
 
     Attributes
     ----------
     color : str
         A word for its main material; that of the asset when empty.
-    near : str
-        An object that it shall lie or stand beside, where there is room.
+    name : str
+        What people call it; what the asset is called when empty.
     """
 
     asset_id: Text
     receptacle_id: Text
     color: Text = ""
-    near: Text = ""
+    name: Text = ""
 
 
 class RemoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
@@ -153,22 +211,26 @@ class RemoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, froze
     receptacle_id: Text = ""
 
 
-class MoveObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+class MoveObjectArgs(PlacingWishes, kw_only=True, forbid_unknown_fields=True, frozen=True):
     """Where an object goes: on or in a receptacle, or to a point of its floor; with it goes what it carries.
 
     Attributes
     ----------
     receptacle_id : str
-        A surface, a container, or a room for furniture.
+        A surface, a container, or a room for furniture and what hangs. With a wish it may be left out: the room or
+        the surface of `near` then, else its own.
     x, y, rotation : float, optional
-        Metres and degrees on its own floor.
+        Metres and degrees on its own floor. A rotation alone turns it where it is.
+    turn : float, optional
+        Degrees to turn it by, counter-clockwise.
     """
 
     object_id: Text
     receptacle_id: Text = ""
     x: Coordinate | None = None
     y: Coordinate | None = None
-    rotation: Annotated[float, msgspec.Meta(ge=-3600.0, le=3600.0)] | None = None
+    rotation: Degrees | None = None
+    turn: Degrees | None = None
 
 
 class SetStateArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
@@ -177,6 +239,98 @@ class SetStateArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=Tr
     object_id: Text
     open: bool | None = None
     on: bool | None = None
+
+
+class PaintObjectArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A colour, a material or both for an object that is there.
+
+    Attributes
+    ----------
+    color : str
+        A word for a colour; the one that it has when empty.
+    material : str
+        A family of the palette (``wood``, ``metal``, ...); the one that it has when empty.
+    """
+
+    object_id: Text
+    color: Text = ""
+    material: Text = ""
+
+
+class SwapObjectsArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """Two objects that change places, each with what it carries."""
+
+    object_id: Text
+    other_id: Text
+
+
+class RenameRoomArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A room, by id or words, and what people call it from now on; the old name stays one that means it."""
+
+    room_id: Text
+    name: Annotated[str, msgspec.Meta(min_length=1, max_length=80)]
+
+
+class SetFinishArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A room, by id or words, and a new finish of its walls, floor or ceiling: a material, a colour, or both.
+
+    Attributes
+    ----------
+    material : str
+        Name of a material, or words for one (``oak parquet``); that of now, or paint on walls, when empty.
+    color : str
+        A word for its colour.
+    """
+
+    room_id: Text
+    part: Literal["walls", "floor", "ceiling"]
+    material: Text = ""
+    color: Text = ""
+
+
+class ClearRoomArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A room, by id or words, to be emptied of all that is not fixed to the building."""
+
+    room_id: Text
+
+
+class FurnishRoomArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A room, by id or words, to be furnished anew: as what it is, or as another type of room.
+
+    Attributes
+    ----------
+    room_type : str
+        Its own when empty.
+    keep : list of str
+        Ids of objects that stay, with what carries them and what they carry.
+    """
+
+    room_id: Text
+    room_type: Text = ""
+    keep: Annotated[list[Text], msgspec.Meta(max_length=200)] = []
+
+
+class ReshapeFloorArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
+    """A change of structure, with all rooms that it does not concern held where they are.
+
+    Attributes
+    ----------
+    what : str
+        ``area``: the room grows or shrinks; ``door``: a door between the two rooms; ``swap``: they change places;
+        ``stair``, ``elevator``: one more of these on all storeys, on floor that the room gives.
+    room_id, other_id : str
+        Rooms, by id or words.
+    area : float
+        Square metres that the room gains (or loses, where negative).
+    absolute : bool
+        The room is to have `area`, whatever it has now.
+    """
+
+    what: Literal["area", "door", "swap", "stair", "elevator"]
+    room_id: Text
+    other_id: Text = ""
+    area: Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)] = 0.0
+    absolute: bool = False
 
 
 class InstructArgs(ToolArgs, kw_only=True, forbid_unknown_fields=True, frozen=True):
@@ -296,6 +450,65 @@ class ObjectChange(msgspec.Struct, kw_only=True, frozen=True):
         return "" if found is None else found.id
 
 
+class RoomParts(msgspec.Struct, frozen=True, kw_only=True):
+    """What a building's documents say of one room, its objects left out.
+
+    Attributes
+    ----------
+    faces : dict of str to str
+        By wall, the material of the side that the room has of it.
+    spawn : SpawnPose, optional
+        Where the robot starts, when that is in this room.
+    source : str
+        Who chose the furniture, where a model was asked (see `FloorScene.sources`).
+    program, node : optional
+        The room in the building's program and in its floor's room graph, where they have it.
+    """
+
+    room: SceneRoom
+    faces: dict[str, str] = {}
+    lights: list[Light] = []
+    discarded: list[Discard] = []
+    spawn: SpawnPose | None = None
+    source: str = ""
+    program: RoomProgram | None = None
+    node: TopologyNode | None = None
+
+
+class RoomChange(msgspec.Struct, frozen=True, kw_only=True):
+    """One room before and after."""
+
+    floor: int
+    before: RoomParts
+    after: RoomParts
+
+    @property
+    def id(self) -> str:
+        """Id of the room."""
+        return self.after.room.id
+
+
+class DocumentChange(msgspec.Struct, frozen=True, kw_only=True):
+    """A document of the building that is replaced whole.
+
+    Attributes
+    ----------
+    path : str
+        Relative to the building's folder.
+    before, after : str
+        Names of the stored copies below ``edits/documents``; empty where the document was or is not there.
+    """
+
+    path: str
+    before: str = ""
+    after: str = ""
+
+    @property
+    def id(self) -> str:
+        """Path of the document."""
+        return self.path
+
+
 class Transaction(msgspec.Struct, frozen=True, kw_only=True):
     """A line of the edit log: what landed together.
 
@@ -305,6 +518,8 @@ class Transaction(msgspec.Struct, frozen=True, kw_only=True):
         Counts from 1.
     what : str
         The instruction, or the tool and its arguments.
+    changes, rooms, documents : list
+        What happened to objects, to rooms and to whole documents.
     undoes, redoes : int, optional
         Number of the transaction that this one takes back or restores.
     revisions : dict
@@ -317,6 +532,8 @@ class Transaction(msgspec.Struct, frozen=True, kw_only=True):
     who: str
     what: str
     changes: list[ObjectChange]
+    rooms: list[RoomChange] = []
+    documents: list[DocumentChange] = []
     revisions: dict[str, int] = {}
     undoes: int | None = None
     redoes: int | None = None
@@ -331,6 +548,8 @@ class EditResult(msgspec.Struct, frozen=True, kw_only=True):
     ----------
     object_ids : list of str
         Objects added, moved, changed or removed, in that order of work.
+    room_ids : list of str
+        Rooms whose name, kind, finishes or light changed.
     saved : bool
         Landed on disk, else waiting for Save.
     transaction : int, optional
@@ -339,16 +558,19 @@ class EditResult(msgspec.Struct, frozen=True, kw_only=True):
 
     message: str
     object_ids: list[str] = []
+    room_ids: list[str] = []
     saved: bool = False
     transaction: int | None = None
     revisions: dict[str, int] = {}
 
 
 class DiffReport(msgspec.Struct, frozen=True, kw_only=True):
-    """Reply of Diff: changes that wait for Save."""
+    """Reply of Diff: changes that wait for Save, in words and as they are."""
 
     message: str
     changes: list[ObjectChange]
+    rooms: list[RoomChange] = []
+    documents: list[DocumentChange] = []
 
 
 class AgentStep(msgspec.Struct, frozen=True, kw_only=True):
@@ -372,6 +594,10 @@ class AgentReport(msgspec.Struct, kw_only=True, frozen=True):
         What was asked, in words; and what could not be met, each with its reason.
     edits : int
         Tools that changed something.
+    question : bool
+        It was only asked about the building; `message` is the answer.
+    candidates : list of str
+        Ids of what words may mean that fit several things.
     """
 
     message: str
@@ -383,3 +609,5 @@ class AgentReport(msgspec.Struct, kw_only=True, frozen=True):
     saved: bool = False
     transaction: int | None = None
     object_ids: list[str] = []
+    question: bool = False
+    candidates: list[str] = []

@@ -160,7 +160,8 @@ class SceneObject(msgspec.Struct, frozen=True, kw_only=True):
     asset_id : str, optional
         AI2-THOR asset id, where one exists.
     mount, parent
-        What carries it: ``surface`` and ``inside`` name the receptacle in `parent`.
+        What carries it: ``surface`` and ``inside`` name the receptacle in `parent`; what stands on the floor below a
+        table may name the table.
     states : dict
         ``open``, ``on``, ``temperature``, ... where they apply.
     """

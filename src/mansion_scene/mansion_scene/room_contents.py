@@ -1,6 +1,7 @@
 """Objects of a room: chosen from the catalogue, placed, and decorated (Algorithm 1, lines 12 and 13)."""
 
 from collections.abc import Callable, Mapping, Sequence
+from typing import Protocol
 
 import msgspec
 from shapely.geometry import LineString, Polygon
@@ -12,10 +13,11 @@ from mansion_geometry.randomness import item_seed
 from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.placement import PlacedObject, PlacementOpening, PlacementResult, PlacementRoom
 from mansion_msgs_py.program import RequestedObject
-from mansion_msgs_py.scene import Discard, Door, SceneObject, SceneRoom
+from mansion_msgs_py.scene import Discard, Door, SceneObject, SceneRoom, Window
 from mansion_msgs_py.shapes import Segment
 from mansion_scene.clearance import clear_of_ways
 from mansion_scene.decor import decorate_room, scene_object
+from mansion_scene.decor.frames import Ids
 from mansion_scene.placement import place_room
 from mansion_scene.requested_objects import (
     PART,
@@ -33,9 +35,9 @@ from mansion_scene.requested_objects import (
     within_reach,
     without_surplus_seats,
 )
-from mansion_scene.structure import FloorStructure
+from mansion_scene.standing_objects import floor_around
 
-__all__ = ["ItemChooser", "RoomFurnisher", "room_openings"]
+__all__ = ["FloorOpenings", "ItemChooser", "RoomFurnisher", "room_openings"]
 
 ItemChooser = Callable[[SceneRoom, float, tuple[float, float]], Sequence[Item] | None]
 """Chooses the floor objects of a room, given the room, its net area and the sides of its bounding rectangle."""
@@ -45,7 +47,19 @@ _Trial = tuple[RoomFurnishing, PlacementResult]
 _PANEL_WALL = 0.4  # metres of wall on each side of a lift's landing door
 
 
-def room_openings(structure: FloorStructure, room: SceneRoom) -> tuple[list[PlacementOpening], list[PlacementOpening]]:
+class FloorOpenings(Protocol):
+    """The doors and windows of a floor: its structure, or its finished scene."""
+
+    @property
+    def doors(self) -> Sequence[Door]:
+        """All doors."""
+
+    @property
+    def windows(self) -> Sequence[Window]:
+        """All windows."""
+
+
+def room_openings(structure: FloorOpenings, room: SceneRoom) -> tuple[list[PlacementOpening], list[PlacementOpening]]:
     """Return a room's doors and windows as openings in the boundary of its net interior."""
     net = Polygon(room.net_polygon, room.net_holes)
     doors = [
@@ -77,7 +91,7 @@ class RoomFurnisher:
 
     Parameters
     ----------
-    structure : FloorStructure
+    structure : FloorOpenings
     seed : int
         Seed of the building.
     style : str
@@ -92,7 +106,7 @@ class RoomFurnisher:
 
     def __init__(
         self,
-        structure: FloorStructure,
+        structure: FloorOpenings,
         *,
         seed: int,
         style: str = "",
@@ -107,24 +121,31 @@ class RoomFurnisher:
         self._requested = requested or {}
         self._catalogue = catalogue if catalogue is not None else load_catalogue()
 
-    def furnish(self, room: SceneRoom) -> tuple[list[SceneObject], list[Discard]]:
-        """Return a room's objects, large ones first, and what could not be placed."""
+    def furnish(self, room: SceneRoom, standing: Sequence[SceneObject] = ()) -> tuple[list[SceneObject], list[Discard]]:
+        """Return a room's objects, large ones first, and what could not be placed.
+
+        Parameters
+        ----------
+        standing : sequence of SceneObject
+            What is in the room already; it keeps its place and its id, and is not among the objects returned.
+        """
         net = Polygon(room.net_polygon, room.net_holes)
         items = None if self._chooser is None else self._chooser(room, net.area, _extent(net))
         wishes = self._wishes(room, net, items)
         counts = asked_counts(self._requested.get(room.id, ()))
+        free = floor_around(room, standing)
         if counts:
-            wishes, result = self._until_met(room, counts, wishes, self._wishes(room, net, items, compact=True))
+            wishes, result = self._until_met(free, counts, wishes, self._wishes(room, net, items, compact=True))
         else:
-            result = self._placed(room, wishes)
-        placed = self._scene_objects(room, wishes, result.placements, counts)
+            result = self._placed(free, wishes)
+        placed = self._scene_objects(free, wishes, result.placements, counts, standing)
         left = [
             Discard(room=room.id, name=lost.name.removesuffix(PART), count=lost.count, reason=lost.reason)
             for lost in result.discarded
         ]
         if not counts:
-            return [*placed, *self._decorated(room, net, wishes, placed)], left
-        small, short = self._decorated_as_asked(room, net, wishes, placed, counts)
+            return [*placed, *self._decorated(room, net, wishes, placed, standing)], left
+        small, short = self._decorated_as_asked(room, net, wishes, placed, standing, counts)
         categories = {name: asset.category for name, asset in wishes.floor_assets.items()}
         named = named_as_asked([*placed, *small], self._requested[room.id])
         return named, [*left, *not_met(self._catalogue, room.id, short, left, categories)]
@@ -189,20 +210,24 @@ class RoomFurnisher:
         return best
 
     def _scene_objects(
-        self, room: SceneRoom, wishes: RoomFurnishing, placements: Sequence[PlacedObject], counts: Mapping[str, int]
+        self,
+        room: SceneRoom,
+        wishes: RoomFurnishing,
+        placements: Sequence[PlacedObject],
+        counts: Mapping[str, int],
+        standing: Sequence[SceneObject],
     ) -> list[SceneObject]:
         """Return placed objects as those of the scene, rows of seats that are asked for seat by seat."""
-        numbers: dict[str, int] = {}
+        ids = Ids(room.id, (o.id for o in standing))
         objects = []
         for placement in placements:
             row = wishes.asset_for(placement.name, placement.size)
             asked = any(number and answers(category, row.category) for category, number in counts.items())
             for asset, (x, y) in single_seats(self._catalogue, row, placement) if asked else [(row, placement.center)]:
-                numbers[asset.category] = numbers.get(asset.category, 0) + 1
                 objects.append(
                     scene_object(
                         asset,
-                        f"{room.id}/{asset.category}_{numbers[asset.category]}",
+                        ids.new(asset.category),
                         room.id,
                         (x, y, asset.size[2] / 2),
                         placement.rotation,
@@ -217,6 +242,7 @@ class RoomFurnisher:
         net: Polygon,
         wishes: RoomFurnishing,
         placed: Sequence[SceneObject],
+        standing: Sequence[SceneObject],
         asked: Sequence[Asset] = (),
     ) -> list[SceneObject]:
         doors, _ = room_openings(self._structure, room)
@@ -230,10 +256,11 @@ class RoomFurnisher:
             doors=[_with_panels(door) for door in self._structure.doors if room.id in door.rooms],
             windows=[window for window in self._structure.windows if window.room == room.id],
             placed=placed,
+            standing=standing,
             seed=self._seed,
             asked=asked,
         )
-        return clear_of_ways(small, placed, net, doors)
+        return clear_of_ways(small, [*(o for o in standing if o.mount == "floor"), *placed], net, doors)
 
     def _decorated_as_asked(
         self,
@@ -241,20 +268,21 @@ class RoomFurnisher:
         net: Polygon,
         wishes: RoomFurnishing,
         placed: Sequence[SceneObject],
+        standing: Sequence[SceneObject],
         counts: dict[str, int],
     ) -> tuple[list[SceneObject], dict[str, int]]:
         """Return what a room gets beyond its furniture, and by category how many pieces are short."""
-        standing = [self._catalogue.asset(o.asset) for o in placed]
-        small = self._decorated(room, net, wishes, placed)
-        short = shortage(counts, [*standing, *(self._catalogue.asset(o.asset) for o in small)])
+        there = [self._catalogue.asset(o.asset) for o in placed]
+        small = self._decorated(room, net, wishes, placed, standing)
+        short = shortage(counts, [*there, *(self._catalogue.asset(o.asset) for o in small)])
         wanted = short
         for trial in range(3):
             if not short:
                 break
             extra = extra_wishes(self._catalogue, wanted, short, seed=self._seed, room_id=room.id, trial=trial)
             further = with_extra(wishes, extra, counts, alone=trial == 2)
-            again = self._decorated(room, net, further, placed, extra.small)
-            left = shortage(counts, [*standing, *(self._catalogue.asset(o.asset) for o in again)])
+            again = self._decorated(room, net, further, placed, standing, extra.small)
+            left = shortage(counts, [*there, *(self._catalogue.asset(o.asset) for o in again)])
             if sum(left.values()) < sum(short.values()):
                 small, short = again, left
             wanted = with_displaced(self._catalogue, wanted, left)

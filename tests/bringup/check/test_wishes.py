@@ -145,3 +145,34 @@ def test_an_edit_and_its_undoing_settle_the_wishes_anew(house: Path) -> None:
 def test_records_that_cannot_be_read_are_left_alone(tmp_path: Path) -> None:
     (tmp_path / "building.json").write_text("{}")
     assert records(tmp_path, {}) == {}
+
+
+def test_a_room_that_becomes_another_is_no_longer_what_was_asked_for(house: Path) -> None:
+    before = BuildingFolder(house)
+    (bedrooms,) = [wish for wish in before.building.wishes if wish.text == "two bedrooms"]
+    assert bedrooms.status == "met"
+    editor = open_editor(house, physics="static", who="ann")
+    editor.call("FurnishRoom", {"room_id": bedrooms.rooms[0], "room_type": "study"})
+    (after,) = [wish for wish in BuildingFolder(house).building.wishes if wish.text == "two bedrooms"]
+    assert after.status == "partly" and after.rooms == bedrooms.rooms[1:]
+    assert verified(house) == []
+    editor.call("Undo")
+    assert statuses(BuildingFolder(house).building.wishes)["two bedrooms"] == "met"
+    assert verified(house) == []
+
+
+def test_a_room_with_another_name_is_still_what_was_asked_for(house: Path) -> None:
+    (living,) = [r for r in BuildingFolder(house).scene(1).rooms if r.room_type == "living_room"]
+    editor = open_editor(house, physics="static", who="ann")
+    editor.call("RenameRoom", {"room_id": living.id, "name": "The Den"})
+    editor.call("SetFinish", {"room_id": "the den", "part": "walls", "color": "green"})
+    editor.call("FurnishRoom", {"room_id": "the den"})
+    assert statuses(BuildingFolder(house).building.wishes)["a sofa"] == "met"
+    assert verified(house) == []
+    editor.call("ClearRoom", {"room_id": "the den"})
+    assert statuses(BuildingFolder(house).building.wishes)["a sofa"] == "not_met"
+    assert verified(house) == []
+
+
+def verified(house: Path) -> list[str]:
+    return [str(fault) for fault in verify_building(house)]

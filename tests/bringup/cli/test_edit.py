@@ -42,6 +42,17 @@ def test_what_leaves_its_room_is_refused() -> None:
     assert any("extend beyond F1/hall" in fault for fault in new_faults({1: inside}, {1: outside}))
 
 
+def test_a_floor_with_other_walls_is_judged_whole() -> None:
+    before = _scene(_box("F1/hall/box_1", 2.0))
+    half = [(0.0, 0.0), (3.0, 0.0), (3.0, 6.0), (0.0, 6.0)]
+    room = msgspec.structs.replace(before.rooms[0], polygon=half, net_polygon=half, area=18.0)
+    found = new_faults({1: before}, {1: msgspec.structs.replace(before, rooms=[room])})
+    assert any(fault.startswith("COVERAGE") for fault in found)
+    assert new_faults({1: before}, {1: before, 2: msgspec.structs.replace(before, floor=2)})
+    renamed = msgspec.structs.replace(before.rooms[0], name="Hall of mirrors", wall_material="white_marble")
+    assert new_faults({1: before}, {1: msgspec.structs.replace(before, rooms=[renamed])}) == []
+
+
 def test_what_lies_in_a_bowl_in_a_box_overlaps_neither() -> None:
     box = _box("F1/hall/box_1", 2.0)
     bowl = msgspec.structs.replace(_box("F1/hall/bowl_1", 2.0), size=(0.4, 0.4, 0.3), mount="inside", parent=box.id)

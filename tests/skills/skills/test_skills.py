@@ -332,3 +332,17 @@ def test_a_turn_goes_all_the_way_round_and_takes_its_time(robot: Robot) -> None:
     do(robot, ("Rotate", {"degrees": -540.0}))
     assert session.world.time - before == pytest.approx(540.0 / TURN_SPEED)
     assert session.robot.pose.yaw == (yaw + 180.0) % 360.0
+
+
+def test_a_room_of_any_floor_is_found_by_the_name_that_it_was_given(building: Path) -> None:
+    file = building / "floors/floor_3/scene.json"
+    scene = decode(FloorScene, file.read_bytes())
+    rooms = [
+        msgspec.structs.replace(room, name="The Trough", aliases=["Canteen"]) if room.id == "F3/kitchen" else room
+        for room in scene.rooms
+    ]
+    file.write_bytes(encode_bytes(msgspec.structs.replace(scene, rooms=rooms)))
+    robot = Robot(building)
+    for name in ("the trough", "Canteen"):
+        assert robot.plan_route(name).legs[-1].floor == 3
+    assert robot.skill("PlanRoute", target="").status is SkillStatus.INVALID_ACTION

@@ -1,6 +1,7 @@
 """The vocabulary that tasks and the readers of instructions share."""
 
-from mansion_tasks.language.matching import match_score
+from mansion_msgs_py.scene import SceneRoom
+from mansion_tasks.language.matching import match_score, names_room
 from mansion_tasks.language.vocabulary import COLOUR_WORDS, COLOURS, OBJECTS, ROOMS
 
 
@@ -19,3 +20,13 @@ def test_words_that_mean_the_same_match_each_other() -> None:
 def test_instructions_may_use_every_colour_of_a_material() -> None:
     assert set(COLOURS) < COLOUR_WORDS
     assert len(COLOURS) == len(set(COLOURS))
+
+
+def test_a_room_goes_by_its_type_its_name_and_its_other_names() -> None:
+    ring = [(0.0, 0.0), (3.0, 0.0), (3.0, 3.0)]
+    room = SceneRoom(
+        id="F1/kitchen", room_type="kitchen", kind="Entities", polygon=ring, net_polygon=ring, area=4.5,
+        name="The Trough", aliases=["Canteen"],
+    )  # fmt: skip
+    assert all(names_room(word, room) for word in ("kitchen", "the trough", "canteen"))
+    assert not names_room("lobby", room)

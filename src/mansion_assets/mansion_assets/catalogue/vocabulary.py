@@ -63,6 +63,15 @@ class Vocabulary:
         """Return the categories called exactly so; by synonym where none has the name itself."""
         return list(self._names.get(words) or self._synonyms.get(words, {}))
 
+    def synonymous(self, words: tuple[str, ...]) -> list[str]:
+        """Return the categories with these words as a synonym, whether or not others have them as their name."""
+        return list(self._synonyms.get(words, {}))
+
+    def ending(self, words: tuple[str, ...]) -> list[str]:
+        """Return the categories with a synonym that ends with these words (``rack`` of a towel rack)."""
+        found = [own for name, own in self._synonyms.items() if words and name[-len(words) :] == words]
+        return list(dict.fromkeys(category for own in found for category in own))
+
     def generic(self, words: tuple[str, ...]) -> list[str]:
         """Return the categories of which a general word (``table``) is the last part."""
         if len(words) != 1 or words[0] not in _GENERIC:

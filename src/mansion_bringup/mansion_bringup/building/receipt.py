@@ -15,7 +15,7 @@ from mansion_assets.catalogue import load_catalogue
 from mansion_assets.catalogue.kinds import pieces
 from mansion_knowledge.object_kinds import answers
 from mansion_msgs_py.program import BuildingProgram
-from mansion_msgs_py.scene import FloorScene, SceneObject
+from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Ring
 from mansion_msgs_py.topology import FloorTopology
 from mansion_msgs_py.wishes import Wish, WishStatus
@@ -171,6 +171,19 @@ def _names(identifier: str, name: str, aliases: Iterable[str]) -> frozenset[str]
     return frozenset(word.lower().replace(" ", "_") for word in plain if word)
 
 
+def _built_names(short: str, room: SceneRoom) -> frozenset[str]:
+    """Return what a finished room is called: its id too, unless an edit has made it a room of another kind."""
+    own, spoken = _names(short, "", ()), _names("", room.name, room.aliases)
+    told = {_letters(word) for word in (*spoken, room.room_type)}
+    if room.name and told.isdisjoint(map(_letters, own)):
+        return spoken
+    return own | spoken
+
+
+def _letters(word: str) -> str:
+    return re.sub(r"[\W_]+", "", word)
+
+
 def _built_room(scene: FloorScene, number: int) -> _Room:
     room = scene.rooms[number]
     short = room.id.removeprefix(f"F{scene.floor}/")
@@ -184,7 +197,7 @@ def _built_room(scene: FloorScene, number: int) -> _Room:
         scene.floor,
         short,
         room.room_type,
-        _names(short, room.name, room.aliases),
+        _built_names(short, room),
         room.area,
         room.ceiling_height,
         {"floor": room.floor_material, "wall": room.wall_material},

@@ -474,10 +474,16 @@ _JUDGES: Mapping[str, Judge] = {
 
 
 def _labels(room: SceneRoom) -> set[str]:
-    """Return what a room is called: its id, the same without a number, its name, its other names."""
+    """Return what a room is called: its id, the same without a number, its name, its other names.
+
+    The id of a room that is of another kind by now, and called otherwise, says nothing of it.
+    """
     short = room.id.partition("/")[2]
-    spoken = [text.lower().replace(" ", "_") for text in (room.name, *room.aliases) if text]
-    return {short, re.sub(r"_\d+$", "", short), *spoken}
+    by_id = {short, re.sub(r"_\d+$", "", short)}
+    spoken = {text.lower().replace(" ", "_") for text in (room.name, *room.aliases) if text}
+    plain = {re.sub(r"[^a-z0-9]", "", text) for text in (*spoken, room.room_type)}
+    apt = not room.name or any(re.sub(r"[^a-z0-9]", "", text) in plain for text in by_id)
+    return spoken | by_id if apt else spoken
 
 
 def _on(floor: int, floors: Sequence[int]) -> bool:

@@ -96,6 +96,7 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "S
     from mansion_editing.editor import SceneEditor
     from mansion_editing.physics.engine import engine_named
     from mansion_editing.storage import BuildingStore
+    from mansion_scene.refurnishing import furnish_room
 
     if physics in _EXTRAS:
         ensure_extra(_EXTRAS[physics])
@@ -103,7 +104,12 @@ def open_editor(building: Path, *, physics: str = "mujoco", who: str = "") -> "S
         ensure_extra("vectors")
     store = BuildingStore(building, validator=new_faults, records=records, clock=_now)
     return SceneEditor(
-        store, load_catalogue(), engine_named(physics), who=who or getpass.getuser(), retriever=configured_retriever()
+        store,
+        load_catalogue(),
+        engine_named(physics),
+        who=who or getpass.getuser(),
+        retriever=configured_retriever(),
+        furnisher=furnish_room,
     )
 
 

@@ -234,11 +234,17 @@ class Verdict:
         What was asked for, in words.
     failed : list of str
         What does not hold, each with its reason.
+    question : bool
+        It was only asked; `summary` is the answer.
+    candidates : list of str
+        Ids of what words may mean that fit several things.
     """
 
     summary: str
     facts: list[str] = field(default_factory=list)
     failed: list[str] = field(default_factory=list)
+    question: bool = False
+    candidates: list[str] = field(default_factory=list)
 
 
 Policy: TypeAlias = Generator[Action, Outcome, Verdict]

@@ -1,15 +1,10 @@
 """Carry out an instruction or provision a task: the ReAct loop (supplement, D.1) over the editor's tools."""
 
-import re
-from dataclasses import replace
 from typing import Any, Final
 
 import msgspec
 
-from mansion_editing.agent.discourse import parse_instruction
 from mansion_editing.agent.facts import Action, Outcome, Policy, Verdict
-from mansion_editing.agent.provisioning import satisfy
-from mansion_editing.agent.sentence_patterns import VAGUE
 from mansion_editing.agent.task_needs import task_policy
 from mansion_editing.editor import ACTION_TOOLS, PERCEPTION_TOOLS, SceneEditor
 from mansion_msgs_py.codec import decode, encode, to_builtins
@@ -17,45 +12,7 @@ from mansion_msgs_py.editing import AgentReport, AgentStep, EditResult
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.task import Task
 
-__all__ = [
-    "AGENT_TOOLS",
-    "MOST_EDITS",
-    "MOST_STEPS",
-    "instruct",
-    "provision",
-    "run_agent",
-    "undo_or_redo",
-    "history_tool",
-]
-
-_LAST: Final = (
-    r"(?:that|it|this|what you (?:just |have just )?(?:did|done)|"
-    r"(?:the|my|your|our) (?:last|latest|previous|most recent)(?: \w+)?)"
-)
-_BACK: Final = (
-    rf"(?P<undo>undo(?: {_LAST})?|(?:revert|reverse|take back|roll back) {_LAST}|(?:take|roll) {_LAST} back)|"
-    rf"(?P<redo>redo(?: {_LAST})?|do {_LAST} again)"
-)
-_ASKED: Final = re.compile(
-    rf"(?:(?:please|now|then|no|ok|okay|sorry|(?:could|can|would) you)[, ]+)*(?:{_BACK})(?:,? please| again| for me)*",
-    re.IGNORECASE,
-)
-
-
-def history_tool(instruction: str) -> str:
-    """Return the tool, Undo or Redo, that an instruction as a whole asks for; empty for others.
-
-    Examples
-    --------
-    >>> history_tool("Please undo that.")
-    'Undo'
-    >>> history_tool("undo all edits of other people")
-    ''
-    """
-    match = _ASKED.fullmatch(" ".join(instruction.split()).strip(" .,!?"))
-    if match is None:
-        return ""
-    return "Undo" if match["undo"] else "Redo"
+__all__ = ["AGENT_TOOLS", "MOST_EDITS", "MOST_STEPS", "instruct", "provision", "run_agent", "undo_or_redo"]
 
 
 def undo_or_redo(editor: SceneEditor, tool: str) -> AgentReport:
@@ -86,7 +43,9 @@ MOST_EDITS: Final = 120
 MOST_REFUSED: Final = 8
 
 
-def run_agent(editor: SceneEditor, policy: Policy, what: str) -> AgentReport:
+def run_agent(
+    editor: SceneEditor, policy: Policy, what: str, *, most_steps: int = MOST_STEPS, most_edits: int = MOST_EDITS
+) -> AgentReport:
     """Let a policy work until it ends or a bound is reached.
 
     Parameters
@@ -95,6 +54,8 @@ def run_agent(editor: SceneEditor, policy: Policy, what: str) -> AgentReport:
         With nothing waiting to be saved.
     what : str
         The instruction, for the log.
+    most_steps, most_edits : int
+        Calls of tools, and those that change something, after which the policy is stopped.
 
     Returns
     -------
@@ -109,7 +70,7 @@ def run_agent(editor: SceneEditor, policy: Policy, what: str) -> AgentReport:
     if editor.state.pending:
         raise MansionError(ErrorCode.CONFLICT, "edits wait to be saved; save or undo them first")
     autosave, editor.autosave = editor.autosave, False
-    run = _Run(editor)
+    run = _Run(editor, most_steps, most_edits)
     try:
         editor.reload()
         verdict = run.drive(policy)
@@ -123,8 +84,8 @@ def run_agent(editor: SceneEditor, policy: Policy, what: str) -> AgentReport:
 class _Run:
     """The steps of one run."""
 
-    def __init__(self, editor: SceneEditor) -> None:
-        self.editor = editor
+    def __init__(self, editor: SceneEditor, most_steps: int, most_edits: int) -> None:
+        self.editor, self.most_steps, self.most_edits = editor, most_steps, most_edits
         self.steps: list[AgentStep] = []
         self.edits = 0
         self.refused = 0
@@ -134,7 +95,7 @@ class _Run:
         try:
             action = next(policy)
             while True:
-                if len(self.steps) >= MOST_STEPS or self.edits >= MOST_EDITS:
+                if len(self.steps) >= self.most_steps or self.edits >= self.most_edits:
                     return _stopped(f"stopped after {len(self.steps)} steps, {self.edits} edits")
                 if self.refused >= MOST_REFUSED:
                     return _stopped(f"stopped: {self.refused} invalid actions")
@@ -183,6 +144,8 @@ class _Run:
             facts=verdict.facts,
             failed=list(verdict.failed),
             edits=self.edits,
+            question=verdict.question,
+            candidates=verdict.candidates,
         )
         if verdict.failed:
             self.editor.reload()
@@ -228,9 +191,11 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> A
         ``INVALID_PAYLOAD`` for another planner, ``UNAVAILABLE`` for a model that is not configured, ``CONFLICT`` when
         edits wait to be saved.
     """
-    tool = history_tool(instruction) if planner == "rules" else ""
-    if tool:
-        return undo_or_redo(editor, tool)
+    if planner == "rules":
+        from mansion_editing.instructions.run import carry_out
+        from mansion_editing.instructions.sentences.reader import read_instruction
+
+        return carry_out(editor, read_instruction(instruction, editor.state), instruction)
     return run_agent(editor, _policy(editor, instruction, planner), instruction)
 
 
@@ -245,44 +210,7 @@ def provision(editor: SceneEditor, task: Task) -> AgentReport:
     return run_agent(editor, task_policy(editor, task), f"task {task.id}: {task.instruction}")
 
 
-def offline_policy(editor: SceneEditor, instruction: str) -> Policy:
-    """Work through the facts of an instruction without a language model.
-
-    Parameters
-    ----------
-    editor : SceneEditor
-        Its state names rooms and objects; it is only read.
-
-    Raises
-    ------
-    MansionError
-        See `parse_instruction`.
-    """
-    state = editor.state
-    verdict = yield from satisfy(parse_instruction(state, instruction), state)
-    ignored = _ignored_adjectives(instruction)
-    if ignored:
-        return replace(
-            verdict, summary=f"{verdict.summary} (ignored, as scenes do not record it: {', '.join(ignored)})"
-        )
-    return verdict
-
-
-def _ignored_adjectives(text: str) -> list[str]:
-    """Return the adjectives of an instruction that are understood but that no scene describes.
-
-    Examples
-    --------
-    >>> _ignored_adjectives("put a small new mug on the clean desk, then empty the bin")
-    ['small', 'new', 'clean']
-    """
-    found = " ".join(match["words"].lower() for match in VAGUE.finditer(text))
-    return list(dict.fromkeys(found.split()))
-
-
 def _policy(editor: SceneEditor, instruction: str, planner: str) -> Policy:
-    if planner == "rules":
-        return offline_policy(editor, instruction)
     if planner == "llm":
         from mansion_editing.agent.model_policy import model_policy
         from mansion_llm import LlmClient

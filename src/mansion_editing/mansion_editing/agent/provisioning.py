@@ -1,10 +1,10 @@
 """Make facts hold with the fewest edits: place, move, remove and switch what is needed."""
 
 from collections import Counter
-from collections.abc import Generator
+from collections.abc import Generator, Mapping
 from dataclasses import replace
 from functools import lru_cache
-from typing import Final
+from typing import Any, Final
 
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
@@ -42,7 +42,19 @@ from mansion_msgs_py.scene import SceneRoom
 from mansion_msgs_py.shapes import Point3
 from mansion_msgs_py.wording import with_article
 
-__all__ = ["satisfy"]
+__all__ = [
+    "MOST_CARRIERS",
+    "find_assets",
+    "find_surfaces",
+    "furnish",
+    "is_furniture",
+    "make_room",
+    "move_after_clearing",
+    "place_any",
+    "relation_of",
+    "rooms_for",
+    "satisfy",
+]
 
 Provisioning = Generator[Action, Outcome, None]
 """Raises `Unmet` where a fact cannot be made to hold."""
@@ -126,7 +138,7 @@ def _provide_on_receptacle(fact: ObjectFact, state: SceneState) -> Provisioning:
     counted: list[tuple[int, int, ObjectInfo]] = []
     surplus: list[ObjectInfo] = []
     for order, carrier in enumerate(carriers[:40]):
-        there = yield from list_contents(carrier, _relation_of(fact.where.relation, carrier, state))
+        there = yield from list_contents(carrier, relation_of(fact.where.relation, carrier, state))
         mine = [item for item in there if matches(fact.object, item, state)]
         if fact.most:
             surplus += mine[fact.object.count :]
@@ -151,16 +163,16 @@ def _remove_surplus(surplus: list[ObjectInfo]) -> Provisioning:
 
 def _place_missing(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], state: SceneState) -> Provisioning:
     """Place what is missing on the first receptacle that takes it all."""
-    assets = yield from _find_assets(fact.object, state)
+    assets = yield from find_assets(fact.object, state)
     reasons: list[str] = []
     for number, carrier in carriers:
-        relation = _relation_of(fact.where.relation, carrier, state)
+        relation = relation_of(fact.where.relation, carrier, state)
         missing = fact.object.count - number
         added: list[str] = []
         for _ in range(missing):
-            made, reason = yield from _place_any(assets, carrier.id, relation, colour=fact.object.colour)
+            made, reason = yield from place_any(assets, carrier.id, relation, colour=fact.object.colour)
             if not made and len(carriers) == 1:
-                made = yield from _make_room(fact.object, assets, carrier, state)
+                made = yield from make_room(fact.object, assets, carrier, state)
             if not made:
                 reasons.append(reason)
                 break
@@ -171,7 +183,7 @@ def _place_missing(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], sta
             yield Action("They do not all fit there.", "RemoveObject", {"object_id": object_id})
     if fact.object.count == 1 and len(carriers) > 1:
         for _, carrier in carriers:
-            if (yield from _make_room(fact.object, assets, carrier, state)):
+            if (yield from make_room(fact.object, assets, carrier, state)):
                 return
     raise Unmet("; ".join(dict.fromkeys(reasons)) or "no receptacle takes it")
 
@@ -181,17 +193,17 @@ def _provide_carrier(fact: ObjectFact, state: SceneState) -> Generator[Action, O
     where = fact.where
     if "/" in where.receptacle or "_" in where.receptacle:
         raise Unmet(f"there is no {where.receptacle}")
-    made = yield from _furnish(ObjectDescription(where.receptacle, 1, where.colour), where, state)
+    made = yield from furnish(ObjectDescription(where.receptacle, 1, where.colour), where, state)
     listed: ObjectList = yield from ask("It is there now.", "ListObjects", {"id": made})
     return listed.objects[0]
 
 
-def _furnish(thing: ObjectDescription, where: Scope, state: SceneState) -> Generator[Action, Outcome, str]:
+def furnish(thing: ObjectDescription, where: Scope, state: SceneState) -> Generator[Action, Outcome, str]:
     """Put furniture into the room of a scope that suits it best, and return its id.
 
     A kind of it that belongs into a room of the scope (an office desk) goes before one that belongs into none.
     """
-    assets = yield from _find_assets(thing, state)
+    assets = yield from find_assets(thing, state)
     standing = [a for a in assets if state.catalogue.asset(a.asset_id).mount == "floor"]
     reason = f"there is no {thing.noun} {Scope('room', '', where.rooms, where.floor)}"
     if not standing:
@@ -204,11 +216,11 @@ def _furnish(thing: ObjectDescription, where: Scope, state: SceneState) -> Gener
         if not own or not any(_in_room_program(state, room, category) for room in _rooms(where, state)):
             continue
         if category != first.category:
-            standing = yield from _find_assets(replace(thing, noun=category.replace("_", " ")), state)
+            standing = yield from find_assets(replace(thing, noun=category.replace("_", " ")), state)
         break
     first = standing[0]
-    for room in _rooms_for(where, state, first.category, first.size)[:MOST_ROOMS]:
-        made, reason = yield from _place_any(standing, room, "on", colour=thing.colour)
+    for room in rooms_for(where, state, first.category, first.size)[:MOST_ROOMS]:
+        made, reason = yield from place_any(standing, room, "on", colour=thing.colour)
         if made:
             return made
     raise Unmet(reason)
@@ -225,16 +237,16 @@ def _provide_in_room(fact: ObjectFact, state: SceneState) -> Provisioning:
     if missing <= 0 or fact.most:
         yield from _remove_surplus(found[fact.object.count :] if fact.exact or fact.most else [])
         return
-    assets = yield from _find_assets(fact.object, state)
-    if _is_furniture(assets, state):
+    assets = yield from find_assets(fact.object, state)
+    if is_furniture(assets, state):
         for _ in range(missing):
-            yield from _furnish(fact.object, fact.where, state)
+            yield from furnish(fact.object, fact.where, state)
         return
-    targets = yield from _find_surfaces(fact.where, state, fact.object.noun)
+    targets = yield from find_surfaces(fact.where, state, fact.object.noun)
     reason = f"no surface {fact.where} can carry it"
     for target in targets[: 2 * MOST_CARRIERS]:
         while missing:
-            made, fault = yield from _place_any(assets, target, "on", colour=fact.object.colour)
+            made, fault = yield from place_any(assets, target, "on", colour=fact.object.colour)
             if not made:
                 reason = fault
                 break
@@ -244,7 +256,7 @@ def _provide_in_room(fact: ObjectFact, state: SceneState) -> Provisioning:
     raise Unmet(reason)
 
 
-def _is_furniture(assets: list[AssetInfo], state: SceneState) -> bool:
+def is_furniture(assets: list[AssetInfo], state: SceneState) -> bool:
     first = state.catalogue.asset(assets[0].asset_id)
     return first.mount == "floor" and not (first.pickupable and max(first.size) < 0.6)
 
@@ -258,13 +270,13 @@ def _provide_next_to(fact: ObjectFact, state: SceneState) -> Provisioning:
     ]
     if any(count >= fact.object.count for count, _ in counts):
         return
-    assets = yield from _find_assets(fact.object, state)
+    assets = yield from find_assets(fact.object, state)
     reason = f"there is no {fact.where.near} to put it next to"
     for count, anchor in sorted(counts, key=lambda pair: -pair[0])[:MOST_CARRIERS]:
         added: list[str] = []
         for _ in range(fact.object.count - count):
-            target = anchor.room if _is_furniture(assets, state) else anchor.parent or anchor.id
-            made, fault = yield from _place_any(assets, target, "on", colour=fact.object.colour, near=anchor.id)
+            target = anchor.room if is_furniture(assets, state) else anchor.parent or anchor.id
+            made, fault = yield from place_any(assets, target, "on", colour=fact.object.colour, near=anchor.id)
             if made:
                 added.append(made)
             listed: ObjectList = yield from ask("Is it near?", "ListObjects", {"id": made or anchor.id})
@@ -320,7 +332,7 @@ def _move(fact: MoveFact, state: SceneState) -> Provisioning:
     there: list[str] = []
     for target in targets:
         for carrier in (yield from _carrier(target)) if state.find(target) is not None else []:
-            seen = yield from list_contents(carrier, _relation_of("in", carrier, state))
+            seen = yield from list_contents(carrier, relation_of("in", carrier, state))
             there += [i.id for i in seen if matches(fact.object, i, state)]
     if len(there) >= fact.object.count and not fact.source.receptacle and not fact.source.rooms:
         return
@@ -334,7 +346,7 @@ def _move(fact: MoveFact, state: SceneState) -> Provisioning:
             if not reason:
                 break
         if reason and len(targets) == 1:
-            reason = yield from _move_after_clearing(item, targets[0], reason, state)
+            reason = yield from move_after_clearing(item, targets[0], reason, state)
         if reason:
             raise Unmet(reason)
 
@@ -345,7 +357,7 @@ def _moved(item: ObjectInfo, target: str, thought: str) -> Generator[Action, Out
     return "" if answer.error is None else answer.error.info.message
 
 
-def _move_after_clearing(
+def move_after_clearing(
     item: ObjectInfo, target: str, reason: str, state: SceneState
 ) -> Generator[Action, Outcome, str]:
     """Move an object to a full surface after clearing a place on it; return why that fails, empty when it does not."""
@@ -372,7 +384,7 @@ def _targets(fact: MoveFact, state: SceneState) -> Generator[Action, Outcome, li
         return [carrier.id for carrier in carriers]
     if not fact.target.rooms:
         raise Unmet("say where to move it, not only to which floor")
-    surfaces = yield from _find_surfaces(fact.target, state)
+    surfaces = yield from find_surfaces(fact.target, state)
     categories = vocabulary_of(state.catalogue).nouns(fact.object.noun)
     stands = any(asset.mount == "floor" for name in categories for asset in state.catalogue.by_category(name))
     return [*fact.target.rooms] if stands else surfaces
@@ -381,7 +393,7 @@ def _targets(fact: MoveFact, state: SceneState) -> Generator[Action, Outcome, li
 MOST_TARGETS: Final = 6
 
 
-def _make_room(
+def make_room(
     thing: ObjectDescription, assets: list[AssetInfo], carrier: ObjectInfo, state: SceneState
 ) -> Generator[Action, Outcome, str]:
     """Clear a place on a full surface for a new object and return its id, empty when that fails."""
@@ -389,7 +401,7 @@ def _make_room(
     if serving is None:
         return ""
     fitting = [asset for asset in assets if asset.size == serving]
-    made, _ = yield from _place_any(fitting, carrier.id, _relation_of("on", carrier, state), colour=thing.colour)
+    made, _ = yield from place_any(fitting, carrier.id, relation_of("on", carrier, state), colour=thing.colour)
     return made
 
 
@@ -403,7 +415,7 @@ def _free_up(
     touched = {change.id for change in state.pending}
     if any(change.before is not None and change.after is not None for change in state.pending):
         return None
-    for item in (yield from list_contents(carrier, _relation_of("on", carrier, state))):
+    for item in (yield from list_contents(carrier, relation_of("on", carrier, state))):
         found = state.find(item.id)
         if found is None or item.id in touched or not found[1].pickupable:
             continue
@@ -412,7 +424,7 @@ def _free_up(
         size = next((size for size in sizes if _fits_without(size, carrier, item, state)), None)
         if size is None:
             continue
-        targets = yield from _find_surfaces(Scope("room", "", (item.room,)), state)
+        targets = yield from find_surfaces(Scope("room", "", (item.room,)), state)
         for target in targets[:MOST_TARGETS]:
             if target == carrier.id:
                 continue
@@ -430,7 +442,7 @@ def _fits_without(size: Point3, carrier: ObjectInfo, item: ObjectInfo, state: Sc
     return bool(free_places(state.index(found[0]), found[1], ledges, size, {item.id}))
 
 
-def _relation_of(relation: str, carrier: ObjectInfo, state: SceneState) -> str:
+def relation_of(relation: str, carrier: ObjectInfo, state: SceneState) -> str:
     """Return ``in`` or ``on``: as asked, unless the receptacle can only do the other."""
     asset = state.catalogue.assets.get(carrier.asset_id)
     if asset is None:
@@ -448,7 +460,7 @@ _EASY: Final = ("desk", "table", "counter", "shelf", "shelving_unit", "sideboard
 """Endings of categories that receive objects when an instruction names only a room."""
 
 
-def _find_surfaces(where: Scope, state: SceneState, noun: str = "") -> Generator[Action, Outcome, list[str]]:
+def find_surfaces(where: Scope, state: SceneState, noun: str = "") -> Generator[Action, Outcome, list[str]]:
     """Return receptacles of a scope with a surface: the usual ones of a noun first, then tables and the like."""
     found: list[tuple[int, str]] = []
     kinds = tuple(vocabulary_of(state.catalogue).nouns(noun)[:1]) if noun else ()
@@ -498,7 +510,7 @@ def _usual_receptacles(catalogue: Catalogue, categories: tuple[str, ...]) -> fro
     return frozenset(out)
 
 
-def _rooms_for(where: Scope, state: SceneState, category: str, size: tuple[float, float, float]) -> list[str]:
+def rooms_for(where: Scope, state: SceneState, category: str, size: tuple[float, float, float]) -> list[str]:
     """Return the rooms of a scope that may take a piece of furniture, the best first.
 
     Rooms whose program has it come first, then rooms that are not crowded, then those with the most free floor.
@@ -525,7 +537,7 @@ def _rooms_for(where: Scope, state: SceneState, category: str, size: tuple[float
 MOST_ASSETS: Final = 4
 
 
-def _find_assets(thing: ObjectDescription, state: SceneState) -> Generator[Action, Outcome, list[AssetInfo]]:
+def find_assets(thing: ObjectDescription, state: SceneState) -> Generator[Action, Outcome, list[AssetInfo]]:
     """Return the assets that fit a description: the best first, then small ones; only those of its colour if any."""
     words = " ".join(word for word in (thing.colour, thing.noun) if word)
     question = f"Which asset is {with_article(words)}?"
@@ -554,8 +566,15 @@ def _find_assets(thing: ObjectDescription, state: SceneState) -> Generator[Actio
     return [alike[0], *small[:2], *others]
 
 
-def _place_any(
-    assets: list[AssetInfo], carrier: str, relation: str, *, colour: str = "", near: str = ""
+def place_any(
+    assets: list[AssetInfo],
+    carrier: str,
+    relation: str,
+    *,
+    colour: str = "",
+    near: str = "",
+    name: str = "",
+    wishes: Mapping[str, Any] | None = None,
 ) -> Generator[Action, Outcome, tuple[str, str]]:
     """Try variants of an asset on one receptacle; return the new object's id, or an empty id and the reason.
 
@@ -563,18 +582,25 @@ def _place_any(
     ----------
     near : str
         Id of an object to put it beside.
+    name : str
+        What to call it; what the asset is called when empty.
+    wishes : mapping, optional
+        Further arguments of PlaceOnSurface.
     """
     reason = ""
     for asset in assets[:MOST_ASSETS]:
-        arguments = {"asset_id": asset.asset_id}
+        arguments: dict[str, Any] = {"asset_id": asset.asset_id}
         if colour and colour_of(asset.material) != colour:
             arguments["color"] = colour
+        if name and name != asset.name:
+            arguments["name"] = name
         if relation == "in":
             tool, arguments["container_id"] = "PlaceInContainer", carrier
         else:
             tool, arguments["receptacle_id"] = "PlaceOnSurface", carrier
             if near:
                 arguments["near"] = near
+            arguments.update(wishes or {})
         answer = yield Action(f"{asset.asset_id} is missing {relation} {carrier}.", tool, arguments)
         if answer.error is None:
             return answer.value.object_ids[0], ""

@@ -25,6 +25,7 @@ from mansion_msgs_py.interfaces import service, topic
 from mansion_msgs_py.nodes.node import MansionNode
 from mansion_msgs_py.nodes.run import run_node
 from mansion_msgs_py.nodes.shell import JsonPublisher, add_json_service
+from mansion_scene.refurnishing import furnish_room
 
 __all__ = ["SceneEditorNode", "main"]
 
@@ -74,6 +75,7 @@ class SceneEditorNode(MansionNode):
             who=args.who or args.editor or "scene_editor",
             autosave=args.autosave,
             retriever=configured_retriever(),
+            furnisher=furnish_room,
         )
         self._editors[args.editor] = editor
         self._finish(store)

@@ -1,7 +1,8 @@
 """Free places on the floor of a room: with the back to a wall or amid the room, clear of doors and furniture."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
+from typing import TypeAlias
 
 import msgspec
 from shapely import LineString, Polygon, STRtree
@@ -10,12 +11,12 @@ from shapely.prepared import prep
 from mansion_editing.state import SceneState
 from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.scene import SceneObject, SceneRoom
+from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point
 from mansion_msgs_py.wording import with_article
 from mansion_scene.decor.frames import room_polygon, wall_edges
 
-__all__ = ["Accept", "free_floor_places", "stand_on_floor"]
+__all__ = ["LOW", "Accept", "FloorSpace", "Pose", "floor_poses", "free_floor_places", "stand_on_floor"]
 
 DOOR_DEPTH = 0.75
 """Depth of the area before a door that stays clear, metres."""
@@ -24,6 +25,8 @@ FRONT = 0.65
 """Free depth before the front of furniture, for a robot to stand in, metres."""
 
 LOW = 0.03
+"""Height up to which things lie below furniture and are walked over, metres."""
+
 STEP = 0.25
 APART = 0.6
 """Distance between places that are judged, metres."""
@@ -34,6 +37,9 @@ BACK_GAP = 0.01
 
 Accept = Callable[[int, SceneObject], bool]
 """Whether the building stays free of new faults with an object on a floor."""
+
+Pose: TypeAlias = tuple[float, float, float]
+"""x, y (metres) and rotation (degrees) on a floor."""
 
 
 def stand_on_floor(
@@ -85,49 +91,91 @@ def stand_on_floor(
 
 def free_floor_places(
     state: SceneState, floor: int, room: SceneRoom, thing: SceneObject, near: SceneObject | None = None
-) -> Iterator[tuple[float, float, float]]:
+) -> Iterator[Pose]:
     """Yield places (x, y, rotation) on the floor of a room: with the back to a wall first, then amid the room.
 
     Those next to `near` come first where it is given.
     """
-    area = room_polygon(room.net_polygon, room.net_holes)
-    inner = prep(area.buffer(1e-4))
-    scene = state.scenes[floor]
-    others = [
-        footprint(item)
-        for item in scene.objects
-        if item.id != thing.id
-        and item.room == room.id
-        and item.parent is None
-        and item.size[2] > LOW
-        and item.position[2] - item.size[2] / 2 < thing.size[2] + 0.02
-    ]
-    doors = [
-        LineString(door.segment).buffer(DOOR_DEPTH, cap_style="flat") for door in scene.doors if room.id in door.rooms
-    ]
-    furniture = STRtree(others)
-    kept_clear = STRtree(doors)
-    w, d, _ = thing.size
-    poses = list(_poses(room, area, w, d))
+    space = FloorSpace(state.scenes[floor], room, thing, flat=thing.size[2] <= LOW)
+    poses = list(floor_poses(room, thing))
     if near is not None:
         poses.sort(key=lambda pose: round(math.dist(pose[:2], near.position[:2]), 6))
-    for x, y, rotation in poses:
+    for pose in poses:
+        if space.is_free(pose):
+            yield pose
+
+
+class FloorSpace:
+    """What stands or opens on the floor of a room, as far as it is in the way of one thing.
+
+    Parameters
+    ----------
+    skip : collection of str
+        Objects that are no obstacle, because they are what is being moved.
+
+    Notes
+    -----
+    What is flat lies below furniture: only what is as flat is in its way when `flat` is set.
+    """
+
+    def __init__(
+        self, scene: FloorScene, room: SceneRoom, thing: SceneObject, skip: Collection[str] = (), *, flat: bool = False
+    ) -> None:
+        area = room_polygon(room.net_polygon, room.net_holes)
+        self._inner = prep(area.buffer(1e-4))
+        self._size, self._flat = thing.size, flat
+        self._wall = f"the wall of {room.id}"
+        others = [
+            item
+            for item in scene.objects
+            if item.id != thing.id
+            and item.id not in skip
+            and item.room == room.id
+            and (item.parent is None or item.mount == "floor")
+            and (item.size[2] > LOW) is not flat
+            and item.position[2] - item.size[2] / 2 < thing.size[2] + 0.02
+        ]
+        own = [] if flat else [door for door in scene.doors if room.id in door.rooms]
+        self._names = [item.id for item in others]
+        self._doors = [door.id for door in own]
+        self._furniture = STRtree([footprint(item) for item in others])
+        self._kept_clear = STRtree([LineString(door.segment).buffer(DOOR_DEPTH, cap_style="flat") for door in own])
+
+    def is_free(self, pose: Pose) -> bool:
+        """Whether nothing is in the way of a pose, nor before its front."""
+        return not self.hindrances(pose) and (self._flat or not self.before(pose))
+
+    def hindrances(self, pose: Pose, ignored: Collection[str] = ()) -> list[str]:
+        """Return what is in the way of a pose: objects, doors and walls, in words."""
+        x, y, rotation = pose
+        w, d, _ = self._size
+        if not self._inner.covers(footprint_at((x, y), (w, d), rotation)):
+            return [self._wall]
         body = footprint_at((x, y), (w + 0.02, d), rotation)
-        if not inner.covers(footprint_at((x, y), (w, d), rotation)):
-            continue
+        found = self._named(body, ignored)
+        if found:
+            return found
+        return [f"the door {self._doors[n]}" for n in sorted(self._kept_clear.query(body, predicate="intersects"))]
+
+    def before(self, pose: Pose, ignored: Collection[str] = ()) -> list[str]:
+        """Return what is in the way of a robot before the front of a pose."""
+        x, y, rotation = pose
+        w, d, _ = self._size
         turn = math.radians(rotation)
         ahead = (d + FRONT) / 2
-        before = footprint_at((x - math.sin(turn) * ahead, y + math.cos(turn) * ahead), (w, FRONT), rotation)
-        if furniture.query(body, predicate="intersects").size:
-            continue
-        if kept_clear.query(body, predicate="intersects").size:
-            continue
-        if furniture.query(before, predicate="intersects").size or not inner.covers(before):
-            continue
-        yield x, y, rotation
+        area = footprint_at((x - math.sin(turn) * ahead, y + math.cos(turn) * ahead), (w, FRONT), rotation)
+        found = self._named(area, ignored)
+        return found if found or self._inner.covers(area) else [self._wall]
+
+    def _named(self, shape: Polygon, ignored: Collection[str]) -> list[str]:
+        numbers = sorted(self._furniture.query(shape, predicate="intersects").tolist())
+        return [self._names[n] for n in numbers if self._names[n] not in ignored]
 
 
-def _poses(room: SceneRoom, area: Polygon, w: float, d: float) -> Iterator[tuple[float, float, float]]:
+def floor_poses(room: SceneRoom, thing: SceneObject) -> Iterator[Pose]:
+    """Yield poses for a thing in an empty room: with the back to a wall first, then amid the room from its middle."""
+    area = room_polygon(room.net_polygon, room.net_holes)
+    w, d, _ = thing.size
     for wall in wall_edges(room.net_polygon, room.net_holes):
         if wall.length < w:
             continue

@@ -1,25 +1,27 @@
 """RemoveObject, MoveObject and SetState: change the objects that a scene has."""
 
 import math
+from collections.abc import Collection
 
 import msgspec
 from shapely import STRtree
 
 from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.state import SceneState
-from mansion_editing.tools.floor_places import free_floor_places
+from mansion_editing.tools.floor_places import LOW, Accept, free_floor_places
 from mansion_editing.tools.perception import contents, object_named, on_top
-from mansion_editing.tools.placement import settle_on
+from mansion_editing.tools.placement import put_in_room, settle_on
+from mansion_editing.tools.placing_wishes import refusal, wish_of
+from mansion_editing.tools.relations import NO_WISH, PlacingWish, looks_at
 from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.editing import MoveObjectArgs, RemoveObjectArgs, SetStateArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.scene import SceneObject
+from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.wording import with_article
 from mansion_scene.decor.frames import room_polygon, to_local
 
-__all__ = ["move_object", "remove_object", "set_state"]
+__all__ = ["at_point", "move_object", "relocate", "remove_object", "scene_with", "set_state"]
 
-LOW = 0.03
 OVERLAP = 1e-3
 """Square metres by which footprints may overlap through rounding."""
 
@@ -45,18 +47,26 @@ def remove_object(state: SceneState, args: RemoveObjectArgs) -> list[str]:
     else:
         floor, receptacle = object_named(state, args.receptacle_id, "$.receptacle_id")
         roots = _carried(state, floor, receptacle)
-    members = [m for root in roots for m in state.subtree(floor, root)]
+    members = [m for root in roots for m in _lifted_off(state, floor, root)]
     unique = {member.id: member for member in members}
     for member in reversed(unique.values()):
         state.remove(floor, member)
     return list(unique)
 
 
+def _lifted_off(state: SceneState, floor: int, root: SceneObject) -> list[SceneObject]:
+    """Return an object with what goes when it is taken away; what stands below it is left on the floor."""
+    below = [item for item in state.subtree(floor, root)[1:] if item.mount == "floor"]
+    for item in below:
+        state.replace(floor, item, msgspec.structs.replace(item, parent=None))
+    return state.subtree(floor, root)
+
+
 def _carried(state: SceneState, floor: int, receptacle: SceneObject) -> list[SceneObject]:
     """Return the objects on and in a receptacle, by the scene's hierarchy and by geometry."""
     index = state.index(floor)
     asset = state.asset(receptacle)
-    found = list(index.children.get(receptacle.id, []))
+    found = [item for item in index.children.get(receptacle.id, []) if item.mount != "floor"]
     for item in (*on_top(index, receptacle, asset), *contents(index, receptacle, asset)):
         loose = item.mount in ("surface", "inside") or item.pickupable
         if loose and item.parent in (None, receptacle.id):
@@ -89,8 +99,15 @@ def set_state(state: SceneState, args: SetStateArgs) -> SceneObject:
     return after
 
 
-def move_object(state: SceneState, args: MoveObjectArgs, engine: PhysicsEngine) -> SceneObject:
-    """Move an object, with what it carries, to a receptacle, a room or a point.
+def move_object(
+    state: SceneState, args: MoveObjectArgs, engine: PhysicsEngine, accept: Accept | None = None
+) -> SceneObject:
+    """Move an object, with what it carries, to a receptacle, a room or a point, or turn it where it is.
+
+    Parameters
+    ----------
+    accept : callable, optional
+        Judges a place in a room that a wish is about before it is taken.
 
     Raises
     ------
@@ -98,11 +115,15 @@ def move_object(state: SceneState, args: MoveObjectArgs, engine: PhysicsEngine) 
         ``INVALID_PAYLOAD`` without a target, ``INFEASIBLE`` where there is no place, ``NOT_FOUND`` for unknown ids.
     """
     floor, item = object_named(state, args.object_id, "$.object_id")
+    target, moved = _target(state, args, floor, item, engine, accept)
+    return relocate(state, floor, item, target, moved)
+
+
+def relocate(state: SceneState, floor: int, item: SceneObject, target: int, moved: SceneObject) -> SceneObject:
+    """Put an object with what it carries where `moved` is; on another floor all get new ids."""
     members = state.subtree(floor, item)
-    target, moved = _target(state, args, floor, item, engine)
     if target != floor:
-        prefix = state.new_id(target, moved.room, item.category)
-        moved = msgspec.structs.replace(moved, id=prefix)
+        moved = msgspec.structs.replace(moved, id=state.new_id(target, moved.room, item.category))
     carried = [_with(item, moved, member) for member in members[1:]]
     if target == floor:
         for old, new in zip(members, [moved, *carried], strict=True):
@@ -121,58 +142,164 @@ def move_object(state: SceneState, args: MoveObjectArgs, engine: PhysicsEngine) 
     return moved
 
 
+def scene_with(state: SceneState, floor: int, item: SceneObject) -> FloorScene:
+    """Return a floor with an object on it, new or moved there with what it carries; the state is not changed."""
+    scene = state.scenes[floor]
+    found = state.find(item.id)
+    if found is None or found[0] != floor:
+        return msgspec.structs.replace(scene, objects=[*scene.objects, item])
+    before = found[1]
+    moved = {m.id: _with(before, item, m) for m in state.subtree(floor, before)[1:]}
+    moved[item.id] = item
+    return msgspec.structs.replace(scene, objects=[moved.get(o.id, o) for o in scene.objects])
+
+
 def _target(
-    state: SceneState, args: MoveObjectArgs, floor: int, item: SceneObject, engine: PhysicsEngine
+    state: SceneState, args: MoveObjectArgs, floor: int, item: SceneObject, engine: PhysicsEngine, accept: Accept | None
 ) -> tuple[int, SceneObject]:
-    if not args.receptacle_id:
-        if args.x is None or args.y is None:
-            raise MansionError(ErrorCode.INVALID_PAYLOAD, "give receptacle_id, or x and y", path="$.receptacle_id")
-        return floor, _at_point(state, args.x, args.y, args.rotation, floor, item)
-    room = state.room(args.receptacle_id)
-    if room is not None:
-        for x, y, rotation in free_floor_places(state, *room, item):
-            position = (round(x, 4), round(y, 4), item.size[2] / 2)
-            return room[0], msgspec.structs.replace(
-                item, room=room[1].id, position=position, rotation=rotation, parent=None, mount="floor"
-            )
-        raise MansionError(ErrorCode.INFEASIBLE, f"no free place for {item.id} in {room[1].id}")
-    target, receptacle = object_named(state, args.receptacle_id, "$.receptacle_id")
+    wish = wish_of(state, args)
+    if item in (wish.near, wish.other, wish.facing):
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, f"{item.id} is to move and named as its landmark", path="$.near")
+    place = args.receptacle_id or _place_of(item, wish)
+    if not place:
+        return floor, _on_the_spot(state, args, floor, item, wish)
+    if args.turn is not None or (wish != NO_WISH and args.x is not None):
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD, "give a receptacle or a wish, or a point and a turn, not both", path="$.turn"
+        )
     own = [member.id for member in state.subtree(floor, item)]
+    room = state.room(place)
+    if room is not None:
+        return room[0], _in_room(state, item, *room, wish, own, accept)
+    target, receptacle = object_named(state, place, "$.receptacle_id")
     if receptacle.id in own:
-        raise MansionError(ErrorCode.INFEASIBLE, f"{receptacle.id} is carried by {item.id}", path="$.receptacle_id")
+        raise refusal(f"{receptacle.id} is carried by {item.id}", path="$.receptacle_id")
     if item.mount in ("wall", "ceiling"):
-        raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} hangs on {with_article(item.mount)}")
+        raise refusal(f"{item.id} hangs on {with_article(item.mount)}")
     asset = state.asset(receptacle)
     inside = asset is not None and bool(asset.volumes) and not asset.surfaces
     try:
-        return target, settle_on(state, item, target, receptacle, engine, inside=inside, skip=own)
+        return target, settle_on(state, item, target, receptacle, engine, inside=inside, skip=own, wish=wish)
     except MansionError as error:
         if inside or asset is None or not asset.volumes or error.code != ErrorCode.INFEASIBLE:
             raise
-        return target, settle_on(state, item, target, receptacle, engine, inside=True, skip=own)
+        return target, settle_on(state, item, target, receptacle, engine, inside=True, skip=own, wish=wish)
 
 
-def _at_point(
-    state: SceneState, x: float, y: float, rotation: float | None, floor: int, item: SceneObject
+def _place_of(item: SceneObject, wish: PlacingWish) -> str:
+    """Return the room or the receptacle that a wish is about where none is named; empty for the object's own spot."""
+    loose = item.mount in ("surface", "inside") or item.pickupable
+    near = wish.near
+    if near is not None:
+        on_top = loose and near.parent is not None and near.mount != "floor" and wish.side != "under"
+        return near.parent or "" if on_top else near.room
+    return item.room if wish.spot else ""
+
+
+def _in_room(
+    state: SceneState,
+    item: SceneObject,
+    floor: int,
+    room: SceneRoom,
+    wish: PlacingWish,
+    own: Collection[str],
+    accept: Accept | None,
 ) -> SceneObject:
+    if wish != NO_WISH or item.mount in ("wall", "ceiling"):
+        there = state.find(item.id)
+        known = there is not None and there[0] == floor
+        thing = item if known else msgspec.structs.replace(item, id=state.new_id(floor, room.id, item.category))
+        return put_in_room(state, thing, floor, room, wish, accept=accept, skip=own)
+    for x, y, rotation in free_floor_places(state, floor, room, item):
+        position = (round(x, 4), round(y, 4), item.size[2] / 2)
+        return msgspec.structs.replace(
+            item, room=room.id, position=position, rotation=rotation, parent=None, mount="floor"
+        )
+    raise refusal(f"no free place for {item.id} in {room.id}")
+
+
+def _on_the_spot(
+    state: SceneState, args: MoveObjectArgs, floor: int, item: SceneObject, wish: PlacingWish
+) -> SceneObject:
+    """Return an object at the point that is given, else where it is, turned as is asked for."""
+    if (args.x is None) != (args.y is None):
+        raise MansionError(ErrorCode.INVALID_PAYLOAD, "give receptacle_id, or x and y", path="$.receptacle_id")
+    x, y = (item.position[0], item.position[1]) if args.x is None or args.y is None else (args.x, args.y)
+    if wish.facing is not None:
+        return _turned_to(state, x, y, floor, item, wish.facing)
+    rotation = args.rotation
+    if args.turn is not None:
+        rotation = (item.rotation if rotation is None else rotation) + args.turn
+    if rotation is None and args.x is None:
+        raise MansionError(
+            ErrorCode.INVALID_PAYLOAD, "give receptacle_id, x and y, rotation, turn or a wish", path="$.receptacle_id"
+        )
+    if args.x is None and item.mount == "wall":
+        raise refusal(f"{item.id} hangs on a wall and looks away from it; it cannot be turned")
+    return at_point(state, x, y, rotation, floor, item)
+
+
+def _turned_to(
+    state: SceneState, x: float, y: float, floor: int, item: SceneObject, target: SceneObject
+) -> SceneObject:
+    """Return an object turned so that it looks at another: by quarters where that will do, else straight to it."""
+    if item.mount == "wall":
+        raise refusal(f"{item.id} hangs on a wall and looks away from it; it cannot be turned")
+    if target.room != item.room:
+        raise refusal(f"{target.id} is not in {item.room}")
+    there = msgspec.structs.replace(item, position=(x, y, item.position[2]))
+    aim = math.degrees(math.atan2(x - target.position[0], target.position[1] - y))
+    reasons: list[str] = []
+    for rotation in (*(item.rotation + turn for turn in (0.0, 90.0, 270.0, 180.0)), aim):
+        if not looks_at(msgspec.structs.replace(there, rotation=rotation), target):
+            continue
+        try:
+            return at_point(state, x, y, rotation, floor, item)
+        except MansionError as error:
+            reasons.append(error.info.message)
+    raise refusal("; ".join(dict.fromkeys(reasons)) or f"{item.id} and {target.id} are in the same place")
+
+
+def at_point(
+    state: SceneState,
+    x: float,
+    y: float,
+    rotation: float | None,
+    floor: int,
+    item: SceneObject,
+    skip: Collection[str] = (),
+) -> SceneObject:
+    """Return an object at a point of its floor, on what carries it already; the state is not changed.
+
+    Parameters
+    ----------
+    rotation : float, optional
+        Degrees; its own when absent.
+    skip : collection of str
+        Objects that are not in the way, besides what it carries.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` with what is in the way.
+    """
     room = state.index(floor).room_at(x, y)
     if room is None:
-        raise MansionError(ErrorCode.INFEASIBLE, f"({x:g}, {y:g}) is in no room of floor {floor}")
+        raise refusal(f"({x:g}, {y:g}) is in no room of floor {floor}")
     turn = item.rotation if rotation is None else rotation % 360.0
     shape = footprint_at((x, y), item.size, turn)
     area = room_polygon(room.net_polygon, room.net_holes)
     if shape.difference(area.buffer(2e-3)).area > OVERLAP:
-        raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} would extend beyond {room.id} at ({x:g}, {y:g})")
-    own = {member.id for member in state.subtree(floor, item)}
-    parent, mount = item.parent, item.mount
+        raise refusal(f"{item.id} would extend beyond {room.id} at ({x:g}, {y:g})")
+    own = {member.id for member in state.subtree(floor, item)} | set(skip)
+    parent = item.parent
     if parent is not None:
         _, carrier = state.get(parent)
         u, v = to_local(carrier, (x, y))
-        if abs(u) > carrier.size[0] / 2 or abs(v) > carrier.size[1] / 2:
-            raise MansionError(
-                ErrorCode.INFEASIBLE,
-                f"({x:g}, {y:g}) is outside {carrier.id}, which carries {item.id}; give a receptacle_id",
-            )
+        beyond = abs(u) > carrier.size[0] / 2 or abs(v) > carrier.size[1] / 2
+        if beyond and item.mount != "floor":
+            raise refusal(f"({x:g}, {y:g}) is outside {carrier.id}, which carries {item.id}; give a receptacle_id")
+        parent = None if beyond else parent
     low, high = item.position[2] - item.size[2] / 2, item.position[2] + item.size[2] / 2
     others = [
         other
@@ -186,11 +313,9 @@ def _at_point(
     shapes = [footprint(other) for other in others]
     for number in sorted(STRtree(shapes).query(shape).tolist()):
         if shapes[number].intersection(shape).area > OVERLAP and item.size[2] > LOW:
-            raise MansionError(ErrorCode.INFEASIBLE, f"{item.id} would overlap {others[number].id} at ({x:g}, {y:g})")
+            raise refusal(f"{item.id} would overlap {others[number].id} at ({x:g}, {y:g})")
     position = (round(x, 4), round(y, 4), item.position[2])
-    return msgspec.structs.replace(
-        item, room=room.id, position=position, rotation=round(turn, 4), parent=parent, mount=mount
-    )
+    return msgspec.structs.replace(item, room=room.id, position=position, rotation=round(turn, 4), parent=parent)
 
 
 def _with(before: SceneObject, after: SceneObject, member: SceneObject) -> SceneObject:

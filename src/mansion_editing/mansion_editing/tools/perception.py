@@ -235,7 +235,8 @@ def contents(index: FloorIndex, receptacle: SceneObject, asset: Asset | None) ->
         item = index.objects[int(number)]
         if item.mount == "ceiling" or not low < item.position[2] < high:
             continue
-        loose = item.mount in ("surface", "inside") or item.pickupable
+        below = item.mount == "floor" and item.parent == receptacle.id
+        loose = item.mount in ("surface", "inside") or (item.pickupable and not below)
         held = _in_volume(item, receptacle, asset)
         open_seat = not held and _rests(item, receptacle, asset, shelves=False)
         if (held or (loose and not open_seat)) and not _nested(index, item, receptacle):

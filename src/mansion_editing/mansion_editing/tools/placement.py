@@ -1,8 +1,9 @@
 """PlaceOnSurface and PlaceInContainer: find a free place on a ledge, settle the object by physics, check its pose."""
 
 import math
-from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Collection, Iterable, Sequence
+from itertools import islice
+from typing import NamedTuple, TypeAlias
 
 import msgspec
 import numpy as np
@@ -10,15 +11,17 @@ import numpy.typing as npt
 
 from mansion_assets.builder import Box
 from mansion_assets.catalogue import Asset
-from mansion_assets.catalogue.palette import COLOURS
 from mansion_assets.meshes import collision_boxes, mesh
 from mansion_editing.physics.engine import PhysicsEngine, PosedBox, SettleProblem, SettleResult
 from mansion_editing.state import FloorIndex, SceneState
 from mansion_editing.tools.floor_places import Accept, stand_on_floor
+from mansion_editing.tools.floor_wishes import stand_as_wished
+from mansion_editing.tools.hanging import hang
+from mansion_editing.tools.painting import recoloured
 from mansion_editing.tools.perception import object_named
-from mansion_language.colours import COLOUR_WORDS, colour_of
+from mansion_editing.tools.placing_wishes import refusal, wish_of, wish_words
+from mansion_editing.tools.relations import NO_WISH, PlacingWish, fulfils
 from mansion_msgs_py.editing import PlaceInContainerArgs, PlaceOnSurfaceArgs
-from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject, SceneRoom
 from mansion_msgs_py.shapes import Point, Point3
 from mansion_msgs_py.wording import with_article
@@ -33,8 +36,8 @@ __all__ = [
     "ledges_of",
     "place_in_container",
     "place_on_surface",
+    "put_in_room",
     "receptacle_shell",
-    "recoloured",
     "settle_on",
     "support_boxes",
 ]
@@ -100,16 +103,40 @@ def place_on_surface(
     """
     asset = state.catalogue.asset(args.asset_id)
     room = state.room(args.receptacle_id)
-    landmark = object_named(state, args.near, "$.near")[1] if args.near else None
+    wish = wish_of(state, args)
     if room is not None:
         floor = room[0]
-        placed = stand_on_floor(state, _new(state, asset, *room, args.color), *room, near=landmark, accept=accept)
+        placed = put_in_room(state, _new(state, asset, *room, args.color, args.name), *room, wish, accept=accept)
     else:
         floor, receptacle = object_named(state, args.receptacle_id, "$.receptacle_id")
-        new = _new(state, asset, floor, receptacle, args.color)
-        placed = settle_on(state, new, floor, receptacle, engine, inside=False, near=landmark)
+        new = _new(state, asset, floor, receptacle, args.color, args.name)
+        placed = settle_on(state, new, floor, receptacle, engine, inside=False, wish=wish)
     state.add(floor, placed)
     return placed
+
+
+def put_in_room(
+    state: SceneState,
+    thing: SceneObject,
+    floor: int,
+    room: SceneRoom,
+    wish: PlacingWish,
+    *,
+    accept: Accept | None = None,
+    skip: Collection[str] = (),
+) -> SceneObject:
+    """Return an object on a wall, the ceiling or the floor of a room, as it is made for; the state is not changed.
+
+    Raises
+    ------
+    MansionError
+        ``INFEASIBLE`` with the reason where it finds no place.
+    """
+    if thing.mount in ("wall", "ceiling"):
+        return hang(state, thing, floor, room, wish, accept=accept, skip=skip)
+    if wish.binding:
+        return stand_as_wished(state, thing, floor, room, wish, accept=accept, skip=skip)
+    return stand_on_floor(state, thing, floor, room, near=wish.near, accept=accept)
 
 
 def place_in_container(state: SceneState, args: PlaceInContainerArgs, engine: PhysicsEngine) -> SceneObject:
@@ -122,47 +149,20 @@ def place_in_container(state: SceneState, args: PlaceInContainerArgs, engine: Ph
     """
     asset = state.catalogue.asset(args.asset_id)
     floor, container = object_named(state, args.container_id, "$.container_id")
-    placed = settle_on(state, _new(state, asset, floor, container, args.color), floor, container, engine, inside=True)
+    placed = settle_on(
+        state, _new(state, asset, floor, container, args.color, args.name), floor, container, engine, inside=True
+    )
     state.add(floor, placed)
     return placed
 
 
-def _new(state: SceneState, asset: Asset, floor: int, place: SceneRoom | SceneObject, colour: str) -> SceneObject:
+def _new(
+    state: SceneState, asset: Asset, floor: int, place: SceneRoom | SceneObject, colour: str, name: str
+) -> SceneObject:
     """Return a new object in the room that is, or that has, its place; where exactly is found later."""
     room = place.room if isinstance(place, SceneObject) else place.id
-    new = scene_object(asset, state.new_id(floor, room, asset.category), room, (0.0, 0.0, 0.0), 0.0)
+    new = scene_object(asset, state.new_id(floor, room, asset.category), room, (0.0, 0.0, 0.0), 0.0, name=name)
     return recoloured(new, colour)
-
-
-def recoloured(item: SceneObject, colour: str) -> SceneObject:
-    """Return an object in a colour, as it is when the colour is its own or empty.
-
-    Parameters
-    ----------
-    colour : str
-        A word of `COLOUR_WORDS`.
-
-    Raises
-    ------
-    MansionError
-        ``INVALID_PAYLOAD`` for another word.
-
-    Notes
-    -----
-    Exports paint the main material of the asset's mesh in the object's colour.
-    """
-    if not colour:
-        return item
-    name = COLOUR_WORDS.get(colour.lower())
-    if name is None:
-        known = ", ".join(sorted(set(COLOUR_WORDS.values())))
-        raise MansionError(
-            ErrorCode.INVALID_PAYLOAD, f"unknown colour {colour[:40]!r}; colours are {known}", path="$.color"
-        )
-    if colour_of(item.material) == name:
-        return item
-    family = item.material.split("_")[0] or "paint"
-    return msgspec.structs.replace(item, material=f"{family}_{name}", color=COLOURS[name])
 
 
 MOST_PENETRATION = 0.002
@@ -187,7 +187,7 @@ def settle_on(
     *,
     inside: bool,
     skip: Iterable[str] = (),
-    near: SceneObject | None = None,
+    wish: PlacingWish = NO_WISH,
 ) -> SceneObject:
     """Return an object at rest on or in a receptacle; the state is not changed.
 
@@ -195,8 +195,8 @@ def settle_on(
     ----------
     skip : iterable of str
         Objects that go with it.
-    near : SceneObject, optional
-        What it shall lie beside.
+    wish : PlacingWish
+        What it shall lie beside, left of, between, ... on the same surface.
 
     Raises
     ------
@@ -204,36 +204,94 @@ def settle_on(
         ``INFEASIBLE`` with what stood in the way at each place that was tried.
     """
     if thing.mount in ("wall", "ceiling"):
-        raise _refusal(
+        raise refusal(
             f"{with_article(thing.name)} hangs on {with_article(thing.mount)}, it cannot be put anywhere else"
         )
     asset = state.asset(receptacle)
     ledges = [] if asset is None else ledges_of(asset, inside=inside)
     if asset is None or not ledges:
         what = "holds nothing inside" if inside else "has no surface that carries things"
-        raise _refusal(f"{receptacle.id} ({receptacle.name}) {what}")
+        raise refusal(f"{receptacle.id} ({receptacle.name}) {what}")
     moving = {thing.id, *skip}
-    places = free_places(
-        state.index(floor), receptacle, ledges, thing.size, moving, near=None if near is None else near.position[:2]
-    )
+    holds = _wish_on(state, floor, thing, receptacle, wish)
+    places = free_places(state.index(floor), receptacle, ledges, thing.size, moving, near=_goal(wish), admit=holds)
     if not places:
-        raise _refusal(_no_room(thing, receptacle, ledges, inside=inside))
+        if holds is None or not free_places(state.index(floor), receptacle, ledges, thing.size, moving):
+            raise refusal(_no_room(thing, receptacle, ledges, inside=inside))
+        raise refusal(_crowded(state.index(floor), thing, receptacle, wish))
     reasons: list[str] = []
     for place in places:
         problem = _problem(state, floor, thing, receptacle, asset, place, moving)
         result = engine.settle(problem)
         reason = _fault(result, problem, receptacle, place)
         if not reason:
-            return _settled(thing, receptacle, place, result)
+            placed = _settled(thing, receptacle, place, result)
+            if holds is None or fulfils(state.scenes[floor], _room_of(state, receptacle), placed, wish):
+                return placed
+            reason = f"it does not stay {wish_words(wish)}"
         reasons.append(reason)
-    raise _refusal(
+    raise refusal(
         f"the {thing.name} does not come to rest {'in' if inside else 'on'} {receptacle.id}: "
         + "; ".join(dict.fromkeys(reasons))
     )
 
 
-def _refusal(message: str) -> MansionError:
-    return MansionError(ErrorCode.INFEASIBLE, message)
+Admit: TypeAlias = Callable[["Place"], bool]
+"""Whether a place on a ledge is one that a wish allows."""
+
+
+def _wish_on(
+    state: SceneState, floor: int, thing: SceneObject, receptacle: SceneObject, wish: PlacingWish
+) -> Admit | None:
+    """Return what tells the places of a wish, None where it leaves the place open."""
+    if not wish.binding:
+        return None
+    if wish.spot or wish.side in ("under", "above"):
+        where = f"{wish.spot} of a room" if wish.spot else wish.side
+        raise refusal(f"{where!r} says nothing of a place on {receptacle.id}; give the id of a room")
+    for mark in (wish.near, wish.other):
+        if mark is not None and mark.parent != receptacle.id:
+            raise refusal(f"{mark.id} is not on {receptacle.id}")
+    scene = state.scenes[floor]
+    room = _room_of(state, receptacle)
+
+    def admit(place: Place) -> bool:
+        x, y = to_floor(receptacle, (place.x, place.y))
+        position = (x, y, receptacle.position[2] + place.ledge.z + thing.size[2] / 2)
+        mount = "inside" if place.ledge.inside else "surface"
+        turn = receptacle.rotation + place.turn
+        there = {"position": position, "rotation": turn, "mount": mount, "parent": receptacle.id, "room": room.id}
+        return fulfils(scene, room, msgspec.structs.replace(thing, **there), wish)
+
+    return admit
+
+
+def _room_of(state: SceneState, item: SceneObject) -> SceneRoom:
+    found = state.room(item.room)
+    if found is None:
+        raise refusal(f"{item.id} is in {item.room!r}, which does not exist")
+    return found[1]
+
+
+def _goal(wish: PlacingWish) -> Point | None:
+    """Return the point that a wish is about."""
+    if wish.near is None:
+        return None
+    x, y, _ = wish.near.position
+    if wish.other is None:
+        return x, y
+    return (x + wish.other.position[0]) / 2, (y + wish.other.position[1]) / 2
+
+
+def _crowded(index: FloorIndex, thing: SceneObject, receptacle: SceneObject, wish: PlacingWish) -> str:
+    """Say what leaves no place where a wish has it: what lies around there, and the edge."""
+    goal = _goal(wish) or receptacle.position
+    others = [item for item in index.children.get(receptacle.id, []) if item.id != thing.id and item != wish.near]
+    others.sort(key=lambda item: (round(math.dist(item.position[:2], goal[:2]), 6), item.id))
+    names = [item.id for item in others[:3]] + [f"the edge of {receptacle.id}"]
+    w, d, _ = thing.size
+    what = f"no free place for {with_article(thing.name)} ({w:.2f} x {d:.2f} m) {wish_words(wish)} on {receptacle.id}"
+    return f"{what}: {', '.join(names)} {'is' if len(names) == 1 else 'are'} in the way"
 
 
 def _no_room(thing: SceneObject, receptacle: SceneObject, ledges: list[Ledge], *, inside: bool) -> str:
@@ -337,6 +395,7 @@ BESIDE = 20.0
 """Cost of a metre from what an object shall lie beside."""
 
 MOST_ROWS = 80
+MOST_ON_LEDGE = 40
 
 
 def ledges_of(asset: Asset, *, inside: bool) -> list[Ledge]:
@@ -363,6 +422,7 @@ def free_places(
     skip: Iterable[str] = (),
     most: int = 6,
     near: Sequence[float] | None = None,
+    admit: Admit | None = None,
 ) -> list[Place]:
     """Return free places for an object, the best first.
 
@@ -376,6 +436,8 @@ def free_places(
         Greatest number of places, spread over ledges and over each ledge.
     near : (x, y), optional
         Point of the floor that the object shall lie close to.
+    admit : callable, optional
+        Whether a place may be taken; with it, places turned by all quarters are looked at.
     """
     landmark = None if near is None else to_local(receptacle, near)
     boxes = _obstacles(index, receptacle, {receptacle.id, *skip})
@@ -385,8 +447,8 @@ def free_places(
             continue
         places = [
             place
-            for turn in (0.0, 90.0)
-            for place in _on_ledge(ledge, boxes, size, turn, 0.4 * order + turn / 450.0, landmark)
+            for turn in ((0.0, 90.0) if admit is None else (0.0, 90.0, 180.0, 270.0))
+            for place in _on_ledge(ledge, boxes, size, turn, 0.4 * order + turn / 450.0, landmark, admit)
         ]
         places.sort(key=lambda p: p.cost)
         found += _apart(places, 3)
@@ -438,8 +500,9 @@ def _on_ledge(
     turn: float,
     handicap: float,
     landmark: Point | None = None,
+    admit: Admit | None = None,
 ) -> list[Place]:
-    hw, hd = (size[0] / 2, size[1] / 2) if turn == 0.0 else (size[1] / 2, size[0] / 2)
+    hw, hd = (size[0] / 2, size[1] / 2) if turn % 180.0 == 0.0 else (size[1] / 2, size[0] / 2)
     rx, ry = ledge.w / 2 - hw - 0.002, ledge.d / 2 - hd - 0.002
     if rx < 0 or ry < 0:
         return []
@@ -466,7 +529,8 @@ def _on_ledge(
         cost += BESIDE * np.hypot(gx - landmark[0], gy - landmark[1])
     free = np.flatnonzero(gap >= GAP)
     order = free[np.argsort(cost[free], kind="stable")]
-    return [Place(ledge, float(gx[k]), float(gy[k]), turn, round(float(cost[k]), 6)) for k in order[:40]]
+    places = (Place(ledge, float(gx[k]), float(gy[k]), turn, round(float(cost[k]), 6)) for k in order)
+    return list(islice(places if admit is None else filter(admit, places), MOST_ON_LEDGE))
 
 
 def _steps(reach: float) -> npt.NDArray[np.float64]:

@@ -6,6 +6,7 @@ from functools import cache
 from mansion_knowledge.words import common_words
 from mansion_language import Token, singular
 from mansion_language.numbers import ORDINALS
+from mansion_language.spelling import Speller
 
 __all__ = ["GRAMMAR", "corrected"]
 
@@ -137,54 +138,11 @@ def corrected(tokens: list[Token], words: frozenset[str], known: frozenset[str] 
 
 
 @cache
-def _index(words: frozenset[str]) -> dict[str, list[str]]:
-    """Vocabulary words by each form that they take with one letter left out."""
-    index: dict[str, list[str]] = {}
-    for word in sorted(words | GRAMMAR | set(ORDINALS)):
-        if len(word) >= 4:
-            for form in _deletions(word):
-                index.setdefault(form, []).append(word)
-    return index
-
-
-def _deletions(word: str) -> list[str]:
-    return [word, *sorted({word[:i] + word[i + 1 :] for i in range(len(word))})]
+def _speller(words: frozenset[str]) -> Speller:
+    return Speller(words | set(ORDINALS), GRAMMAR)
 
 
 def _nearest(word: str, words: frozenset[str]) -> str:
     if word in words or word in GRAMMAR or word in common_words() or singular(word) in words:
         return word
-    if word[0] == "f" and "ph" + word[1:] in words:
-        return "ph" + word[1:]
-    index = _index(words)
-    limit = 2 if len(word) >= 8 else 1
-    best, best_distance = word, limit + 1
-    forms = _deletions(word)
-    if limit == 2:
-        forms = [*forms, *(form for one in forms[1:] for form in _deletions(one)[1:])]
-    for form in forms:
-        for candidate in index.get(form, ()):
-            if candidate[0] != word[0] or abs(len(candidate) - len(word)) > limit:
-                continue
-            if len(word) < 5 and candidate not in GRAMMAR:
-                continue
-            distance = _edit_distance(word, candidate, limit)
-            if (distance, candidate not in GRAMMAR, candidate) < (best_distance, best not in GRAMMAR, best):
-                best, best_distance = candidate, distance
-    return best
-
-
-def _edit_distance(a: str, b: str, limit: int) -> int:
-    """Edits between two words, a swap of neighbours counting one; `limit` + 1 when there are more."""
-    before: list[int] = []
-    row = list(range(len(b) + 1))
-    for i, left in enumerate(a, 1):
-        before, last, row = row, before, [i]
-        for j, right in enumerate(b, 1):
-            cost = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (left != right))
-            if i > 1 and j > 1 and left == b[j - 2] and a[i - 2] == right:
-                cost = min(cost, last[j - 2] + 1)
-            row.append(cost)
-        if min(row) > limit:
-            return limit + 1
-    return row[-1]
+    return _speller(words).nearest(word)

@@ -10,11 +10,11 @@ from shapely import Polygon
 from mansion_assets.catalogue import Asset, Catalogue, HangRequest
 from mansion_geometry.object_footprints import footprint, footprint_at
 from mansion_msgs_py.scene import SceneObject
-from mansion_msgs_py.shapes import Point
+from mansion_msgs_py.shapes import Point, Size3
 from mansion_scene.decor.frames import Ids, WallEdge, scene_object
 from mansion_scene.decor.rugs import matches
 
-__all__ = ["HEADROOM", "ceiling_objects"]
+__all__ = ["HEADROOM", "CeilingSpace", "ceiling_objects"]
 
 HEADROOM = 2.05
 """Least height of a lamp's lower edge above free floor, metres."""
@@ -32,17 +32,17 @@ def ceiling_objects(
     rng: np.random.Generator,
 ) -> list[SceneObject]:
     """Return the ceiling objects of a room: inside it, clear of each other and of tall objects below."""
-    ceiling = _Ceiling(room, edges, height, placed, rng)
+    ceiling = CeilingSpace(room, edges, height, placed)
     out: list[SceneObject] = []
     for request in requests:
         asset = _hangable(catalogue, request, height)
         if asset is None:
             continue
         left = 10_000 if request.place == "grid" else request.count
-        for center, rotation in ceiling.places(request, asset):
+        for center, rotation in ceiling.places(request, asset, rng):
             if left <= 0:
                 break
-            if not ceiling.reserve(asset, center, rotation):
+            if not ceiling.reserve(asset.size, center, rotation):
                 continue
             left -= 1
             position = (center[0], center[1], height - asset.size[2] / 2)
@@ -59,37 +59,41 @@ def _hangable(catalogue: Catalogue, request: HangRequest, height: float) -> Asse
     return flat[0] if flat and request.asset.toggleable else None
 
 
-class _Ceiling:
-    def __init__(
-        self,
-        room: Polygon,
-        edges: Sequence[WallEdge],
-        height: float,
-        placed: Sequence[SceneObject],
-        rng: np.random.Generator,
-    ) -> None:
-        self.room, self.height, self.placed, self.rng = room, height, placed, rng
+class CeilingSpace:
+    """The ceiling of a room, what hangs from it and what reaches up to it."""
+
+    def __init__(self, room: Polygon, edges: Sequence[WallEdge], height: float, placed: Sequence[SceneObject]) -> None:
+        self.room, self.height, self.placed = room, height, placed
         longest = max(edges, key=lambda e: e.length)
         self.angle = math.degrees(math.atan2(longest.along[1], longest.along[0])) % 180.0
-        self.taken: list[tuple[float, float, float, float]] = []
+        self.taken: list[tuple[str, tuple[float, float, float, float]]] = [
+            (o.id, footprint(o).bounds) for o in placed if o.mount == "ceiling"
+        ]
         self.tall = [
-            (footprint(o), o.position[2] + o.size[2] / 2) for o in placed if o.position[2] + o.size[2] / 2 > 1.4
+            (o.id, footprint(o), o.position[2] + o.size[2] / 2) for o in placed if o.position[2] + o.size[2] / 2 > 1.4
         ]
 
-    def reserve(self, asset: Asset, center: Point, rotation: float) -> bool:
+    def reserve(self, size: Size3, center: Point, rotation: float) -> bool:
         """Reserve a position if it is free, and tell whether it was."""
-        shape = footprint_at(center, asset.size, rotation)
-        x0, y0, x1, y1 = shape.bounds
-        clear = all(x1 + 0.05 < a or c + 0.05 < x0 or y1 + 0.05 < b or d + 0.05 < y0 for a, b, c, d in self.taken)
-        low = self.height - asset.size[2] - 0.03
-        if not clear or not self.room.contains(shape):
+        shape = footprint_at(center, size, rotation)
+        if not self.room.contains(shape) or self.hindrances(size, center, rotation):
             return False
-        if any(top > low and shape.intersects(other) for other, top in self.tall):
-            return False
-        self.taken.append((x0, y0, x1, y1))
+        self.taken.append(("", shape.bounds))
         return True
 
-    def places(self, request: HangRequest, asset: Asset) -> Iterator[tuple[Point, float]]:
+    def hindrances(self, size: Size3, center: Point, rotation: float) -> list[str]:
+        """Return the objects, by id, that are in the way of one of a size."""
+        shape = footprint_at(center, size, rotation)
+        x0, y0, x1, y1 = shape.bounds
+        low = self.height - size[2] - 0.03
+        beside = [
+            name
+            for name, (a, b, c, d) in self.taken
+            if not (x1 + 0.05 < a or c + 0.05 < x0 or y1 + 0.05 < b or d + 0.05 < y0)
+        ]
+        return beside + [name for name, other, top in self.tall if top > low and shape.intersects(other)]
+
+    def places(self, request: HangRequest, asset: Asset, rng: np.random.Generator) -> Iterator[tuple[Point, float]]:
         """Yield centres and rotations to try, the best first."""
         if request.place == "above":
             for obj in self.placed:
@@ -100,21 +104,21 @@ class _Ceiling:
             if not self.room.contains(middle):
                 middle = self.room.representative_point()
             yield (middle.x, middle.y), self.angle
-            yield from ((p, self.angle) for p in self._lattice(1.2))
+            yield from ((p, self.angle) for p in self.lattice(1.2))
         else:
             spacing = request.spacing
             if request.place == "spread":
                 spacing = max(1.0, math.sqrt(self.room.area / max(request.count, 1)))
             shift = 0.31 if request.place == "spread" else 0.0
-            points = self._lattice(spacing, shift)
+            points = self.lattice(spacing, shift)
             if request.place == "spread":
-                points = [points[int(i)] for i in self.rng.permutation(len(points))]
+                points = [points[int(i)] for i in rng.permutation(len(points))]
             yield from ((p, self.angle) for p in points)
             if request.place == "spread" or len(points) < 1:
                 inner = self.room.representative_point()
                 yield (inner.x, inner.y), self.angle
 
-    def _lattice(self, spacing: float, shift: float = 0.0) -> list[Point]:
+    def lattice(self, spacing: float, shift: float = 0.0) -> list[Point]:
         """Return points of a regular grid along the longest wall, centred in the room's rectangle."""
         c, s = math.cos(math.radians(self.angle)), math.sin(math.radians(self.angle))
         ring = list(self.room.exterior.coords)

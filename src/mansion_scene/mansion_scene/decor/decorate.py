@@ -26,6 +26,7 @@ def decorate_room(
     doors: Sequence[Door] = (),
     windows: Sequence[Window] = (),
     placed: Sequence[SceneObject] = (),
+    standing: Sequence[SceneObject] = (),
     seed: int,
     asked: Sequence[Asset] = (),
 ) -> list[SceneObject]:
@@ -43,6 +44,8 @@ def decorate_room(
         Doors and windows of this room at least; others are ignored.
     placed : sequence of SceneObject
         The placed furniture of the room.
+    standing : sequence of SceneObject
+        What is in the room besides, which keeps its place and gets nothing laid on it.
     seed : int
         Seed of the building; with `room_id` it determines the result.
     asked : sequence of Asset
@@ -55,13 +58,14 @@ def decorate_room(
     """
     room = room_polygon(net_polygon, net_holes)
     edges = wall_edges(net_polygon, net_holes)
-    ids = Ids(room_id, (o.id for o in placed))
+    there = [*standing, *placed]
+    ids = Ids(room_id, (o.id for o in there))
     rng = item_generator(seed, "decor", room_id)
-    carpets = rugs(furnishing.rugs, room, edges, doors, placed, ids, room_id, rng)
-    hung = wall_objects(furnishing.wall, edges, doors, windows, ceiling_height, placed, ids, room_id, rng)
+    carpets = rugs(furnishing.rugs, room, edges, doors, there, ids, room_id, rng)
+    hung = wall_objects(furnishing.wall, edges, doors, windows, ceiling_height, there, ids, room_id, rng)
     lamps = ceiling_objects(
-        catalogue, furnishing.ceiling, room, edges, ceiling_height, [*placed, *hung], ids, room_id, rng
+        catalogue, furnishing.ceiling, room, edges, ceiling_height, [*there, *hung], ids, room_id, rng
     )
     carriers = [*placed, *(o for o in hung if o.receptacle)]
-    small = small_objects(catalogue, furnishing.small, carriers, ids, room_id, seed, [*hung, *lamps], asked)
+    small = small_objects(catalogue, furnishing.small, carriers, ids, room_id, seed, [*standing, *hung, *lamps], asked)
     return [*carpets, *hung, *lamps, *small]

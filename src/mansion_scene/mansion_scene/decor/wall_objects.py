@@ -8,11 +8,11 @@ import numpy as np
 from mansion_assets.catalogue import Asset, HangRequest
 from mansion_geometry.object_footprints import footprint_corners
 from mansion_msgs_py.scene import Door, SceneObject, Window
-from mansion_msgs_py.shapes import Point3
+from mansion_msgs_py.shapes import Point3, Size3
 from mansion_scene.decor.frames import Ids, WallEdge, scene_object
 from mansion_scene.decor.rugs import matches
 
-__all__ = ["wall_objects"]
+__all__ = ["WallSpace", "hanging_height", "height_above", "wall_objects"]
 
 _SIDE = 0.06
 """Least distance to neighbours on the wall and to door and window frames, metres."""
@@ -29,9 +29,10 @@ class _Block(msgspec.Struct, frozen=True):
     low: float
     high: float
     distance: float = 0.0
+    name: str = ""
 
 
-class _Wall:
+class WallSpace:
     """A side of the room and what hangs on it or stands before it."""
 
     def __init__(self, edge: WallEdge) -> None:
@@ -50,17 +51,31 @@ class _Wall:
             free = [p for a, b in free for p in ((a, min(b, cut[0])), (max(a, cut[1]), b)) if p[1] >= p[0]]
         return free
 
+    def hindrances(self, along: float, center: float, size: Size3) -> list[str]:
+        """Return the openings and objects, by id, that leave no room for an object whose centre is there."""
+        w, d, h = size
+        low, high = center - h / 2, center + h / 2
+        near = w / 2 + _SIDE
+        return [
+            block.name
+            for block in self.blocks
+            if block.low < high
+            and block.high > low
+            and block.distance < d + 0.02
+            and block.start - near < along < block.end + near
+        ]
+
     def block_openings(self, doors: Sequence[Door], windows: Sequence[Window]) -> None:
         """Note the doors and windows in this wall."""
         for door in doors:
             if self.edge.carries(door.segment):
                 a, b, _ = self.edge.interval(door.segment)
-                self.blocks.append(_Block(a - 0.06, b + 0.06, -1.0, 99.0))
+                self.blocks.append(_Block(a - 0.06, b + 0.06, -1.0, 99.0, name=door.id))
         for window in windows:
             if self.edge.carries(window.segment):
                 a, b, _ = self.edge.interval(window.segment)
                 low, high = window.sill - 0.05, window.sill + window.height + 0.05
-                self.blocks.append(_Block(a, b, low, high))
+                self.blocks.append(_Block(a, b, low, high, name=window.id))
 
     def block_object(self, obj: SceneObject) -> None:
         """Note an object where it is close to this wall."""
@@ -68,7 +83,7 @@ class _Wall:
         if distance < 1.0 and b > 0.0 and a < self.edge.length:
             high = obj.position[2] + obj.size[2] / 2 + _ABOVE
             low = obj.position[2] - obj.size[2] / 2
-            self.blocks.append(_Block(a, b, low, high, max(distance, 0.0)))
+            self.blocks.append(_Block(a, b, low, high, max(distance, 0.0), obj.id))
 
     def hang(self, asset: Asset, along: float, center: float) -> None:
         """Note an asset that hangs on this wall."""
@@ -89,7 +104,7 @@ def wall_objects(
     rng: np.random.Generator,
 ) -> list[SceneObject]:
     """Return the wall objects of a room; those above furniture and beside doors are hung first."""
-    walls = [_Wall(edge) for edge in edges]
+    walls = [WallSpace(edge) for edge in edges]
     standing = [obj for obj in placed if obj.size[2] > 0.03]
     for wall in walls:
         wall.block_openings(doors, windows)
@@ -119,17 +134,17 @@ def _hang(asset: Asset, edge: WallEdge, along: float, center: float, ids: Ids, r
     return scene_object(asset, ids.new(asset.category), room_id, position, edge.rotation, mount="wall")
 
 
-def _fits(wall: _Wall, asset: Asset, along: float, center: float) -> bool:
+def _fits(wall: WallSpace, asset: Asset, along: float, center: float) -> bool:
     w, d, h = asset.size
     return any(a - 1e-9 <= along <= b + 1e-9 for a, b in wall.gaps(w, center - h / 2, center + h / 2, d))
 
 
-Place = tuple[_Wall, float, float]
+Place = tuple[WallSpace, float, float]
 
 
 def _places(
     request: HangRequest,
-    walls: Sequence[_Wall],
+    walls: Sequence[WallSpace],
     doors: Sequence[Door],
     height: float,
     placed: Sequence[SceneObject],
@@ -137,11 +152,8 @@ def _places(
 ) -> Iterator[Place]:
     """Yield candidate places: wall, distance along it and height of the centre, the best first."""
     asset = request.asset
-    level = request.height or float(asset.parameters.get("hang", 1.55))
-    center = min(level, height - asset.size[2] / 2 - 0.05)
-    if center - asset.size[2] / 2 < 0.02:
-        center = asset.size[2] / 2 + 0.02
-    if center + asset.size[2] / 2 > height:
+    center = hanging_height(asset, height, request.height)
+    if center is None:
         return
     if request.place == "above":
         yield from _above(request, walls, height, placed)
@@ -151,19 +163,45 @@ def _places(
         yield from _free(request, walls, doors, center, placed, rng)
 
 
+def hanging_height(asset: Asset, ceiling: float, wanted: float | None = None) -> float | None:
+    """Return the height of the centre at which an asset hangs on a wall, metres; None where it is too high for it.
+
+    Parameters
+    ----------
+    ceiling : float
+        Clear height of the room, metres.
+    wanted : float, optional
+        Height of the centre that is asked for; the asset's usual one when absent.
+    """
+    center = min(wanted or _usual_height(asset), ceiling - asset.size[2] / 2 - 0.05)
+    if center - asset.size[2] / 2 < 0.02:
+        center = asset.size[2] / 2 + 0.02
+    return None if center + asset.size[2] / 2 > ceiling else center
+
+
+def height_above(asset: Asset, ceiling: float, obj: SceneObject, wanted: float | None = None) -> float | None:
+    """Return the height of the centre at which an asset hangs above an object; None where the ceiling is too low."""
+    h = asset.size[2]
+    top = obj.position[2] + obj.size[2] / 2
+    clearance = float(asset.parameters.get("above", _ABOVE + 0.01))
+    low = max(top + clearance, (wanted or _usual_height(asset)) - h / 2)
+    center = low + h / 2
+    return None if center + h / 2 > ceiling - 0.02 else center
+
+
+def _usual_height(asset: Asset) -> float:
+    return float(asset.parameters.get("hang", 1.55))
+
+
 def _above(
-    request: HangRequest, walls: Sequence[_Wall], height: float, placed: Sequence[SceneObject]
+    request: HangRequest, walls: Sequence[WallSpace], height: float, placed: Sequence[SceneObject]
 ) -> Iterator[Place]:
     """Yield places over the objects that have their back at a wall."""
-    h = request.asset.size[2]
-    clearance = float(request.asset.parameters.get("above", _ABOVE + 0.01))
     for obj in placed:
         if not matches(obj, request.above):
             continue
-        top = obj.position[2] + obj.size[2] / 2
-        low = max(top + clearance, (request.height or float(request.asset.parameters.get("hang", 1.55))) - h / 2)
-        center = low + h / 2
-        if center + h / 2 > height - 0.02:
+        center = height_above(request.asset, height, obj, request.height)
+        if center is None:
             continue
         for wall in walls:
             same = abs((wall.edge.rotation - obj.rotation + 180.0) % 360.0 - 180.0) < 5.0
@@ -172,7 +210,7 @@ def _above(
                 yield wall, along, center
 
 
-def _beside_doors(asset: Asset, walls: Sequence[_Wall], doors: Sequence[Door], center: float) -> Iterator[Place]:
+def _beside_doors(asset: Asset, walls: Sequence[WallSpace], doors: Sequence[Door], center: float) -> Iterator[Place]:
     """Yield places beside each door, on the side of its latch first, up to 1.6 m away."""
     for door in doors:
         for wall in walls:
@@ -190,7 +228,7 @@ def _beside_doors(asset: Asset, walls: Sequence[_Wall], doors: Sequence[Door], c
 
 def _free(
     request: HangRequest,
-    walls: Sequence[_Wall],
+    walls: Sequence[WallSpace],
     doors: Sequence[Door],
     center: float,
     placed: Sequence[SceneObject],
@@ -199,7 +237,7 @@ def _free(
     """Yield the middles of free lengths, the wide ones and those without a like neighbour first."""
     w, d, h = request.asset.size
     for _ in range(request.count):
-        options: list[tuple[float, int, _Wall, float]] = []
+        options: list[tuple[float, int, WallSpace, float]] = []
         for number, wall in enumerate(walls):
             for a, b in wall.gaps(w, center - h / 2, center + h / 2, d):
                 length = min(b - a, 4.0)
@@ -219,7 +257,7 @@ def _free(
         yield best[2], best[3], center
 
 
-def _faces_door(wall: _Wall, doors: Sequence[Door]) -> float:
+def _faces_door(wall: WallSpace, doors: Sequence[Door]) -> float:
     """Return 1 for a wall that the room's first door looks at, else 0."""
     if not doors:
         return 0.0
@@ -229,7 +267,7 @@ def _faces_door(wall: _Wall, doors: Sequence[Door]) -> float:
     return float(away > 1.0 and parallel < 0.05 and -0.5 < along < wall.edge.length + 0.5)
 
 
-def _faced_by_seats(wall: _Wall, placed: Sequence[SceneObject]) -> float:
+def _faced_by_seats(wall: WallSpace, placed: Sequence[SceneObject]) -> float:
     """Return the share of the room's seats that look at a wall."""
     seats = [obj for obj in placed if "seat" in obj.category or "chair" in obj.category]
     opposite = wall.edge.rotation + 180.0

@@ -21,6 +21,7 @@ __all__ = ["Frontage", "Position", "approach_zone", "choose_position", "ranked_p
 
 _POCKET = 0.6  # metres beside a door in which a cupboard against the adjacent wall fits
 _SHORT_PIECE = 0.5  # metres of wall in which no furniture fits
+_FURNITURE = 40.0  # what a piece of furniture in the way costs: more than any loss of wall
 _CORNER_LOSS = 0.3  # metres of the adjacent wall that a door in a corner leaves to shallow furniture only
 
 
@@ -40,6 +41,8 @@ class Frontage:
         Approach zones of the doors that it has already.
     taken : tuple of Segment
         Their openings.
+    standing : tuple of Polygon
+        Footprints of furniture that stands there already.
     """
 
     net: Polygon
@@ -47,6 +50,7 @@ class Frontage:
     rings: tuple[npt.NDArray[np.float64], ...]
     zones: tuple[Polygon, ...] = ()
     taken: tuple[Segment, ...] = ()
+    standing: tuple[Polygon, ...] = ()
 
     @classmethod
     def without_doors(cls, net: Polygon, weight: float) -> "Frontage":
@@ -162,6 +166,7 @@ def _cost(position: Position, sides: Sequence[tuple[Frontage, Point]]) -> float:
         if not frontage.net.covers(zone):
             cost += 20.0 * max(zone.area - frontage.net.intersection(zone).area - 1e-3, 0.0)
         cost += 6.0 * sum(zone.intersection(other).area for other in frontage.zones)
+        cost += sum(_FURNITURE + zone.intersection(other).area for other in frontage.standing if zone.intersects(other))
     return cost
 
 

@@ -71,7 +71,7 @@ def hang_doors(
 
     A leaf opens into the room that the door serves, not into circulation, and hangs at the end nearer to a side wall.
     Where no swing is free the door moves along its wall. Failing that, an outer door opens outwards and an inner one
-    loses its leaf (kind ``doorway``), which is recorded.
+    loses its leaf (kind ``doorway``), which is recorded. A door that has a hinge keeps it where its leaf hits no wall.
 
     Parameters
     ----------
@@ -79,11 +79,14 @@ def hang_doors(
         Other places for a door, best first.
     """
     swept: dict[str, list[Polygon]] = {region.id: [] for region in floor.regions}
-    hung = list(openings)
+    hung = [_if_clear(opening, nets) for opening in openings]
+    for opening in hung:
+        if opening.swing is not None:
+            swept[opening.swing].extend(leaf_sectors(opening, opening.swing, opening.hinge))
     downgrades: list[Downgrade] = []
     for index in sorted(range(len(hung)), key=lambda i: -hung[i].kind.leaves):
         opening = hung[index]
-        if opening.kind.leaves == 0:
+        if opening.kind.leaves == 0 or opening.hinge != "none":
             continue
         others = [other for i, other in enumerate(hung) if i != index]
         for place in chain((opening,), elsewhere(opening)):
@@ -98,6 +101,15 @@ def hang_doors(
             if opening.regions[1] is not None:
                 downgrades.append(_no_leaf(floor, opening))
     return hung, downgrades
+
+
+def _if_clear(opening: Opening, nets: Mapping[str, Polygon]) -> Opening:
+    """Return a door as it hangs, or without hinge where its leaf hits a wall."""
+    if opening.swing is None:
+        return opening
+    sectors = leaf_sectors(opening, opening.swing, opening.hinge)
+    outside = sum(sector.difference(nets[opening.swing]).area for sector in sectors)
+    return opening if outside <= _TOUCH else replace(opening, hinge="none", swing=None)
 
 
 def _without_swing(opening: Opening) -> Opening:

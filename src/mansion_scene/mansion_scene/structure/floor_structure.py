@@ -17,6 +17,7 @@ from mansion_scene.structure.boundaries import BoundarySegment, boundary_segment
 from mansion_scene.structure.cores import scene_cores
 from mansion_scene.structure.dimensions import SLAB_THICKNESS
 from mansion_scene.structure.door_swings import hang_doors
+from mansion_scene.structure.held_openings import HeldAccess, held_openings, with_furniture, without_held
 from mansion_scene.structure.interiors import Partition, partition_floor, usable_boundaries, walkable_parts
 from mansion_scene.structure.materials import facade_material
 from mansion_scene.structure.openings import make_frontages, open_passages, other_places, place_doors, with_doors
@@ -63,8 +64,14 @@ def ceiling_height(storey: float) -> float:
     return ceiling
 
 
-def build_structure(request: FurnishRequest) -> FloorStructure:
+def build_structure(request: FurnishRequest, held: HeldAccess | None = None) -> FloorStructure:
     """Build walls, openings and cores from a layout (Algorithm 1, lines 9 and 10).
+
+    Parameters
+    ----------
+    request : FurnishRequest
+    held : HeldAccess, optional
+        Passages and doors of the floor as it was built before, to keep; chosen anew from the room graph when absent.
 
     Raises
     ------
@@ -78,19 +85,24 @@ def build_structure(request: FurnishRequest) -> FloorStructure:
     usable = usable_boundaries(boundaries, _walkable_rooms(floor, boundaries))
     shared = shared_boundaries(usable)
     ground = floor.floor == _GROUND
-    root = entrance_room(floor, usable) if ground else floor.hub
-    plan = plan_access(floor, request.topology, request.layout, shared, root)
+    kept = held_openings(held, boundaries) if held is not None else []
+    entered = next((floor.by_id[opening.regions[0]] for opening in kept if opening.kind.kind == "entrance"), None)
+    root = entered or (entrance_room(floor, usable) if ground else floor.hub)
+    plan = held.plan if held is not None else plan_access(floor, request.topology, request.layout, shared, root)
     open_pairs = frozenset(passage.pair for passage in plan.passages if passage.is_open)
     partition = partition_floor(floor, boundaries, open_pairs)
     frontages = make_frontages(floor, partition)
-    openings = open_passages(partition)
-    if ground:
+    if held is not None:
+        frontages = with_furniture(frontages, held.standing)
+    openings = [*open_passages(partition), *kept]
+    if ground and entered is None:
         residential = default_knowledge().groups.is_dwelling(request.building_type)
         openings.append(place_entrance(floor, usable, root, frontages, partition.nets, residential=residential))
     frontages = with_doors(frontages, openings)
-    wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets)
+    driven = {opening.regions[0] for opening in kept if opening.kind.kind == "garage"}
+    wide, blocked = place_garage_doors(floor, usable, frontages, partition.nets, driven)
     frontages = with_doors(frontages, wide)
-    placed, narrowed = place_doors(floor, plan, shared, frontages)
+    placed, narrowed = place_doors(floor, without_held(plan, kept), shared, frontages)
     frontages = with_doors(frontages, placed)
     openings, leafless = hang_doors(
         floor, partition.nets, [*openings, *wide, *placed], lambda opening: other_places(opening, shared, frontages)

@@ -7,7 +7,7 @@ package (Apache-2.0).
 import re
 from functools import cache
 from importlib import resources
-from typing import Annotated, Literal
+from typing import Annotated, Final, Literal, TypeAlias
 
 import msgspec
 
@@ -15,9 +15,19 @@ from mansion_geometry.randomness import item_generator
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.scene import FloorScene
 
-__all__ = ["DEFAULT_FACADE", "Material", "facade_material", "facade_of", "library", "match_material", "material"]
+__all__ = [
+    "DEFAULT_FACADE",
+    "SUBSTANCES",
+    "Material",
+    "Use",
+    "facade_material",
+    "facade_of",
+    "library",
+    "match_material",
+    "material",
+]
 
-Use = Literal["floor", "wall", "ceiling", "part"]
+Use: TypeAlias = Literal["floor", "wall", "ceiling", "part"]
 
 
 class Material(msgspec.Struct, frozen=True, kw_only=True):
@@ -51,8 +61,7 @@ _DEFAULTS: dict[Use, str] = {
     "ceiling": "white_drywall",
     "part": "painted_steel",
 }
-# What a surface is made of says more than its colour.
-_SUBSTANCES = frozenset(
+SUBSTANCES: Final = frozenset(
     [
         "oak",
         "hardwood",
@@ -93,6 +102,7 @@ _SUBSTANCES = frozenset(
         "herringbone",
     ]
 )
+"""Words for what a surface is made of, which say more than its colour."""
 
 
 @cache
@@ -134,7 +144,7 @@ def match_material(description: str, use: Use) -> Material:
     for entry in library().values():
         if use not in entry.uses:
             continue
-        score = sum(3.0 if word in _SUBSTANCES else 1.0 for word in words if word in entry.keywords)
+        score = sum(3.0 if word in SUBSTANCES else 1.0 for word in words if word in entry.keywords)
         # Among equals the material with the fewest further keywords is the plainest reading of the description.
         if score > 0.0:
             score += 0.5 / (1 + len(entry.keywords))

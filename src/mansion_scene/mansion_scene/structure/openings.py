@@ -190,7 +190,7 @@ def place_doors(
     openings: list[Opening] = []
     downgrades: list[Downgrade] = []
     for passage in sorted(passages, key=lambda passage: freedom(passage.pair)):
-        opening, downgrade = _place(floor, passage.pair, shared[passage.pair], frontages)
+        opening, downgrade = _place(floor, passage.pair, shared.get(passage.pair, ()), frontages)
         openings.append(opening)
         frontages = with_doors(frontages, [opening])
         if downgrade is not None:

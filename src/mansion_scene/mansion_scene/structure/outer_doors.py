@@ -1,6 +1,6 @@
 """Doors in outer walls: the building's entrance and garage doors."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 
 import shapely
 from shapely.geometry import LineString, Point, Polygon
@@ -126,8 +126,14 @@ def place_garage_doors(
     boundaries: Sequence[BoundarySegment],
     frontages: Mapping[str, Frontage],
     nets: Mapping[str, Polygon],
+    served: Container[str] = (),
 ) -> tuple[list[Opening], list[Downgrade]]:
     """Place a door for each room of the ground floor that vehicles drive into.
+
+    Parameters
+    ----------
+    served : container of str
+        Regions that have such a door already.
 
     Returns
     -------
@@ -139,7 +145,7 @@ def place_garage_doors(
     placed: list[Opening] = []
     missing: list[Downgrade] = []
     for region in floor.regions if floor.floor == _GROUND else ():
-        if not (region.is_room and is_class(region.room_type, "vehicle")):
+        if region.id in served or not (region.is_room and is_class(region.room_type, "vehicle")):
             continue
         found = _place(floor, boundaries, region, frontages, nets)
         if isinstance(found, Downgrade):

@@ -171,7 +171,8 @@ def _goal(world: World, robot: RobotBody, target: object) -> tuple[int, str, Poi
     floors = [robot.floor] if here else world.building.floors
     for floor in floors:
         for room in world.building.scene(floor).rooms:
-            if room.id == target or (here is not None and room.id == here.name):
+            called = {name.casefold() for name in (room.id, room.name, *room.aliases) if name}
+            if room.id == here.name if here is not None else target.strip().casefold() in called:
                 mark = landmark_named(room.id, world.view(floor).landmarks, floor, (0.0, 0.0))
                 if mark is not None:
                     return floor, room.id, (mark.pose.x, mark.pose.y)

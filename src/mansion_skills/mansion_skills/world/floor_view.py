@@ -23,12 +23,13 @@ FEW_DOORS = 4
 
 @dataclass(frozen=True)
 class Landmark:
-    """A named pose on a floor; `kind` is ``room``, ``stair`` or ``elevator``."""
+    """A named pose on a floor; `kind` is ``room``, ``stair`` or ``elevator``, `called` what people call a room."""
 
     name: str
     kind: str
     floor: int
     pose: Pose2D
+    called: tuple[str, ...] = ()
 
 
 def floor_landmarks(grid: FloorMap) -> list[Landmark]:
@@ -58,14 +59,18 @@ def floor_landmarks(grid: FloorMap) -> list[Landmark]:
             continue
         x, y = grid.frame.center(cell // grid.frame.columns, cell % grid.frame.columns)
         pose = Pose2D(x=round(x, 3), y=round(y, 3))
-        found.append(Landmark(room.id, "room", scene.floor, pose))
+        called = tuple(name for name in (room.name, *room.aliases) if name)
+        found.append(Landmark(room.id, "room", scene.floor, pose, called))
     return found
 
 
 def landmark_named(
     name: str, landmarks: Iterable[Landmark], floor: int, position: tuple[float, float]
 ) -> Landmark | None:
-    """Return the landmark of that name: an id with or without its floor, or the nearest core of a kind."""
+    """Return the landmark of that name: an id with or without its floor, a core by its kind, the nearest, or a room.
+
+    A room goes by what people call it: by its name before the other names of rooms.
+    """
     wanted = name.strip().casefold()
     known = list(landmarks)
     for landmark in known:
@@ -73,7 +78,15 @@ def landmark_named(
             return landmark
     kind = GENERIC.get(wanted)
     cores = [entry for entry in known if entry.kind == kind]
-    return min(cores, key=lambda c: dist(position, (c.pose.x, c.pose.y)), default=None)
+    if cores:
+        return min(cores, key=lambda c: dist(position, (c.pose.x, c.pose.y)))
+    ranked = [
+        (rank, number)
+        for number, landmark in enumerate(known)
+        for rank, name in enumerate(landmark.called)
+        if name.casefold() == wanted
+    ]
+    return known[min(ranked)[1]] if ranked else None
 
 
 def bodies_of(floor: int, objects: ObjectTable) -> list[Body]:

@@ -79,5 +79,6 @@ def names_object(noun: str, item: SceneObject) -> bool:
 
 
 def names_room(word: str, room: SceneRoom) -> bool:
-    """Whether a word names a room: its type, a synonym, or its own name (``meeting room 2``)."""
-    return plain(word) == plain(room.name) or _is_kind_of(word, plain(room.room_type), _ROOM_GROUPS)
+    """Whether a word names a room: its type, a synonym, or a name of its own (``meeting room 2``)."""
+    called = [plain(name) for name in (room.name, *room.aliases)]
+    return plain(word) in called or _is_kind_of(word, plain(room.room_type), _ROOM_GROUPS)

@@ -1,0 +1,157 @@
+"""Whether an instruction holds on the finished scene, read anew from its statements, apart from how it was done.
+
+Each statement is looked up in the scene before and the scene after it. What differs between the two must be what the
+statement asks for, or follow from it (what furniture carries, a small thing that made room); anything else is a fault.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+from mansion_editing.instructions.checking.changes import check_paint, check_reach, check_rooms, check_state
+from mansion_editing.instructions.checking.differences import Differences, differences
+from mansion_editing.instructions.checking.finding import Finding
+from mansion_editing.instructions.checking.numbers import (
+    check_add,
+    check_clear,
+    check_ensure,
+    check_remove,
+    check_replace,
+)
+from mansion_editing.instructions.checking.places import check_move, check_swap, check_turn
+from mansion_editing.instructions.doing.work import listed
+from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.descriptions import all_at, things_of
+from mansion_editing.instructions.meaning.wording import thing_words
+from mansion_editing.instructions.statements import (
+    Add,
+    Clear,
+    Ensure,
+    Finish,
+    Forbid,
+    Furnish,
+    Keep,
+    Move,
+    Paint,
+    Reach,
+    Remove,
+    Rename,
+    Replace,
+    Reshape,
+    SetState,
+    Statement,
+    Swap,
+    Turn,
+)
+from mansion_editing.state import SceneState
+
+__all__ = ["Step", "fault", "faults", "moved_aside"]
+
+
+@dataclass(frozen=True)
+class Step:
+    """A statement with what it could refer to, and the building before and after it was carried out."""
+
+    statement: Statement
+    context: Context
+    before: SceneState
+    after: SceneState
+
+
+def faults(steps: Sequence[Step]) -> list[str]:
+    """Return what does not hold of an instruction whose statements were carried out in turn, empty for nothing."""
+    out = []
+    for step in steps:
+        found = fault(step.statement, step.before, step.after, step.context)
+        if found:
+            out.append(f"{step.statement.quote or type(step.statement).__name__}: {found}")
+    if steps:
+        first, last = steps[0].before, steps[-1].after
+        for step in steps:
+            found = _lasting(step.statement, first, last, step.context)
+            if found:
+                out.append(f"{step.statement.quote or type(step.statement).__name__}: {found}")
+    return list(dict.fromkeys(out))
+
+
+def fault(statement: Statement, before: SceneState, after: SceneState, context: Context) -> str:
+    """Return why a statement does not hold, or what else was changed; empty when it holds and nothing else was.
+
+    Parameters
+    ----------
+    before, after : SceneState
+        The building before and after the statement was carried out.
+    """
+    diff = differences(before, after)
+    finding = _finding(statement, before, after, context, diff)
+    if finding.fault:
+        return finding.fault
+    rest = sorted(diff.ids - finding.accounted)
+    if finding.makes_room:
+        aside = set(_aside(diff, finding))
+        rest = [name for name in rest if name not in aside] if len(aside) <= max(1, len(diff.added)) else rest
+    if rest:
+        return f"{listed(rest)} changed besides what was asked for"
+    others = sorted(diff.rooms - finding.rooms)
+    return f"{', '.join(others)} changed besides what was asked for" if others else ""
+
+
+def _finding(
+    statement: Statement, before: SceneState, after: SceneState, context: Context, diff: Differences
+) -> Finding:
+    check = _CHECKS.get(type(statement))
+    return Finding() if check is None else check(statement, before, after, context, diff)
+
+
+_CHECKS: Final[dict[type[Any], Callable[[Any, SceneState, SceneState, Context, Differences], Finding]]] = {
+    Add: check_add,
+    Ensure: check_ensure,
+    Remove: check_remove,
+    Clear: check_clear,
+    Replace: check_replace,
+    Move: check_move,
+    Swap: check_swap,
+    Turn: check_turn,
+    SetState: check_state,
+    Paint: check_paint,
+    Reach: check_reach,
+    Rename: check_rooms,
+    Finish: check_rooms,
+    Furnish: check_rooms,
+    Reshape: check_rooms,
+}
+
+
+def _aside(diff: Differences, finding: Finding) -> list[str]:
+    """Return the small things that were moved within their room and are not what the statement is about."""
+    return [
+        name
+        for name, (old, new) in diff.moved.items()
+        if name not in finding.accounted and old.pickupable and old.room == new.room and name not in diff.changed
+    ]
+
+
+def moved_aside(step: Step) -> list[str]:
+    """Return a sentence for each small thing that was moved to make room."""
+    diff = differences(step.before, step.after)
+    finding = _finding(step.statement, step.before, step.after, step.context, diff)
+    if not finding.makes_room:
+        return []
+    carriers = {name: diff.moved[name][1].parent for name in _aside(diff, finding)}
+    return [f"{name} made room and is now on {parent}" for name, parent in carriers.items()]
+
+
+def _lasting(statement: Statement, first: SceneState, last: SceneState, context: Context) -> str:
+    """Return why what shall hold of the whole instruction does not: nothing added, or all left as it was."""
+    if isinstance(statement, Forbid):
+        known = {item.id for _, item in first.objects()}
+        there = all_at(last, things_of(last, statement.things, context), statement.place, context)
+        new = [item for item in there if item.id not in known]
+        return f"{listed(new)} was added" if new else ""
+    if isinstance(statement, Keep):
+        kept = things_of(first, statement.things, context)
+        touched = [item.id for item in kept if last.find(item.id) is None or last.get(item.id)[1] != item]
+        return (
+            f"{listed(touched)} is not as it was, though {thing_words(statement.things)} shall stay" if touched else ""
+        )
+    return ""

@@ -1,0 +1,103 @@
+"""What the check of one statement finds: why it does not hold, and which differences it accounts for."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import msgspec
+
+from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of
+from mansion_editing.instructions.meaning.nouns import is_fixed
+from mansion_editing.instructions.meaning.numbers import means_several
+from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
+from mansion_editing.state import SceneState
+from mansion_msgs_py.scene import SceneObject
+
+__all__ = ["Finding", "any_number", "at_shares", "numbers_meant", "shares_of"]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Outcome of a check.
+
+    Attributes
+    ----------
+    fault : str
+        Why the statement does not hold; empty where it does.
+    accounted : set of str
+        Ids of the objects that may differ because of it.
+    rooms : set of str
+        Ids of the rooms, and ``floor N`` for structure, that may differ because of it.
+    makes_room : bool
+        A small thing may have been moved aside for it.
+    """
+
+    fault: str = ""
+    accounted: set[str] = field(default_factory=set)
+    rooms: set[str] = field(default_factory=set)
+    makes_room: bool = False
+
+
+def numbers_meant(things: Things, fitting: Sequence[SceneObject], *, surplus: bool = False) -> tuple[int, int]:
+    """Return the least and the greatest number of things that words mean, of those that they fit.
+
+    Of all, those that are fixed to the building may be left out; the light of a room is all its ceiling lights.
+
+    Parameters
+    ----------
+    surplus : bool
+        ``exactly`` and ``at_most`` mean those beyond the number.
+    """
+    amount, count = things.amount, len(fitting)
+    loose = sum(not is_fixed(item) for item in fitting) or count
+    if amount.kind == "all_but" or (surplus and amount.kind in ("exactly", "at_most")):
+        number = max(0, count - amount.number)
+        return number, number
+    if amount.kind == "none":
+        return 0, 0
+    if amount.kind == "all" or (things.plural and amount.number <= 1):
+        return loose, count
+    one_of_many = things.refers == "last" or (things.definite and "light" in things.noun)
+    if one_of_many and not means_several(things):
+        return 1, count
+    return max(1, amount.number), max(1, amount.number)
+
+
+def any_number(things: Things) -> Things:
+    """Return the words for the kind alone, with its looks: any number, new or not, anywhere."""
+    return msgspec.structs.replace(
+        things,
+        amount=Amount(kind="all", number=0),
+        place=None,
+        definite=False,
+        refers="",
+        ordinal=0,
+        size="",
+        owned="",
+        beside=(),
+    )
+
+
+def shares_of(place: Place, before: SceneState, after: SceneState, context: Context) -> list[Place]:
+    """Return the place once for each thing or room that it names, by id.
+
+    They are looked up before the statement, so that new things do not become places of it; after it, where none was
+    there.
+    """
+    if place.relation == "between" or place.outside:
+        return [place]
+    if place.anchor is not None:
+        found = anchors_of(before, place, context) or anchors_of(after, place, context)
+        return [msgspec.structs.replace(place, anchor=Things(noun=item.id), rooms=None) for item in found]
+    rooms = place.rooms
+    if rooms is None:
+        rooms = Rooms(same=True) if context.rooms else Rooms(every=True)
+    named = rooms_of(before, rooms, context)
+    return [msgspec.structs.replace(place, rooms=Rooms(words=room)) for room in named]
+
+
+def at_shares(
+    state: SceneState, items: Sequence[SceneObject], shares: Sequence[Place], context: Context
+) -> list[set[str]]:
+    """Return the ids of the objects at each share of a place."""
+    return [{item.id for item in all_at(state, items, share, context)} for share in shares]

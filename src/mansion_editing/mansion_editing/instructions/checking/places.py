@@ -1,0 +1,129 @@
+"""Checks of statements about places: Move, Swap and Turn."""
+
+import math
+
+import msgspec
+
+from mansion_editing.instructions.checking.differences import Differences, carried_below
+from mansion_editing.instructions.checking.finding import Finding, any_number, at_shares, numbers_meant, shares_of
+from mansion_editing.instructions.checking.numbers import check_add
+from mansion_editing.instructions.doing.work import listed
+from mansion_editing.instructions.meaning.choices import concerned
+from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.descriptions import rooms_of, things_of
+from mansion_editing.instructions.meaning.wording import place_words, thing_words
+from mansion_editing.instructions.statements import Add, Move, Rooms, Swap, Turn
+from mansion_editing.state import SceneState
+from mansion_editing.tools.relations import relation_holds
+from mansion_msgs_py.scene import SceneObject
+
+__all__ = ["check_move", "check_swap", "check_turn"]
+
+
+def check_move(statement: Move, before: SceneState, after: SceneState, context: Context, diff: Differences) -> Finding:
+    """Check that the number meant is at the place now, and that nothing else went there."""
+    things, place = statement.things, statement.place
+    fitting = concerned(before, things, context)
+    if not fitting and statement.or_new:
+        new = msgspec.structs.replace(things, definite=False, place=None)
+        return check_add(Add(things=new, place=place), before, after, context, diff)
+    if not fitting and not diff.ids:
+        shares = shares_of(place, before, after, context)
+        there = set().union(*at_shares(after, things_of(after, any_number(things), context), shares, context))
+        return Finding("" if there else f"there is no {thing_words(things)} {place_words(place)}")
+    gone_to = diff.relocated()
+    went = {item.id: gone_to[item.id] for item in fitting if item.id in gone_to}
+    if place.anchor is None and place.rooms is None:
+        rooms = Rooms(every=True)
+        place = msgspec.structs.replace(place, rooms=rooms)
+    shares = shares_of(place, before, after, context)
+    now = {item.id: went.get(item.id) or _same(after, item) for item in fitting}
+    there = set().union(*at_shares(after, [item for item in now.values() if item is not None], shares, context))
+    missed = [name for name, item in went.items() if item.id not in there]
+    arrived = sum(item is not None and item.id in there for item in now.values())
+    low, high = numbers_meant(things, fitting)
+    reason = ""
+    if missed:
+        reason = f"{listed(missed)} moved, but not {place_words(place)}"
+    elif arrived < low:
+        reason = f"{arrived} of {thing_words(things)} is {place_words(place)}, not {low}"
+    elif len(went) > high:
+        reason = f"{listed(list(went))} moved, though {high} were meant"
+    carried = carried_below(before, went)
+    arrivals = {item.id for item in went.values()}
+    below = carried_below(after, arrivals)
+    return Finding(reason, set(went) | arrivals | carried | below, makes_room=True)
+
+
+def _same(after: SceneState, item: SceneObject) -> SceneObject | None:
+    found = after.find(item.id)
+    return None if found is None else found[1]
+
+
+_CLOSE = 1.0
+"""Greatest distance between where one thing is and where that which it changed places with was, metres."""
+
+
+def check_swap(statement: Swap, before: SceneState, after: SceneState, context: Context, diff: Differences) -> Finding:
+    """Check that each of two things is where the other was, or that only the two rooms changed."""
+    if isinstance(statement.one, Rooms) or isinstance(statement.other, Rooms):
+        ends = [end for end in (statement.one, statement.other) if isinstance(end, Rooms)]
+        rooms = {room for end in ends for room in rooms_of(before, end, context)}
+        inside = {name for name, item in {**diff.removed, **diff.added}.items() if item.room in rooms}
+        inside |= {name for name, (old, new) in diff.moved.items() if {old.room, new.room} <= rooms}
+        return Finding("", inside | {n for n, (old, _) in diff.changed.items() if old.room in rooms}, rooms)
+    gone_to = diff.relocated()
+    firsts = [i for i in things_of(before, statement.one, context) if i.id in gone_to]
+    seconds = [i for i in things_of(before, statement.other, context) if i.id in gone_to]
+    pairs = [(a, b) for a in firsts for b in seconds if a.id != b.id]
+    for one, other in pairs:
+        new_one, new_other = gone_to[one.id], gone_to[other.id]
+        if _took(new_one, other) and _took(new_other, one):
+            ids = {one.id, other.id}
+            arrived = {new_one.id, new_other.id}
+            return Finding("", ids | arrived | carried_below(before, ids) | carried_below(after, arrived))
+    words = f"{_words(statement.one)} and {_words(statement.other)}"
+    return Finding(f"{words} have not changed places")
+
+
+def _words(end: object) -> str:
+    return thing_words(end) if hasattr(end, "noun") else ""  # type: ignore[arg-type]
+
+
+def _took(new: SceneObject, old: SceneObject) -> bool:
+    """Whether one object is where another was: near it on the same level and storey."""
+    same = new.room == old.room and (new.parent is None) == (old.parent is None)
+    return same and math.dist(new.position[:2], old.position[:2]) <= _CLOSE
+
+
+def check_turn(statement: Turn, before: SceneState, after: SceneState, context: Context, diff: Differences) -> Finding:
+    """Check that things stand where they stood and are turned as far, or to what, they should be."""
+    fitting = concerned(before, statement.things, context)
+    turned = [item for item in fitting if item.id in diff.moved]
+    low, high = numbers_meant(statement.things, fitting)
+    reason = ""
+    for old in turned:
+        new = diff.moved[old.id][1]
+        if math.dist(old.position, new.position) > 0.01 or old.room != new.room:
+            reason = f"{old.id} is not where it stood"
+        elif statement.facing is None:
+            off = (new.rotation - old.rotation - statement.degrees + 180.0) % 360.0 - 180.0
+            reason = "" if abs(off) <= 1.0 else f"{old.id} is turned by {new.rotation - old.rotation:g} degrees"
+        if reason:
+            break
+    if statement.facing is not None and not reason:
+        place = statement.facing.place
+        marks = things_of(before, statement.facing, context)
+        marks = marks if place is not None else [m for m in marks if m.room in {i.room for i in fitting}]
+        good = {i.id for i in fitting if any(_faces(after, i, mark) for mark in marks)}
+        if len(good) < max(1, low) or any(item.id not in good for item in turned):
+            reason = f"{thing_words(statement.things)} does not face {thing_words(statement.facing)}"
+    if not reason and (len(turned) > high or (statement.facing is None and len(turned) < low)):
+        reason = f"{len(turned)} of {len(fitting)} {thing_words(statement.things)} turned"
+    ids = {item.id for item in turned}
+    return Finding(reason, ids | carried_below(before, ids))
+
+
+def _faces(after: SceneState, item: SceneObject, mark: SceneObject) -> bool:
+    found = after.find(item.id)
+    return found is not None and item.id != mark.id and relation_holds(after, found[1], facing=mark.id)

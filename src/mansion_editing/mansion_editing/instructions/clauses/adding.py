@@ -1,0 +1,118 @@
+"""Things that are put somewhere, new or there before."""
+
+import msgspec
+
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood
+from mansion_editing.instructions.clauses.states import States, state_set
+from mansion_editing.instructions.phrases.word_sets import BACK_IN_PLACE
+from mansion_editing.instructions.phrases.words import STATE_WORDS
+from mansion_editing.instructions.statements import Add, Amount, Ensure, History, Mention, Place, Statement, Things
+
+__all__ = ["Adding"]
+
+
+class Adding(States):
+    """Reads ``put``, ``add``, ``bring``, ``give`` and ``set``."""
+
+    def _add(self, at: int, place: int) -> tuple[list[Statement], int]:
+        if self.text(place) in ("on", "off") and self.text(at) == "put":
+            return self._switch(at, place)
+        door = self._door_between(at, place)
+        if door is not None:
+            return door
+        place = self._fronted(place)
+        for_whom = self.text(place) in ("me", "us") and self.text(place + 1) != "to"
+        items = self.items(place + for_whom)
+        end = items[-1].end
+        back = self.text(end) == "back" or "back" in (w.text for w in self.words[at:place])
+        if back and len(items) == 1 and not items[0].places and (items[0].phrase.refers or items[0].phrase.definite):
+            end += self.text(end) == "back"
+            while self.text(end) in BACK_IN_PLACE:
+                end += 1
+            return [History(what="restore", things=items[0].things(), quote=self.quote(at, end))], end
+        verb = self.text(at)
+        if len(items) == 1 and verb in ("put", "leave") and self.text(end) in ("on", "off"):
+            state, value = STATE_WORDS[self.text(end)]
+            return [state_set(items[0].things(), state, self.quote(at, end + 1), value=value)], end + 1
+        if items[0].is_room and self.text(end) == "with":
+            return self._equip(at, place)
+        source_only = bool(items[0].places) and all(p.source for p in items[0].places)
+        if (
+            len(items) == 1
+            and self.text(at) in ("fetch", "bring", "get", "carry", "take")
+            and items[0].phrase.definite
+            and source_only
+        ):
+            self.topic = items[0].things()
+            return [Mention(quote=self.quote(at, end))], end
+        structure = self._new_core(items, at, end)
+        if structure is not None:
+            return [structure], end
+        if any(w.text in ("or", "either") for w in self.words[place:end]):
+            raise NotUnderstood(place, end)
+        items, further = self._places_after_places(items)
+        if any(item.is_room for item in items):
+            raise NotUnderstood(place, end)
+        out = [self._added(items, item, self.quote(at, end)) for item in items]
+        for extra in further:
+            out += [self._elsewhere(statement, extra) for statement in out[: len(items)]]
+        return self._with_companions(items[-1], out, at, end)
+
+    def _places_after_places(self, items: list[Item]) -> tuple[list[Item], list[Item]]:
+        """Tell further places from things: in ``a mug on the table and the desk`` the desk is a place."""
+        if items[0].phrase.definite:
+            return items, []
+        for at in range(1, len(items)):
+            bare = items[at - 1].places and not items[at].places
+            if bare and (items[at].is_room or items[at].phrase.definite):
+                return items[:at], items[at:]
+        return items, []
+
+    def _with_companions(self, item: Item, said: list[Statement], at: int, end: int) -> tuple[list[Statement], int]:
+        """Read what comes with new things: ``12 desks, each with a chair``, ``a tray with two mugs``."""
+        place = end + (self.text(end) == ",")
+        each = self.text(place) == "each"
+        place += each
+        main = said[-1]
+        if self.text(place) != "with" or not isinstance(main, Add | Ensure):
+            return said, end
+        try:
+            others = self.items(place + 1)
+        except NotUnderstood:
+            return said, end
+        stop = others[-1].end + (self.text(others[-1].end) == "each")
+        each = each or stop > others[-1].end
+        quote = self.quote(at, stop)
+        times = max(1, main.things.amount.number) if each else 1
+        out = [*said]
+        for other in others:
+            things = other.phrase.things()
+            number = max(1, things.amount.number) * times
+            things = msgspec.structs.replace(things, amount=Amount(kind=things.amount.kind, number=number))
+            where = other.goal()[0]
+            if where == Place():
+                on_it = not self.lexicon.stands(other.phrase.noun.words)
+                last = Things(refers="last", definite=True, amount=Amount(number=0))
+                where = Place(relation="on", anchor=last) if on_it else main.place
+            out.append(Add(things=things, place=where, quote=quote))
+        return out, stop
+
+    def _give(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``give the lobby two plants``; ``give me a chair`` asks for it."""
+        if self.text(place) in ("me", "us"):
+            return self._add(at, place + 1)
+        where = self.item(place)
+        if where is None:
+            raise NotUnderstood(at, self.boundary(at))
+        items = self.items(where.end)
+        end = items[-1].end
+        each = where.phrase.each or where.phrase.amount.kind == "all"
+        goal = self._receiver(where)
+        return [self._given(item, goal, self.quote(at, end), each=each) for item in items], end
+
+    def _set(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``set the table with eight plates``; otherwise as ``put``."""
+        where = self.item(place)
+        if where is not None and self.text(where.end) in ("with", ":", "for"):
+            return self._equip(at, place)
+        return self._add(at, place)

@@ -1,0 +1,100 @@
+"""Things and rooms that become other ones."""
+
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood
+from mansion_editing.instructions.clauses.moving import Moving
+from mansion_editing.instructions.clauses.sizes import Sizes
+from mansion_editing.instructions.clauses.wishes import Wishes
+from mansion_editing.instructions.phrases.word_sets import PROPERTIES
+from mansion_editing.instructions.statements import Furnish, Mention, Reshape, Statement
+
+__all__ = ["Changing"]
+
+
+class Changing(Wishes, Moving, Sizes):
+    """Reads ``change`` and ``make``."""
+
+    def _change(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``change the colour of the sofa to red``, ``change the sofa for an armchair``."""
+        start = place
+        if self.text(place) == "the" and self.text(place + 1) in PROPERTIES:
+            what = self.text(place + 1)
+            place += 2 + (self.text(place + 2) == "of")
+            if what == "name":
+                return self._rename(at, place)
+        found = self.items_or_surfaces(place)
+        if found is not None:
+            subject, end = found
+            if isinstance(subject, list):
+                goals = [p for p in subject[-1].places if self.words[p.start].text in ("to", "into", "for")]
+                end = goals[0].start if goals else end
+                subject = [Item(i.phrase, tuple(p for p in i.places if p.end <= end), end) for i in subject]
+            if self.text(end) in ("to", "into", "for"):
+                colour = self._colour_at(end + 1)
+                if (colour is not None and self.phrase(end + 1) is None) or (
+                    colour is not None and colour[2] >= len(self.words)
+                ):
+                    return self._painted(subject, colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+                if colour is not None and self.text(colour[2]) in (",", "and", "please", "."):
+                    return self._painted(subject, colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+                if isinstance(subject, list):
+                    new = self.phrase(end + 1)
+                    if new is not None and subject[0].phrase.noun.kind == "room":
+                        return self._furnish(at, place)
+                    return self._replaced_by(at, start, end)
+        joint = next((k for k in range(place, len(self.words)) if self.text(k) in ("with", "for", "to", "into")), None)
+        if joint is None:
+            raise NotUnderstood(at, self.boundary(at))
+        return self._replaced_by(at, place, joint)
+
+    def _make(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``make the cafeteria 10 m2 larger``, ``make the sofa red``, ``make sure``, ``make it two``."""
+        if self.text(place) in ("it", "this") and self.text(place + 1) in ("look", "so", "happen", "seem"):
+            end = self.boundary(place)
+            return [Mention(quote=self.quote(at, end))], end
+        surface = self._surface(place)
+        if surface is not None:
+            colour = self._colour_at(surface[1])
+            if colour is not None:
+                return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+        if self.text(place) == "it" and place + 1 < len(self.words) and self.words[place + 1].kind == "number":
+            return self._wanted(at, place + 1)
+        item = self.item(place)
+        if item is None:
+            raise NotUnderstood(at, self.boundary(at))
+        end = item.end
+        area = self._amount_of_area(end)
+        if area is not None:
+            value, absolute, stop = area
+            sign = 0.0
+            if self.text(stop) in ("larger", "bigger", "wider", "more", "greater"):
+                sign, stop = 1.0, stop + 1
+            elif self.text(stop) in ("smaller", "less", "narrower"):
+                sign, stop = -1.0, stop + 1
+            elif self.text(stop) in ("large", "big"):
+                stop += 1
+            rooms = item.rooms()
+            quote = self.quote(at, stop)
+            return [
+                Reshape(
+                    what="area", rooms=rooms, area=value * (sign or 1.0), absolute=absolute or not sign, quote=quote
+                )
+            ], stop
+        if self.text(end) in ("larger", "bigger", "smaller", "wider"):
+            sign = -1.0 if self.text(end) == "smaller" else 1.0
+            area = self._amount_of_area(end + 1)
+            if area is not None:
+                quote = self.quote(at, area[2])
+                change = Reshape(what="area", rooms=item.rooms(), area=sign * area[0], absolute=area[1], quote=quote)
+                return [change], area[2]
+            raise NotUnderstood(at, self.boundary(at))
+        colour = self._colour_at(end)
+        if colour is not None:
+            return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+        found = self._predicate(item, end, at)
+        if found is not None:
+            return found
+        kind = self.phrase(end)
+        if kind is not None and kind.noun.kind in ("room", "both") and item.phrase.noun.kind in ("room", "both"):
+            words = " ".join((*filter(None, [kind.noun.owned]), *kind.noun.words))
+            return [Furnish(rooms=item.rooms(), kind=words, quote=self.quote(at, kind.end))], kind.end
+        raise NotUnderstood(at, self.boundary(at))

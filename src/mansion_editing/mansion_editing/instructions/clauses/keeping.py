@@ -1,0 +1,93 @@
+"""What is left as it is, or kept in a state."""
+
+from mansion_editing.instructions.clauses.adding import Adding
+from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.wishes import Wishes
+from mansion_editing.instructions.phrases.word_sets import ALL_THE_REST, KEPT_AS_IT_IS, LEFT_ALONE, LEFT_AS_IT_IS
+from mansion_editing.instructions.phrases.words import STATE_WORDS
+from mansion_editing.instructions.statements import Keep, Mention, Statement
+
+__all__ = ["Keeping"]
+
+
+class Keeping(Wishes, Adding):
+    """Reads ``leave``, ``keep`` and ``let``."""
+
+    def _leave(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``leave the sofa alone``, ``leave the door open``, ``leave two mugs on the desk``."""
+        if self.text(place) == "nothing":
+            nothing = self._nothing(place)
+            if nothing is not None:
+                return nothing
+        rest = place
+        while self.text(rest) in ALL_THE_REST:
+            rest += 1
+        if rest > place and self.text(rest) in LEFT_ALONE:
+            while self.text(rest) in LEFT_AS_IT_IS:
+                rest += 1
+            return [Mention(quote=self.quote(at, rest))], rest
+        items = self.items(place)
+        end = items[-1].end
+        item = items[0]
+        end += self.text(end) in ("inside", "there", "here")
+        if self.text(end) in STATE_WORDS or (
+            self.text(end) in ("switched", "turned") and self.text(end + 1) in STATE_WORDS
+        ):
+            end += self.text(end) in ("switched", "turned")
+            state, value = STATE_WORDS[self.text(end)]
+            quote = self.quote(at, end + 1)
+            return [self._state_of(items, i, state, (), quote, value=value) for i in items], end + 1
+        alone = end
+        while self.text(alone) in KEPT_AS_IT_IS:
+            alone += 1
+        if alone > end or (item.phrase.definite and not any(p.place.relation for p in item.places)):
+            quote = self.quote(at, alone)
+            return [Keep(things=self._all(i.things()), quote=quote) for i in items if not i.is_room], alone
+        return self._add(at, place)
+
+    def _keep(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``keep the door closed``, ``keep the sofa``, ``keep the desk free of mugs``."""
+        item = self.item(place)
+        if item is None:
+            raise NotUnderstood(at, self.boundary(at))
+        if self._is_way(item.phrase):
+            return self._way(at, item.phrase.end)
+        found = (
+            self._predicate(item, item.end, at)
+            if self.text(item.end) in STATE_WORDS or self.predicate_follows(item.end)
+            else None
+        )
+        if found is not None:
+            return found
+        if (item.phrase.definite or item.phrase.refers) and self.text(item.end) not in (
+            "as",
+            "where",
+            "alone",
+            "untouched",
+        ):
+            items = self.items(place)
+            quote = self.quote(at, items[-1].end)
+            return [Keep(things=self._all(i.things()), quote=quote) for i in items if not i.is_room], items[-1].end
+        if item.phrase.definite or item.phrase.refers:
+            return self._leave(at, place)
+        if not item.phrase.definite:
+            items = self.items(place)
+            quote = self.quote(at, items[-1].end)
+            return [s for i in items for s in self._there(i, self._shared_goal(items, i), quote)], items[-1].end
+        raise NotUnderstood(at, self.boundary(at))
+
+    def _let(self, at: int, place: int) -> tuple[list[Statement], int]:
+        if self.text(place) in ("us", "me"):
+            return self.read(place + 1)
+        if self.text(place) == "there":
+            found = self._existential(place)
+            if found is not None:
+                return found
+        item = self.item(place)
+        if item is not None:
+            found = self._predicate(item, item.end, at)
+            if found is not None:
+                return found
+            if self.text(item.end) in ("stay", "remain", "be"):
+                return self._leave(at, place)
+        raise NotUnderstood(at, self.boundary(at))

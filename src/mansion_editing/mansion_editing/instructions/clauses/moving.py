@@ -1,0 +1,105 @@
+"""Things that move, change places with others, or make way for others."""
+
+import msgspec
+
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
+from mansion_editing.instructions.clauses.outcomes import Outcomes
+from mansion_editing.instructions.phrases.places import read_place, with_place
+from mansion_editing.instructions.statements import Add, Move, Place, Replace, Rooms, Statement, Swap
+
+__all__ = ["Moving"]
+
+
+class Moving(Outcomes):
+    """Reads ``move``, ``swap`` and ``replace``."""
+
+    def _move(self, at: int, place: int) -> tuple[list[Statement], int]:
+        items = self.items(place)
+        end = items[-1].end
+        if any(item.is_room for item in items):
+            raise NotUnderstood(place, end)
+        if (
+            self.text(end) in ("and", ",", "then")
+            and read_place(self.words, end + 1, self.lexicon, self.floors) is not None
+        ):
+            more, end = self.places(end + 1)
+            items = [*items[:-1], Item(items[-1].phrase, (*items[-1].places, *more), end)]
+        goal_of = [p for p in items[-1].places if not p.source]
+        if not goal_of:
+            raise NotUnderstood(at, self.boundary(at))
+        out: list[Statement] = []
+        quote = self.quote(at, end)
+        for item in items:
+            own = item.places or items[-1].places
+            source, goal, _ = self._source_and_goal(own)
+            if goal == Place():
+                raise NotUnderstood(at, end)
+            things = item.phrase.things()
+            if source != Place():
+                things = with_place(things, source)
+            out.append(Move(things=self._all_if_plural(things), place=goal, quote=quote))
+        return out, end
+
+    def _swap(self, at: int, place: int) -> tuple[list[Statement], int]:
+        items = self.items(place)
+        end = items[-1].end
+        quote = self.quote(at, end)
+        if len(items) == 2 and items[0].is_room and items[1].is_room:
+            return [Swap(one=items[0].rooms(), other=items[1].rooms(), quote=quote)], end
+        if len(items) == 1 and items[0].is_room and self.text(end) == ":":
+            named = self.items(end + 1)
+            if len(named) == 2:
+                quote = self.quote(at, named[1].end)
+                return [Swap(one=named[0].rooms(), other=named[1].rooms(), quote=quote)], named[1].end
+        if len(items) == 1 and items[0].is_room and items[0].phrase.amount.number == 2:
+            return [Swap(one=items[0].rooms(), other=Rooms(same=True), quote=quote)], end
+        joint = next((k for k in range(place, len(self.words)) if self.text(k) in ("for", "with", "by", "to", "against")
+                      and self.phrase(k + 1) is not None), None)  # fmt: skip
+        if len(items) == 1 and joint is not None:
+            return self._replaced_by(at, place, joint)
+        if len(items) == 2:
+            one, other = items
+            shared = other.places and not one.places
+            first = (
+                one.things() if not shared else with_place(one.phrase.things(), joined_places(list(other.places))[0])
+            )
+            return [Swap(one=first, other=other.things(), quote=quote)], end
+        raise NotUnderstood(at, self.boundary(at))
+
+    def _replaced_by(self, at: int, place: int, joint: int) -> tuple[list[Statement], int]:
+        """Read ``X with Y``: an exchange of places where both are there, else something new for something old."""
+        before = self.until(joint)
+        old = before.items(place)
+        self.last_noun = old[-1].phrase.noun
+        new = self.items(joint + 1)
+        end = new[-1].end
+        quote = self.quote(at, end)
+        if len(old) == 1 and len(new) == 1 and old[0].is_room and new[0].is_room:
+            return [Swap(one=old[0].rooms(), other=new[0].rooms(), quote=quote)], end
+        swapped = self.text(at) in ("swap", "exchange", "trade", "interchange")
+        if swapped and len(new) == 1 and new[0].phrase.definite and not new[0].phrase.refers:
+            return [Swap(one=old[0].things(), other=new[0].things(), quote=quote)], end
+        out: list[Statement] = []
+        for item in old:
+            things = item.things()
+            for other in new:
+                if other.places:
+                    things = with_place(things, joined_places(list(other.places))[0]) if not item.places else things
+            place_, _ = self._framed((things.place or Place(), False))
+            things = msgspec.structs.replace(things, place=place_ if place_ != Place() else None)
+            out += [
+                Replace(things=self._all_if_plural(things), by=other.phrase.things(), quote=quote) for other in new[:1]
+            ]
+            out += [Add(things=other.phrase.things(), place=things.place or Place(), quote=quote) for other in new[1:]]
+        return out, end
+
+    def _replace(self, at: int, place: int) -> tuple[list[Statement], int]:
+        joint = next((k for k in range(place, len(self.words)) if self.text(k) in ("with", "by", "for")), None)
+        if joint is None:
+            raise NotUnderstood(at, self.boundary(at))
+        if self.text(at) == "substitute" and self.text(joint) == "for":
+            new = self.until(joint).items(place)
+            old = self.items(joint + 1)
+            quote = self.quote(at, old[-1].end)
+            return [Replace(things=old[0].things(), by=new[0].phrase.things(), quote=quote)], old[-1].end
+        return self._replaced_by(at, place, joint)

@@ -1,0 +1,192 @@
+"""What items with their places amount to: things that are there, new, given, gone or elsewhere."""
+
+from collections.abc import Sequence
+
+import msgspec
+
+from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.sentence import Sentence
+from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
+from mansion_editing.instructions.phrases.word_sets import NO_FRONTED_PLACES
+from mansion_editing.instructions.statements import Add, Amount, Clear, Ensure, Move, Place, Remove, Statement, Things
+
+__all__ = ["Outcomes", "named_as"]
+
+
+class Outcomes(Sentence):
+    """Makes statements of items and the places that are said of them."""
+
+    def _shared_goal(self, items: Sequence[Item], item: Item) -> tuple[Place, bool]:
+        """Return where a thing of several goes: its own place, else the next one's, else the last before it."""
+        at = items.index(item)
+        if items[at].places:
+            return items[at].goal()
+        for other in (*items[at:], *reversed(items[:at])):
+            goal = other.goal()
+            if goal[0].anchor is not None or goal[0].rooms is not None:
+                return goal
+        return Place(), False
+
+    def _source_and_goal(self, places: Sequence[ReadPlace]) -> tuple[Place, Place, bool]:
+        """Return where things come from and where they go: the goal begins with ``to``, or is the last place."""
+        explicit = next((k for k, p in enumerate(places) if p.goal), None)
+        told = max((k for k, p in enumerate(places) if p.relative), default=-1)
+        if explicit is None and 0 <= told < len(places) - 1:
+            explicit = told + 1
+        leaving = next((k for k, p in enumerate(places) if p.source), None)
+        if explicit is None:
+            related = [
+                k for k, p in enumerate(places) if not p.source and (p.place.relation or p.place.spot or p.place.facing)
+            ]
+            anew = [
+                k for k, p in enumerate(places) if not p.source and p.place.rooms is not None and p.place.rooms.words
+            ]
+            explicit = (
+                related[-1]
+                if related
+                else anew[-1]
+                if anew
+                else max((k for k, p in enumerate(places) if not p.source), default=0)
+            )
+            if leaving is not None and leaving > explicit:
+                explicit = min(k for k, p in enumerate(places) if not p.source)
+        if leaving is not None and leaving > explicit:
+            goal, each = joined_places(places[explicit:leaving])
+            source, _ = joined_places([*places[:explicit], *places[leaving:]])
+        else:
+            goal, each = joined_places(places[explicit:])
+            source, _ = joined_places(places[:explicit])
+        return source, goal, each
+
+    def _there(self, item: Item, shared: tuple[Place, bool], quote: str, *, negated: bool = False) -> list[Statement]:
+        """Return that things are at a place, or are not."""
+        amount = item.phrase.amount
+        goal, each = self._framed(shared)
+        things = item.phrase.things()
+        if amount.kind == "fewer":
+            fewer = msgspec.structs.replace(things, amount=Amount(number=amount.number), plural=False)
+            return [Remove(things=with_place(fewer, goal) if goal != Place() else fewer, quote=quote)]
+        if negated and amount.kind == "at_most":
+            negated = False
+        if amount.kind == "none" or negated:
+            gone = with_place(things, goal) if goal != Place() else things
+            return [Remove(things=msgspec.structs.replace(gone, amount=Amount(kind="all", number=0)), quote=quote)]
+        if item.phrase.definite and item.phrase.noun.kind != "anything":
+            return [Move(things=things, place=goal, or_new=True, quote=quote)]
+        return [Ensure(things=things, place=goal, each=each, quote=quote)]
+
+    def _added(self, items: Sequence[Item], item: Item, quote: str) -> Statement:
+        """Return the statement of ``put X at Y``: a move of what is there, else something new."""
+        goal, each = self._framed(self._shared_goal(items, item))
+        phrase = item.phrase
+        shared = item.places or not any(other.places for other in items)
+        source = joined_places([p for p in item.places if p.source])[0] if shared else Place()
+        if any(p.relative or p.goal for p in item.places) and (phrase.definite or phrase.refers):
+            source, goal, each = self._source_and_goal(item.places)
+            goal, each = self._framed((goal, each))
+        moved = (
+            phrase.definite
+            or (phrase.refers and phrase.amount.kind != "more")
+            or source != Place()
+            or phrase.amount.kind in ("all", "all_but")
+        )
+        if not moved:
+            if phrase.amount.kind in ("exactly", "at_least", "at_most"):
+                return Ensure(things=phrase.things(), place=goal, each=each, quote=quote)
+            return Add(things=phrase.things(), place=goal, each=each, quote=quote)
+        things = phrase.things()
+        if source != Place():
+            things = with_place(things, self._framed((source, False))[0] if source.rooms is None else source)
+        return Move(things=things, place=goal, or_new=source == Place() and not phrase.refers, quote=quote)
+
+    def _elsewhere(self, statement: Statement, where: Item) -> Statement:
+        """Return the same at another place."""
+        old = getattr(statement, "place", Place())
+        if where.is_room or (where.phrase.noun.kind == "both" and old.anchor is None):
+            place = msgspec.structs.replace(old, rooms=where.rooms())
+        else:
+            place = Place(relation=old.relation or "on", anchor=where.phrase.things())
+        return msgspec.structs.replace(statement, place=place)
+
+    def _brought(self, item: Item, places: Sequence[ReadPlace], quote: str) -> Statement:
+        """Return that a subject, with the place where it is, goes to other places."""
+        whole = Item(item.phrase, tuple(places), item.end)
+        if not item.places:
+            return self._added([whole], whole, quote)
+        source, _ = self._framed(joined_places(list(item.places)))
+        goal, _ = self._framed(joined_places([p for p in places if not p.source]))
+        things = with_place(item.phrase.things(), source)
+        return Move(things=self._all_if_plural(things), place=goal, quote=quote)
+
+    def _receiver(self, where: Item) -> Place:
+        """Return the place of what is given to a room or to furniture."""
+        if where.is_room or (where.phrase.noun.kind == "both" and self.lexicon.is_own_room(where.phrase.noun.words)):
+            return Place(rooms=where.rooms())
+        place, _ = joined_places(list(where.places))
+        return merged(Place(relation="on", anchor=where.phrase.things()), place)
+
+    def _given(self, item: Item, goal: Place, quote: str, *, each: bool) -> Statement:
+        own = item.goal()[0]
+        place = goal if own == Place() else merged(own, goal)
+        if place.relation == "on" and place.anchor is not None and self.lexicon.stands(item.phrase.noun.words):
+            place = msgspec.structs.replace(place, relation="around" if item.phrase.plural else "beside")
+        if item.phrase.amount.kind in ("exactly", "at_least", "at_most"):
+            return Ensure(things=item.phrase.things(), place=place, each=each, quote=quote)
+        return Add(things=item.phrase.things(), place=place, each=each, quote=quote)
+
+    def _removed(
+        self, items: Sequence[Item], item: Item, more: Sequence[ReadPlace], besides: tuple[Things, ...], quote: str
+    ) -> Statement:
+        at = items.index(item)
+        own = item.places or next((other.places for other in (*items[at:], *reversed(items[:at])) if other.places), ())
+        place, _ = self._framed(joined_places([*own, *more]))
+        things = item.phrase.things()
+        number = next((b.amount.number for b in besides if b.refers == "last" and b.amount.number), 0)
+        if number and things.amount.kind == "all":
+            things = msgspec.structs.replace(things, amount=Amount(kind="all_but", number=number))
+            besides = ()
+        told = next((b.place for b in besides if b.place is not None), None)
+        if place == Place() and told is not None:
+            place = told
+        if things.noun == "" and not things.refers:
+            return Clear(place=place, spare=besides, quote=quote)
+        if item.phrase.amount.kind == "some" and item.phrase.amount.number == 0 and item.phrase.plural:
+            things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
+        things = msgspec.structs.replace(things, beside=tuple(named_as(one, things.noun) for one in besides))
+        return Remove(things=with_place(things, place) if place != Place() else things, quote=quote)
+
+    def _emptied(self, item: Item) -> Place:
+        """Return a place that is to be empty: a room, or on and in furniture."""
+        if item.is_room or (item.phrase.noun.kind == "both" and not item.places):
+            return Place(rooms=item.rooms())
+        where, _ = joined_places(list(item.places))
+        return Place(relation="on", anchor=item.phrase.things(), rooms=where.rooms)
+
+    def _gone_from(self, where: Item, gone: Sequence[Item], quote: str) -> list[Statement]:
+        out: list[Statement] = []
+        place = self._emptied(where)
+        for item in gone:
+            things = item.phrase.things()
+            if not things.noun and not things.refers:
+                out.append(Clear(place=place, quote=quote))
+            else:
+                whole = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
+                out.append(Remove(things=with_place(whole, place), quote=quote))
+        return out
+
+    def _fronted(self, place: int) -> int:
+        """Read a place before the object ("put on the desk two mugs") into the frame."""
+        read = read_place(self.words, place, self.lexicon, self.floors)
+        if read is None or self.text(place) in NO_FRONTED_PLACES:
+            return place
+        following, end = self.places(place)
+        end += self.text(end) == ","
+        if self.phrase(end) is None:
+            return place
+        self.frame, _ = joined_places(following)
+        return end
+
+
+def named_as(spared: Things, noun: str) -> Things:
+    """Return an exception without a noun as one of the kind that it is excepted from."""
+    return msgspec.structs.replace(spared, noun=noun) if not spared.noun and not spared.refers else spared

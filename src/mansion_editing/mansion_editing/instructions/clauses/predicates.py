@@ -1,0 +1,277 @@
+"""What is said of a subject: that it is on, gone, red, on the desk, or has something."""
+
+import msgspec
+
+from mansion_editing.instructions.clauses.colours import Colours
+from mansion_editing.instructions.clauses.items import Item
+from mansion_editing.instructions.clauses.states import States
+from mansion_editing.instructions.clauses.ways import Ways
+from mansion_editing.instructions.phrases.places import merged, with_place
+from mansion_editing.instructions.phrases.word_sets import (
+    BEFORE_PREDICATES,
+    BEING_SOMEWHERE,
+    FAILING,
+    PRAISE,
+    STAYING_AS_IT_IS,
+    WANTING,
+)
+from mansion_editing.instructions.phrases.words import BE, HAVE, MODALS
+from mansion_editing.instructions.statements import (
+    Amount,
+    Clear,
+    Ensure,
+    Furnish,
+    Keep,
+    Mention,
+    Move,
+    Place,
+    Reach,
+    Remove,
+    Rename,
+    Replace,
+    Rooms,
+    SetState,
+    Statement,
+    Things,
+    Turn,
+)
+
+__all__ = ["Predicates"]
+
+
+class Predicates(States, Colours, Ways):
+    """Reads predicates."""
+
+    def _predicate(self, item: Item, end: int, at: int) -> tuple[list[Statement], int] | None:
+        """Read what is said of a subject."""
+        place = end
+        while self._is_before_predicate(place, end):
+            place += 1
+        negated = any(word.text in ("not", "never", "no") for word in self.words[end:place])
+        for reader in (self._said_state, self._said_participle, self._said_having, self._said_gone, self._said_where,
+                       self._said_colour, self._said_good):  # fmt: skip
+            found = reader(item, place, at, negated)
+            if found is not None:
+                return found
+        return None
+
+    def _is_before_predicate(self, at: int, end: int) -> bool:
+        """Whether a word between a subject, whose end is given, and what is said of it only joins them."""
+        word = self.text(at)
+        if not (word in MODALS or word in BEFORE_PREDICATES or word in BE - {"stay", "remain"}):
+            return False
+        having = word in ("has", "have", "get") and self.text(at + 1) not in ("to", "be")
+        if having and self._participle(at + 1) is None:
+            return False
+        if word in ("to", "only", "just", "no", "all", "both") and self.phrase(at + 1) is not None:
+            return word == "to" and self.text(at - 1) not in BE and at != end
+        return True
+
+    def _said_state(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        found = self._state_after(item, place, at)
+        if found is None:
+            return None
+        said, end = found
+        if negated:
+            turned = [s for s in said if isinstance(s, SetState)]
+            said = [msgspec.structs.replace(s, value=not s.value) for s in turned]
+        return said, end
+
+    def _said_participle(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        found = self._participle(place)
+        if found is None:
+            return None
+        deed, after = found
+        if deed == "remove" and not negated:
+            places, end = self.places(after)
+            things = self._all_if_plural(Item(item.phrase, (*item.places, *places), end).things())
+            return [Remove(things=things, quote=self.quote(at, end))], end
+        if deed == "clear" and not negated:
+            if self.text(after) in ("of", "from"):
+                gone = self.items(after + 1)
+                return self._gone_from(item, gone, self.quote(at, gone[-1].end)), gone[-1].end
+            after += self.text(after) in ("up", "out", "off")
+            after, spare = self.exceptions(after)
+            return [Clear(place=self._emptied(item), spare=spare, quote=self.quote(at, after))], after
+        if negated:
+            return None
+        if deed == "move" and self.text(after) == ":":
+            self.topic = item.things()
+            return [Mention(quote=self.quote(at, after))], after
+        if deed in ("move", "add"):
+            places, end = self.places(after)
+            if places or self.text(after) in ("there", "instead"):
+                whole = Item(item.phrase, (*item.places, *places), end)
+                if deed == "move":
+                    source, goal, _ = self._source_and_goal(whole.places)
+                    things = item.phrase.things() if source == Place() else with_place(item.phrase.things(), source)
+                    return [Move(things=self._all_if_plural(things), place=goal, quote=self.quote(at, end))], end
+                return [self._added([whole], whole, self.quote(at, end))], end
+            return [self._added([item], item, self.quote(at, after))], after
+        if deed == "replace" and self.text(after) in ("with", "by"):
+            new = self.items(after + 1)
+            quote = self.quote(at, new[-1].end)
+            return [Replace(things=self._all_if_plural(item.things()), by=new[0].phrase.things(), quote=quote)], new[
+                -1
+            ].end
+        if deed == "paint":
+            colour = self._colour_at(after)
+            if colour is not None:
+                return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+        if deed == "equip" and self.text(after) == "with":
+            new = self.items(after + 1)
+            quote = self.quote(at, new[-1].end)
+            goal = self._receiver(item)
+            return [self._given(n, goal, quote, each=item.phrase.each) for n in new], new[-1].end
+        if deed == "rename":
+            after += self.text(after) in ("to", "as")
+            name, stop = self._name(after)
+            return [Rename(room=item.rooms(), name=name, quote=self.quote(at, stop))], stop
+        if deed == "furnish" and self.text(after) in ("as", "into", "like"):
+            kind = self.phrase(after + 1)
+            if kind is not None:
+                words = " ".join((*filter(None, [kind.noun.owned]), *kind.noun.words))
+                return [Furnish(rooms=item.rooms(), kind=words, quote=self.quote(at, kind.end))], kind.end
+        return None
+
+    def _said_having(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``needs two chairs``, ``should have a clock``, ``must not contain any knives``."""
+        word = self.text(place)
+        if word == "do" and self.text(place + 1) == "with":
+            return self._said_having(item, place + 1, at, negated)
+        if word in ("has", "have") and self.text(place + 1) == "no" and self.text(place + 2) in ("business", "place"):
+            places, end = self.places(place + 3 + (self.text(place + 3) == "being"))
+            gone = Item(item.phrase, (*item.places, *places), end).things()
+            return [Remove(things=self._all_if_plural(gone), quote=self.quote(at, end))], end
+        if (
+            word not in HAVE
+            and word not in ("carry", "bear", "store")
+            and not (word == "with" and self.text(place - 1) == "do")
+            and word not in WANTING
+        ):
+            return None
+        if self.text(place + 1) == "to":
+            return None
+        new = self.items(place + 1)
+        if self._is_way(new[0].phrase):
+            return self._way(at, new[0].phrase.end)
+        end = new[-1].end
+        while self.text(end) in ("on", "in", "inside") and self.text(end + 1) in ("it", "them", "there"):
+            end += 2
+        goal = self._receiver(item)
+        quote = self.quote(at, end)
+        if negated:
+            return self._gone_from(item, new, quote), end
+        each = item.phrase.each or item.phrase.amount.kind == "all" or (item.phrase.plural and item.phrase.definite)
+        out: list[Statement] = []
+        for thing in new:
+            own = thing.goal()[0]
+            where = goal if own == Place() else merged(own, goal)
+            if thing.phrase.amount.kind == "none":
+                out += self._gone_from(item, [thing], quote)
+            elif thing.phrase.amount.kind == "more" or word in ("need", "require", "get", "lack", "deserve", "miss"):
+                out.append(self._given(thing, goal, quote, each=each))
+            else:
+                out.append(Ensure(things=thing.phrase.things(), place=where, each=each, quote=quote))
+        return out, end
+
+    def _said_gone(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``must go``, ``should disappear``, ``goes``."""
+        word = self.text(place)
+        if word in ("stay", "remain") or (word == "be" and self.text(place + 1) == "left"):
+            end = place + 1
+            places, after = self.places(end)
+            end = after if places and not any(p.goal for p in places) else end
+            while self.text(end) in STAYING_AS_IT_IS:
+                end += 1
+            kept = Item(item.phrase, (*item.places, *(places if end == after else ())), end)
+            return [Keep(things=self._all(kept.things()), quote=self.quote(at, end))], end
+        if word in ("go", "disappear", "vanish", "leave") and not negated:
+            places, end = self.places(place + 1)
+            if not places:
+                end += self.text(end) in ("away",)
+                return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, end))], end
+            return [self._brought(item, places, self.quote(at, end))], end
+        if word in BEING_SOMEWHERE and not negated:
+            places, end = self.places(place + 1)
+            if places:
+                return [self._brought(item, places, self.quote(at, end))], end
+        return None
+
+    def _said_where(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``should be on the desk``, ``should be reachable from the lobby``."""
+        if self.text(place) in ("reachable", "accessible", "reached", "connected"):
+            start: Things | Rooms | None = None
+            end = place + 1
+            if self.text(end) in ("from", "to"):
+                found = self._end_of_way(end + 1)
+                if found is not None:
+                    start, end = found
+            goal = item.rooms() if item.phrase.noun.kind in ("room", "both") else item.things()
+            return [Reach(start=start, end=goal, quote=self.quote(at, end))], end
+        if place == item.end:
+            return None
+        places, end = self.places(place)
+        if not places:
+            return None
+        quote = self.quote(at, end)
+        if negated:
+            things = Item(item.phrase, places, end).things()
+            if item.phrase.amount.kind in ("some",) and not item.phrase.definite:
+                things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
+            return [Remove(things=things, quote=quote)], end
+        whole = Item(item.phrase, places, end)
+        if item.phrase.definite or item.phrase.refers:
+            return [self._brought(item, places, quote)], end
+        return self._there(whole, whole.goal(), quote), end
+
+    def _said_good(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        """Read ``a mug would be nice``, and ``the desk is too bare``, which tells what comes next is about."""
+        if self.text(place) in PRAISE:
+            if negated or not any(w.text in MODALS for w in self.words[item.end : place]):
+                return None
+            return self._there(item, item.goal(), self.quote(at, place + 1)), place + 1
+        if self.text(place) in ("face", "facing"):
+            goal = self.item(place + 1)
+            if goal is not None and not goal.is_room:
+                quote = self.quote(at, goal.end)
+                return [Turn(things=self._all_if_plural(item.things()), facing=goal.things(), quote=quote)], goal.end
+        verb = self.words[item.end].raw if item.end < len(self.words) else ""
+        if verb in FAILING and place == item.end:
+            self.topic = item.things()
+            return [Mention(quote=self.quote(at, place + 1))], place + 1
+        if self.text(item.end) not in ("is", "are", "look", "seem", "feel") or any(
+            w.text in MODALS for w in self.words[item.end : place]
+        ):
+            return None
+        stop = item.end + 1
+        while (
+            stop < len(self.words)
+            and self.words[stop].kind == "word"
+            and self.text(stop) not in ("and", "but", "so")
+            and stop < item.end + 6
+        ):
+            stop += 1
+        told = self.words[item.end + 1 : stop]
+        named = any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in told)
+        scarce = {"enough", "sufficient"} & {w.text for w in told}
+        if (
+            not told
+            or named
+            or (negated and not scarce)
+            or (stop < len(self.words) and self.words[stop].kind == "number")
+        ):
+            return None
+        if item.is_room:
+            self.frame = Place(rooms=item.rooms())
+        else:
+            self.topic = item.things()
+        return [Mention(quote=self.quote(at, stop))], stop
+
+    def _said_colour(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
+        if negated or place == item.end:
+            return None
+        colour = self._colour_at(place)
+        if colour is None:
+            return None
+        return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]

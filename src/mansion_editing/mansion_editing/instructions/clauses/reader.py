@@ -1,0 +1,91 @@
+"""The clause at a place: by its verb, its predicate, or its things alone."""
+
+from collections.abc import Callable
+
+from mansion_editing.instructions.clauses.changing import Changing
+from mansion_editing.instructions.clauses.history import PastSteps
+from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.keeping import Keeping
+from mansion_editing.instructions.clauses.taking import Taking
+from mansion_editing.instructions.phrases.verb_words import Deed
+from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.statements import Place, Statement
+
+__all__ = ["ClauseReader"]
+
+
+class ClauseReader(Keeping, Changing, Taking, PastSteps):
+    """Reads the clauses of one sentence."""
+
+    def read(self, at: int) -> tuple[list[Statement], int]:
+        """Read the clause at a place.
+
+        Raises
+        ------
+        NotUnderstood
+            Where the words make no clause.
+        """
+        if self.words[at].kind == "ordinal" and verb_at(self.words, at + 1, self.lexicon) is not None:
+            at += 1
+        if self.words[at].kind == "ordinal" and self.text(at + 1) == "," and self.starts_clause(at + 2):
+            at += 2
+        if self.text(at) in ("only", "just", "to") and verb_at(self.words, at + 1, self.lexicon) is not None:
+            at += 1
+        if at >= len(self.words):
+            raise NotUnderstood(len(self.words) - 1, len(self.words))
+        for opening in (self._negated, self._existential, self._going, self._desired, self._of_persons, self._with_verb,
+                        self._with_predicate):  # fmt: skip
+            found = opening(at)
+            if found is not None:
+                return found
+        return self._verbless(at)
+
+    def _with_verb(self, at: int) -> tuple[list[Statement], int] | None:
+        verb = verb_at(self.words, at, self.lexicon)
+        if verb is None:
+            return None
+        deed, place = verb
+        readers: dict[Deed, Callable[[int, int], tuple[list[Statement], int]]] = {
+            "add": self._add, "bring": self._add, "remove": self._remove, "clear": self._clear, "move": self._move,
+            "swap": self._swap, "replace": self._replace, "switch": self._switch, "open": self._open,
+            "close": self._close, "start": self._start, "stop": self._stop, "paint": self._paint,
+            "rename": self._rename, "furnish": self._furnish, "equip": self._equip, "enlarge": self._enlarge,
+            "shrink": self._shrink, "make": self._make, "turn": self._rotate, "check": self._check, "undo": self._undo,
+            "redo": self._undo, "restore": self._restore, "leave": self._leave, "tidy": self._tidy, "keep": self._keep,
+            "let": self._let, "change": self._change, "give": self._give, "take": self._take, "go": self._go,
+            "set": self._set, "want": self._want, "repeat": self._repeat, "connect": self._connect, "use": self._use,
+        }  # fmt: skip
+        reader = readers.get(deed)
+        if reader is None:
+            return None
+        return reader(at, place)
+
+    def _verbless(self, at: int) -> tuple[list[Statement], int]:
+        """Read things with their places and no verb: ``three apples in a bowl on the table``."""
+        items = self.items(at)
+        if self._is_way(items[0].phrase):
+            return self._way(at, items[0].phrase.end)
+        end = items[-1].end
+        out: list[Statement] = []
+        found = self._state_after(items[-1], end, at) if len(items) == 1 else None
+        if found is not None:
+            return found
+        if any(item.is_room for item in items):
+            raise NotUnderstood(at, self.boundary(at))
+        if items[0].phrase.definite and not self.follows and self.text(end) not in ("out", "away", "gone"):
+            raise NotUnderstood(at, end)
+        if self.text(end) in ("out", "away", "gone"):
+            quote = self.quote(at, end + 1)
+            return [self._removed(items, item, (), (), quote) for item in items], end + 1
+        if not any(item.places for item in items) and self.frame == Place():
+            kinds = {item.phrase.amount.kind for item in items}
+            if not kinds & {"more", "fewer", "none", "exactly"}:
+                raise NotUnderstood(at, end)
+        quote = self.quote(at, end)
+        out = []
+        for item in items:
+            if item.phrase.amount.kind == "more":
+                out.append(self._added(items, item, quote))
+            else:
+                out += self._there(item, self._shared_goal(items, item), quote)
+        return out, end

@@ -1,0 +1,68 @@
+"""Things that go, and rooms and furniture that are cleared."""
+
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood
+from mansion_editing.instructions.clauses.moving import Moving
+from mansion_editing.instructions.phrases.word_sets import AWAY
+from mansion_editing.instructions.statements import Clear, Mention, Statement
+
+__all__ = ["Removing"]
+
+
+class Removing(Moving):
+    """Reads ``remove``, ``clear`` and ``tidy``."""
+
+    def _remove(self, at: int, place: int) -> tuple[list[Statement], int]:
+        taking = self.text(at) in ("take", "pull", "move", "put")
+        if self.text(place) in ("from", "out", "off") and not taking:
+            place = self._fronted(place)
+        items = self.items(place)
+        end = items[-1].end
+        if taking and any(p.goal and not p.source for p in items[-1].places):
+            return self._move(at, place)
+        while self.text(end) in AWAY:
+            end += 1
+        more, end = self.places(end)
+        end, besides = self.exceptions(end)
+        late, end = self.places(end + 1) if besides and self.text(end) == "," else ((), end)
+        more = (*more, *late)
+        out: list[Statement] = []
+        quote = self.quote(at, end)
+        for item in items:
+            if item.is_room:
+                raise NotUnderstood(place, end)
+            out.append(self._removed(items, item, more, besides, quote))
+        return out, end
+
+    def _clear(self, at: int, place: int) -> tuple[list[Statement], int]:
+        place += self.text(place) in ("up", "out", "off", "away")
+        items = self.items(place)
+        end = items[-1].end
+        item = items[0]
+        comes_from = any(p.source or p.place.relation in ("on", "in") for p in item.places)
+        if item.phrase.noun.kind == "anything" or (comes_from and not item.is_room and item.phrase.plural):
+            return self._remove(at, place)
+        if self.text(end) == "of" or (
+            item.places and item.places[-1].start and self.words[item.places[-1].start].text == "of"
+        ):
+            return self._cleared_of(at, item)
+        while self.text(end) in ("up", "out", "off", "completely", "totally", "entirely"):
+            end += 1
+        end, spare = self.exceptions(end)
+        quote = self.quote(at, end)
+        return [Clear(place=self._emptied(each), spare=spare, quote=quote) for each in items], end
+
+    def _tidy(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``tidy the hall``, which by itself asks for nothing that can be checked."""
+        items = self.items(place)
+        if any(p.source for item in items for p in item.places):
+            return self._remove(at, place)
+        end = items[-1].end
+        return [Mention(quote=self.quote(at, end))], end
+
+    def _cleared_of(self, at: int, item: Item) -> tuple[list[Statement], int]:
+        """Read ``clear the lobby of chairs``."""
+        joint = next(k for k in range(item.phrase.end, len(self.words)) if self.text(k) == "of")
+        where = Item(item.phrase, tuple(p for p in item.places if p.end <= joint), joint)
+        gone = self.items(joint + 1)
+        end = gone[-1].end
+        return self._gone_from(where, gone, self.quote(at, end)), end

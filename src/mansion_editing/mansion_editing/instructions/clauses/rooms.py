@@ -1,0 +1,130 @@
+"""Names, uses, doors, stairs and lifts of rooms."""
+
+from collections.abc import Sequence
+
+import msgspec
+
+from mansion_editing.instructions.clauses.giving import Giving
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood
+from mansion_editing.instructions.phrases.places import ReadPlace, read_place
+from mansion_editing.instructions.phrases.word_sets import BEFORE_DOORS, BEFORE_NAMES
+from mansion_editing.instructions.statements import Furnish, Rename, Reshape, Statement
+
+__all__ = ["RoomChanges"]
+
+
+class RoomChanges(Giving):
+    """Reads what becomes of rooms."""
+
+    def _rename(self, at: int, place: int) -> tuple[list[Statement], int]:
+        place += self.text(place) == '"'
+        item = self.item(place)
+        if item is None or item.phrase.noun.kind not in ("room", "both", "object"):
+            raise NotUnderstood(at, self.boundary(at))
+        end = item.phrase.end + (self.text(item.phrase.end) == '"')
+        rooms = item.phrase.rooms()
+        places: list[ReadPlace] = []
+        for read in item.places:
+            if self.words[read.start].text == "to" or (read.goal and read.place.anchor is not None):
+                break
+            places.append(read)
+            end = read.end
+        rooms = Item(item.phrase, tuple(places), end).rooms()
+        while self.text(end) in BEFORE_NAMES:
+            end += 1
+        name, stop = self._name(end)
+        return [Rename(room=rooms, name=name, quote=self.quote(at, stop))], stop
+
+    def _name(self, at: int) -> tuple[str, int]:
+        """Read a name as it is written, up to a mark or the end."""
+        stop = at
+        while stop < len(self.words) and self.text(stop) not in (",", '"', ";", "please", "\n") and stop < at + 8:
+            if self.text(stop) in ("and", "from") and (self.starts_clause(stop + 1) or self.text(stop) == "from"):
+                break
+            stop += 1
+        if stop == at:
+            raise NotUnderstood(at - 1, self.boundary(at - 1))
+        name = self.quote(at, stop).strip("\"'“”‘’ ")
+        stop += self.text(stop) == '"'
+        return name, stop
+
+    def _furnish(self, at: int, place: int) -> tuple[list[Statement], int]:
+        item = self.item(place, places=False)
+        if item is None:
+            raise NotUnderstood(at, self.boundary(at))
+        if item.phrase.noun.kind == "object":
+            raise NotUnderstood(at, self.boundary(at))
+        places: list[ReadPlace] = []
+        end = item.end
+        while True:
+            read = read_place(self.words, end, self.lexicon, self.floors)
+            if read is None or self.text(end) in ("into", "to", "with"):
+                break
+            places.append(read)
+            end = read.end
+        rooms = Item(item.phrase, tuple(places), end).rooms()
+        while self.text(end) in ("anew", "again", "afresh", "completely", "newly", "new"):
+            end += 1
+        if self.text(end) == "with":
+            return self._equip(at, place)
+        kind = ""
+        if self.text(end) in ("into", "as", "to", "for", "like"):
+            found = self.phrase(end + 1)
+            if found is None or found.noun.kind not in ("room", "both"):
+                raise NotUnderstood(end, self.boundary(end))
+            kind, end = " ".join((*filter(None, [found.noun.owned]), *found.noun.words)), found.end
+        return [Furnish(rooms=rooms, kind=kind, quote=self.quote(at, end))], end
+
+    def _use(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``use the storage as an office``."""
+        item = self.item(place)
+        if item is None or self.text(item.end) != "as":
+            raise NotUnderstood(at, self.boundary(at))
+        return self._furnish(at, place)
+
+    def _door_between(self, at: int, place: int) -> tuple[list[Statement], int] | None:
+        """Read ``add a door between the kitchen and the dining room``."""
+        start = place
+        while self.text(place) in BEFORE_DOORS:
+            place += 1
+        if self.text(place) not in ("door", "doorway", "opening", "passage"):
+            return None
+        linking = self.text(place + 1)
+        if linking not in ("between", "from", "connecting", "linking", "joining") and start == place:
+            return None
+        if linking not in ("between", "from", "connecting", "linking", "joining"):
+            return None
+        return self._connect(at, place + 2)
+
+    def _connect(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read the two rooms that a door shall connect."""
+        one = self.item(place, places=False)
+        if one is None or one.phrase.noun.kind not in ("room", "both"):
+            raise NotUnderstood(place, self.boundary(place))
+        end = one.end
+        if self.text(end) not in ("and", "to", "with"):
+            raise NotUnderstood(place, self.boundary(place))
+        other = self.item(end + 1)
+        if other is None or other.phrase.noun.kind not in ("room", "both"):
+            raise NotUnderstood(place, self.boundary(place))
+        end = other.end
+        if self.text(end) in ("with", "by") and self.text(end + 2) in ("door", "doorway", "opening"):
+            end += 3
+        floors = other.rooms().floors
+        first = msgspec.structs.replace(one.rooms(), floors=floors)
+        return [Reshape(what="door", rooms=first, other=other.rooms(), quote=self.quote(at, end))], end
+
+    def _new_core(self, items: Sequence[Item], at: int, end: int) -> Statement | None:
+        """Read ``add a second stair``."""
+        if (
+            len(items) != 1
+            or not items[0].phrase.noun.words
+            or self.text(at) not in ("add", "build", "create", "install", "put")
+        ):
+            return None
+        head = items[0].phrase.noun.words[-1]
+        what = {"stair": "stair", "staircase": "stair", "stairwell": "stair", "elevator": "elevator"}.get(head)
+        if what is None:
+            return None
+        where = items[0].goal()[0].rooms
+        return Reshape(what="stair" if what == "stair" else "elevator", rooms=where, quote=self.quote(at, end))

@@ -1,0 +1,344 @@
+"""The words of a sentence, and the pieces that its clauses are made of."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Final, Self
+
+import msgspec
+
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
+from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
+from mansion_editing.instructions.phrases.nouns import Noun
+from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place
+from mansion_editing.instructions.phrases.verb_words import PARTICIPLES, Deed
+from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import (
+    AFTER_THANKS,
+    BEFORE_VERBS,
+    BEGIN_CLAUSES,
+    BETWEEN_CLAUSES,
+    PREDICATE_VERBS,
+)
+from mansion_editing.instructions.phrases.words import (
+    BE,
+    COURTESIES,
+    MODALS,
+    PARTICIPLES_OF_REST,
+    STATE_WORDS,
+    Word,
+    text_at,
+)
+from mansion_editing.instructions.statements import Amount, Place, Statement, Things
+
+__all__ = ["Sentence"]
+
+_SKIPPED: Final = COURTESIES | BETWEEN_CLAUSES
+
+_EXCEPTIONS: Final = (
+    ("except", "for"), ("apart", "from"), ("other", "than"), ("aside", "from"), ("except",), ("but", "not"),
+    ("and", "not"), ("not",), ("besides",), ("but",), ("save", "for"), ("excluding",), ("without",),
+)  # fmt: skip
+"""Words that begin an exception."""
+
+
+class Sentence(ABC):
+    """Reads the clauses of one sentence.
+
+    Parameters
+    ----------
+    words : sequence of Word
+    lexicon : Lexicon
+    floors : sequence of int
+        Those of the building.
+    quote : callable
+        Returns the text between two places in the words.
+    frame : Place
+        A place that the sentence began with ("in the lobby, ...").
+    """
+
+    def __init__(
+        self, words: Sequence[Word], lexicon: Lexicon, floors: Sequence[int], quote: Callable[[int, int], str]
+    ) -> None:
+        self.words, self.lexicon, self.floors, self.quote = words, lexicon, floors, quote
+        self.frame = Place()
+        self.last_noun: Noun | None = None
+        self.topic: Things | None = None
+        self.affirmed: Things | None = None
+        self.follows = False
+
+    def until(self, end: int) -> Self:
+        """Return a reader of the words before a place."""
+        return type(self)(self.words[:end], self.lexicon, self.floors, self.quote)
+
+    @abstractmethod
+    def read(self, at: int) -> tuple[list[Statement], int]:
+        """Read the clause at a place.
+
+        Raises
+        ------
+        NotUnderstood
+            Where the words make no clause.
+        """
+
+    def text(self, at: int) -> str:
+        """Return a word, empty beyond the end."""
+        return text_at(self.words, at)
+
+    def phrase(self, at: int) -> NounPhrase | None:
+        """Read a noun phrase."""
+        return noun_phrase(self.words, at, self.lexicon, self.floors)
+
+    def places(self, at: int) -> tuple[tuple[ReadPlace, ...], int]:
+        """Read the places from a place in the words on."""
+        found: list[ReadPlace] = []
+        while True:
+            start = at
+            relative = self.text(at) in ("that", "which", "who")
+            while (
+                self.text(at) in PARTICIPLES_OF_REST
+                and self.text(at) != "there"
+                and not (self.text(at) == "left" and self.text(at + 1) in ("and", "of"))
+            ):
+                if (
+                    self.text(at) == "that"
+                    and self.text(at + 1) in ("can", "could", "may")
+                    and self.text(at + 2) == "be"
+                ):
+                    at += 3
+                    at += self.text(at + 1) in ("on", "off", "up")
+                at += 1
+            if self.text(at) in ("is", "are") and self.text(at - 1) in ("that", "which", "who"):
+                at += 1
+                while self.text(at) in PARTICIPLES_OF_REST:
+                    at += 1
+            read = read_place(self.words, at, self.lexicon, self.floors)
+            if read is None and found and self.text(at) == ",":
+                read = self._place_after_comma(at, found)
+            if read is None:
+                return tuple(found), start
+            owned = not found and self.text(read.start) == "of" and read.place.rooms is not None
+            found.append(replace(read, relative=True) if relative or owned else read)
+            at = read.end
+
+    def _place_after_comma(self, at: int, found: list[ReadPlace]) -> ReadPlace | None:
+        """Read ``, ground floor`` and ``, in the kitchen`` where the place before lacks just that."""
+        read = read_place(self.words, at + 1, self.lexicon, self.floors)
+        place, _ = joined_places(found)
+        room = self.phrase(at + 1)
+        bare = place.rooms is None or not place.rooms.words
+        own = room is not None and room.noun.kind in ("room", "both") and self.lexicon.is_own_room(room.noun.words)
+        if room is not None and own and bare and self.text(room.end) in ("", ",", ".", "please", ":", "-"):
+            return ReadPlace(Place(rooms=room.rooms()), at + 1, room.end)
+        nearer = read is not None and read.place.anchor is not None and place.anchor is None and place.rooms is not None
+        if read is not None and nearer and (read.end >= len(self.words) or self.text(read.end) in (",", ".", "please")):
+            return read
+        if read is None or read.place.rooms is None or read.place.anchor is not None:
+            return None
+        if place.rooms is not None and (place.rooms.floors or read.place.rooms.words):
+            return None
+        ends = read.end >= len(self.words) or self.text(read.end) in (",", ".", "and", ")", "please", ";")
+        return read if (ends and verb_at(self.words, read.end + 1, self.lexicon) is None) or ends else None
+
+    def item(self, at: int, *, places: bool = True) -> Item | None:
+        """Read a noun phrase with its places."""
+        found = self.phrase(at)
+        if found is None or found.noun.unknown:
+            return None
+        if not places:
+            return Item(found, (), found.end)
+        following, end = self.places(found.end)
+        counted = self.text(found.end - 1) in ("them", "those") and self.text(found.end) == ","
+        if counted and not following:
+            following, end = self.places(found.end + 1)
+            end = end if following else found.end
+        return Item(found, following, end)
+
+    def items(self, at: int) -> list[Item]:
+        """Read noun phrases joined by commas and conjunctions.
+
+        Raises
+        ------
+        NotUnderstood
+            Where there is no noun phrase.
+        """
+        found: list[Item] = []
+        while True:
+            item = self.item(at)
+            if item is None:
+                if found:
+                    return found
+                raise NotUnderstood(at, self.boundary(at))
+            placed = self._participle(item.phrase.end)
+            new = placed is not None and placed[0] == "add" and not item.phrase.definite
+            if found and (self.predicate_follows(item.end) or self._is_way(item.phrase) or new):
+                return found
+            found.append(self._beside_it(self._as_before(self._named(item, found), found), found))
+            after = self.conjunction(item.end)
+            if not after or self.starts_clause(after) or self.text(after) in ("only", "just"):
+                return found
+            at = after
+
+    def _beside_it(self, item: Item, before: Sequence[Item]) -> Item:
+        """Put the thing before for ``it``: the table or anything on it."""
+        last = before[-1] if before else None
+        if last is None or not last.phrase.definite or not item.places:
+            return item
+        anchor = item.places[0].place.anchor
+        if anchor is None or anchor.refers != "last" or anchor.noun:
+            return item
+        place = msgspec.structs.replace(item.places[0].place, anchor=last.things())
+        return Item(item.phrase, (replace(item.places[0], place=place), *item.places[1:]), item.end)
+
+    def _as_before(self, item: Item, before: Sequence[Item]) -> Item:
+        """Give a bare noun the quantifier before it: any bottle of wine or beer."""
+        amount = item.phrase.amount
+        bare = item.phrase.end - item.phrase.start == len(item.phrase.noun.words) and not item.phrase.definite
+        if not before or not bare or before[-1].phrase.amount.kind not in ("all", "none") or amount.kind != "some":
+            return item
+        first = before[-1].phrase
+        phrase = replace(item.phrase, amount=first.amount, definite=first.definite)
+        return Item(phrase, item.places, item.end)
+
+    def _named(self, item: Item, before: Sequence[Item]) -> Item:
+        """Put the noun that came before for ``one``: two red mugs and a blue one."""
+        last = next((i.phrase.noun for i in reversed(before) if i.phrase.noun.kind != "anything"), self.last_noun)
+        if item.phrase.noun.words[-1:] != ("one",) or last is None:
+            if item.phrase.noun.kind == "object":
+                self.last_noun = item.phrase.noun
+            return item
+        told = item.phrase.noun.words[:-1]
+        words = (*told, last.words[-1]) if told else last.words
+        if told and not self.lexicon.is_object(words):
+            raise NotUnderstood(item.phrase.start, item.end)
+        noun = replace(item.phrase.noun, words=words, kind=last.kind)
+        return Item(replace(item.phrase, noun=noun), item.places, item.end)
+
+    def conjunction(self, at: int) -> int:
+        """Return the place after a comma or a conjunction between noun phrases, 0 where there is none."""
+        place = at
+        if self.text(place) == ",":
+            place += 1
+        if self.text(place) in ("and", "plus", "&", "+", "or", "nor") or (
+            self.text(place) == "as" and self.text(place + 1) == "well"
+        ):
+            place += 3 if self.text(place) == "as" else 1
+        if self.text(place) == "also":
+            place += 1
+        return place if place > at else 0
+
+    def starts_clause(self, at: int) -> bool:
+        """Whether a clause with a verb of its own begins at a place."""
+        while self.text(at) in BEFORE_VERBS:
+            if self.text(at) == "do" and self.text(at + 1) != "not":
+                break
+            at += 1
+        if verb_at(self.words, at, self.lexicon) is not None:
+            return True
+        return self.text(at) in BEGIN_CLAUSES
+
+    def predicate_follows(self, at: int) -> bool:
+        """Whether the words at a place make the noun phrase before them the subject of a clause."""
+        word = self.text(at)
+        if word in (",", "-", ":"):
+            return False
+        if word in MODALS or word in PREDICATE_VERBS:
+            return True
+        if word in STATE_WORDS:
+            nominal = word in ("on", "off") and self.phrase(at + 1) is not None
+            return not nominal
+        if word in ("switched", "turned", "left", "kept", "powered") and self.text(at + 1) in STATE_WORDS:
+            return True
+        return self._participle(at) is not None
+
+    def _participle(self, at: int) -> tuple[Deed, int] | None:
+        for length in (2, 1):
+            span = tuple(w.text for w in self.words[at : at + length])
+            if len(span) == length and span in PARTICIPLES:
+                return PARTICIPLES[span], at + length
+        return None
+
+    def boundary(self, at: int) -> int:
+        """Return the end of the words that cannot be read, at the next comma or conjunction with a clause."""
+        place = at + 1
+        while place < len(self.words):
+            word = self.words[place]
+            if word.kind == "mark" and word.text in (",", ".", ";", "\n", "(", ")", ":", "!"):
+                break
+            if word.text in ("and", "but", "then") and self.starts_clause(place + 1):
+                break
+            place += 1
+        return place
+
+    def taken_affirmed(self) -> Things | None:
+        """Return what the clause just read said to be there, and forget it."""
+        affirmed, self.affirmed = self.affirmed, None
+        return affirmed
+
+    def skip(self, at: int) -> int:
+        """Return the place after courtesies, adverbs and marks."""
+        asking = self.text(at) == "," and self.text(at + 1) in ("would", "could", "will", "can")
+        if asking and at + 3 >= len(self.words):
+            return len(self.words)
+        while at < len(self.words) and self.text(at) in _SKIPPED:
+            if self.text(at) in ("thank", "thanks"):
+                while self.text(at + 1) in AFTER_THANKS:
+                    at += 1
+            if self.text(at) == "there" and (self.text(at + 1) in BE or self.text(at + 1) in MODALS
+                                             or self.text(at + 1) in ("need", "has", "have")):  # fmt: skip
+                break
+            if self.text(at) == "for" and self.text(at + 1) not in ("now", "me", "us"):
+                break
+            if self.text(at) == "next" and self.text(at + 1) == "to":
+                break
+            if self.text(at) == "for" and self.text(at + 1) in ("me", "us"):
+                at += 1
+            if self.text(at) == "as" and self.text(at + 1) not in ("well", "soon"):
+                break
+            at += 1
+        return at
+
+    def exceptions(self, at: int) -> tuple[int, tuple[Things, ...]]:
+        """Read ``except the vase and the lamp``."""
+        place = at + (self.text(at) == ",")
+        for phrase in _EXCEPTIONS:
+            span = tuple(w.text for w in self.words[place : place + len(phrase)])
+            if span != phrase:
+                continue
+            if self.starts_clause(place + len(phrase)):
+                return at, ()
+            places, stop = self.places(place + len(phrase))
+            if places:
+                return stop, (Things(amount=Amount(kind="all", number=0), plural=True, place=joined_places(places)[0]),)
+            try:
+                items = self.items(place + len(phrase))
+            except NotUnderstood:
+                return at, ()
+            return items[-1].end, tuple(_kind_of_its_own(self._all(item.things())) for item in items)
+        return at, ()
+
+    def _is_way(self, phrase: NounPhrase) -> bool:
+        return bool(phrase.noun.words) and self.lexicon.is_way(phrase.noun.words[-1])
+
+    def _all(self, things: Things) -> Things:
+        """Return all that words describe, where they give no number."""
+        if things.amount.number == 0 and things.amount.kind == "some":
+            return msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
+        return things
+
+    def _all_if_plural(self, things: Things) -> Things:
+        return self._all(things) if things.plural else things
+
+    def _framed(self, goal: tuple[Place, bool]) -> tuple[Place, bool]:
+        """Return a place with what the sentence began with."""
+        place, each = goal
+        each = each or (self.frame.rooms is not None and self.frame.rooms.every and bool(self.frame.rooms.words))
+        return (place if self.frame == Place() else merged(place, self.frame) if place != Place() else self.frame), each
+
+
+def _kind_of_its_own(things: Things) -> Things:
+    """Return an exception that names no kind of its own ("not those in the lab") as one of any kind at its place."""
+    if things.refers == "last" and things.place is not None:
+        return msgspec.structs.replace(things, refers="", noun="")
+    return things

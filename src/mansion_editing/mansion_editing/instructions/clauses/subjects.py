@@ -1,0 +1,134 @@
+"""Clauses with a subject and a predicate: "the lamp should be on"."""
+
+from dataclasses import replace
+
+import msgspec
+
+from mansion_editing.instructions.clauses.items import Item, joined_places
+from mansion_editing.instructions.clauses.predicates import Predicates
+from mansion_editing.instructions.phrases.word_sets import BEFORE_COLOURS
+from mansion_editing.instructions.phrases.words import BE, MODALS
+from mansion_editing.instructions.statements import Amount, Clear, Ensure, Mention, Place, Statement, Things
+
+__all__ = ["Subjects"]
+
+
+class Subjects(Predicates):
+    """Reads subjects, and what is said of them."""
+
+    def _with_predicate(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the lamp should be on``, ``the lobby needs two chairs``, ``nothing should be on the table``."""
+        if self.text(at) == "nothing":
+            return self._nothing(at)
+        number = self._number_should_be(at) or self._only_thing(at)
+        if number is not None:
+            return number
+        surface = self._surface(at)
+        if surface is not None:
+            end = surface[1]
+            while self.text(end) in MODALS or self.text(end) in BEFORE_COLOURS:
+                end += 1
+            colour = self._colour_at(end)
+            if colour is not None and end > surface[1] - 1:
+                return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
+        return self._of_subjects(at)
+
+    def _of_subjects(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read one subject or several, and what is said of them."""
+        subjects: list[Item] = []
+        joined = self.text(at) in ("neither", "both", "either") and self.phrase(at + 1) is not None
+        place = at + joined
+        while True:
+            item = self.item(place)
+            if item is None:
+                return None
+            subjects.append(self._named(item, subjects))
+            after = self.conjunction(item.end)
+            if self.predicate_follows(item.end) or self.text(item.end) in BE or not after or self.starts_clause(after):
+                break
+            place = after
+        shared = all(s.phrase.definite or s.phrase.noun.plural or s.is_room for s in subjects)
+        if len(subjects) > 1 and not (self.predicate_follows(subjects[-1].end) and (shared or joined)):
+            return None
+        out: list[Statement] = []
+        end = at
+        for subject in subjects:
+            if self.text(at) == "neither":
+                none = Amount(kind="none", number=0)
+                subject = Item(replace(subject.phrase, amount=none), subject.places, subject.end)
+            found = self._predicate(subject, subjects[-1].end, at)
+            if found is None:
+                return None
+            out += found[0]
+            end = found[1]
+        return out, end
+
+    def _only_thing(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the only thing on the table should be a vase``."""
+        if (
+            self.text(at) != "the"
+            or self.text(at + 1) != "only"
+            or self.text(at + 2) not in ("thing", "object", "item")
+        ):
+            return None
+        places, end = self.places(at + 3)
+        while self.text(end) in MODALS or self.text(end) in BE:
+            end += 1
+        if not places or end == places[-1].end:
+            return None
+        kept = self.items(end)
+        where, quote = joined_places(places)[0], self.quote(at, kept[-1].end)
+        out: list[Statement] = [Ensure(things=item.phrase.things(), place=where, quote=quote) for item in kept]
+        spare = tuple(self._all(item.phrase.things()) for item in kept)
+        return [*out, Clear(place=where, spare=spare, quote=quote)], kept[-1].end
+
+    def _number_should_be(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the number of apples on the desk should be 2``."""
+        place = at + (self.text(at) == "the")
+        if self.text(place) != "number" or self.text(place + 1) != "of":
+            return None
+        item = self.item(place + 2)
+        if item is None:
+            return None
+        end = item.end
+        while self.text(end) in MODALS or self.text(end) in BE or self.text(end) in ("to", "exactly", "has"):
+            end += 1
+        if end >= len(self.words) or self.words[end].kind != "number":
+            return None
+        amount = Amount(kind="exactly", number=int(self.words[end].value))
+        things = msgspec.structs.replace(item.phrase.things(), amount=amount, definite=False)
+        return [Ensure(things=things, place=self._framed(item.goal())[0], quote=self.quote(at, end + 1))], end + 1
+
+    def _nothing(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``nothing should be on the table except the vase``."""
+        way = self._reaching(at, at)
+        if way is not None:
+            return way
+        if self.text(at + 2) == "(":
+            return [Mention(quote=self.quote(at, at + 2))], at + 2
+        place = at + 1
+        if self.text(place) in ("but", "except"):
+            items = self.items(place + 1 + (self.text(place + 1) == "for"))
+            goal, _ = self._framed(self._shared_goal(items, items[0]))
+            if goal != Place():
+                end = items[-1].end
+                quote = self.quote(at, end)
+                kept = tuple(self._all(item.phrase.things()) for item in items)
+                there: list[Statement] = [
+                    Ensure(things=item.phrase.things(), place=goal, quote=quote) for item in items
+                ]
+                return [*there, Clear(place=goal, spare=kept, quote=quote)], end
+        spare: tuple[Things, ...] = ()
+        place, spare = self.exceptions(place + (self.text(place) == "else"))
+        while (
+            self.text(place) in MODALS
+            or self.text(place) in BE
+            or self.text(place) in ("else", "left", "remain", "lie", "stand")
+        ):
+            place += 1
+        places, end = self.places(place)
+        if not places:
+            return None
+        if not spare:
+            end, spare = self.exceptions(end)
+        return [Clear(place=self._framed(joined_places(places))[0], spare=spare, quote=self.quote(at, end))], end

@@ -1,0 +1,52 @@
+"""Things that are taken or looked for, for what comes next."""
+
+from mansion_editing.instructions.clauses.adding import Adding
+from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.removing import Removing
+from mansion_editing.instructions.phrases.places import read_place
+from mansion_editing.instructions.statements import History, Mention, Statement
+
+__all__ = ["Taking"]
+
+
+class Taking(Adding, Removing):
+    """Reads ``take`` and ``find``."""
+
+    def _take(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``take the mug to the kitchen``, ``take the mug off the desk``, and ``take the mug and put it ...``."""
+        if self.text(place) in ("that", "it", "this") and self.text(place + 1) == "back":
+            return [History(what="undo", quote=self.quote(at, place + 2))], place + 2
+        items = self.items(place)
+        end = items[-1].end
+        places = items[-1].places
+        if any(p.goal and not p.source for p in places):
+            return self._move(at, place)
+        if (
+            self.text(end) in ("and", ",", "then")
+            and read_place(self.words, end + 1, self.lexicon, self.floors) is not None
+        ):
+            return self._move(at, place)
+        away = self.text(end) in ("away", "out", "off")
+        if self._goes_on_with_it(end + away):
+            self.topic = items[0].things()
+            return [Mention(quote=self.quote(at, end + away))], end + away
+        if away or (any(p.source for p in places) and self.text(at) == "take"):
+            return self._remove(at, place)
+        if self.text(at) in ("grab", "pick") and not items[0].phrase.definite:
+            return self._add(at, place)
+        raise NotUnderstood(at, self.boundary(at))
+
+    def _goes_on_with_it(self, at: int) -> bool:
+        """Whether the next clause does something with what the one before took."""
+        after = self.conjunction(at) or self.skip(at)
+        later = {w.text for w in self.words[after : after + 8]}
+        return self.starts_clause(after) and bool(later & {"it", "them", "that"})
+
+    def _go(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``find the wardrobe and open it``: the thing is only what the next clause is about."""
+        items = self.items(place)
+        end = items[-1].end
+        if not (self._goes_on_with_it(end) or end >= len(self.words) or self.text(end) in (":", ".")):
+            raise NotUnderstood(at, self.boundary(at))
+        self.topic = items[0].things()
+        return [Mention(quote=self.quote(at, end))], end

@@ -1,0 +1,119 @@
+"""Ways from one place to another that shall be free."""
+
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood
+from mansion_editing.instructions.clauses.sentence import Sentence
+from mansion_editing.instructions.phrases.places import read_place
+from mansion_editing.instructions.phrases.word_sets import (
+    ABILITIES,
+    ALONG_WAYS,
+    BEFORE_ENDS_OF_WAYS,
+    DIRECTIONS,
+    FREE_WAYS,
+    GOING,
+    GOING_SOMEWHERE,
+    WAYS,
+)
+from mansion_editing.instructions.statements import Reach, Rooms, Statement, Things
+
+__all__ = ["Ways"]
+
+
+class Ways(Sentence):
+    """Reads who must get from where to where."""
+
+    def _reaching(self, at: int, place: int) -> tuple[list[Statement], int] | None:
+        """Read ``I can get from the lobby to the kitchen``, ``nothing blocks the way to the lab``."""
+        start = place
+        if self.text(place) == "nothing":
+            way = next((k for k in range(place, min(place + 6, len(self.words)))
+                        if self.text(k) in WAYS), None)  # fmt: skip
+            return None if way is None else self._way(at, way + 1)
+        if self.text(place) in ("the", "a", "delivery") and "robot" in (w.text for w in self.words[place : place + 4]):
+            joint = next((k for k in range(place, len(self.words)) if self.text(k) == "from"), None)
+            if joint is not None and joint < place + 9:
+                return self._way(at, joint)
+        while place < len(self.words) and place < start + 12:
+            word = self.text(place)
+            if self._is_going(place):
+                break
+            if self.words[place].kind == "mark" or word in ("to", "on", "in"):
+                going = self.text(place + 1) in GOING_SOMEWHERE
+                if word != "to" or not going:
+                    return None
+            place += 1
+        else:
+            return None
+        moving = any(w.text in ABILITIES for w in self.words[start:place])
+        if not moving:
+            return None
+        if self.text(place) == "find" or self.text(place) == "make":
+            place += 2
+        return self._way(at, place + 1)
+
+    def _is_going(self, at: int) -> bool:
+        """Whether a word is a verb of going, with a direction where it has other meanings."""
+        word, following = self.text(at), self.text(at + 1)
+        if word in ("reach", "access", "enter"):
+            return True
+        if word in ("find", "make"):
+            return following in ("a", "the", "his", "its", "their", "my") and self.text(at + 2) == "way"
+        return word in GOING and following in DIRECTIONS
+
+    def _way(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read the ends of a way."""
+        start: Things | Rooms | None = None
+        ends: list[Things | Rooms] = []
+        end = place
+        while end < len(self.words):
+            while self.text(end) in ALONG_WAYS and self.text(end) != "the":
+                end += 1
+            if self.text(end) == "from":
+                found = self._end_of_way(end + 1)
+                if found is None:
+                    break
+                start, end = found
+                continue
+            joint = self.text(end) in BEFORE_ENDS_OF_WAYS
+            if ends and self.text(end) in ("and", ",") and self.starts_clause(end + 1):
+                break
+            found = self._end_of_way(end + joint) if joint or not ends else None
+            if found is None:
+                break
+            ends.append(found[0])
+            end = found[1]
+        while self.text(end) in FREE_WAYS:
+            end += 1
+        if start is None and not ends:
+            raise NotUnderstood(at, self.boundary(at))
+        quote = self.quote(at, end)
+        goals: list[Things | Rooms | None] = [*ends] or [None]
+        return [Reach(start=start, end=goal, quote=quote) for goal in goals], end
+
+    def _end_of_way(self, at: int) -> tuple[Things | Rooms, int] | None:
+        place = at
+        if self.text(place) in ("there", "here"):
+            return Rooms(same=True), place + 1
+        read = read_place(self.words, at, self.lexicon, self.floors)
+        if (
+            read is not None
+            and read.place.rooms is not None
+            and read.place.anchor is None
+            and self.text(at) in ("upstairs", "downstairs")
+        ):
+            return read.place.rooms, read.end
+        while self.text(place) in ("the", "main", "front", "building", "building's"):
+            place += 1
+        if self.text(place) in ("door", "doorway") and self.text(place + 1) != "of":
+            return Rooms(same=True), place + 1
+        if self.text(place) in ("entrance", "exit", "outside", "street") and self.text(place + 1) != "hall":
+            end = place + 1 + (self.text(place + 1) in ("door",))
+            return Rooms(words="entrance"), end
+        item = self.item(at)
+        if item is None:
+            return None
+        until = next((p.start for p in item.places if p.goal or p.source or self.words[p.start].text == "to"), None)
+        if until is not None:
+            item = Item(item.phrase, tuple(p for p in item.places if p.end <= until), until)
+        if item.phrase.noun.kind in ("room", "both"):
+            return item.rooms(), item.end
+        return item.things(), item.end

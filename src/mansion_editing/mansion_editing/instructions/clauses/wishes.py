@@ -1,0 +1,258 @@
+"""What somebody wants, and what there should be."""
+
+from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.negations import Negations
+from mansion_editing.instructions.clauses.subjects import Subjects
+from mansion_editing.instructions.phrases.verbs import verb_at
+from mansion_editing.instructions.phrases.word_sets import (
+    AFTER_CHECKS,
+    AFTER_MODALS,
+    ANY_LONGER,
+    BEFORE_REQUESTS,
+    BEFORE_WISHES,
+    EXISTENCE,
+    OPINIONS,
+    SOMEBODY,
+    THIRD_PERSON_WISHES,
+    TOLD_EXISTENCE,
+    WISHES,
+)
+from mansion_editing.instructions.phrases.words import BE, MODALS
+from mansion_editing.instructions.statements import Mention, Place, Statement
+
+__all__ = ["Wishes"]
+
+
+class Wishes(Subjects, Negations):
+    """Reads ``I want``, ``there should be``, ``can you`` and ``make sure that``."""
+
+    def _existential(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``there should be four chairs in the break room``."""
+        if self.text(at) != "there":
+            return None
+        place = at + 1
+        contracted = self.words[at].raw in ("there's", "theres")
+        while self.text(place) in MODALS or self.text(place) in EXISTENCE:
+            place += 1
+        if place == at + 1 and not contracted:
+            return None
+        between = {w.text for w in self.words[at:place]}
+        negated = "not" in between or "no" in between
+        told = between <= TOLD_EXISTENCE and (negated or self.text(place) == "no")
+        items = self.items(place)
+        if self._is_way(items[0].phrase):
+            return self._way(at, items[0].phrase.end)
+        end = items[-1].end
+        if any(item.is_room for item in items):
+            return [Mention(quote=self.quote(at, end))], end
+        following = self._state_after(items[-1], end, at)
+        if following is not None:
+            return following
+        only = {"there", "is", "are", "already", "still", "currently"}
+        affirmed = not negated and len(items) == 1 and (between or {"is"}) <= only
+        if affirmed and items[0].phrase.amount.kind == "some":
+            self.affirmed = items[0].things()
+        if told or (items[0].phrase.amount.kind == "none" and between <= {"there", "is", "are"}):
+            goal, _ = self._shared_goal(items, items[0])
+            self.frame = Place(rooms=goal.rooms) if goal.rooms is not None else self.frame
+            return [Mention(quote=self.quote(at, end))], end
+        if len(items) == 1 and between <= only:
+            self.topic = items[0].things()
+        out: list[Statement] = []
+        for item in items:
+            out += self._there(item, self._shared_goal(items, item), self.quote(at, end), negated=negated)
+        return out, end
+
+    def _desired(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``I want``, ``can you``, ``is it possible to``, ``let us`` and what follows."""
+        place = at
+        who = self.text(place)
+        if who in ("i", "we", "you", "one", "they"):
+            return self._desired_by(at)
+        if who == "what" and self.text(place + 1) in ("i", "we") and self.text(place + 3) == "is":
+            return self._wanted(at, place + 4)
+        if who in MODALS and self.text(place + 1) == "it" and self.text(place + 3) == "possible":
+            return self._wanted(at, place + 4 + (self.text(place + 4) == "for"))
+        if who in MODALS and self.text(place + 1) in ("you", "we", "i", "somebody", "someone"):
+            place += 2
+            while self.text(place) in BEFORE_REQUESTS:
+                place += 1
+            if self.text(place) in ("have", "get") and who in ("can", "could", "may", "might"):
+                return self._wanted(at, place + 1)
+            return self.read(place)
+        if who in MODALS and self.text(place + 1) not in ("not", "it"):
+            asked = self.item(place + 1)
+            if asked is not None and self.text(asked.end) in AFTER_MODALS:
+                found = self._predicate(asked, asked.end, at)
+                if found is not None:
+                    return found
+        if self.words[at].raw == "let's":
+            return self.read(place + 1)
+        if who == "let" and self.text(place + 1) in ("us", "me", "there"):
+            return self.read(place + 1 + (self.text(place + 1) != "there"))
+        return None
+
+    def _desired_by(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``I want``, ``we do not need``, ``I think that`` and what follows."""
+        place = at + 1
+        while self.text(place) in MODALS or self.text(place) in BEFORE_WISHES:
+            place += 1
+        if self.text(place) in OPINIONS:
+            return self.read(place + 1 + (self.text(place + 1) in ("that", "you")) + (self.text(place + 2) == "to"))
+        if self.text(place) == "not" and self.text(place + 1) in ("want", "like", "wish"):
+            return self._unwanted(at, place + 2)
+        longer = {"anymore", "longer"} & {w.text for w in self.words} or "any more" in self.quote(at, len(self.words))
+        if self.text(place) == "not" and self.text(place + 1) == "need" and longer:
+            return self._unwanted(at, place + 2)
+        if self.text(place) == "not":
+            raise NotUnderstood(at, self.boundary(at))
+        if self.text(place) == "rather" and self.text(place + 1) == "not":
+            return self._unwanted(at, place + 2)
+        pleased = self.text(place) == "be" and self.text(place + 1) in ("glad", "happy", "grateful", "pleased")
+        if pleased and self.text(place + 2) in ("of", "with", "about", "for"):
+            return self._wanted(at, place + 3)
+        if self.text(place) in ("was", "am", "were", "are") and self.text(place + 1) in ("hoping", "looking"):
+            return self._wanted(at, place + 2)
+        if self.text(place) in WISHES:
+            return self._wanted(at, place + 1)
+        if self.text(at) == "you" and place > at + 1:
+            return self.read(self.skip(place))
+        return None
+
+    def _going(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the nurse must be able to walk from the lobby to the lab``."""
+        if self.text(at) in ("there", "make", "check", "ensure", "verify"):
+            return None
+        subject = self.item(at)
+        if subject is not None and subject.phrase.noun.kind == "object" and not self._is_way(subject.phrase):
+            return None
+        return self._reaching(at, at)
+
+    def _of_persons(self, at: int) -> tuple[list[Statement], int] | None:
+        """Read ``the officer on duty wants a phone on the desk``: what persons want, who are no part of the scene."""
+        for place in range(at + 1, min(at + 8, len(self.words))):
+            word = self.words[place]
+            before = self.words[at:place]
+            if self.lexicon.is_way(word.text) and {"have", "has", "need"} & {w.text for w in before}:
+                return self._way(at, place + 1)
+            if word.raw in ("like", "love") and "would" in {w.text for w in before}:
+                return self._wanted(at, place + 1)
+            known = any(self.lexicon.is_own_room((w.text,)) or self.lexicon.is_object((w.text,)) for w in before)
+            if known and not {"would", "have", "has"} & {w.text for w in self.words[at : place + 2]}:
+                return None
+            if word.raw == "asked" and self.text(place + 1) == "for":
+                return self._wanted(at, place + 2)
+            having = {"have", "has", "need"} & {w.text for w in before}
+            if having:
+                continue
+            if word.kind == "mark" or word.text in BE:
+                return None
+            if word.raw in THIRD_PERSON_WISHES and self.item(at) is None:
+                return self._wanted(at, place + 1)
+        return None
+
+    def _unwanted(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``we do not want any chairs in the lobby``: they are to go."""
+        while self.text(place) in ("to", "see", "have", "find", "there", "be"):
+            place += 1
+        place += 2 * (self.text(place) == "you" and self.text(place + 1) == "to")
+        verb = verb_at(self.words, place, self.lexicon)
+        if verb is not None:
+            return self._negated_verb(at, *verb)
+        items = self.items(place)
+        end = items[-1].end
+        while self.text(end) in ANY_LONGER:
+            end += 1
+        quote = self.quote(at, end)
+        return [self._removed(items, item, (), (), quote) for item in items if not item.is_room], end
+
+    def _wanted(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read what is wanted: a clause after ``to``, a thing with a predicate, or a thing."""
+        place += self.text(place) in ("that", "for", "me", "us")
+        if self.text(place) == "nothing":
+            nothing = self._nothing(place)
+            if nothing is not None:
+                return nothing
+        if self.text(place) == "to":
+            place += 1
+            if self.text(place) in ("have", "see", "get", "find"):
+                place += 1
+            elif verb_at(self.words, place, self.lexicon) is None and self.item(place + 1) is not None:
+                item = self.item(place + 1)
+                assert item is not None
+                if self.text(item.end) not in (",", "so", "and", "but") or "so" not in (
+                    self.text(item.end),
+                    self.text(item.end + 1),
+                ):
+                    raise NotUnderstood(at, self.boundary(at))
+                self.topic = item.things()
+                return [Mention(quote=self.quote(at, item.end))], item.end
+            else:
+                return self.read(place)
+        if self.text(place) == "you" and self.text(place + 1) == "to":
+            return self.read(place + 2)
+        if self.text(place) == "there":
+            found = self._existential(place)
+            if found is not None:
+                return found
+        item = self.item(place)
+        if item is None:
+            raise NotUnderstood(place, self.boundary(place))
+        if self._is_way(item.phrase):
+            return self._way(at, item.phrase.end)
+        if self.text(item.end) in ("to", "be") or self.predicate_follows(item.end):
+            found = self._predicate(item, item.end, at)
+            if found is not None:
+                return found
+        items = self.items(place)
+        end = items[-1].end
+        out: list[Statement] = []
+        for each in items:
+            kind = each.phrase.amount.kind
+            if kind in ("exactly", "at_least", "at_most", "none", "all"):
+                out += self._there(each, self._shared_goal(items, each), self.quote(at, end))
+            elif each.is_room:
+                raise NotUnderstood(place, end)
+            else:
+                out.append(self._added(items, each, self.quote(at, end)))
+        return out, end
+
+    def _want(self, at: int, place: int) -> tuple[list[Statement], int]:
+        return self._wanted(at, place)
+
+    def _check(self, at: int, place: int) -> tuple[list[Statement], int]:
+        """Read ``make sure that ...``: a way, or a clause that shall be true."""
+        while self.text(place) in AFTER_CHECKS:
+            place += 1
+        found_by = self._found_by_somebody(at, place)
+        if found_by is not None:
+            return found_by
+        way = self._reaching(at, place)
+        if way is not None:
+            return way
+        existential = self._existential(place)
+        if existential is not None:
+            return existential
+        item = self.item(place)
+        if item is not None:
+            found = self._predicate(item, item.end, at)
+            if found is not None:
+                return found
+        if verb_at(self.words, place, self.lexicon) is not None:
+            return self.read(place)
+        items = self.items(place)
+        end = items[-1].end
+        out: list[Statement] = []
+        for each in items:
+            if self._is_way(each.phrase):
+                return self._way(at, each.phrase.end)
+            out += self._there(each, self._shared_goal(items, each), self.quote(at, end))
+        return out, end
+
+    def _found_by_somebody(self, at: int, place: int) -> tuple[list[Statement], int] | None:
+        """Read ``the robot will find a stapler on the desk``."""
+        for k in range(place + 1, min(place + 6, len(self.words))):
+            finding = self.text(k) in ("find", "see", "grab", "pick") and self.phrase(k + 1) is not None
+            if finding and SOMEBODY & {w.text for w in self.words[place:k]}:
+                return self._wanted(at, k + 1)
+        return None

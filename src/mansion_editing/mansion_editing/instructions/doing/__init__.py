@@ -1,0 +1,1 @@
+"""Statements carried out with the editor's tools, and questions answered."""

@@ -1,0 +1,174 @@
+"""Ask: questions about the building, answered from the scene in whole sentences."""
+
+from collections.abc import Sequence
+
+from mansion_editing.instructions.doing.changing import able, state_word
+from mansion_editing.instructions.doing.work import Done, counted, listed, whereabouts
+from mansion_editing.instructions.meaning.choices import one_room_each
+from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
+from mansion_editing.instructions.meaning.room_words import room_title
+from mansion_editing.instructions.meaning.wording import place_words
+from mansion_editing.instructions.statements import Ask, Place, Rooms, Things
+from mansion_editing.state import SceneState
+from mansion_editing.tools.paths import check_path
+from mansion_language.colours import colour_of
+from mansion_msgs_py.editing import CheckPathArgs
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import SceneObject
+
+__all__ = ["answer"]
+
+
+def answer(question: Ask, state: SceneState, context: Context) -> Done:
+    """Answer a question; nothing is changed.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for a question about rooms or things that are not there.
+    """
+    if question.about in ("rooms", "area"):
+        return _of_rooms(question, state, context)
+    if question.about == "reach":
+        return _of_ways(question, state, context)
+    found = _found(question, state, context)
+    said = _said(question)
+    reply = {"count": _count, "exists": _exists, "where": _where, "what": _what, "state": _states, "colour": _colours}[
+        question.about
+    ](question, found, said, state)
+    rooms = tuple(dict.fromkeys(item.room for item in found))
+    noun = "" if question.things is None else question.things.noun
+    return Done(reply, context.followed([item.id for item in found], rooms, noun))
+
+
+def _found(question: Ask, state: SceneState, context: Context) -> list[SceneObject]:
+    things = question.things or Things(plural=True)
+    found = things_of(state, things, context)
+    place = question.place
+    if place is None:
+        return _in(question.rooms, found, state, context)
+    if place.rooms is not None:
+        one_room_each(state, place.rooms, context, lambda room: any(item.room == room for item in found))
+    if place.anchor is not None and not anchors_of(state, place, context):
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is nothing {place_words(place)}: no such thing is there")
+    if question.about == "what" and not things.noun and place.anchor is not None:
+        relations = [place.relation] if place.relation in ("on", "in") else []
+        there = [i for a in anchors_of(state, place, context) for r in relations for i in carried_by(state, a, r)]
+        if relations:
+            return list({item.id: item for item in there}.values())
+    return all_at(state, found, place, context)
+
+
+def _in(rooms: Rooms | None, found: list[SceneObject], state: SceneState, context: Context) -> list[SceneObject]:
+    if rooms is None:
+        return found
+    inside = set(one_room_each(state, rooms, context, lambda room: any(item.room == room for item in found)))
+    return [item for item in found if item.room in inside]
+
+
+def _said(question: Ask) -> str:
+    rooms = None if question.rooms is None else Place(rooms=question.rooms)
+    place = question.place or rooms
+    return f" {place_words(place)}" if place is not None else ""
+
+
+def _noun(question: Ask) -> str:
+    things = question.things
+    if things is None or not things.noun:
+        return "thing"
+    return " ".join(word for word in (things.colour, things.material, things.noun) if word)
+
+
+def _count(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:
+    verb = "is" if len(found) == 1 else "are"
+    if not found:
+        return f"There are no {counted(0, _noun(question))[2:]}{said or ' in the building'}."
+    by_room = {room: sum(item.room == room for item in found) for room in dict.fromkeys(i.room for i in found)}
+    spread = ", ".join(f"{number} in {room_title(state, room)}" for room, number in by_room.items())
+    return f"There {verb} {counted(len(found), _noun(question))}{said or ' in the building'}: {spread}."
+
+
+def _exists(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:
+    if not found:
+        return f"No, there is no {_noun(question)}{said or ' in the building'}."
+    verb = "is" if len(found) == 1 else "are"
+    return f"Yes, there {verb} {counted(len(found), _noun(question))}{said}: {listed(found)}."
+
+
+def _where(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:
+    if not found:
+        return f"There is no {_noun(question)}{said or ' in the building'}."
+    places = [f"{item.id} is {_in_full(item, state)}" for item in found[:12]]
+    return "; ".join(places) + (f"; and {len(found) - 12} more." if len(found) > 12 else ".")
+
+
+def _in_full(item: SceneObject, state: SceneState) -> str:
+    room = room_title(state, item.room)
+    if item.mount == "floor":
+        return f"in {room}"
+    return f"{whereabouts(item)} in {room}" if item.parent is not None else f"on the {item.mount} in {room}"
+
+
+def _what(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:
+    if not found:
+        return f"There is nothing{said}."
+    kinds: dict[str, int] = {}
+    for item in found:
+        kinds[item.name or item.category] = kinds.get(item.name or item.category, 0) + 1
+    verb = "is" if len(found) == 1 else "are"
+    return f"There {verb}{said} {', '.join(counted(number, kind) for kind, number in kinds.items())}: {listed(found)}."
+
+
+def _states(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:
+    name = question.state or "open"
+    ready = [item for item in found if able(item, name)]
+    if not ready:
+        return f"There is no {_noun(question)}{said} that {'opens' if name == 'open' else 'switches'}."
+    words = {item.id: state_word(name, value=bool(item.states.get(name, False))) for item in ready}
+    wanted = state_word(name, value=question.value)
+    yes = all(word == wanted for word in words.values())
+    return f"{'Yes' if yes else 'No'}: {'; '.join(f'{key} is {word}' for key, word in words.items())}."
+
+
+def _colours(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:
+    if not found:
+        return f"There is no {_noun(question)}{said or ' in the building'}."
+    looks = [f"{item.id} is {_look(item)}" for item in found[:12]]
+    return "; ".join(looks) + "."
+
+
+def _look(item: SceneObject) -> str:
+    family, _, shade = item.material.partition("_")
+    return f"{colour_of(item.material) or shade or 'of no recorded colour'} ({family})" if family else "unrecorded"
+
+
+def _of_rooms(question: Ask, state: SceneState, context: Context) -> Done:
+    wanted = question.rooms or (question.place.rooms if question.place is not None else None) or Rooms(every=True)
+    found = rooms_of(state, wanted, context)
+    if question.things is not None:
+        holding = {item.room for item in things_of(state, question.things, context)}
+        found = [room for room in found if room in holding]
+    if question.about == "area":
+        found = one_room_each(state, wanted, context)
+        rooms = [state.room(room) for room in found]
+        areas = [f"{room_title(state, room[1].id)} has {room[1].area:.1f} m2" for room in rooms if room is not None]
+        reply = "; ".join(areas) + "."
+    elif not found:
+        reply = f"There are no rooms called {wanted.words}." if wanted.words else "There are no such rooms."
+    else:
+        reply = f"{counted(len(found), 'room')}: {', '.join(room_title(state, room) for room in found)}."
+    return Done(reply, context.followed((), found, ""))
+
+
+def _of_ways(question: Ask, state: SceneState, context: Context) -> Done:
+    start = [""] if question.start is None else one_room_each(state, question.start, context)
+    rooms = question.rooms or (question.place.rooms if question.place is not None else None)
+    ends = [""] if rooms is None else one_room_each(state, rooms, context)
+    if question.things is not None:
+        ends = list(dict.fromkeys(item.room for item in things_of(state, question.things, context))) or ends
+    replies = []
+    for end in ends:
+        report = check_path(state, CheckPathArgs(start=start[0], end=end))
+        replies.append(f"{'Yes' if report.reachable else 'No'}: {report.message}")
+    return Done("; ".join(replies) + ".", context.followed((), [end for end in ends if end], ""))

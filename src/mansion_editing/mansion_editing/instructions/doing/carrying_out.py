@@ -1,0 +1,85 @@
+"""Carry out statements with the editor's tools, one at a time, and say what was there and what changed."""
+
+from collections.abc import Callable, Generator
+from dataclasses import replace
+from typing import Any, Final
+
+from mansion_editing.agent.facts import Action, Outcome, Unmet
+from mansion_editing.instructions.doing.answering import answer
+from mansion_editing.instructions.doing.changing import paint, reach, set_state
+from mansion_editing.instructions.doing.moving import move, swap, turn
+from mansion_editing.instructions.doing.providing import add, ensure, replace_things
+from mansion_editing.instructions.doing.removing import clear, remove
+from mansion_editing.instructions.doing.rooms import finish, furnish_rooms, rename, reshape
+from mansion_editing.instructions.doing.work import Done, Work, listed
+from mansion_editing.instructions.meaning.choices import things_meant
+from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.wording import place_words, thing_words
+from mansion_editing.instructions.statements import (
+    Add,
+    Ask,
+    Clear,
+    Ensure,
+    Finish,
+    Forbid,
+    Furnish,
+    Keep,
+    Mention,
+    Move,
+    Paint,
+    Reach,
+    Remove,
+    Rename,
+    Replace,
+    Reshape,
+    SetState,
+    Statement,
+    Swap,
+    Turn,
+)
+from mansion_editing.state import SceneState
+
+__all__ = ["carry"]
+
+_WORK: Final[dict[type[Any], Callable[[Any, SceneState, Context], Work]]] = {
+    Add: add,
+    Ensure: ensure,
+    Remove: remove,
+    Clear: clear,
+    Move: move,
+    Swap: swap,
+    Replace: replace_things,
+    SetState: set_state,
+    Paint: paint,
+    Turn: turn,
+    Reach: reach,
+    Rename: rename,
+    Finish: finish,
+    Furnish: furnish_rooms,
+    Reshape: reshape,
+}
+
+
+def carry(statement: Statement, state: SceneState, context: Context) -> Generator[Action, Outcome, Done]:
+    """Carry out one statement.
+
+    Raises
+    ------
+    Unmet, MansionError
+        Where it cannot be, with the reason.
+    """
+    work = _WORK.get(type(statement))
+    if work is not None:
+        return (yield from work(statement, state, context))
+    if isinstance(statement, Ask):
+        return answer(statement, state, context)
+    if isinstance(statement, Keep):
+        kept = things_meant(state, statement.things, replace(context, kept=frozenset()))
+        rooms = tuple(dict.fromkeys(item.room for item in kept))
+        reply = f"{listed(kept)} left as {'it was' if len(kept) == 1 else 'they were'}"
+        return Done(reply, context.followed([item.id for item in kept], rooms, statement.things.noun))
+    if isinstance(statement, Forbid):
+        return Done(f"no {thing_words(statement.things)} added {place_words(statement.place)}".rstrip(), context)
+    if isinstance(statement, Mention):
+        return Done("", context)
+    raise Unmet("an earlier instruction is taken back, or done again, in an instruction of its own")

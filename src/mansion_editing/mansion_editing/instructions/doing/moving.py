@@ -1,0 +1,211 @@
+"""Move, Swap and Turn: things that are there go to another place, or turn where they stand."""
+
+import math
+from collections.abc import Generator, Sequence
+from typing import Any
+
+import msgspec
+
+from mansion_editing.agent.facts import Action, Outcome, Scope, Unmet, ask
+from mansion_editing.agent.provisioning import MOST_CARRIERS, find_surfaces, move_after_clearing
+from mansion_editing.instructions.doing.providing import add, wishes_of
+from mansion_editing.instructions.doing.rooms import swap_rooms
+from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
+from mansion_editing.instructions.meaning.choices import things_meant
+from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.descriptions import all_at, things_of
+from mansion_editing.instructions.meaning.nouns import is_loose
+from mansion_editing.instructions.meaning.numbers import means_one
+from mansion_editing.instructions.meaning.targets import Target, places_of
+from mansion_editing.instructions.meaning.wording import place_words, thing_words
+from mansion_editing.instructions.statements import Add, Amount, Move, Place, Rooms, Swap, Things, Turn
+from mansion_editing.state import SceneState
+from mansion_editing.tools.perception import object_info
+from mansion_msgs_py.scene import SceneObject
+
+__all__ = ["facing_rotation", "move", "swap", "turn"]
+
+
+def move(statement: Move, state: SceneState, context: Context) -> Work:
+    """Bring things that are there to a place; new ones only where words allow it and none is in the building."""
+    things, place = statement.things, statement.place
+    found = things_of(state, things, context)
+    if place == Place():
+        raise Unmet(f"say where {thing_words(things)} shall go")
+    if not found and statement.or_new:
+        return (yield from add(Add(things=_new(things), place=place), state, context))
+    if not found and things.noun and things.place is not None:
+        kind = msgspec.structs.replace(things, place=None, amount=Amount(kind="all", number=0))
+        arrived = all_at(state, things_of(state, kind, context), place, context)
+        if arrived:
+            none = f"there is no {thing_words(msgspec.structs.replace(things, definite=False))}"
+            said = f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already"
+            rooms = tuple(dict.fromkeys(item.room for item in arrived))
+            return Done(said, context.followed([item.id for item in arrived], rooms, things.noun))
+    targets = _targets(state, place, context)
+    there = {item.id for item in all_at(state, found, place, context)}
+    away = [item for item in found if item.id not in there]
+    single = not things.plural and things.amount.number <= 1 and things.amount.kind in ("some", "all")
+    if (found and not away) or (there and single and not means_one(things) and not statement.or_new):
+        said = f"{listed(sorted(there))} {_is(there)} there already; nothing had to move"
+        rooms = tuple(dict.fromkeys(item.room for item in found if item.id in there))
+        return Done(said, context.followed(sorted(there), rooms, things.noun))
+    chosen = _to_move(state, statement, away, targets, context)
+    before = [(item, whereabouts(item).removeprefix("in ")) for item in chosen]
+    ids: list[str] = []
+    replies = []
+    for item, where in before:
+        new = yield from _moved_to_any(item, place, targets, state)
+        ids.append(new)
+        (now,) = live(state, [new])
+        name = item.id if new == item.id else f"{item.id} (now {new})"
+        replies.append(f"{name} moved from {where} to {whereabouts(now).removeprefix('in ')}")
+    rooms = tuple(dict.fromkeys(item.room for item in live(state, ids)))
+    return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _is(ids: Sequence[str] | set[str]) -> str:
+    return "is" if len(ids) == 1 else "are"
+
+
+def _new(things: Things) -> Things:
+    return msgspec.structs.replace(things, definite=False, place=None, owned="")
+
+
+def _targets(state: SceneState, place: Place, context: Context) -> list[Target]:
+    if place.outside:
+        raise Unmet(f"say where to, not only {place_words(place)}")
+    if place.anchor is None and place.rooms is None:
+        return []
+    targets = places_of(state, place, context)
+    if not targets:
+        raise Unmet(f"there is nothing {place_words(place)}: no such thing is there")
+    return targets
+
+
+def _to_move(
+    state: SceneState, statement: Move, away: list[SceneObject], targets: list[Target], context: Context
+) -> list[SceneObject]:
+    """Return the things that words mean; of several fits for one thing, the one that is in the room it goes to."""
+    things = statement.things
+    rooms = {target.room for target in targets}
+    floors = {room.split("/", 1)[0] for room in rooms}
+    here = [item for item in away if item.room in rooms]
+    near = here or [item for item in away if item.room.split("/", 1)[0] in floors]
+    ids = {item.id for item in away}
+    if means_one(things) and len(away) < len(things_of(state, things, context)):
+        # One that is there already is not what shall go there.
+        narrowed = away if len(away) == 1 else near if len(near) == 1 else []
+        if narrowed:
+            return narrowed
+    prefer = here if here else near
+    alike = {item.id for item in prefer}
+    chosen = things_meant(state, things, context, lambda item: item.id in alike)
+    if means_one(things) or things.plural or things.refers:
+        return [item for item in chosen if item.id in ids]
+    going = [item for item in chosen if item.id in ids]
+    spare = [item for item in (*prefer, *away) if item not in chosen]
+    return [*going, *{item.id: item for item in spare}.values()][: len(chosen)]
+
+
+def _moved_to_any(
+    item: SceneObject, place: Place, targets: list[Target], state: SceneState
+) -> Generator[Action, Outcome, str]:
+    reasons = []
+    for target in targets[:MOST_CARRIERS] or [Target(item.room)]:
+        for arguments in (yield from _ways(item, place, target, state, own=not targets)):
+            answer = yield Action(f"{item.id} should go there.", "MoveObject", {"object_id": item.id, **arguments})
+            if answer.error is None:
+                return _id_after(item.id, answer.value.object_ids, state)
+            reasons.append(answer.error.info.message)
+    if len(targets) == 1 and targets[0].anchor is not None and place.relation in ("on", "in"):
+        known = {other.id for _, other in state.objects()}
+        anchor, info = targets[0].anchor.id, object_info(state, *state.get(item.id))
+        reason = yield from move_after_clearing(info, anchor, reasons[-1], state)
+        if not reason:
+            new = [other.id for _, other in state.objects() if other.id not in known and other.asset == item.asset]
+            return _id_after(item.id, new, state)
+    raise Unmet("; ".join(dict.fromkeys(reasons)) or f"there is no place for {item.id}")
+
+
+def _ways(
+    item: SceneObject, place: Place, target: Target, state: SceneState, *, own: bool
+) -> Generator[Action, Outcome, list[dict[str, Any]]]:
+    """Return arguments of MoveObject, the best first."""
+    wishes = wishes_of(place, target)
+    if target.anchor is not None and place.relation in ("on", "in"):
+        return [{"receptacle_id": target.anchor.id, **wishes}]
+    if target.anchor is not None:
+        holder = target.anchor.parent if is_loose(item) else None
+        return [{"receptacle_id": holder or target.room, **wishes}]
+    if own:
+        return [wishes]
+    if not is_loose(item) or place.spot:
+        return [{"receptacle_id": target.room, **wishes}]
+    surfaces = yield from find_surfaces(Scope("room", "", (target.room,)), state, item.name or item.category)
+    ways = [{"receptacle_id": surface, **wishes} for surface in surfaces[:MOST_CARRIERS] if surface != item.id]
+    return [*ways, {"receptacle_id": target.room, **wishes}]
+
+
+def _id_after(old: str, changed: Sequence[str], state: SceneState) -> str:
+    """Return the id of what moved: a new one where it went to another storey."""
+    if state.find(old) is not None:
+        return old
+    return next(name for name in changed if state.find(name) is not None)
+
+
+def swap(statement: Swap, state: SceneState, context: Context) -> Work:
+    """Let two things, or two rooms, exchange their places."""
+    one, other = statement.one, statement.other
+    if isinstance(one, Rooms) and isinstance(other, Rooms):
+        return (yield from swap_rooms(one, other, state, context))
+    if isinstance(one, Rooms) or isinstance(other, Rooms):
+        raise Unmet("a room and a thing cannot change places")
+    first, second = (things_meant(state, things, context) for things in (one, other))
+    if len(first) != 1 or len(second) != 1:
+        raise Unmet(f"{listed(first)} and {listed(second)}: say which two things change places")
+    arguments = {"object_id": first[0].id, "other_id": second[0].id}
+    yield from ask("They change places.", "SwapObjects", arguments)
+    ids = [first[0].id, second[0].id]
+    rooms = tuple(dict.fromkeys(item.room for item in live(state, ids)))
+    return Done(f"{ids[0]} and {ids[1]} changed places", context.followed(ids, rooms, ""))
+
+
+def turn(statement: Turn, state: SceneState, context: Context) -> Work:
+    """Turn things where they stand."""
+    items = things_meant(state, statement.things, context)
+    replies = []
+    for item in items:
+        turns = _rotations(statement, item, state, context)
+        before = item.rotation
+        reason = ""
+        for rotation in turns:
+            x, y, _ = item.position
+            arguments = {"object_id": item.id, "x": x, "y": y, "rotation": rotation}
+            answer = yield Action(f"{item.id} should turn.", "MoveObject", arguments)
+            if answer.error is None:
+                replies.append(f"{item.id} turned from {before:g} to {rotation:g} degrees")
+                break
+            reason = reason or answer.error.info.message
+        else:
+            raise Unmet(reason)
+    rooms = tuple(dict.fromkeys(item.room for item in items))
+    return Done("; ".join(replies), context.followed([i.id for i in items], rooms, statement.things.noun))
+
+
+def _rotations(statement: Turn, item: SceneObject, state: SceneState, context: Context) -> list[float]:
+    if statement.facing is None:
+        return [round((item.rotation + statement.degrees) % 360.0, 4)]
+    facing = msgspec.structs.replace(
+        statement.facing, place=statement.facing.place or Place(rooms=Rooms(words=item.room))
+    )
+    (target,) = things_meant(state, facing, context)[:1]
+    straight = facing_rotation(item, target)
+    square = round((item.rotation + 90.0 * round((straight - item.rotation) / 90.0)) % 360.0, 4)
+    return [square, straight] if abs((square - straight + 180.0) % 360.0 - 180.0) <= 25.0 else [straight]
+
+
+def facing_rotation(item: SceneObject, target: SceneObject) -> float:
+    """Return the rotation at which the front of an object points to the middle of another, degrees."""
+    dx, dy = target.position[0] - item.position[0], target.position[1] - item.position[1]
+    return round(math.degrees(math.atan2(-dx, dy)) % 360.0, 4)

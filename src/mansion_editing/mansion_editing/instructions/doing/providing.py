@@ -1,0 +1,352 @@
+"""Add, Ensure and Replace: new things where words want them, with the fewest of them."""
+
+from collections.abc import Generator, Sequence
+from typing import Any
+
+import msgspec
+
+from mansion_editing.agent.facts import Action, ObjectDescription, Outcome, Scope, Unmet, ask
+from mansion_editing.agent.provisioning import (
+    MOST_CARRIERS,
+    find_assets,
+    find_surfaces,
+    furnish,
+    is_furniture,
+    make_room,
+    place_any,
+    relation_of,
+    rooms_for,
+)
+from mansion_editing.instructions.doing.removing import removed
+from mansion_editing.instructions.doing.work import Done, Work, counted, listed, live
+from mansion_editing.instructions.meaning.choices import things_meant
+from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
+from mansion_editing.instructions.meaning.nouns import has_material
+from mansion_editing.instructions.meaning.numbers import means_several, new_number
+from mansion_editing.instructions.meaning.targets import Target, places_of
+from mansion_editing.instructions.meaning.wording import place_words, thing_words
+from mansion_editing.instructions.statements import Add, Amount, Ensure, Place, Replace, Rooms, Things
+from mansion_editing.state import SceneState
+from mansion_editing.tools.perception import object_info
+from mansion_msgs_py.editing import AssetInfo
+from mansion_msgs_py.scene import SceneObject
+
+__all__ = ["add", "at_target", "ensure", "place_at", "replace_things", "wishes_of"]
+
+MOST_NEW = 100
+"""Greatest number of new things of a kind for one place."""
+
+Made = Generator[Action, Outcome, list[str]]
+"""Ends with the ids of new objects."""
+
+
+def at_target(state: SceneState, things: Things, place: Place, target: Target, context: Context) -> list[SceneObject]:
+    """Return the things of the kind that are at one of the places that words mean."""
+    anchor = None if target.anchor is None else Things(noun=target.anchor.id, definite=True)
+    other = None if target.other is None else Things(noun=target.other.id, definite=True)
+    facing = None if target.facing is None else Things(noun=target.facing.id, definite=True)
+    room = None if target.anchor is not None else Rooms(words=target.room)
+    exact = msgspec.structs.replace(place, anchor=anchor, other=other, facing=facing, rooms=room, outside=False)
+    kind = msgspec.structs.replace(
+        things, place=None, amount=Amount(kind="all", number=0), definite=False, refers="", ordinal=0, size=""
+    )
+    return all_at(state, things_of(state, kind, context), exact, context)
+
+
+def add(statement: Add, state: SceneState, context: Context) -> Work:
+    """Bring so many more things, always new ones, at each place or at the first that takes them."""
+    things, place = statement.things, _whole_place(statement.things, statement.place)
+    if place.outside:
+        raise Unmet(f"say where, not only {place_words(place)}")
+    if things.refers == "last" and not things.noun:
+        things = msgspec.structs.replace(things, noun=context.noun, refers="")
+    number = new_number(things)
+    if number > MOST_NEW:
+        raise Unmet(f"{number} things are more than one instruction brings; at most {MOST_NEW}")
+    groups = yield from _groups(things, place, state, context, each=statement.each)
+    made: list[str] = []
+    before = 0
+    for group in groups:
+        before += sum(len(at_target(state, things, place, target, context)) for target in group)
+        made += yield from place_at(things, number, place, group, state)
+    return _added_reply(things, place, before, made, state, context)
+
+
+def _added_reply(
+    things: Things, place: Place, before: int, made: list[str], state: SceneState, context: Context
+) -> Done:
+    items = live(state, made)
+    rooms = tuple(dict.fromkeys(item.room for item in items))
+    where = place_words(place) or f"in {' and '.join(rooms)}"
+    had = f"there {'was' if before == 1 else 'were'} {counted(before, things.noun)} {where}"
+    reply = f"{had}; {len(made)} added ({listed(made)}), now {before + len(made)}"
+    return Done(reply, context.followed(made, rooms, things.noun))
+
+
+def _whole_place(things: Things, place: Place) -> Place:
+    """Return the place with what the words for the things say of it."""
+    own = things.place
+    if own is None:
+        return place
+    if place == Place():
+        return own
+    return msgspec.structs.replace(place, rooms=place.rooms or own.rooms) if place.anchor else place
+
+
+def _is_each(place: Place) -> bool:
+    of_all = place.anchor is not None and place.anchor.amount.kind == "all"
+    return of_all or (place.anchor is None and place.rooms is not None and place.rooms.every)
+
+
+def _groups(
+    things: Things, place: Place, state: SceneState, context: Context, *, each: bool
+) -> Generator[Action, Outcome, list[list[Target]]]:
+    """Return groups of places: the things go to one place of each group."""
+    if place.anchor is None and place.rooms is None:
+        rooms = Rooms(same=True) if context.rooms else Rooms(every=True)
+        place = msgspec.structs.replace(place, rooms=rooms)
+        targets = places_of(state, place, context, each=True)
+        return [(yield from _best_first(things, targets, state))]
+    several = each or _is_each(place)
+    plural_rooms = place.rooms is not None and (place.rooms.every or place.rooms.number > 1)
+    having = _rooms_having(state, place, context)
+    targets = places_of(state, place, context, each=several, fits=having.__contains__)
+    if not targets:
+        targets = [(yield from _new_carrier(place, state, context))]
+    if not several and plural_rooms:
+        names = list(dict.fromkeys(target.room for target in targets))
+        return [[target for target in targets if target.room == name] for name in names]
+    anchor = place.anchor
+    if several or (anchor is not None and anchor.definite and means_several(anchor) and place.relation != "between"):
+        return [[target] for target in targets]
+    if place.anchor is None and len(targets) > 1 and place.rooms is not None and not place.rooms.words:
+        return [targets]
+    return [targets] if place.anchor is not None else [[target] for target in targets]
+
+
+def _best_first(things: Things, targets: list[Target], state: SceneState) -> Generator[Action, Outcome, list[Target]]:
+    """Return rooms that words leave open in the order in which they suit a thing."""
+    first = (yield from _assets_of(things, state))[0]
+    rooms = Scope("room", "", tuple(target.room for target in targets))
+    order = rooms_for(rooms, state, first.category, first.size)
+    return sorted((target for target in targets if target.room in order), key=lambda target: order.index(target.room))
+
+
+def _rooms_having(state: SceneState, place: Place, context: Context) -> set[str]:
+    """Return the rooms that have what the place is on, at or facing."""
+    marks = [mark for mark in (place.anchor, place.facing) if mark is not None]
+    if not marks or place.rooms is None:
+        return set()
+    sets = [{item.room for item in things_of(state, mark, context)} for mark in marks]
+    return set.intersection(*sets) & set(rooms_of(state, place.rooms, context))
+
+
+def _new_carrier(place: Place, state: SceneState, context: Context) -> Generator[Action, Outcome, Target]:
+    """Furnish a room with the receptacle that is missing, where words do not say that it is there."""
+    anchor = place.anchor
+    known = place.rooms is not None and len(rooms_of(state, place.rooms, context)) == 1
+    told = anchor is not None and anchor.definite and not (known and place.relation in ("on", "in"))
+    if anchor is None or told or anchor.refers or "/" in anchor.noun or place.relation == "between":
+        raise Unmet(
+            f"there is nothing {place_words(place)}" if anchor is None else f"there is no {_kind(anchor, place)}"
+        )
+    if anchor.place is not None and anchor.place.anchor is not None:
+        bare = msgspec.structs.replace(anchor, place=None)
+        (small,) = yield from place_at(bare, 1, anchor.place, places_of(state, anchor.place, context), state)
+        holder = live(state, [small])[0]
+        return Target(holder.room, holder)
+    rooms = () if place.rooms is None else tuple(rooms_of(state, place.rooms, context))
+    made = yield from furnish(ObjectDescription(anchor.noun, 1, anchor.colour), Scope("room", "", rooms), state)
+    item = live(state, [made])[0]
+    return Target(item.room, item)
+
+
+def _kind(anchor: Things, place: Place) -> str:
+    rooms = "" if place.rooms is None else f" {place_words(Place(rooms=place.rooms))}"
+    return f"{thing_words(msgspec.structs.replace(anchor, definite=False))}{rooms}"
+
+
+def wishes_of(place: Place, target: Target) -> dict[str, Any]:
+    """Return the arguments of a place tool that say where from its anchor, where in the room, and how turned."""
+    out: dict[str, Any] = {}
+    if target.anchor is not None and place.relation not in ("on", "in"):
+        out["near"] = target.anchor.id
+        if place.relation not in ("", "near"):
+            out["side"] = place.relation
+    if target.other is not None:
+        out["other"] = target.other.id
+    if place.within:
+        out["within"] = place.within
+    if place.spot:
+        out["spot"] = place.spot
+    if target.facing is not None:
+        out["facing"] = target.facing.id
+    return out
+
+
+def place_at(things: Things, number: int, place: Place, targets: Sequence[Target], state: SceneState) -> Made:
+    """Place new things at the first of some places that takes them all.
+
+    Raises
+    ------
+    Unmet
+        Where none does.
+    """
+    assets = yield from _assets_of(things, state)
+    reasons: list[str] = []
+    for target in targets[:MOST_CARRIERS]:
+        made: list[str] = []
+        for _ in range(number):
+            one, reason = yield from _place_one(things, assets, place, target, state, alone=len(targets) == 1)
+            if not one:
+                reasons.append(reason)
+                break
+            made.append(one)
+        if len(made) == number:
+            yield from _finished(things, made, state)
+            return made
+        for object_id in reversed(made):
+            yield from ask("They do not all fit there.", "RemoveObject", {"object_id": object_id})
+    raise Unmet("; ".join(dict.fromkeys(reasons)) or f"there is no place for {thing_words(things)}")
+
+
+def _assets_of(things: Things, state: SceneState) -> Generator[Action, Outcome, list[AssetInfo]]:
+    if not things.noun:
+        raise Unmet("say what to bring")
+    assets = yield from find_assets(ObjectDescription(things.noun, 1, things.colour), state)
+    if things.material:
+        kinds = {asset.category for asset in assets[:1]}
+        assets.sort(key=lambda a: (a.category not in kinds, things.material.lower() not in a.material))
+    return assets
+
+
+def _place_one(
+    things: Things, assets: list[AssetInfo], place: Place, target: Target, state: SceneState, *, alone: bool
+) -> Generator[Action, Outcome, tuple[str, str]]:
+    colour, wishes = things.colour, wishes_of(place, target)
+    if target.anchor is not None and place.relation in ("on", "in"):
+        found = state.find(target.anchor.id)
+        if found is None:
+            return "", f"{target.anchor.id} is gone"
+        carrier = object_info(state, *found)
+        relation = relation_of(place.relation, carrier, state)
+        made, reason = yield from place_any(
+            assets, carrier.id, relation, colour=colour, name=things.noun, wishes=wishes
+        )
+        if not made and alone:
+            made = yield from make_room(ObjectDescription(things.noun, 1, colour), assets, carrier, state)
+        return made, reason
+    stands = _goes_to_room(assets, state)
+    if target.anchor is not None and target.anchor.parent is not None and not stands:
+        return (
+            yield from place_any(assets, target.anchor.parent, "on", colour=colour, name=things.noun, wishes=wishes)
+        )
+    if stands or target.anchor is not None or place.spot:
+        return (yield from place_any(assets, target.room, "on", colour=colour, name=things.noun, wishes=wishes))
+    surfaces = yield from find_surfaces(Scope("room", "", (target.room,)), state, things.noun)
+    reason = f"no surface in {target.room} can carry it"
+    for surface in surfaces[: 2 * MOST_CARRIERS]:
+        made, reason = yield from place_any(assets, surface, "on", colour=colour, name=things.noun, wishes=wishes)
+        if made:
+            return made, ""
+    return "", reason
+
+
+def _goes_to_room(assets: list[AssetInfo], state: SceneState) -> bool:
+    mount = state.catalogue.asset(assets[0].asset_id).mount
+    return mount in ("wall", "ceiling") or is_furniture(assets, state)
+
+
+def _finished(things: Things, made: Sequence[str], state: SceneState) -> Generator[Action, Outcome, None]:
+    """Give new things the material and the states that words ask for."""
+    for item in live(state, made):
+        if things.material and not has_material(item, things.material):
+            arguments = {"object_id": item.id, "material": things.material}
+            yield from ask(f"{item.id} should be of {things.material}.", "PaintObject", arguments)
+        for name, value in things.states.items():
+            if bool(item.states.get(name, False)) != value:
+                yield from ask(f"{item.id} should be so.", "SetState", {"object_id": item.id, name: value})
+
+
+def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
+    """Bring what is missing of a number, counting what is there; take away what is more only where words say so."""
+    things, place = statement.things, _whole_place(statement.things, statement.place)
+    kind, number = things.amount.kind, new_number(things)
+    if kind == "more":
+        return (yield from add(Add(things=things, place=place, each=statement.each), state, context))
+    several = statement.each or _is_each(place)
+    least = kind not in ("at_most", "none")
+    if place.anchor is None and place.rooms is None:
+        groups = [places_of(state, Place(rooms=Rooms(every=True), spot=place.spot), context, each=True)]
+        if least:
+            groups = [(yield from _best_first(things, groups[0], state))]
+    elif not least and place.anchor is not None and not things_of(state, place.anchor, context):
+        groups = []
+    else:
+        groups = yield from _groups(things, place, state, context, each=several)
+    had, made, gone = 0, [], []
+    for group in groups:
+        there = [(target, at_target(state, things, place, target, context)) for target in group]
+        whole = place.anchor is None
+        best = max(there, key=lambda pair: len(pair[1]), default=None)
+        found = list({i.id: i for _, items in there for i in items}.values())
+        if not whole and (best is None or kind in ("exactly", "at_most", "none") or len(found) < number):
+            found = best[1] if best else []
+        had += len(found)
+        if len(found) > number and kind in ("exactly", "at_most", "none"):
+            surplus = found[number:]
+            gone += yield from removed(surplus, state)
+        elif len(found) < number and least and best is not None:
+            order = [best[0], *(target for target in group if target is not best[0])]
+            made += yield from place_at(things, number - len(found), place, order if whole else order[:1], state)
+    items = live(state, made)
+    rooms = tuple(dict.fromkeys([*(i.room for i in items), *(t.room for g in groups for t in g[:1])]))
+    where = place_words(place) or "in the building"
+    reply = f"there {'was' if had == 1 else 'were'} {counted(had, things.noun)} {where}"
+    if made:
+        reply += f"; {len(made)} added ({listed(made)}), now {had + len(made)}"
+    if gone:
+        reply += f"; {len(gone)} removed ({listed(gone)})"
+    reply += "" if made or gone else " already; nothing had to change"
+    known = made or [i.id for g in groups for t in g for i in at_target(state, things, place, t, context)]
+    return Done(reply, context.followed(known, rooms[:1], things.noun))
+
+
+def replace_things(statement: Replace, state: SceneState, context: Context) -> Work:
+    """Take things away and put new ones where they stood."""
+    olds = things_meant(state, statement.things, context)
+    by = statement.by
+    one_by_one = by.plural or statement.things.amount.kind == "all" or len(olds) == 1
+    number = new_number(by) if by.amount.number > 1 or not one_by_one else len(olds)
+    gone: list[str] = []
+    made: list[str] = []
+    for order, old in enumerate(olds):
+        gone += yield from removed([old], state)
+        share = number // len(olds) + (order < number % len(olds))
+        made += yield from _in_place_of(old, by, share, state)
+    kinds = {item.category for item in live(state, made)}
+    other = by.noun != statement.things.noun and not (by.colour or by.material)
+    if other and kinds and kinds <= {old.category for old in olds}:
+        kind = kinds.pop().replace("_", " ")
+        raise Unmet(f"the catalogue has no {by.noun} of its own; what comes nearest is another {kind}")
+    carried = [name for name in gone if name not in {old.id for old in olds}]
+    reply = f"{listed(olds)} replaced by {listed(made)}" + (f"; gone with it: {listed(carried)}" if carried else "")
+    rooms = tuple(dict.fromkeys(old.room for old in olds))
+    return Done(reply, context.followed(made, rooms, by.noun))
+
+
+def _in_place_of(old: SceneObject, by: Things, number: int, state: SceneState) -> Made:
+    """Place new things as close to an old one's place as there is room."""
+    if not number:
+        return []
+    parent = live(state, [old.parent or ""])
+    relation = "in" if old.mount == "inside" else "on"
+    place = Place(relation=relation) if parent else Place()  # type: ignore[arg-type]
+    made = yield from place_at(by, number, place, [Target(old.room, parent[0] if parent else None)], state)
+    first = live(state, made[:1])[0]
+    if first.mount == old.mount and first.parent == old.parent:
+        x, y, _ = old.position
+        arguments = {"object_id": first.id, "x": x, "y": y, "rotation": old.rotation}
+        yield Action(f"{first.id} should stand where {old.id} was.", "MoveObject", arguments)
+    return made

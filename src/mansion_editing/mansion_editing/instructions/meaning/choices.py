@@ -1,0 +1,202 @@
+"""Which of the rooms and things that fit are meant."""
+
+from collections.abc import Callable, Sequence
+from typing import TypeAlias
+
+import msgspec
+
+from mansion_assets.catalogue.vocabulary import stems
+from mansion_editing.instructions.meaning.context import Context, ambiguous
+from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of, things_of
+from mansion_editing.instructions.meaning.numbers import is_one, means_one
+from mansion_editing.instructions.meaning.room_words import room_title
+from mansion_editing.instructions.meaning.wording import at_words, bare_words, room_words, thing_words, title_of
+from mansion_editing.instructions.statements import Place, Rooms, Things
+from mansion_editing.state import SceneState
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import SceneObject
+
+__all__ = ["Fit", "concerned", "one_room_each", "things_meant", "too_few"]
+
+Fit: TypeAlias = Callable[[str], bool]
+"""Whether a room, by its id, fits the rest of a statement."""
+
+
+def one_room_each(state: SceneState, rooms: Rooms, context: Context, fits: Fit | None = None) -> list[str]:
+    """Return the rooms that words mean: exactly one where they mean one.
+
+    Parameters
+    ----------
+    fits : callable, optional
+        Tells rooms apart that the words fit equally well.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` where there is none, or not the number that the words have.
+    Ambiguous
+        Where words for one room fit several.
+    """
+    found = rooms_of(state, rooms, context)
+    if not found:
+        known = ", ".join(dict.fromkeys(room.name or room.room_type.replace("_", " ") for _, room in state.rooms()))
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {room_words(rooms)}; the rooms are {known[:600]}")
+    if rooms.number > 1 and len(found) != rooms.number:
+        if len(found) > rooms.number:
+            raise ambiguous(room_words(rooms), [room_title(state, room) for room in found], found)
+        message = f"there are {len(found)} rooms called {rooms.words}, not {rooms.number}: {', '.join(found)}"
+        raise MansionError(ErrorCode.NOT_FOUND, message)
+    if len(found) > 1 and is_one(rooms):
+        fitting = [room for room in found if fits is not None and fits(room)]
+        if len(fitting) != 1:
+            candidates = fitting or found
+            raise ambiguous(f"the {room_words(rooms)}", [room_title(state, r) for r in candidates], candidates)
+        return fitting
+    return found
+
+
+def concerned(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
+    """Return the things that words fit and that a statement may change: of several, not what shall be left.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for an exception that is not there.
+    """
+    found = things_of(state, things, context)
+    loosely = things.definite and things.plural and things.amount.kind in ("some", "all") and things.place is None
+    if loosely and not things.refers and not things.owned and context.rooms:
+        found = [item for item in found if item.room in context.rooms] or found
+    for spared in things.beside:
+        if not things_of(state, spared, context):
+            raise MansionError(
+                ErrorCode.NOT_FOUND, f"there is no {bare_words(spared)}{at_words(spared.place)} to leave out"
+            )
+    return found if means_one(things) else [item for item in found if item.id not in context.kept]
+
+
+def things_meant(
+    state: SceneState,
+    things: Things,
+    context: Context,
+    prefer: Callable[[SceneObject], bool] | None = None,
+    *,
+    surplus: bool = False,
+) -> list[SceneObject]:
+    """Return the objects that words mean, their number looked at.
+
+    Of several that may be chosen freely ("two chairs") those that carry nothing come first, then the last.
+
+    Parameters
+    ----------
+    prefer : callable, optional
+        Tells which is meant where words for one thing fit several.
+    surplus : bool
+        ``exactly`` and ``at_most`` mean those beyond the number, not the number.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` where there is none, ``INFEASIBLE`` where there are fewer than the words have.
+    Ambiguous
+        Where words for one thing, or for a certain number, fit more.
+    """
+    found = concerned(state, things, context)
+    if not found:
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {bare_words(things)}{at_words(things.place)}")
+    if things.place is not None:
+        found = _at_one_place(state, things.place, found, context)
+    amount, count = things.amount, len(found)
+    if amount.of and amount.of != count:
+        message = f"there are {count} {bare_words(things)}{at_words(things.place)}, not {amount.of}: {_ids(found)}"
+        raise MansionError(ErrorCode.INFEASIBLE, message)
+    if amount.kind == "all":
+        if amount.number > 1 and amount.number != count:
+            raise too_few(things, found)
+        return found
+    if amount.kind == "all_but" or (surplus and amount.kind in ("exactly", "at_most")):
+        if amount.kind == "all_but" and count < amount.number:
+            raise too_few(things, found)
+        return _any_of(state, found, max(0, count - amount.number))
+    if amount.kind == "none":
+        return []
+    if things.plural and amount.number <= 1:
+        return found
+    if means_one(things) or (things.refers == "last" and not things.plural and things.noun):
+        return _the_one(things, found, context, prefer)
+    if things.refers == "last":
+        return found
+    number = max(1, amount.number)
+    if number > count:
+        raise too_few(things, found)
+    if things.definite and number < count and not amount.of:
+        raise ambiguous(thing_words(things), [title_of(state, item) for item in found], [i.id for i in found])
+    return _any_of(state, found, number)
+
+
+def _the_one(
+    things: Things, found: list[SceneObject], context: Context, prefer: Callable[[SceneObject], bool] | None
+) -> list[SceneObject]:
+    last = [item for item in found if item.id in context.things]
+    found = last if len(last) == 1 else found
+    preferred = [item for item in found if prefer is not None and prefer(item)]
+    if len(found) > 1 and len({item.room for item in found}) == 1 and _names_lights(things):
+        return [item for item in found if item.mount == "ceiling"] or found
+    here = [item for item in found if item.room in context.rooms]
+    found = preferred if len(preferred) == 1 else here if len(here) == 1 else found
+    if len(found) > 1:
+        raise ambiguous(thing_words(things), [title_of(None, item) for item in found], [item.id for item in found])
+    return found
+
+
+def _names_lights(things: Things) -> bool:
+    return stems(things.noun)[-1:] == ("light",) or stems(things.noun) in (("ceiling", "lamp"), ("lighting",))
+
+
+def too_few(things: Things, found: list[SceneObject]) -> MansionError:
+    only = "only " if things.amount.number >= len(found) else ""
+    verb = "is" if len(found) == 1 else "are"
+    message = (
+        f"there {verb} {only}{len(found)} {bare_words(things)}{at_words(things.place)}, not {things.amount.number}: "
+    )
+    return MansionError(ErrorCode.INFEASIBLE, message + _ids(found))
+
+
+def _ids(found: Sequence[SceneObject]) -> str:
+    return ", ".join(item.id for item in found[:8]) + (", ..." if len(found) > 8 else "")
+
+
+def _any_of(state: SceneState, found: list[SceneObject], number: int) -> list[SceneObject]:
+    """Return so many of the objects: those that carry nothing first, then the last in the order of ids."""
+    bearing = {item.parent for _, item in state.objects() if item.parent is not None}
+    order = sorted(enumerate(found), key=lambda pair: (pair[1].id in bearing, -pair[0]))
+    kept = {item.id for _, item in order[:number]}
+    return [item for item in found if item.id in kept]
+
+
+def _at_one_place(state: SceneState, place: Place, found: list[SceneObject], context: Context) -> list[SceneObject]:
+    """Refuse things that lie at several places where the words mean one.
+
+    Raises
+    ------
+    Ambiguous
+    """
+    if place.outside:
+        return found
+    rooms = sorted({item.room for item in found})
+    if place.rooms is not None and is_one(place.rooms) and len(rooms) > 1:
+        raise ambiguous(f"the {room_words(place.rooms)}", [room_title(state, room) for room in rooms], rooms)
+    if place.anchor is None or not means_one(place.anchor):
+        return found
+    anchors = anchors_of(state, place, context)
+    if len(anchors) < 2 or any(anchor.id in context.things for anchor in anchors):
+        return found
+    near = {
+        anchor.id: all_at(state, found, msgspec.structs.replace(place, anchor=Things(noun=anchor.id)), context)
+        for anchor in anchors
+    }
+    having = [anchor for anchor in anchors if near[anchor.id]]
+    if len(having) > 1:
+        words = thing_words(place.anchor)
+        raise ambiguous(words, [title_of(state, item) for item in having], [item.id for item in having])
+    return found

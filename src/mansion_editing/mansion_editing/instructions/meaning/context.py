@@ -1,0 +1,48 @@
+"""What was mentioned before, and words that fit several things."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from mansion_msgs_py.errors import ErrorCode, MansionError
+
+__all__ = ["Ambiguous", "Context", "ambiguous"]
+
+
+class Ambiguous(MansionError):
+    """Words that mean one thing fit several; `details` has the candidates."""
+
+
+@dataclass(frozen=True)
+class Context:
+    """What was mentioned last.
+
+    Attributes
+    ----------
+    things : tuple of str
+        Ids of the objects.
+    rooms : tuple of str
+        Ids of the rooms.
+    noun : str
+        What the objects were called.
+    kept : frozenset of str
+        Ids of what the instruction says to leave as it is; not meant where words mean several things.
+    """
+
+    things: tuple[str, ...] = ()
+    rooms: tuple[str, ...] = ()
+    noun: str = ""
+    kept: frozenset[str] = frozenset()
+
+    def followed(self, things: Sequence[str], rooms: Sequence[str], noun: str) -> "Context":
+        """Return the context after something else was mentioned; what was not stays."""
+        return Context(tuple(things) or self.things, tuple(rooms) or self.rooms, noun or self.noun, self.kept)
+
+
+def ambiguous(words: str, candidates: Sequence[str], ids: Sequence[str]) -> Ambiguous:
+    shown = " or ".join(candidates[:6]) + (f" or one of {len(candidates) - 6} more" if len(candidates) > 6 else "")
+    return Ambiguous(
+        ErrorCode.CONFLICT,
+        f"{words!r} may be {shown}; say which",
+        path="$.instruction",
+        details={"words": words, "candidates": list(ids)},
+    )

@@ -1,0 +1,256 @@
+"""Rooms and things that fit a description."""
+
+import math
+from collections.abc import Sequence
+from typing import Final
+
+import msgspec
+
+from mansion_assets.catalogue.vocabulary import stems
+from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.nouns import called, has_colour, has_material, id_order
+from mansion_editing.instructions.meaning.numbers import means_several
+from mansion_editing.instructions.meaning.room_words import adjoining, best_named, room_order
+from mansion_editing.instructions.statements import Place, Rooms, Things
+from mansion_editing.state import SceneState
+from mansion_editing.tools.perception import contents, on_top
+from mansion_editing.tools.relations import relation_holds
+from mansion_msgs_py.editing import Side
+from mansion_msgs_py.errors import ErrorCode, MansionError
+from mansion_msgs_py.scene import SceneObject, SceneRoom
+
+__all__ = ["all_at", "anchors_of", "carried_by", "is_at", "rooms_of", "things_of"]
+
+_THERE: Final = frozenset({"", "it", "this", "that", "there", "here", "this room", "that room", "the room", "them"})
+
+
+def rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[str]:
+    """Return the ids of the rooms that words mean, the best fits only; empty where there is none.
+
+    Several fits of words for one room are all returned: what else is said of the room may tell them apart.
+    """
+    found = _rooms_of(state, rooms, context)
+    return [room.id for room in found]
+
+
+def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRoom]:
+    pool = sorted((room for floor, room in state.rooms() if not rooms.floors or floor in rooms.floors), key=room_order)
+    if rooms.same and rooms.words:
+        storeys = {name.split("/", 1)[0] for name in context.rooms}
+        pool = [room for room in pool if not storeys or room.id.split("/", 1)[0] in storeys]
+    elif rooms.same:
+        last = context.rooms or tuple(dict.fromkeys(item.room for item in _existing(state, context.things)))
+        if not last and rooms.floors:
+            last = tuple(room.id for room in pool)
+        pool = [room for room in pool if room.id in last]
+    if rooms.next_to:
+        beside = _next_rooms(state, rooms, context)
+        pool = [room for room in pool if room.id in beside]
+    if rooms.holding is not None:
+        within = {item.room for item in things_of(state, rooms.holding, context)}
+        pool = [room for room in pool if room.id in within]
+    several = rooms.every or rooms.number > 1
+    if rooms.words:
+        close = best_named(pool, rooms.words, every=rooms.every)
+        if several and rooms.number not in (0, len(close)):
+            wide = best_named(pool, rooms.words, every=True)
+            close = wide if len(wide) == rooms.number else close
+        pool = close
+    if rooms.size:
+        pool = sorted(pool, key=lambda room: room.area, reverse=rooms.size == "largest")[:1]
+    if rooms.ordinal:
+        pool = _nth(pool, rooms.ordinal)
+    return pool
+
+
+def _next_rooms(state: SceneState, rooms: Rooms, context: Context) -> set[str]:
+    words = rooms.next_to.lower().removeprefix("the ").strip()
+    start = context.rooms if words in _THERE else rooms_of(state, Rooms(words=words), context)
+    return {other for room in start for other in adjoining(state, room)} - set(start)
+
+
+def _nth(found: list[SceneRoom], ordinal: int) -> list[SceneRoom]:
+    at = ordinal if ordinal < 0 else ordinal - 1
+    return [found[at]] if -len(found) <= at < len(found) else []
+
+
+def _existing(state: SceneState, ids: Sequence[str]) -> list[SceneObject]:
+    found = [state.find(name) for name in ids]
+    return [pair[1] for pair in found if pair is not None]
+
+
+def things_of(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
+    """Return all objects that words fit, in the order of their ids; how many of them are meant is not looked at."""
+    pool = [item for _, item in state.objects()]
+    if things.refers and not context.things and not context.rooms:
+        raise MansionError(ErrorCode.NOT_FOUND, "nothing was mentioned before that the words could refer to")
+    if things.refers == "last":
+        pool = _existing(state, context.things)
+    elif things.refers == "others":
+        rooms = {item.room for item in _existing(state, context.things)} or set(context.rooms)
+        pool = [item for item in pool if item.id not in context.things and item.room in rooms]
+    noun = things.noun or (context.noun if things.refers == "others" else "")
+    if noun and not things.owned:
+        things, noun = _with_owner(state, pool, things, noun, context)
+    many = means_several(things)
+    pool = [item for item in pool if _has_traits(item, things)]
+    if noun or not things.refers:
+        pool = called(state, pool, noun, many=True)
+    if things.place is not None:
+        at = _Placed(state, things.place, context)
+        pool = [item for item in pool if at.holds(item)]
+    if things.owned:
+        pool = _owned(state, pool, things.owned, context)
+    if noun and not many:
+        pool = called(state, pool, noun)
+    for spared in things.beside:
+        out = {item.id for item in things_of(state, spared, context)}
+        pool = [item for item in pool if item.id not in out]
+    return _picked(sorted(pool, key=id_order), things)
+
+
+def _with_owner(
+    state: SceneState, pool: list[SceneObject], things: Things, noun: str, context: Context
+) -> tuple[Things, str]:
+    """Return the words with a room's name in front of the noun as its owner: the kitchen counter, the lobby chairs.
+
+    Another word for a kind ("kitchen table") keeps its noun; one in the room of that name comes first.
+    """
+    words = noun.split()
+    known = called(state, pool, noun, many=True) if len(words) > 1 else []
+    if any(stems(noun) in (stems(item.category.replace("_", " ")), stems(item.name)) for item in known):
+        return things, noun
+    for at in range(len(words) - 1, 0, -1):
+        owner, rest = " ".join(words[:at]), " ".join(words[at:])
+        rooms = set(rooms_of(state, Rooms(words=owner), context))
+        if known and any(item.room in rooms for item in known) and owner.lower() in _plain_names(state, rooms):
+            return msgspec.structs.replace(things, owned=owner), noun
+        if not known and called(state, [item for item in pool if item.room in rooms], rest, many=True):
+            return msgspec.structs.replace(things, owned=owner, noun=rest), rest
+    return things, noun
+
+
+def _plain_names(state: SceneState, rooms: set[str]) -> set[str]:
+    """Return the words by which rooms are called: their kinds and names, in small letters."""
+    found = [room for _, room in state.rooms() if room.id in rooms]
+    return {text.lower().replace("_", " ") for room in found for text in (room.room_type, room.name, *room.aliases)}
+
+
+def _picked(pool: list[SceneObject], things: Things) -> list[SceneObject]:
+    if things.size and pool:
+        largest = things.size == "largest"
+        pool = sorted(pool, key=lambda item: math.prod(item.size), reverse=largest)
+        pool = [item for item in pool if math.isclose(math.prod(item.size), math.prod(pool[0].size), rel_tol=1e-3)]
+    if things.ordinal:
+        at = things.ordinal if things.ordinal < 0 else things.ordinal - 1
+        pool = [pool[at]] if -len(pool) <= at < len(pool) else []
+    return pool
+
+
+def _has_traits(item: SceneObject, things: Things) -> bool:
+    if things.colour and not has_colour(item, things.colour):
+        return False
+    if things.material and not has_material(item, things.material):
+        return False
+    return all(name in item.states and bool(item.states[name]) == value for name, value in things.states.items())
+
+
+def _owned(state: SceneState, pool: list[SceneObject], owner: str, context: Context) -> list[SceneObject]:
+    """Return those in the room that the owner's words name, else those on, in or beside a thing of that name."""
+    words = owner.removesuffix("'s").removesuffix("’s")
+    rooms = set(rooms_of(state, Rooms(words=words, every=True), context))
+    inside = [item for item in pool if item.room in rooms]
+    if inside:
+        return inside
+    holders = {item.id for item in called(state, (item for _, item in state.objects()), words)}
+    if not rooms and not holders:
+        return pool  # the baby's high chair: an owner who is no part of the building
+    return [item for item in pool if item.parent in holders]
+
+
+class _Placed:
+    """Whether objects are at a place; its words are looked up once."""
+
+    def __init__(self, state: SceneState, place: Place, context: Context) -> None:
+        self.state, self.place = state, place
+        self.rooms = None if place.rooms is None else set(rooms_of(state, place.rooms, context))
+        self.anchors = [] if place.anchor is None else anchors_of(state, place, context)
+        self.others = [] if place.other is None else things_of(state, place.other, context)
+        self.facing = None if place.facing is None else things_of(state, place.facing, context)
+        self.carried = (
+            {item.id for anchor in self.anchors for item in carried_by(state, anchor, place.relation)}
+            if place.relation in ("on", "in")
+            else set()
+        )
+
+    def holds(self, item: SceneObject) -> bool:
+        return self._is_there(item) != self.place.outside
+
+    def _is_there(self, item: SceneObject) -> bool:
+        if self.rooms is not None and item.room not in self.rooms:
+            return False
+        if self.place.anchor is not None and not self._is_related(item):
+            return False
+        if self.place.spot and not relation_holds(self.state, item, spot=self.place.spot):
+            return False
+        facing = self.facing
+        return facing is None or any(
+            item.id != one.id and relation_holds(self.state, item, facing=one.id) for one in facing
+        )
+
+    def _is_related(self, item: SceneObject) -> bool:
+        relation, within = self.place.relation, self.place.within or None
+        if relation in ("on", "in"):
+            return item.id in self.carried
+        near = [anchor for anchor in self.anchors if anchor.id != item.id and anchor.room == item.room]
+        if relation == "between":
+            ends = [one for one in (self.others or near) if one.id != item.id and one.room == item.room]
+            return any(
+                relation_holds(self.state, item, "between", one.id, other.id, within)
+                for one in near
+                for other in ends
+                if one.id != other.id
+            )
+        side: Side = "" if relation in ("", "near") else relation  # type: ignore[assignment]
+        return any(relation_holds(self.state, item, side, anchor.id, within=within) for anchor in near)
+
+
+def is_at(state: SceneState, item: SceneObject, place: Place, context: Context) -> bool:
+    """Whether an object is at a place in words, measured on the geometry of the scene."""
+    return _Placed(state, place, context).holds(item)
+
+
+def all_at(state: SceneState, items: Sequence[SceneObject], place: Place, context: Context) -> list[SceneObject]:
+    """Return the objects that are at a place in words."""
+    at = _Placed(state, place, context)
+    return [item for item in items if at.holds(item)]
+
+
+def carried_by(state: SceneState, holder: SceneObject, relation: str) -> list[SceneObject]:
+    """Return what is on or in an object; either where its kind cannot tell them apart (a bookshelf)."""
+    found = state.find(holder.id)
+    if found is None:
+        return []
+    floor, index, asset = found[0], state.index(found[0]), state.asset(holder)
+    surfaces, volumes = (bool(asset.surfaces), bool(asset.volumes)) if asset is not None else (True, True)
+    out: list[SceneObject] = []
+    if relation == "on" or not volumes:
+        out += on_top(index, holder, asset)
+    if relation == "in" or not surfaces:
+        out += contents(index, holder, asset)
+    mounts = {"on": ("surface",), "in": ("inside",)}.get(relation, ())
+    children = state.index(floor).children.get(holder.id, [])
+    out += [item for item in children if item.mount in mounts or not (surfaces and volumes)]
+    return list({item.id: item for item in out if item.mount not in ("ceiling", "wall")}.values())
+
+
+def anchors_of(state: SceneState, place: Place, context: Context) -> list[SceneObject]:
+    """Return the objects that a place is on, in, beside, ...; only those in its rooms where it names rooms."""
+    if place.anchor is None:
+        return []
+    anchor = place.anchor
+    if place.rooms is not None and anchor.place is None:
+        return things_of(state, msgspec.structs.replace(anchor, place=Place(rooms=place.rooms)), context)
+    found = things_of(state, anchor, context)
+    rooms = None if place.rooms is None else set(rooms_of(state, place.rooms, context))
+    return [item for item in found if rooms is None or item.room in rooms]

@@ -1,0 +1,40 @@
+"""How many things words mean."""
+
+from typing import Final
+
+from mansion_editing.instructions.statements import Rooms, Things
+
+__all__ = ["LEAST_PLURAL", "is_one", "means_one", "means_several", "new_number"]
+
+LEAST_PLURAL: Final = 2
+"""How many things a plural without a number means at least."""
+
+
+def means_several(things: Things) -> bool:
+    """Whether words mean more than one thing: the plural, a number above one, all."""
+    amount = things.amount
+    whole = amount.kind in ("all", "all_but", "none")
+    return things.plural or whole or amount.number > 1
+
+
+def new_number(things: Things) -> int:
+    """Return how many things words want to be there, or want more of; a plural without a number wants two.
+
+    Examples
+    --------
+    >>> new_number(Things(noun="chair", plural=True, amount=Amount(number=0))), new_number(Things(noun="chair"))
+    (2, 1)
+    """
+    kind, number = things.amount.kind, things.amount.number
+    if kind in ("exactly", "at_most", "none") or number > 1:
+        return 0 if kind == "none" else number
+    return LEAST_PLURAL if things.plural else 1
+
+
+def means_one(things: Things) -> bool:
+    """Whether words mean one certain thing ("the mug")."""
+    return things.definite and not means_several(things)
+
+
+def is_one(rooms: Rooms) -> bool:
+    return not rooms.every and rooms.number < 2 and bool(rooms.words or rooms.next_to or rooms.holding or rooms.same)

@@ -1,0 +1,66 @@
+"""Things, places and rooms in words, for replies."""
+
+from typing import Final
+
+from mansion_editing.instructions.meaning.numbers import means_several
+from mansion_editing.instructions.statements import Place, Rooms, Things
+from mansion_editing.state import SceneState
+from mansion_msgs_py.scene import SceneObject
+
+__all__ = ["at_words", "bare_words", "place_words", "room_words", "thing_words", "title_of"]
+
+_RELATIONS: Final = {
+    "beside": "beside", "left": "to the left of", "right": "to the right of", "front": "in front of",
+    "around": "around", "near": "near", "behind": "behind", "between": "between", "on": "on", "in": "in",
+    "under": "under", "above": "above", "": "at",
+}  # fmt: skip
+
+
+def thing_words(things: Things) -> str:
+    """Return words for things as a reply has them ("the two red mugs on the desk")."""
+    if things.refers == "last" and not things.noun:
+        return "them" if means_several(things) else "it"
+    article = "the " if things.definite else ""
+    number = f"{things.amount.number} " if things.amount.number > 1 else ""
+    return f"{article}{number}{bare_words(things)}{at_words(things.place)}"
+
+
+def place_words(place: Place) -> str:
+    """Return words for a place ("on the desk in the office on floor 2")."""
+    parts = ["not"] if place.outside else []
+    if place.anchor is not None:
+        parts.append(f"{_RELATIONS[place.relation]} {thing_words(place.anchor)}")
+    if place.other is not None:
+        parts.append(f"and {thing_words(place.other)}")
+    if place.spot:
+        parts.append({"middle": "in the middle", "corner": "in a corner"}.get(place.spot, f"at the {place.spot}"))
+    if place.rooms is not None:
+        parts.append(f"in {'' if place.rooms.every else 'the '}{room_words(place.rooms)}")
+    if place.facing is not None:
+        parts.append(f"facing {thing_words(place.facing)}")
+    return " ".join(parts)
+
+
+def room_words(rooms: Rooms) -> str:
+    words = rooms.words or ("rooms" if rooms.every else "room")
+    sized = f"{rooms.size} {words}" if rooms.size else words
+    floors = f" on floor {' or '.join(map(str, rooms.floors))}" if rooms.floors else ""
+    beside = f" next to {rooms.next_to}" if rooms.next_to else ""
+    holding = f" with {thing_words(rooms.holding)}" if rooms.holding is not None else ""
+    return f"{sized}{beside}{holding}{floors}"
+
+
+def bare_words(things: Things) -> str:
+    states = [f"{'' if value else 'not '}{name}" for name, value in things.states.items()]
+    words = [things.size, *states, things.colour, things.material, things.owned, things.noun or "thing"]
+    return " ".join(word for word in words if word)
+
+
+def at_words(place: Place | None) -> str:
+    return "" if place is None else f" {place_words(place)}"
+
+
+def title_of(state: SceneState | None, item: SceneObject) -> str:
+    room = None if state is None else state.room(item.room)
+    name = item.room.split("/", 1)[-1].replace("_", " ") if room is None else room[1].name
+    return f"{item.id} in {name or item.room.split('/', 1)[-1].replace('_', ' ')}"

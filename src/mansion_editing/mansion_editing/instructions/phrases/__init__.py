@@ -1,0 +1,1 @@
+"""Words, and the phrases they make: amounts, nouns, places, storeys and verbs."""

@@ -1,0 +1,154 @@
+"""The nouns that an instruction may use: a building's rooms by all their names, and the objects of the catalogue."""
+
+from collections.abc import Iterator
+from functools import cached_property, lru_cache
+
+from mansion_assets.catalogue import Catalogue
+from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
+from mansion_editing.instructions.phrases.verb_words import VERB_WORDS
+from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, VAGUE
+from mansion_editing.state import SceneState
+from mansion_knowledge import interchangeable_names
+from mansion_knowledge.words import common_words
+from mansion_language.spelling import Speller
+
+__all__ = ["ANYTHING", "HYPERNYMS", "WAYS", "Lexicon"]
+
+ANYTHING = frozenset(["thing", "object", "stuff", "item", "content", "everything", "anything", "clutter", "mess"])
+"""Nouns for whatever is there."""
+
+HYPERNYMS = frozenset(
+    "furniture light lighting seat seating drink fruit electronics decoration appliance food cutlery tableware "
+    "dish toy device equipment vegetable plant storage kitchenware alcohol beverage gadget".split()
+)
+"""Nouns for objects of several categories."""
+
+WAYS = frozenset(["way", "path", "route", "access", "passage", "walkway"])
+"""Nouns for what a robot gets through by."""
+
+_LIKE = {"kid": "child"}
+"""Words that instructions are read with in place of others."""
+
+_PERSONS_OF_ROOMS = frozenset("child guest staff patient nurse teacher family man woman doctor".split())
+"""Persons that rooms are named after, whose name alone does not mean the room."""
+
+_NO_OBJECTS = frozenset(["room", "floor", "area", "hall", "office", "space", "place", "side"])
+"""Nouns that end names of objects but do not name any by themselves."""
+
+_STOREY_WORDS = frozenset("upper lower ground floor first second third fourth fifth sixth top".split())
+
+_CORES = frozenset(["stair", "staircase", "elevator", "entrance", "exit", "stairwell"])
+
+
+class Lexicon:
+    """What nouns mean in one building.
+
+    Parameters
+    ----------
+    state : SceneState
+    """
+
+    def __init__(self, state: SceneState) -> None:
+        self._state = state
+        self._objects: dict[tuple[str, ...], bool] = {}
+
+    @cached_property
+    def _room_names(self) -> frozenset[tuple[str, ...]]:
+        return frozenset(_names_of_rooms(self._state))
+
+    @cached_property
+    def _object_names(self) -> frozenset[tuple[str, ...]]:
+        return frozenset(stems(item.name) for _, item in self._state.objects())
+
+    def is_room(self, words: tuple[str, ...]) -> bool:
+        """Whether words in the singular are a name, an alias or a kind of a room of the building, or of any."""
+        return words in self._room_names or words in _kinds_of_rooms(self._state.catalogue)
+
+    def is_own_room(self, words: tuple[str, ...]) -> bool:
+        """Whether words name a room that this building has."""
+        return words in self._room_names
+
+    def is_object(self, words: tuple[str, ...]) -> bool:
+        """Whether words in the singular name objects, by the catalogue or by the scene."""
+        if words not in self._objects:
+            text = " ".join(words)
+            if len(words) == 1 and words[0] in _NO_OBJECTS:
+                return False
+            known = bool(vocabulary_of(self._state.catalogue).nouns(text)) or words in self._object_names
+            self._objects[words] = known or (len(words) == 1 and words[0] in HYPERNYMS | WAYS)
+        return self._objects[words]
+
+    def is_called(self, words: tuple[str, ...]) -> bool:
+        """Whether words are the whole name of objects, not only its end (a kitchen, of a toy kitchen)."""
+        return bool(vocabulary_of(self._state.catalogue).exact(words)) or words in self._object_names
+
+    def is_way(self, word: str) -> bool:
+        """Whether a word names what a robot gets through by."""
+        return word in WAYS
+
+    def stands(self, words: tuple[str, ...]) -> bool:
+        """Whether words name furniture that stands on the floor."""
+        kinds = vocabulary_of(self._state.catalogue).nouns(" ".join(words))
+        return bool(kinds) and self._state.catalogue.by_category(kinds[0])[0].mount == "floor"
+
+    @cached_property
+    def speller(self) -> Speller:
+        """Mends words to names of the building and the catalogue, and to the words of instructions."""
+        own = {word for name in self._room_names | self._object_names for word in name}
+        return Speller(
+            own | _catalogue_words(self._state.catalogue), FUNCTION_WORDS | VAGUE | VERB_WORDS | _STOREY_WORDS
+        )
+
+    @cached_property
+    def kept(self) -> frozenset[str]:
+        """English words that are no mistakes."""
+        return common_words()
+
+
+def _names_of_rooms(state: SceneState) -> Iterator[tuple[str, ...]]:
+    for _, room in state.rooms():
+        own = stems(room.id.split("/", 1)[-1].replace("_", " "))
+        bare = own[:-1] if own and own[-1].isdecimal() else own
+        kind = stems(room.room_type.replace("_", " "))
+        for said in (own, bare, stems(room.name), kind, *(stems(alias) for alias in room.aliases)):
+            name = tuple(_LIKE.get(word, word) for word in said if word != "s")  # of a genitive: the children's room
+            proper = tuple(
+                word for word in name if word not in _words_of_kinds(state.catalogue) and not word.isdecimal()
+            )
+            if proper and len(proper) < len(name):
+                yield proper
+                yield (*proper, "room")
+            if not name:
+                continue
+            yield name
+            if len(name) > 1 and name[-1].isdecimal():
+                yield name[:-1]
+            if len(name) == 2 and name[0] in _PERSONS_OF_ROOMS:
+                continue
+            if len(name) > 1 and name[-1] in ("room", "area", "office", "suite", "studio", "hall"):
+                yield name[:-1]
+
+
+@lru_cache(maxsize=4)
+def _words_of_kinds(catalogue: Catalogue) -> frozenset[str]:
+    """Return the words that kinds of rooms are called by, which are no proper names."""
+    usual = "left right north south east west big small main upper lower front back new old open private shared"
+    return frozenset(word for kind in _kinds_of_rooms(catalogue) for word in kind) | frozenset(usual.split())
+
+
+@lru_cache(maxsize=4)
+def _kinds_of_rooms(catalogue: Catalogue) -> frozenset[tuple[str, ...]]:
+    kinds = {stems(kind.replace("_", " ")) for kind in catalogue.room_types}
+    others = {stems(name) for names in interchangeable_names().values() for name in names}
+    return frozenset(kinds | others | {(core,) for core in _CORES} | {("room",)})
+
+
+@lru_cache(maxsize=4)
+def _catalogue_words(catalogue: Catalogue) -> frozenset[str]:
+    words: set[str] = set()
+    for category in catalogue.categories:
+        words.update(stems(category.replace("_", " ")))
+        for synonym in catalogue.by_category(category)[0].synonyms:
+            words.update(stems(synonym))
+    words.update(part for kind in catalogue.room_types for part in stems(kind.replace("_", " ")))
+    return frozenset(words)

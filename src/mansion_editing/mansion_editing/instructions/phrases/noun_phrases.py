@@ -1,0 +1,215 @@
+"""Noun phrases: an amount, modifiers and a noun for things or rooms."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Final, Literal
+
+from mansion_editing.instructions.phrases.amounts import number_at, read_amount
+from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.nouns import Noun, read_noun
+from mansion_editing.instructions.phrases.runs import ENDS_RUN, end_of_run
+from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS
+from mansion_editing.instructions.phrases.words import ADVERBS, DETERMINERS, STATE_WORDS, Word, text_at
+from mansion_editing.instructions.statements import Amount, AmountKind, Place, Rooms, Things
+
+__all__ = ["NounPhrase", "noun_phrase"]
+
+_IN_PHRASES: Final = frozenset(["only", "just", "exactly", "back", "first", "next"])
+"""Adverbs that may belong to a noun phrase."""
+
+
+@dataclass(frozen=True)
+class NounPhrase:
+    """A noun phrase and its end.
+
+    Attributes
+    ----------
+    end : int
+        Place in the words after it.
+    each : bool
+        Every one on its own ("each desk").
+    """
+
+    noun: Noun
+    amount: Amount
+    definite: bool
+    start: int
+    end: int
+    each: bool = False
+    refers: Literal["", "last", "others"] = ""
+
+    @property
+    def plural(self) -> bool:
+        """Whether several are meant."""
+        return self.noun.plural or self.amount.number > 1 or self.amount.kind in ("all", "all_but")
+
+    def things(self) -> Things:
+        """Return the phrase as a description of objects."""
+        noun = self.noun
+        return Things(
+            noun="" if noun.kind == "anything" else " ".join((*noun.words, *filter(None, [noun.number]))),
+            amount=self.amount,
+            definite=self.definite,
+            plural=self.noun.plural and not (self.amount.number == 1 and self.amount.kind in ("some", "more")),
+            colour=noun.colour,
+            material=noun.material,
+            states=dict(noun.states),
+            ordinal=noun.ordinal,
+            size=noun.size,
+            refers=self.refers,
+            owned=noun.owned,
+            place=Place(rooms=Rooms(floors=noun.floors)) if noun.floors else None,
+        )
+
+    def rooms(self) -> Rooms:
+        """Return the phrase as a description of rooms."""
+        noun = self.noun
+        words = " ".join((*filter(None, [noun.owned]), *noun.words, *filter(None, [noun.number])))
+        words = "" if words == "room" else words
+        several = noun.plural or self.each or self.amount.kind == "all"
+        return Rooms(
+            words=words,
+            floors=noun.floors,
+            every=several and self.amount.kind in ("some", "all"),
+            number=self.amount.number if noun.plural and self.amount.number > 1 else 0,
+            ordinal=noun.ordinal,
+            size=noun.size,
+        )
+
+
+def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> NounPhrase | None:
+    """Read the noun phrase at a place; None where there is none.
+
+    Parameters
+    ----------
+    floors : sequence of int
+        Those of the building.
+    """
+    start = at
+    while text_at(words, at) in ADVERBS - _IN_PHRASES:
+        at += 1
+    if text_at(words, at) in ("only", "just") and text_at(words, at + 1) in DETERMINERS:
+        at += 1
+    if at < len(words) and words[at].kind == "id":
+        noun = Noun((words[at].raw,), "object")
+        return NounPhrase(noun, Amount(number=1), True, start, at + 1)
+    if tuple(w.text for w in words[at : at + 3]) == ("every", "single", "one"):
+        return None
+    whatever = _whatever(words, at)
+    if whatever is not None:
+        return whatever
+    amount, definite, each, place = read_amount(words, at)
+    pronoun = _pronoun(words, start, at, place, amount)
+    if pronoun is not None:
+        return pronoun
+    if text_at(words, place) in ("other", "rest", "remaining", "remainder"):
+        others = _others(words, at, place, amount, lexicon, floors)
+        if others is not None:
+            return others
+    storeys: tuple[int, ...] = ()
+    level = read_storeys(words, place, floors)
+    if level is not None and not level[1] and end_of_run(words, level[2], lexicon) > level[2]:
+        storeys, place = level[0], level[2]
+    end = end_of_run(words, place, lexicon)
+    if end == place:
+        return _bare_amount(words, start, place, amount)
+    found, end = read_noun(words, place, end, lexicon)
+    if found is None:
+        return None
+    if text_at(words, end) in ("more", "less", "fewer") and amount.kind == "some" and amount.number and not definite:
+        kind: AmountKind = "more" if words[end].text == "more" else "fewer"
+        return NounPhrase(
+            replace(found, floors=storeys), Amount(kind=kind, number=amount.number), False, start, end + 1
+        )
+    count = _number_after(words, end)
+    if count is not None and amount.number in (0, 1) and not definite:
+        amount, end = Amount(number=count[0]), count[1]
+    if amount.number == 0 and amount.kind == "some" and not definite and not found.plural:
+        amount = Amount(number=1)
+    noun = replace(found, floors=storeys)
+    return NounPhrase(noun, amount, definite, start, end, each=each)
+
+
+def _pronoun(words: Sequence[Word], start: int, at: int, place: int, amount: Amount) -> NounPhrase | None:
+    """Read ``it``, ``two of them``, ``these``; an amount was read up to `place`."""
+    if text_at(words, place) in ("it", "them", "they", "those", "these") and place <= at + 2:
+        noun = Noun((), "anything", plural=words[place].text != "it")
+        return NounPhrase(noun, amount, True, start, place + 1, refers="last")
+    if place != at + 1 or words[at].text not in BARE_PRONOUNS:
+        return None
+    bare = place >= len(words) or not words[place].text[:1].isalpha() or words[place].text in ENDS_RUN
+    if not bare or text_at(words, place) == "with":
+        return None
+    noun = Noun((), "anything", plural=words[at].text in ("these", "those", "both", "all"))
+    return NounPhrase(noun, amount, True, start, place, refers="last")
+
+
+def _whatever(words: Sequence[Word], at: int) -> NounPhrase | None:
+    """Read ``whatever stands open``, ``everything that is on``."""
+    place = at + 1
+    if text_at(words, at) not in ("whatever", "everything", "anything", "all"):
+        return None
+    place += text_at(words, place) in ("that", "which")
+    if text_at(words, place) not in ("is", "are", "stand", "remain", "stay"):
+        return None
+    place += 1
+    place += text_at(words, place) in ("still", "switched", "turned", "left", "currently")
+    if text_at(words, place) not in STATE_WORDS:
+        return None
+    name, value = STATE_WORDS[text_at(words, place)]
+    if name == "on" and place + 1 < len(words) and words[place + 1].text in ("the", "a", "my"):
+        return None
+    noun = Noun((), "anything", plural=True, states={name: value})
+    return NounPhrase(noun, Amount(kind="all", number=0), True, at, place + 1)
+
+
+def _bare_amount(words: Sequence[Word], start: int, place: int, amount: Amount) -> NounPhrase | None:
+    """Read an amount without a noun: ``one more``, ``two``, ``none``."""
+    counted = place > start and (amount.kind == "more" or words[place - 1].kind == "number")
+    if not counted:
+        return None
+    return NounPhrase(Noun((), "anything"), amount, amount.of > 0, start, place, refers="last")
+
+
+def _number_after(words: Sequence[Word], at: int) -> tuple[int, int] | None:
+    """Read ``x3``, ``(4)``, ``, three of them`` after a noun."""
+    if text_at(words, at) == "x" and number_at(words, at + 1) is not None:
+        return int(words[at + 1].value), at + 2
+    if text_at(words, at) == "(" and number_at(words, at + 1) is not None and text_at(words, at + 2) == ")":
+        return int(words[at + 1].value), at + 3
+    place = at + (text_at(words, at) == ",")
+    number = number_at(words, place)
+    if (
+        number is not None
+        and text_at(words, place + 1) == "of"
+        and text_at(words, place + 2) in ("them", "those", "these")
+    ):
+        return number, place + 3
+    return None
+
+
+def _others(
+    words: Sequence[Word], start: int, place: int, amount: Amount, lexicon: Lexicon, floors: Sequence[int]
+) -> NounPhrase | None:
+    """Read ``the other two chairs``, ``the others``, ``the rest of the mugs``, ``the remaining desk``."""
+    end = place + 1
+    if text_at(words, end) == "one":
+        end += 1
+    number = number_at(words, end)
+    if number is not None:
+        amount, end = Amount(number=number), end + 1
+    while text_at(words, end) in ("of", "the"):
+        end += 1
+    stop = end_of_run(words, end, lexicon)
+    plural = words[place].plural or words[place].text in ("rest", "remaining", "remainder") or (number or 0) > 1
+    if stop == end:
+        kind: AmountKind = "all" if plural and number is None else amount.kind
+        noun = Noun((), "anything", plural=plural)
+        return NounPhrase(noun, Amount(kind=kind, number=amount.number), True, start, end, refers="others")
+    found, stop = read_noun(words, end, stop, lexicon)
+    if found is None:
+        return None
+    if number is None and found.plural:
+        amount = Amount(kind="all", number=0)
+    return NounPhrase(found, amount, True, start, stop, refers="others")

@@ -1,0 +1,192 @@
+"""Nouns with their modifiers."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Final, Literal
+
+from mansion_editing.instructions.phrases.amounts import PARTS
+from mansion_editing.instructions.phrases.lexicon import ANYTHING, HYPERNYMS, Lexicon
+from mansion_editing.instructions.phrases.runs import SHADES, end_of_run
+from mansion_editing.instructions.phrases.words import ADVERBS, PERSONS, STATE_WORDS, VAGUE, Word
+from mansion_language.colours import COLOUR_WORDS
+
+__all__ = ["MATERIALS", "Noun", "read_noun"]
+
+MATERIALS: Final = {
+    "wooden": "wood", "wood": "wood", "oak": "wood", "metal": "metal", "steel": "metal", "leather": "leather",
+    "plastic": "plastic", "marble": "marble", "brick": "brick", "concrete": "concrete", "stone": "stone",
+    "ceramic": "ceramic", "parquet": "parquet", "carpet": "carpet", "tile": "tile", "tiled": "tile",
+    "fabric": "fabric", "glass": "glass", "velvet": "fabric", "linoleum": "vinyl", "vinyl": "vinyl",
+    "terrazzo": "terrazzo", "plaster": "plaster", "wallpaper": "wallpaper", "walnut": "wood", "bamboo": "wood",
+    "paint": "paint", "granite": "stone", "laminate": "wood", "hardwood": "wood", "pine": "wood", "rattan": "wood",
+}  # fmt: skip
+"""Words for materials, and the family that a palette has for each."""
+
+
+_HOLDERS: Final = frozenset(
+    "cup mug glass bottle can bowl plate jar box bag basket carton pot jug tin tray vase packet loaf slice bunch stack "
+    "pile pair piece set couple row group".split()
+)
+
+
+_COLLECTIONS: Final = frozenset("loaf slice bunch stack pile pair piece set couple row group".split())
+
+
+_OPENING: Final = frozenset(["door", "lid"])
+
+
+_SIZES: Final[dict[str, Literal["largest", "smallest"]]] = {
+    "largest": "largest", "biggest": "largest", "smallest": "smallest",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Noun:
+    """What the words of a phrase name, without its amount."""
+
+    words: tuple[str, ...]
+    kind: Literal["object", "room", "both", "anything"]
+    plural: bool = False
+    number: str = ""
+    owned: str = ""
+    colour: str = ""
+    material: str = ""
+    ordinal: int = 0
+    size: Literal["", "largest", "smallest"] = ""
+    states: dict[str, bool] = field(default_factory=dict)
+    unknown: tuple[str, ...] = ()
+    floors: tuple[int, ...] = ()
+
+
+def read_noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> tuple[Noun | None, int]:
+    """Read modifiers and a noun; the end may come earlier where the noun does."""
+    run = list(words[start:end])
+    number = ""
+    if (len(run) > 1 and (run[-1].kind == "code" or (run[-1].kind == "number" and run[-1].raw.isdecimal()))) or (
+        len(run) > 1 and len(run[-1].raw) == 1 and run[-1].capital
+    ):
+        number, run = run[-1].raw, run[:-1]
+    if end < len(words) and words[end].text in ("of", "with") and end + 1 < len(words):
+        whole = _of_phrase(words, run, end, lexicon)
+        if whole is not None:
+            return whole
+    if len(run) > 1 and run[-1].text in _OPENING and lexicon.is_object(tuple(w.text for w in run[-2:-1])):
+        run = run[:-1]
+    found = _split(run, lexicon, number)
+    if found is not None and found.kind == "object" and number.isdecimal():
+        found = replace(found, number="", ordinal=int(number))
+    if found is None and number:
+        found = _split([*run, words[end - 1]], lexicon, "")
+    return found, end
+
+
+def _of_phrase(words: Sequence[Word], run: list[Word], of: int, lexicon: Lexicon) -> tuple[Noun | None, int] | None:
+    """Read ``cup of coffee``, ``vase of flowers``, ``bottle of wine``, ``pile of books``."""
+    head = run[-1]
+    if head.text not in _HOLDERS:
+        return None
+    stop = end_of_run(words, of + 1, lexicon)
+    tail = [w for w in words[of + 1 : stop] if w.text not in VAGUE]
+    if not tail or len(tail) > 2:
+        return None
+    inner = tuple(w.text for w in tail)
+    for order in ((*inner, head.text), (*inner, *(("bottle",) if head.text == "bottle" else ()))):
+        if len(order) > 1 and lexicon.is_object(order) and head.text not in _COLLECTIONS:
+            modified = _split(run[:-1], lexicon, "", noun=order, plural=head.plural)
+            return modified, stop
+    if words[of].text == "with":
+        return None
+    if head.text in _COLLECTIONS and lexicon.is_object(inner):
+        return _split([*run[:-1], *tail], lexicon, ""), stop
+    if lexicon.is_object((head.text,)):
+        return _split(run, lexicon, ""), stop
+    return None
+
+
+def _split(
+    run: list[Word], lexicon: Lexicon, number: str, noun: tuple[str, ...] | None = None, *, plural: bool = False
+) -> Noun | None:
+    """Divide words into modifiers and the longest ending that is a noun."""
+    if noun is not None:
+        return _modified(run, noun, "object", number, lexicon, plural=plural)
+    texts = [w.text for w in run]
+    for first in range(len(run)):
+        span = tuple(texts[first:])
+        if len(span) > 1 and span[0] in COLOUR_WORDS and lexicon.is_object(span[1:]):
+            continue
+        own, room, thing = lexicon.is_own_room(span), lexicon.is_room(span), lexicon.is_object(span)
+        if span[-1] in PERSONS and not own:
+            continue
+        if (number and room) or (own and not lexicon.is_called(span)):
+            thing = False
+        if not (room or thing) and not (len(span) == 1 and (span[0] in ANYTHING or span[0] in HYPERNYMS)):
+            continue
+        kind: Literal["object", "room", "both", "anything"] = "object"
+        if span[0] in ANYTHING and not thing:
+            kind = "anything"
+        elif room and thing:
+            kind = "both"
+        elif own or room:
+            kind = "room"
+        return _modified(run[:first], span, kind, number, lexicon, plural=run[-1].plural)
+    if run and run[-1].text == "one":
+        return _modified(run[:-1], ("one",), "anything", "", lexicon, plural=run[-1].plural)
+    return None
+
+
+def _modified(
+    before: list[Word],
+    noun: tuple[str, ...],
+    kind: Literal["object", "room", "both", "anything"],
+    number: str,
+    lexicon: Lexicon,
+    *,
+    plural: bool,
+) -> Noun:
+    """Read the modifiers before a noun."""
+    colour = material = ""
+    ordinal = 0
+    size: Literal["", "largest", "smallest"] = ""
+    states: dict[str, bool] = {}
+    rest: list[Word] = []
+    for at, word in enumerate(before):
+        numeral = word.kind == "number" and at + 1 < len(before) and before[at + 1].text in PARTS
+        if numeral or (at > 0 and word.text in PARTS and before[at - 1].kind == "number"):
+            continue
+        if word.text in COLOUR_WORDS:
+            colour = COLOUR_WORDS[word.text]
+        elif word.text in MATERIALS and kind != "room":
+            material = MATERIALS[word.text]
+        elif word.kind == "ordinal":
+            ordinal = int(word.value)
+        elif word.text == "last":
+            ordinal = -1
+        elif word.text in _SIZES:
+            size = _SIZES[word.text]
+        elif word.text in STATE_WORDS and kind != "room":
+            name, value = STATE_WORDS[word.text]
+            states[name] = value
+        elif word.text in VAGUE or word.text in SHADES or word.text in ADVERBS or word.text.endswith("ly"):
+            continue
+        else:
+            rest.append(word)
+    if noun == ("one",):
+        return Noun((*(w.text for w in rest), "one"), kind, plural, number, "", colour, material, ordinal, size, states)
+    owned, unknown = _owner(rest, lexicon)
+    if kind == "room" and owned and not lexicon.is_own_room((*owned.split(), *noun)) and lexicon.is_own_room(noun):
+        owned = ""
+    return Noun(noun, kind, plural, number, owned, colour, material, ordinal, size, states, unknown)
+
+
+def _owner(rest: list[Word], lexicon: Lexicon) -> tuple[str, tuple[str, ...]]:
+    """Return the room or the owner that the words before a noun name, and those that name nothing."""
+    if not rest:
+        return "", ()
+    texts = tuple(w.text for w in rest)
+    if lexicon.is_room(texts) or rest[-1].genitive:
+        return " ".join(texts), ()
+    if len(texts) > 1 and texts[-1].isdecimal() and lexicon.is_room(texts[:-1]):
+        return " ".join(texts), ()
+    if lexicon.is_object(texts):
+        return " ".join(texts), ()
+    return "", tuple(w.raw for w in rest)

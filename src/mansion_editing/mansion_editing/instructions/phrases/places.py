@@ -1,0 +1,394 @@
+"""Places: chains of prepositional phrases, such as ``on the desk next to the window in the study upstairs``."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import msgspec
+
+from mansion_editing.instructions.phrases.lexicon import Lexicon
+from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
+from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.word_sets import BEFORE_PLACES, BEFORE_SPOTS, NEAR_SPOTS
+from mansion_editing.instructions.phrases.words import BE, MODALS, Word, text_at
+from mansion_editing.instructions.statements import Place, Relation, Rooms, Spot, Things
+
+__all__ = ["SAME_FLOOR", "ReadPlace", "merged", "read_place", "with_place"]
+
+SAME_FLOOR: Final = -99
+"""Number of the storey that was mentioned last, until the whole instruction is read."""
+
+
+@dataclass(frozen=True)
+class ReadPlace:
+    """A place and its end.
+
+    Attributes
+    ----------
+    goal : bool
+        It tells where something goes ("to", "into").
+    source : bool
+        It tells where something comes from ("from", "off", "out of").
+    each : bool
+        Every one of several places is meant ("on each desk").
+    relative : bool
+        In a relative clause ("that is on the desk"): where the thing is now.
+    """
+
+    place: Place
+    start: int
+    end: int
+    goal: bool = False
+    source: bool = False
+    each: bool = False
+    relative: bool = False
+
+
+_ON: Final = ("on", "onto", "atop")
+_PREPOSITIONS: Final[tuple[tuple[tuple[str, ...], Relation], ...]] = (
+    (("on", "top", "of"), "on"), (("on", "to"), "on"), (("in", "to"), "in"), (("inside", "of"), "in"),
+    (("in", "front", "of"), "front"), (("on", "either", "side", "of"), "around"),
+    (("on", "both", "side", "of"), "around"),
+    (("to", "the", "left", "and", "right", "of"), "around"), (("on", "the", "left", "and", "right", "of"), "around"),
+    (("left", "and", "right", "of"), "around"), (("on", "each", "side", "of"), "around"),
+    (("to", "both", "side", "of"), "around"),
+    (("to", "the", "left", "of"), "left"), (("left", "of"), "left"), (("to", "the", "right", "of"), "right"),
+    (("right", "of"), "right"), (("on", "the", "left", "of"), "left"), (("on", "the", "right", "of"), "right"),
+    (("on", "the", "left", "side", "of"), "left"), (("on", "the", "right", "side", "of"), "right"),
+    (("right", "next", "to"), "beside"), (("next", "to"), "beside"), (("close", "to"), "near"),
+    (("near", "to"), "near"),
+    (("by", "the", "side", "of"), "beside"), (("at", "the", "side", "of"), "beside"), (("side", "of"), "beside"),
+    (("out", "of"), "in"), (("off", "of"), "on"), (("from", "under"), "under"), (("from", "on"), "on"),
+    (("from", "inside"), "in"), (("from", "off"), "on"), (("away", "from"), ""), (("from", "in"), "in"),
+    (("from", "behind"), "behind"), (("from", "the", "top", "of"), "on"), (("in", "the", "middle", "of"), "in"),
+    (("back", "to"), ""), (("back", "in"), "in"), (("back", "on"), "on"), (("back", "into"), "in"),
+    (("over", "to"), ""), (("over", "in"), "in"), (("up", "to"), ""), (("down", "to"), ""), (("down", "in"), "in"),
+    (("up", "in"), "in"), (("across", "from"), "front"), (("around",), "around"), (("round",), "around"),
+    (("on",), "on"), (("onto",), "on"), (("atop",), "on"), (("in",), "in"), (("into",), "in"), (("inside",), "in"),
+    (("within",), "in"), (("at",), "beside"), (("by",), "beside"), (("beside",), "beside"), (("besides",), "beside"),
+    (("near",), "near"), (("nearby",), "near"), (("alongside",), "beside"), (("under",), "under"),
+    (("underneath",), "under"), (("beneath",), "under"), (("below",), "under"), (("above",), "above"),
+    (("over",), "above"), (("behind",), "behind"), (("between",), "between"), (("among",), "between"),
+    (("opposite",), "front"), (("against",), "beside"), (("along",), "beside"), (("from",), ""), (("off",), "on"),
+    (("to",), ""), (("towards",), ""), (("toward",), ""), (("of",), ""), (("for",), ""), (("throughout",), "in"),
+    (("across",), "in"), (("left",), "left"), (("right",), "right"),
+)  # fmt: skip
+_EXISTENCE: Final = BE | MODALS | frozenset(["need", "has", "have"])
+"""After ``there`` they say that something is, not where."""
+
+_SOURCES: Final = frozenset(["from", "off", "out", "away"])
+_GOALS: Final = frozenset(["to", "into", "onto", "back", "over", "up", "down", "towards", "toward"])
+_SPOTS: Final[dict[str, Spot]] = {
+    "wall": "wall", "corner": "corner", "window": "window", "door": "door", "doorway": "door", "entrance": "door",
+    "middle": "middle", "centre": "middle", "center": "middle", "entry": "door",
+}  # fmt: skip
+
+
+def read_place(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    """Read one prepositional phrase, or a storey alone; None where there is none."""
+    start = at
+    place = at
+    if text_at(words, place) in ("there", "away") and text_at(words, place + 1) in ("in", "on", "at", "by", "into"):
+        place += 1
+    while text_at(words, place) in BEFORE_PLACES and place < at + 3:
+        if text_at(words, place) == "right" and text_at(words, place + 1) == "of":
+            break
+        if text_at(words, place) == "all" and text_at(words, place + 1) not in ("over", "around", "along", "across"):
+            break
+        place += 1
+    bracket = text_at(words, place) == "("
+    place += bracket
+    if text_at(words, place) == "," and read_storeys(words, place + 1, floors) is not None:
+        place += 1
+    found = _unbracketed(words, place, lexicon, floors)
+    if found is None:
+        return None
+    end = found.end + (bracket and text_at(words, found.end) == ")")
+    return _between_ends(found, start, end)
+
+
+def _between_ends(found: ReadPlace, start: int, end: int) -> ReadPlace:
+    """Return a place with the ends of its words."""
+    return ReadPlace(found.place, start, end, found.goal, found.source, found.each)
+
+
+def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    if text_at(words, at) in ("up", "over", "down", "in", "right") and text_at(words, at + 1) == "there":
+        at += 1
+    if text_at(words, at) in ("there", "here"):
+        if text_at(words, at + 1) in _EXISTENCE or words[at].raw in ("there's", "theres"):
+            return None
+        return ReadPlace(Place(rooms=Rooms(same=True)), at, at + 1)
+    if text_at(words, at) in ("upstairs", "downstairs") or (at < len(words) and words[at].kind == "level"):
+        return _storey(words, at, at, floors)
+    if text_at(words, at) in ("ground", "first", "second", "third", "top") or (
+        at < len(words) and words[at].kind == "ordinal"
+    ):
+        return _storey(words, at, at, floors)
+    if text_at(words, at) in ("floor", "level"):
+        return _storey(words, at, at, floors)
+    if text_at(words, at) == "facing":
+        target = noun_phrase(words, at + 1, lexicon, floors)
+        if target is None:
+            return None
+        spot = _SPOTS.get(target.noun.words[-1] if target.noun.words else "", "")
+        if spot in ("window", "door", "wall"):
+            return ReadPlace(Place(spot=spot), at, target.end)
+        return ReadPlace(Place(facing=target.things()), at, target.end)
+    for phrase, relation in _PREPOSITIONS:
+        if tuple(w.text for w in words[at : at + len(phrase)]) != phrase:
+            continue
+        found = _after_preposition(words, at, at + len(phrase), phrase, relation, lexicon, floors)
+        if found is not None:
+            return found
+    return None
+
+
+def _storey(words: Sequence[Word], start: int, at: int, floors: Sequence[int]) -> ReadPlace | None:
+    storeys = read_storeys(words, at, floors)
+    if storeys is None:
+        return None
+    numbers, every, end = storeys
+    return ReadPlace(Place(rooms=Rooms(floors=numbers, every=every)), start, end, each=every)
+
+
+def _after_preposition(
+    words: Sequence[Word],
+    start: int,
+    at: int,
+    phrase: tuple[str, ...],
+    relation: Relation,
+    lexicon: Lexicon,
+    floors: Sequence[int],
+) -> ReadPlace | None:
+    goal, source = phrase[0] in _GOALS, phrase[0] in _SOURCES
+    if phrase == ("within",):
+        near = _within(words, start, at, lexicon, floors)
+        if near is not None:
+            return near
+    if text_at(words, at) in ("there", "here"):
+        return ReadPlace(Place(rooms=Rooms(same=True)), start, at + 1, goal, source)
+    storeys = read_storeys(words, at, floors)
+    if storeys is not None and not _goes_on(words, storeys[2], lexicon):
+        numbers, every, end = storeys
+        rooms = Rooms(floors=numbers, every=every)
+        return ReadPlace(Place(rooms=rooms), start, end, goal, source, each=every)
+    spot = _spot(words, start, at, phrase, relation, lexicon, floors)
+    if spot is not None:
+        return spot
+    if text_at(words, at) == "the" and text_at(words, at + 1) == "floor" and phrase[0] in (*_ON, "off", "from"):
+        return ReadPlace(Place(), start, at + 2, goal, source)
+    if text_at(words, at) == "the" and text_at(words, at + 1) == "same" and text_at(words, at + 2) == "floor":
+        return ReadPlace(Place(rooms=Rooms(floors=(SAME_FLOOR,))), start, at + 3, goal, source)
+    whole = _this_building(words, at)
+    if whole:
+        return ReadPlace(Place(), start, whole)
+    same = _same_room(words, at)
+    if same:
+        return ReadPlace(Place(rooms=Rooms(same=True)), start, same, goal, source)
+    target = noun_phrase(words, at, lexicon, floors)
+    if target is None or target.noun.unknown:
+        return None
+    if relation == "between":
+        return _between(words, start, target, lexicon, floors)
+    return _at_noun(words, start, phrase, relation, target, lexicon, floors, goal=goal, source=source)
+
+
+def _goes_on(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
+    """Whether a storey is only the modifier of a noun ("in the ground floor kitchen")."""
+    return (
+        at < len(words)
+        and (lexicon.is_room((words[at].text,)) or lexicon.is_object((words[at].text,)))
+        and (words[at].text not in ("on", "in"))
+    )
+
+
+def _within(words: Sequence[Word], start: int, at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    """Read ``within 0.5 metres of the sofa``."""
+    place = at
+    while text_at(words, place) in ("a", "about", "half"):
+        place += 1
+    half = text_at(words, place - 1) == "half"
+    if place >= len(words) or not (words[place].kind == "number" or half or words[place].text in ("reach", "metre")):
+        return None
+    value = words[place].value if words[place].kind == "number" else 0.5 if half else 1.0
+    place += words[place].kind == "number"
+    unit = text_at(words, place)
+    factor = {"m": 1.0, "metre": 1.0, "cm": 0.01, "centimetre": 0.01, "centimeter": 0.01, "ft": 0.3048}.get(unit)
+    if factor is None:
+        return None
+    place += 1
+    if text_at(words, place) in ("of", "from"):
+        place += 1
+    target = noun_phrase(words, place, lexicon, floors)
+    if target is None:
+        return None
+    near = Place(relation="near", anchor=target.things(), within=round(value * factor, 3))
+    return ReadPlace(near, start, target.end)
+
+
+_BUILDINGS: Final = frozenset("building house office school hotel hospital museum home flat apartment clinic".split())
+
+
+def _this_building(words: Sequence[Word], at: int) -> int:
+    """Return the end of ``this three-storey office``, ``the building``; 0 where the words name a part of it."""
+    place = at + 1
+    if text_at(words, at) not in ("this", "our", "the", "my"):
+        return 0
+    told = False
+    while place < len(words) and (
+        words[place].kind == "number" or text_at(words, place) in ("floor", "whole", "entire")
+    ):
+        told = True
+        place += 1
+    plain = text_at(words, place) == "building" or (
+        (told or text_at(words, at) == "this") and text_at(words, place) in _BUILDINGS
+    )
+    return place + 1 if plain else 0
+
+
+def _same_room(words: Sequence[Word], at: int) -> int:
+    """Return the end of ``the same room``, ``that floor``; 0 where there is none."""
+    place = at
+    place += text_at(words, place) in ("the", "that", "this")
+    same = text_at(words, place) == "same"
+    place += same
+    named = text_at(words, place) in ("room", "place")
+    said = same or (place > at and words[at].text in ("that", "this"))
+    return place + 1 if said and named else 0
+
+
+def _spot(
+    words: Sequence[Word],
+    start: int,
+    at: int,
+    phrase: tuple[str, ...],
+    relation: Relation,
+    lexicon: Lexicon,
+    floors: Sequence[int],
+) -> ReadPlace | None:
+    """Read ``in the corner``, ``against the wall``, ``by the window``, ``in the middle of the room``."""
+    goal, source = phrase[0] in _GOALS, phrase[0] in _SOURCES
+    if phrase == ("in", "the", "middle", "of"):
+        inner = _after_preposition(words, start, at, ("in",), "in", lexicon, floors)
+        if inner is None or inner.place.anchor is not None:
+            return None
+        return ReadPlace(msgspec.structs.replace(inner.place, spot="middle"), start, inner.end)
+    place = at
+    while text_at(words, place) in BEFORE_SPOTS:
+        place += 1
+    word = text_at(words, place)
+    if word not in _SPOTS or (place == at and word not in ("middle",)):
+        return None
+    spot = _SPOTS[word]
+    ceiling_or_wall = phrase[0] in _ON and spot == "wall"
+    if relation in ("", "above", "under", "behind") and not goal:
+        return None
+    if spot in ("window", "door") and phrase[0] not in NEAR_SPOTS:
+        return None
+    if spot == "door" and text_at(words, place + 1) in ("of", "to"):
+        return None
+    if spot == "wall" and not ceiling_or_wall and phrase[0] not in ("against", "along", "at", "by", "to", "next"):
+        return None
+    end = place + 1
+    rooms = None
+    if text_at(words, end) == "of":
+        inner = _after_preposition(words, end, end + 1, ("in",), "in", lexicon, floors)
+        if inner is not None and inner.place.anchor is None:
+            rooms, end = inner.place.rooms, inner.end
+        elif inner is not None:
+            return None
+    return ReadPlace(Place(spot=spot, rooms=rooms), start, end, goal, source)
+
+
+def _between(
+    words: Sequence[Word], start: int, first: NounPhrase, lexicon: Lexicon, floors: Sequence[int]
+) -> ReadPlace | None:
+    if text_at(words, first.end) == "and":
+        second = noun_phrase(words, first.end + 1, lexicon, floors)
+        if second is not None and not second.noun.unknown:
+            place = Place(relation="between", anchor=first.things(), other=second.things())
+            return ReadPlace(place, start, second.end)
+    if first.plural:
+        return ReadPlace(Place(relation="between", anchor=first.things()), start, first.end)
+    return None
+
+
+def _at_noun(
+    words: Sequence[Word],
+    start: int,
+    phrase: tuple[str, ...],
+    relation: Relation,
+    target: NounPhrase,
+    lexicon: Lexicon,
+    floors: Sequence[int],
+    *,
+    goal: bool,
+    source: bool,
+) -> ReadPlace:
+    """Return the place that a preposition and a noun make: in a room, or in a relation to a thing."""
+    noun = target.noun
+    if target.refers == "last" and target.amount.kind == "all" and relation == "in" and not noun.words:
+        rooms = Rooms(same=True, every=True, number=target.amount.number)
+        return ReadPlace(Place(rooms=rooms), start, target.end, goal, source, each=True)
+    if noun.words in (("ceiling",), ("wall",)) and noun.owned:
+        spot: Spot = "wall" if noun.words == ("wall",) else ""
+        return ReadPlace(Place(rooms=Rooms(words=noun.owned), spot=spot), start, target.end, goal, source)
+    inward = relation in ("in", "") or phrase[0] in ("at", "throughout", "across")
+    room = noun.kind == "room" or (noun.kind == "both" and inward and lexicon.is_own_room(noun.words))
+    if noun.kind == "both" and relation in ("on", "under", "beside", "near", "behind", "front") and phrase[0] != "at":
+        room = False
+    if target.refers and relation == "" and noun.kind == "anything":
+        room = False
+    if room:
+        rooms = target.rooms()
+        if target.refers:
+            rooms = msgspec.structs.replace(rooms, same=False)
+        if relation in ("beside", "near", "front") and phrase[0] != "at" and phrase[0] != "by":
+            rooms = Rooms(next_to=rooms.words, floors=rooms.floors)
+        return ReadPlace(Place(rooms=rooms), start, target.end, goal, source, each=target.each or rooms.every)
+    own: Relation = relation or "on"
+    outside = phrase == ("away", "from")
+    place = Place(relation=own, anchor=target.things(), outside=outside)
+    return ReadPlace(place, start, target.end, goal, source, each=target.each)
+
+
+def merged(outer: Place, inner: Place) -> Place:
+    """Return a place that a further phrase tells more of: ``on the desk`` and ``in the study``."""
+    rooms = _merged_rooms(outer.rooms, inner.rooms)
+    if inner.anchor is None:
+        return msgspec.structs.replace(
+            outer,
+            rooms=rooms,
+            spot=outer.spot or inner.spot,
+            facing=outer.facing or inner.facing,
+            within=outer.within or inner.within,
+        )
+    if outer.anchor is None:
+        return msgspec.structs.replace(
+            inner, rooms=rooms, spot=outer.spot or inner.spot, facing=outer.facing or inner.facing
+        )
+    plain = msgspec.structs.replace(inner, rooms=None)
+    anchor = with_place(outer.anchor, plain)
+    return msgspec.structs.replace(outer, anchor=anchor, rooms=rooms)
+
+
+def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
+    if one is None or other is None:
+        return one or other
+    if other.words and not one.words:
+        one, other = other, one
+    here = (SAME_FLOOR,) if other.same and not other.every and one.words and not one.floors else ()
+    return msgspec.structs.replace(
+        one,
+        floors=one.floors or other.floors or here,
+        every=one.every or (other.every and not other.words),
+        same=one.same or (other.same and not here and not (one.words and other.every)),
+        number=one.number or other.number,
+        next_to=one.next_to or other.next_to or (other.words if one.words else ""),
+    )
+
+
+def with_place(things: Things, place: Place) -> Things:
+    """Return things that are at a place."""
+    return msgspec.structs.replace(things, place=place if things.place is None else merged(things.place, place))

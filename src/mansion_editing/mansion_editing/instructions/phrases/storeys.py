@@ -1,0 +1,138 @@
+"""Storeys in an instruction: ``the second floor``, ``level 3``, ``4F``, ``upstairs``, ``floors 1, 2 and 3``."""
+
+from collections.abc import Sequence
+from typing import Final
+
+from mansion_editing.instructions.phrases.word_sets import BEFORE_STOREYS
+from mansion_editing.instructions.phrases.words import PREPOSITIONS, Word
+
+__all__ = ["Storeys", "read_storeys"]
+
+Storeys = tuple[tuple[int, ...], bool, int]
+"""Their numbers, whether every one of them is meant on its own, and the place in the words after them."""
+
+_NAMED: Final = frozenset(["ground", "entrance", "street"])
+_LOWEST: Final = frozenset(["lowest", "bottom", "lower"])
+_HIGHEST: Final = frozenset(["top", "topmost", "uppermost", "highest", "last", "upper"])
+_ABOVE: Final = frozenset(["upstairs"])
+_BELOW: Final = frozenset(["basement", "cellar"])
+
+
+def read_storeys(words: Sequence[Word], at: int, floors: Sequence[int]) -> Storeys | None:
+    """Return the storeys that the words at a place name, None where they name none.
+
+    Parameters
+    ----------
+    floors : sequence of int
+        Those of the building, ascending; the ground floor is 1.
+
+    Notes
+    -----
+    A number counts from the ground floor: ``second floor`` is 2. A storey that the building lacks is returned as it is
+    named, so that the answer can say so.
+    """
+    place = at
+    every = False
+    while place < len(words) and words[place].text in BEFORE_STOREYS:
+        every = every or words[place].text in ("all", "both", "each", "every")
+        place += 1
+    if place >= len(words):
+        return None
+    word = words[place]
+    spelt = word.kind == "number" and word.text.isalpha() and int(word.value) in floors and place == at
+    if spelt and at > 0 and words[at - 1].text == "on" and (at + 1 >= len(words) or words[at + 1].kind == "mark"):
+        return (int(word.value),), False, at + 1
+    if word.kind == "level":
+        return (int(word.value),), False, place + 1
+    if word.text == "floor":
+        return _after_noun(words, place, floors, every=every)
+    if word.text in _ABOVE:
+        return tuple(f for f in floors if f > 1)[: 1 if len(floors) < 3 else None] or (2,), False, place + 1
+    if word.text == "downstairs":
+        return (1,), False, place + 1
+    if word.text in _BELOW:
+        own = tuple(f for f in floors if f < 1)[-1:] or (0,)
+        return own, False, place + 1 + _is(words, place + 1, "floor")
+    return _before_noun(words, place, at, floors, every=every)
+
+
+def _is(words: Sequence[Word], at: int, text: str) -> bool:
+    return at < len(words) and words[at].text == text
+
+
+def _after_noun(words: Sequence[Word], place: int, floors: Sequence[int], *, every: bool) -> Storeys | None:
+    """Read ``floor 2``, ``floors 1, 2 and 3``, ``floors 1 to 3``, ``every floor``."""
+    numbers: list[int] = []
+    end = place + 1
+    if _is(words, end, "number") or _is(words, end, "no"):
+        end += 1
+    while end < len(words):
+        word = words[end]
+        if word.kind == "number" and word.value == int(word.value):
+            if numbers and words[end - 1].kind == "number":
+                break
+            through = end > 0 and words[end - 1].text in ("to", "–", "-", "through") and bool(numbers)
+            low = numbers[-1] + 1 if through else int(word.value)
+            numbers += range(low, int(word.value) + 1) if through else [low]
+            end += 1
+        elif numbers and word.text in (",", "and", "to", "–", "through", "&") and _number_at(words, end + 1):
+            end += 1
+        else:
+            break
+    if numbers:
+        return tuple(dict.fromkeys(numbers[:40])), len(numbers) > 1, end
+    plural = words[place].plural
+    return (tuple(floors), True, place + 1) if every and (plural or every) else None
+
+
+def _number_at(words: Sequence[Word], at: int) -> bool:
+    if not (at < len(words) and words[at].kind == "number"):
+        return False
+    following = words[at + 1].text if at + 1 < len(words) else ""
+    return following == "" or not following.isalpha() or following in PREPOSITIONS or following in ("and", "to", "is")
+
+
+def _before_noun(
+    words: Sequence[Word], place: int, start: int, floors: Sequence[int], *, every: bool
+) -> Storeys | None:
+    """Read ``second floor``, ``the top two floors``, ``first and second floor``, and ``the fifth`` alone."""
+    found: list[int] = []
+    end = place
+    while end < len(words):
+        number = _ordinal(words[end], floors)
+        if number is None:
+            break
+        found.append(number)
+        end += 1
+        if end < len(words) and words[end].text in ("and", ",", "&", "or"):
+            later = end + 1 + _is(words, end + 1, "the")
+            if later < len(words) and _ordinal(words[later], floors) is not None:
+                end = later
+                continue
+        break
+    if not found:
+        return None
+    if _is(words, end, "floor"):
+        plural = words[end].plural and words[place].text == "upper"
+        chosen = [f for f in floors if f > 1] if plural else found
+        return tuple(chosen), len(chosen) > 1, end + 1
+    alone = end >= len(words) or not words[end].text[:1].isalpha() or words[end].text in PREPOSITIONS
+    ordinal = words[place].kind == "ordinal" and start < place and words[place - 1].text == "the"
+    joined = end < len(words) and words[end].text in ("and", "is", "has")
+    if (alone or joined) and ordinal and start > 0 and words[start - 1].text in ("on", "from", "to", "at"):
+        return tuple(found), every, end
+    if words[place].text == "ground" and alone and start > 0 and words[start - 1].text in ("at", "from"):
+        return (1,), False, end
+    return None
+
+
+def _ordinal(word: Word, floors: Sequence[int]) -> int | None:
+    if word.kind == "ordinal" and word.value == int(word.value):
+        return int(word.value)
+    if word.text in _NAMED:
+        return 1
+    if word.text in _LOWEST:
+        return floors[0]
+    if word.text in _HIGHEST:
+        return floors[-1]
+    return None

@@ -1,0 +1,208 @@
+"""Groups of words that clauses, ways, questions and sentences are told apart by, each with its meaning."""
+
+from typing import Final
+
+__all__ = [
+    "ABILITIES",
+    "AFTER_CHECKS",
+    "AFTER_CLAUSES",
+    "AFTER_COUNTED",
+    "AFTER_MODALS",
+    "AFTER_NEGATED",
+    "AFTER_PURPOSES",
+    "AFTER_REASONS",
+    "AFTER_THANKS",
+    "AFTER_WHAT",
+    "AFTER_WHERE",
+    "AFTER_WHICH_ROOMS",
+    "ALL_THE_REST",
+    "ALONG_WAYS",
+    "ANY_LONGER",
+    "AWAY",
+    "BACK_IN_PLACE",
+    "BARE_PRONOUNS",
+    "BEFORE_ALL_OF",
+    "BEFORE_AREAS",
+    "BEFORE_ASKED_STATES",
+    "BEFORE_COLOURS",
+    "BEFORE_COLOUR_WORDS",
+    "BEFORE_COUNTED",
+    "BEFORE_DOORS",
+    "BEFORE_ENDS_OF_WAYS",
+    "BEFORE_NAMES",
+    "BEFORE_PLACES",
+    "BEFORE_PREDICATES",
+    "BEFORE_REQUESTS",
+    "BEFORE_SPOTS",
+    "BEFORE_STATES",
+    "BEFORE_STOREYS",
+    "BEFORE_SURFACES",
+    "BEFORE_VERBS",
+    "BEFORE_WISHES",
+    "BEGIN_CLAUSES",
+    "BEING_SOMEWHERE",
+    "BETWEEN_CLAUSES",
+    "DIRECTIONS",
+    "DISTURBING",
+    "EARLIER_STEPS",
+    "EXISTENCE",
+    "FAILING",
+    "FREE_WAYS",
+    "GOING",
+    "GOING_OR_WAYS",
+    "GOING_SOMEWHERE",
+    "HAVING",
+    "HEADINGS",
+    "JOINING",
+    "KEPT_AS_IT_IS",
+    "LEFT_ALONE",
+    "LEFT_AS_IT_IS",
+    "NEAR_SPOTS",
+    "NO_FRONTED_PLACES",
+    "OPEN_QUESTIONS",
+    "OPINIONS",
+    "PAST_VERBS",
+    "PRAISE",
+    "PREDICATE_VERBS",
+    "PROPERTIES",
+    "RELATIVES",
+    "SOMEBODY",
+    "STAYING_AS_IT_IS",
+    "THIRD_PERSON_WISHES",
+    "TOLD_EXISTENCE",
+    "TOWARDS",
+    "WANTING",
+    "WAYS",
+    "WHOLES",
+    "WISHES",
+]
+
+# Asking, wishing and judging
+
+OPINIONS: Final = frozenset("think believe guess feel suggest propose ask hope".split())
+WISHES: Final = frozenset("like love want need prefer require have wish expect fancy appreciate".split())
+THIRD_PERSON_WISHES: Final = frozenset("wants want needs need likes requires expects lacks".split())
+BEFORE_WISHES: Final = frozenset("really also just do still ve d ll".split())
+BEFORE_REQUESTS: Final = frozenset("please maybe just also perhaps kindly possibly be so kind as to mind".split())
+AFTER_MODALS: Final = frozenset("be go get have stand move come face".split())
+ANY_LONGER: Final = frozenset("any more anymore at all there longer".split())
+AFTER_CHECKS: Final = frozenset("that whether if for to , :".split())
+EXISTENCE: Final = frozenset("be is are to need has have not also always ought supposed no longer".split())
+TOLD_EXISTENCE: Final = frozenset("there is are no not currently still".split())
+PRAISE: Final = frozenset("nice good great lovely fine helpful appreciated perfect ideal welcome".split())
+SOMEBODY: Final = frozenset("robot agent i we one guest visitor people everyone whoever someone subject".split())
+
+# Clauses and subjects
+
+BEFORE_VERBS: Final = frozenset("please then also just not never do finally".split())
+BEGIN_CLAUSES: Final = frozenset("there i we you nothing make let if because nobody".split())
+PREDICATE_VERBS: Final = frozenset("is are stay remain need has have go get belong lack want face".split())
+AFTER_THANKS: Final = frozenset("you very so much a lot in advance for your help".split())
+BEFORE_PREDICATES: Final = frozenset(
+    "to not also always never do does now all both still get longer each supposed itself themselves has have no "
+    "just only".split()
+)
+WANTING: Final = frozenset("need require lack get want deserve miss missing keep".split())
+BEING_SOMEWHERE: Final = frozenset("belong come sit stand lie live rest hang".split())
+FAILING: Final = frozenset("died broke fell leaks squeaks smells wobbles cracked burst".split())
+BEFORE_COLOURS: Final = frozenset("be is are in get painted have".split())
+BEFORE_STATES: Final = frozenset("switched turned left kept powered wide fully be always ,".split())
+DISTURBING: Final = frozenset("touch disturb alter bother affect move break mess".split())
+AFTER_NEGATED: Final = frozenset("on off any more either yet at all anymore there away".split())
+
+# What stays, goes back or goes away
+
+ALL_THE_REST: Final = frozenset("everything else all the other thing rest of it anything".split())
+LEFT_ALONE: Final = frozenset("as where alone unchanged untouched in like".split())
+LEFT_AS_IT_IS: Final = frozenset("as where alone unchanged untouched in place it is they are".split())
+KEPT_AS_IT_IS: Final = frozenset(
+    "alone as where it they is are untouched in place be there unchanged exactly like that stand the way was".split()
+)
+STAYING_AS_IT_IS: Final = frozenset("put there here as it is where they are untouched alone in on place".split())
+BACK_IN_PLACE: Final = frozenset("where it they was were to its place there again".split())
+AWAY: Final = frozenset("away out off completely altogether entirely too".split())
+EARLIER_STEPS: Final = frozenset(
+    "the that it this last latest previous my your edit change step one instruction thing what you did just again "
+    "recent most action have done".split()
+)
+
+# Rooms, surfaces and sizes
+
+PROPERTIES: Final = frozenset("colour color name material type kind use".split())
+BEFORE_COLOUR_WORDS: Final = frozenset("a an the in light dark pale bright deep soft to of as made".split())
+BEFORE_SURFACES: Final = frozenset("the all its a whole four every".split())
+BEFORE_NAMES: Final = frozenset('to as into " the be called named :'.split())
+BEFORE_DOORS: Final = frozenset("a an another the new connecting internal one extra".split())
+BEFORE_AREAS: Final = frozenset(", by to about of around up at an another extra roughly approximately".split())
+TOWARDS: Final = frozenset("to towards toward so that it face at is they and facing them".split())
+NO_FRONTED_PLACES: Final = frozenset("next back there here second first third".split())
+
+# Ways
+
+WAYS: Final = frozenset("way path route access door doorway passage".split())
+GOING_SOMEWHERE: Final = frozenset("be get go walk drive reach travel come move enter".split())
+ABILITIES: Final = frozenset("can could able possible must should may has have need will".split())
+DIRECTIONS: Final = frozenset(
+    "to from into in inside through around up down over all out there everywhere anywhere across freely back "
+    "upstairs towards straight safely easily between".split()
+)
+GOING: Final = frozenset("get go walk drive travel come navigate move pass roll".split())
+ALONG_WAYS: Final = frozenset(
+    "all the way leading down up over through straight that leads lead clear free open unobstructed around easily "
+    "safely still always directly back".split()
+)
+BEFORE_ENDS_OF_WAYS: Final = frozenset("to into towards inside and , in".split())
+FREE_WAYS: Final = frozenset(
+    "be is are clear free open possible without being blocked stay there unobstructed should must obstacle any by "
+    "robot on foot a".split()
+)
+GOING_OR_WAYS: Final = frozenset("get go walk drive travel come navigate move reach enter way path route".split())
+
+# Amounts and places
+
+WHOLES: Final = frozenset("all both every each everything any either".split())
+BEFORE_ALL_OF: Final = frozenset("of the these those my our your their".split())
+BARE_PRONOUNS: Final = frozenset("this that these those both another all each".split())
+BEFORE_SPOTS: Final = frozenset("the a an one any far back free main front room".split())
+BEFORE_PLACES: Final = frozenset(
+    "somewhere anywhere just right directly all still already currently straight exactly".split()
+)
+NEAR_SPOTS: Final = frozenset("by at next near beside close to in opposite under right against".split())
+BEFORE_STOREYS: Final = frozenset("the all both each every our of".split())
+
+# Sentences around clauses
+
+BETWEEN_CLAUSES: Final = frozenset(
+    "also now then just simply finally afterwards again too meanwhile next first and but so quickly immediately "
+    "kindly maybe perhaps otherwise once still already today asap else as well there here back together instead "
+    "carefully neatly nicely thus therefore yet while plus for".split()
+) | frozenset([",", "-", "*", ":", ".", ")", "(", "!", '"', "\n", "?", ";"])
+RELATIVES: Final = frozenset("my our one somebody her his their daughter son mother father boss".split())
+AFTER_REASONS: Final = frozenset("i we the they it there my our he she".split())
+AFTER_PURPOSES: Final = frozenset("that we i they people the it everyone guest nobody".split())
+PAST_VERBS: Final = frozenset(
+    "is are was were has have had will like likes stole came got said left arrive arrives visit".split()
+)
+HEADINGS: Final = frozenset("thing state task list step change order room".split())
+JOINING: Final = frozenset("and but then while plus so &".split())
+AFTER_CLAUSES: Final = frozenset(
+    "too also again instead anymore altogether now there here already completely together each only ) first back "
+    "neatly nicely somewhere asap today both either yet visible properly immediately away".split()
+)
+
+# Questions
+
+BEFORE_COUNTED: Final = frozenset("all the everything number of what is are me thing object".split())
+OPEN_QUESTIONS: Final = frozenset("is are do does has have was were can could there any".split())
+HAVING: Final = frozenset("have has got contain hold already still include get need".split())
+AFTER_COUNTED: Final = frozenset(
+    "there do does we have has i got you find it exist in total altogether currently now right at moment the".split()
+)
+AFTER_WHERE: Final = frozenset("can i find do we have does one".split())
+AFTER_WHICH_ROOMS: Final = frozenset("have has contain hold there do can i find with that".split())
+AFTER_WHAT: Final = frozenset(
+    "object thing item furniture there kind of else stand lie sit all can i see do we have".split()
+)
+BEFORE_ASKED_STATES: Final = frozenset(
+    "currently still already switched turned all now either completely really".split()
+)

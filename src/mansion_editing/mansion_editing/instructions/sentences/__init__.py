@@ -1,0 +1,1 @@
+"""Sentences of instructions: their clauses in order, questions, and what one sentence tells of another."""

@@ -1,0 +1,73 @@
+"""Where sentences end, and words in them that ask for nothing: reasons, purposes, what was."""
+
+from collections.abc import Iterable, Sequence
+from typing import Final
+
+from mansion_editing.instructions.phrases.word_sets import AFTER_PURPOSES, AFTER_REASONS, PAST_VERBS, RELATIVES
+from mansion_editing.instructions.phrases.words import PERSONS, Word
+
+__all__ = ["end_of_background", "is_background", "split_sentences"]
+
+_ENDS: Final = frozenset([".", "!", "?", ";", "\n"])
+
+
+def split_sentences(words: Sequence[Word]) -> Iterable[tuple[list[Word], bool]]:
+    """Yield sentences, each with whether a question mark ends it."""
+    sentence: list[Word] = []
+    for word in words:
+        if word.kind == "mark" and word.text in _ENDS:
+            if sentence:
+                yield sentence, word.text == "?"
+            sentence = []
+        else:
+            sentence.append(word)
+    if sentence:
+        yield sentence, False
+
+
+def end_of_background(words: Sequence[Word], at: int) -> int:
+    """Return the end of a reason or a purpose that begins at a place: ``because ...``, ``so that ...``."""
+    first = words[at].text
+    following = words[at + 1].text if at + 1 < len(words) else ""
+    reason = first in ("because", "otherwise") or (first in ("since", "as") and following in AFTER_REASONS)
+    purpose = (first == "so" and following in AFTER_PURPOSES) or (first == "in" and following in ("case", "order"))
+    if [w.text for w in words[at : at + 4]] == ["you", "are", "at", "it"]:
+        return min(at + 5, len(words))
+    if first == "while" and following in ("you", "we", "i"):
+        stop = next((k for k in range(at, len(words)) if words[k].text == ","), len(words) - 1)
+        return stop + 1
+    if first in ("for", "before", "during", "after", "when") and at == 0:
+        comma = next((k for k in range(at, min(len(words), at + 9)) if words[k].text in (",", ":")), None)
+        return at if comma is None else comma
+    words_after = [w.text for w in words[at : at + 9]]
+    if (
+        first == "if"
+        and following in ("something", "anything", "it", "there")
+        and {"way", "block", "blocked", "blocking"} & set(words_after)
+    ):
+        return len(words)
+    if not (reason or purpose):
+        return at
+    end = at + 1
+    while end < len(words) and not (words[end].kind == "mark" and words[end].text in (",", ";", ")")):
+        end += 1
+    return end
+
+
+def is_background(words: Sequence[Word]) -> bool:
+    """Whether words tell of people and of what was, and ask for nothing."""
+    texts = [w.text for w in words]
+    if not texts:
+        return False
+    if texts[0] in ("is", "are", "look") and len(words) <= 6:
+        return True
+    if words[0].raw in ("it's", "its", "they're", "that's") and len(words) <= 4:
+        return True
+    people = PERSONS | RELATIVES
+    past = any(w.raw.endswith("ed") or w.raw in PAST_VERBS for w in words)
+    return (
+        texts[0] in people
+        and past
+        and "not" not in texts[:3]
+        and not set(texts) & {"want", "need", "should", "must", "please"}
+    )

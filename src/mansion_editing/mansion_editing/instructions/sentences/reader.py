@@ -1,0 +1,586 @@
+"""Instructions in English to statements: sentences, their clauses in order, and what one sentence tells of another."""
+
+from collections.abc import Iterable, Sequence
+from typing import Any, Final
+
+import msgspec
+
+from mansion_editing.instructions.clauses.items import NotUnderstood
+from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
+from mansion_editing.instructions.phrases.nouns import Noun
+from mansion_editing.instructions.phrases.places import merged, read_place, with_place
+from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
+from mansion_editing.instructions.phrases.words import (
+    COURTESIES,
+    FUNCTION_WORDS,
+    PERSONS,
+    UNRECORDED,
+    Word,
+    split_words,
+)
+from mansion_editing.instructions.sentences.background import end_of_background, is_background, split_sentences
+from mansion_editing.instructions.sentences.questions import read_question
+from mansion_editing.instructions.sentences.refinement import (
+    exactly,
+    in_place_of,
+    is_open,
+    narrowed,
+    so_many,
+    with_noun_at,
+    with_storeys,
+)
+from mansion_editing.instructions.statements import (
+    Add,
+    Amount,
+    Clear,
+    Ensure,
+    History,
+    Instruction,
+    Keep,
+    Mention,
+    Move,
+    Paint,
+    Place,
+    Remove,
+    Rooms,
+    SetState,
+    Statement,
+    Things,
+    Turn,
+)
+from mansion_editing.state import SceneState
+
+__all__ = ["read_instruction"]
+
+_EVERY_ONE: Final = (("every", "single", "one"), ("all", "of", "them"), ("each", "of", "them"), ("from", "now", "on"))
+_PAIRS_AFTER_CLAUSES: Final = (
+    ("any", "more"), ("you", "find"), ("you", "see"), ("nothing", "else"), ("no", "other"), ("as", "well"),
+    ("at", "all"), ("if", "possible"), ("for", "me"), ("for", "us"), ("for", "now"), ("right", "now"), ("for", "each"),
+    ("from", "now"), ("now", "on"), ("of", "course"), ("as", "usual"), ("in", "total"), ("or", "so"),
+)  # fmt: skip
+
+
+def read_instruction(text: str, state: SceneState) -> Instruction:
+    """Read what an instruction says.
+
+    Parameters
+    ----------
+    state : SceneState
+        Gives the names of rooms and objects; nothing is looked up in it.
+
+    Returns
+    -------
+    Instruction
+        With the words that belong to no statement, none where it was understood whole.
+    """
+    return _Reader(text, state).read()
+
+
+class _Reader:
+    """Reads one instruction."""
+
+    def __init__(self, text: str, state: SceneState) -> None:
+        self.text = text
+        self.lexicon = Lexicon(state)
+        self.floors = state.floors
+        self.words = split_words(text, self.lexicon.speller, self.lexicon.kept)
+        self.statements: list[Statement] = []
+        self.unknown: list[str] = []
+        self.topic: Things | None = None
+        self.spared: tuple[Things, ...] = ()
+        self.frames: tuple[Place, ...] = ()
+        self.last_noun: Noun | None = None
+        self.told: list[tuple[str, Place]] = []
+        self.is_last = False
+
+    def read(self) -> Instruction:
+        """Read all sentences in order."""
+        sentences = list(split_sentences(self.words))
+        for number, (sentence, marked) in enumerate(sentences):
+            self.is_last = number + 1 == len(sentences)
+            self._read_sentence(self._owners_named(sentence), marked=marked)
+        if any(isinstance(s, Add | Ensure) and s.things.noun not in HYPERNYMS for s in self.statements):
+            self.statements = [
+                Mention(quote=s.quote) if isinstance(s, Add | Ensure) and s.things.noun in HYPERNYMS else s
+                for s in self.statements
+            ]
+        self.statements = [s for one in self.statements for s in [self._told_later(one)]]
+        if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
+            self.unknown = [self.text.strip()]
+        ignored = list(dict.fromkeys(word.raw for word in self.words if word.text in UNRECORDED))
+        return Instruction(statements=with_storeys(self.statements), not_understood=self.unknown, ignored=ignored)
+
+    def _told_later(self, statement: Statement) -> Statement:
+        """Return a statement with the places of things that a sentence before it told."""
+        for noun, place in self.told:
+            statement = with_noun_at(statement, noun, place)
+        return statement
+
+    def _owners_named(self, words: Sequence[Word]) -> list[Word]:
+        """Put the owner for a pronoun: the mayor's for ``his office``, the umbrella's for ``its stand``."""
+        out: list[Word] = []
+        for at, word in enumerate(words):
+            following = words[at + 1].text if at + 1 < len(words) else ""
+            if word.text in ("his", "her", "their", "its") and following:
+                owner = next((w for w in reversed(out) if self._owns(w, following)), None)
+                if owner is None and word.text == "its":
+                    word = Word("the", word.raw, "word", word.start, word.end)
+                if owner is not None:
+                    out.append(Word("the", "the", "word", word.start, word.start))
+                    word = Word(owner.text, owner.raw, "word", word.start, word.end)
+            out.append(word)
+        return out
+
+    def _owns(self, owner: Word, noun: str) -> bool:
+        """Whether two words make the name of a room of the building, or of an object that no room owns."""
+        if owner.kind != "word" or owner.text in FUNCTION_WORDS:
+            return False
+        pair = (owner.text, noun)
+        thing = self.lexicon.is_object(pair) and not self.lexicon.is_own_room((owner.text,))
+        return thing or self.lexicon.is_own_room(pair)
+
+    def _quote(self, words: Sequence[Word], start: int, end: int) -> str:
+        if start >= end:
+            return ""
+        return self.text[words[start].start : words[min(end, len(words)) - 1].end]
+
+    def _read_sentence(self, words: Sequence[Word], *, marked: bool) -> None:
+        reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
+        self.frames = ()
+        reader.last_noun = self.last_noun
+        self._read_words(reader, words, marked=marked)
+        self.last_noun = reader.last_noun
+
+    def _read_words(self, reader: ClauseReader, words: Sequence[Word], *, marked: bool) -> None:
+        at = reader.skip(0)
+        if at >= len(words):
+            return
+        if self._reads_scope(reader, at) or self._tells_of_person(reader, at):
+            return
+        if self._reads_question(reader, words, at, marked=marked):
+            return
+        at = self._read_heading(reader, words, at)
+        at = self._read_exception(reader, at)
+        at = self._read_frame(reader, at)
+        if self._repeats(reader, words, at):
+            return
+        while at < len(words):
+            at = reader.skip(at)
+            if at >= len(words):
+                return
+            end = end_of_background(words, at)
+            if end > at:
+                self.statements.append(Mention(quote=self._quote(words, at, end)))
+                at = end
+                continue
+            at = self._read_clause(reader, words, at)
+
+    def _read_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        """Read what a sentence is about: ``The lamp: ...``, ``Too many chairs ...``."""
+        heading = reader.item(at)
+        if heading is not None and heading.phrase.definite and not heading.is_room and reader.text(heading.end) == ":":
+            self.topic = heading.things()
+            self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
+            at = heading.end + 1
+        if reader.text(at) == "many" and at > 0 and words[at - 1].text == "too":
+            much = reader.item(at + 1)
+            if much is not None:
+                self.statements.append(Mention(quote=self._quote(words, at - 1, much.end)))
+                at = reader.skip(much.end)
+        return at
+
+    def _read_exception(self, reader: ClauseReader, at: int) -> int:
+        """Read ``Apart from the vase, ...``, an exception to what comes next."""
+        end, things = reader.exceptions(at)
+        if not things or reader.text(end) != ",":
+            return at
+        self.spared = things
+        return end + 1
+
+    def _repeats(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
+        """Read what only repeats an earlier instruction: ``and in the bedroom too``, ``the same upstairs``."""
+        if self.statements:
+            return False
+        if reader.text(at) in ("same", "likewise", "ditto") or (
+            reader.text(at) == "the" and reader.text(at + 1) == "same"
+        ):
+            at += 1 + (reader.text(at) == "the")
+            at += reader.text(at) in ("thing", "again")
+            if reader.text(at) == "for":
+                return self._repeats_for(reader, words, at + 1)
+        elif not (
+            words[0].text in ("and", "also", "now", "then") or "too" in (words[-1].text, reader.text(len(words) - 2))
+        ):
+            return self._one_more(reader, words, at)
+        places, end = reader.places(at)
+        if not places or reader.skip(end) < len(words):
+            return self._one_more(reader, words, at)
+        place = places[0].place
+        for read in places[1:]:
+            place = merged(place, read.place)
+        self.statements.append(History(what="repeat", place=place, quote=self._quote(words, 0, len(words))))
+        return True
+
+    def _repeats_for(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
+        quote = self._quote(words, 0, len(words))
+        if tuple(w.text for w in words[at : at + 3]) in (("the", "next", "room"), ("the", "next", "one")):
+            place = Place(rooms=Rooms(next_to="room", same=True))
+            self.statements.append(History(what="repeat", place=place, quote=quote))
+            return True
+        item = reader.item(at)
+        if item is None or reader.skip(item.end) < len(words):
+            return False
+        if item.phrase.noun.kind in ("room", "both"):
+            self.statements.append(History(what="repeat", place=Place(rooms=item.rooms()), quote=quote))
+        else:
+            self.statements.append(History(what="repeat", things=item.things(), quote=quote))
+        return True
+
+    def _one_more(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
+        phrase = reader.phrase(at)
+        bare = phrase is not None and phrase.refers == "last" and phrase.amount.kind == "more"
+        if phrase is None or not bare or reader.skip(phrase.end) < len(words):
+            return False
+        quote = self._quote(words, 0, len(words))
+        self.statements.append(History(what="repeat", things=phrase.things(), quote=quote))
+        return True
+
+    def _read_clause(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
+        same = self._same_of_others(reader, words, at)
+        if same is not None:
+            return same
+        last = self.statements[-1] if self.statements else None
+        reader.follows = isinstance(last, Add | Ensure | Move)
+        try:
+            found, end = reader.read(at)
+            affirmed = reader.taken_affirmed()
+            if affirmed is not None and not (self.is_last and reader.skip(end) >= len(words)):
+                reader.topic = msgspec.structs.replace(affirmed, definite=True)
+                found = [Mention(quote=self._quote(words, at, end))]
+            for other in self.frames:
+                first, reader.frame = reader.frame, other
+                found = [*found, *reader.read(at)[0]]
+                reader.frame = first
+        except NotUnderstood as fault:
+            stop = max(fault.end, at + 1)
+            more = self._more_of_the_same(reader, words, at)
+            if more is not None:
+                return more
+            if is_background(words[at:stop]) or self._is_label(words, at, stop):
+                self.statements.append(Mention(quote=self._quote(words, at, stop)))
+            else:
+                start = min(fault.start, at) if fault.start < len(words) else at
+                self.unknown.append(self._quote(words, start, stop))
+            return stop
+        if tuple(w.text for w in words[end : end + 2]) == ("instead", "of"):
+            found, end = in_place_of(reader, found, end)
+        topic, reader.topic = reader.topic, None
+        found = [self._about_topic(statement) for statement in found]
+        if topic is not None or any(not isinstance(statement, Mention) for statement in found):
+            self.topic = topic
+        end, exact = self._read_tail(reader, words, end)
+        self._take([exactly(statement) for statement in found] if exact else found)
+        return end
+
+    def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
+        """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, SetState | Remove | Paint | Turn) or at == 0 or reader.starts_clause(at):
+            return None
+        if words[at - 1].text not in ("and", "also", ",", "plus"):
+            return None
+        item = reader.item(at)
+        if item is None or item.is_room or reader.predicate_follows(item.end) or item.phrase.amount.kind == "none":
+            return None
+        end = item.end + (reader.text(item.end) in ("too", "also"))
+        if end < len(words) and words[end].text not in ("and", ",", ".", "please"):
+            return None
+        things = item.things()
+        rooms = last.things.place.rooms if last.things.place is not None else None
+        if things.place is None and rooms is not None:
+            things = with_place(things, Place(rooms=rooms))
+        if things.plural and things.amount.number == 0:
+            things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
+        self.statements.append(msgspec.structs.replace(last, things=things, quote=self._quote(words, at, end)))
+        return end
+
+    def _more_of_the_same(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
+        """Read things without a verb, which go where the things before them went: ``and a pen too``."""
+        last = self.statements[-1] if self.statements else None
+        if not isinstance(last, Add | Ensure) or at == 0 or words[at - 1].text not in ("and", "also", ",", "plus"):
+            return None
+        item = reader.item(at)
+        if item is None or item.is_room or item.phrase.definite or item.places:
+            return None
+        after = reader.skip(item.end)
+        if after < len(words) and not reader.starts_clause(after) and words[item.end].text not in ("and", ","):
+            return None
+        quote = self._quote(words, at, item.end)
+        self.statements.append(msgspec.structs.replace(last, things=item.phrase.things(), quote=quote))
+        return item.end
+
+    def _about_topic(self, statement: Statement) -> Statement:
+        """Put what the clause before was about for ``it``."""
+        if self.topic is None:
+            return statement
+        topic = self.topic
+        rooms = topic.place.rooms if topic.place is not None else None
+        numbered = (
+            isinstance(statement, Add | Ensure) and statement.things.refers == "last" and not statement.things.noun
+        )
+        if isinstance(statement, Add | Ensure) and numbered and statement.things.amount.number:
+            return so_many(statement, topic)
+        moved = isinstance(statement, Move) and statement.place == Place() and statement.things.refers == "last"
+        if isinstance(statement, Move) and moved and statement.things.amount.number > 1:
+            return so_many(Ensure(things=statement.things, place=Place(), quote=statement.quote), topic)
+
+        def named(value: Any) -> Any:
+            if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
+                return msgspec.structs.replace(value, things=topic, or_new=True)
+            if isinstance(value, Rooms) and value.same and not value.words and rooms:
+                return rooms
+            if isinstance(value, Things) and value.refers == "last" and not value.noun:
+                return topic
+            if not isinstance(value, msgspec.Struct):
+                return tuple(named(part) for part in value) if isinstance(value, tuple) else value
+            return msgspec.structs.replace(value, **{f: named(getattr(value, f)) for f in value.__struct_fields__})
+
+        changed: Statement = named(statement)
+        return changed
+
+    def _is_label(self, words: Sequence[Word], at: int, stop: int) -> bool:
+        """Whether words before a colon are a heading: ``Initial state:``."""
+        if stop >= len(words) or words[stop].text != ":" or stop - at > 9:
+            return False
+        usual = HEADINGS
+        nouns = [w.text for w in words[at:stop] if w.text not in usual]
+        named = any(self.lexicon.is_object((noun,)) or self.lexicon.is_own_room((noun,)) for noun in nouns)
+        return not named or words[at].text in ("we", "i")
+
+    def _take(self, found: Iterable[Statement]) -> None:
+        """Add statements; what stays is an exception of what is cleared or removed just before."""
+        for statement in found:
+            last = self.statements[-1] if self.statements else None
+            if self.spared and isinstance(statement, Clear):
+                statement = msgspec.structs.replace(statement, spare=(*statement.spare, *self.spared))
+                self.spared = ()
+            if isinstance(statement, Keep) and isinstance(last, Clear) and not statement.things.place:
+                self.statements[-1] = msgspec.structs.replace(last, spare=(*last.spare, statement.things))
+                continue
+            if isinstance(statement, Keep) and isinstance(last, Remove) and last.things.amount.kind == "all":
+                spared = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
+                self.statements[-1] = msgspec.structs.replace(last, things=spared)
+                continue
+            self.statements.append(statement)
+
+    def _read_tail(self, reader: ClauseReader, words: Sequence[Word], end: int) -> tuple[int, bool]:
+        """Read what may follow a clause: ``please``, ``if possible``; the rest must begin a new clause.
+
+        Returns
+        -------
+        end : int
+        exact : bool
+            The number that was named is meant exactly ("two forks, no more").
+        """
+        exact = False
+        while end < len(words):
+            comma = words[end].text in (",", "and")
+            rest = tuple(w.text for w in words[end + comma : end + comma + 3])
+            if rest in _EVERY_ONE:
+                end += comma + 3
+                continue
+            if rest == ("not", "one", "more"):
+                end, exact = end + comma + 3, True
+                continue
+            limit = tuple(w.text for w in words[end + comma : end + comma + 2])
+            if limit in (("no", "more"), ("no", "less"), ("not", "more"), ("no", "fewer")):
+                end, exact = end + comma + 2, True
+                continue
+            text = words[end].text
+            pair = (text, words[end + 1].text if end + 1 < len(words) else "")
+            if tuple(w.text for w in words[end : end + 3]) == ("from", "now", "on"):
+                end += 3
+            elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
+                end = self._contrasted(reader, end + 2)
+            elif pair in _PAIRS_AFTER_CLAUSES:
+                end += 2
+            elif text in COURTESIES or text in AFTER_CLAUSES:
+                end += 1
+            else:
+                break
+        if end >= len(words) or words[end].kind == "mark" or words[end].text in JOINING:
+            return end, exact
+        if end_of_background(words, end) > end or reader.starts_clause(end):
+            return end, exact
+        stop = reader.boundary(end)
+        if words[end].text == "for" and not self._names_anything(words[end:stop]):
+            self.statements.append(Mention(quote=self._quote(words, end, stop)))
+            return stop, exact
+        self.unknown.append(self._quote(words, end, stop))
+        return stop, exact
+
+    def _contrasted(self, reader: ClauseReader, at: int) -> int:
+        """Return the end of what is not meant: ``than two``, ``of on the shelf``; 0 where it is a thing."""
+        if at < len(reader.words) and reader.words[at].kind == "number":
+            return at + 1
+        places, end = reader.places(at)
+        return end if places else 0
+
+    def _names_anything(self, words: Sequence[Word]) -> bool:
+        """Whether words name an object or a room of the building."""
+        return any(self.lexicon.is_object((w.text,)) or self.lexicon.is_own_room((w.text,)) for w in words)
+
+    def _reads_question(self, reader: ClauseReader, words: Sequence[Word], at: int, *, marked: bool) -> bool:
+        try:
+            found = read_question(reader, words, at, marked=marked)
+        except NotUnderstood as fault:
+            self.unknown.append(self._quote(words, at, max(fault.end, len(words))))
+            return True
+        if found is None:
+            return False
+        ask, end = found
+        self.statements.append(ask)
+        end = reader.skip(end)
+        if end < len(words):
+            if words[end].text in ("and", "or") or words[end - 1].text in (",", "and"):
+                more = read_question(reader, words, end, marked=marked)
+                if more is not None and more[1] > end:
+                    self.statements.append(more[0])
+                    end = reader.skip(more[1])
+            if end < len(words):
+                self.unknown.append(self._quote(words, end, len(words)))
+        return True
+
+    def _read_frame(self, reader: ClauseReader, at: int) -> int:
+        """Read a place that the sentence begins with, up to its comma or the clause."""
+        label = read_storeys(reader.words, at, self.floors)
+        if label is not None and label[2] < len(reader.words) and reader.text(label[2]) in (":", "-"):
+            reader.frame = Place(rooms=Rooms(floors=label[0]))
+            return label[2] + 1
+        room = reader.item(at, places=False)
+        if room is not None and room.phrase.noun.kind in ("room", "both"):
+            places, end = reader.places(room.end)
+            if reader.text(end) in (":", "-") and self.lexicon.is_own_room(room.phrase.noun.words):
+                rooms = room.phrase.rooms()
+                for read in places:
+                    rooms = merged(Place(rooms=rooms), read.place).rooms or rooms
+                reader.frame = Place(rooms=rooms)
+                return end + 1
+        first = read_place(reader.words, at, self.lexicon, self.floors)
+        if first is None:
+            return at
+        places, end = reader.places(at)
+        more = read_place(reader.words, end + 1, self.lexicon, self.floors) if reader.text(end) == "and" else None
+        if more is not None and more.place.rooms is not None and reader.starts_clause(reader.skip(more.end)):
+            self.frames = (more.place,)
+            end = more.end
+        comma = reader.text(end) in (",", ":", "-")
+        after = reader.skip(end)
+        if not (comma or reader.starts_clause(after) or reader.phrase(after) is not None) or after >= len(reader.words):
+            return at
+        place = Place()
+        for read in places:
+            place = read.place if place == Place() else merged(place, read.place)
+        reader.frame = place
+        return after if not comma else end + 1
+
+    def _reads_scope(self, reader: ClauseReader, at: int) -> bool:
+        """Read a sentence that only tells where something mentioned is: ``The desk is in the lobby.``."""
+        if self._tells_storeys(reader, at):
+            return True
+        item = reader.item(at)
+        if item is None:
+            return False
+        end = item.end
+        indicative = reader.text(end) in ("is", "are")
+        contracted = reader.words[item.phrase.end - 1].genitive and item.end > item.phrase.end
+        pronoun = item.phrase.refers == "last" and reader.words[at].raw in ("it's", "they're")
+        if not (indicative or contracted or pronoun):
+            return False
+        places, stop = reader.places(end + indicative) if indicative or not item.places else (item.places, item.end)
+        if not places or reader.skip(stop) < len(reader.words):
+            return False
+        place = Place()
+        for read in places:
+            place = read.place if place == Place() else merged(place, read.place)
+        noun = " ".join(item.phrase.noun.words)
+        number = item.phrase.noun.number
+        refined = [with_noun_at(s, f"{noun} {number}".strip(), place) for s in self.statements]
+        if item.phrase.refers == "last" and self.statements:
+            refined = [*self.statements[:-1], narrowed(self.statements[-1], place)]
+        if refined == self.statements and item.is_room and place.rooms is not None and self.statements:
+            rooms = merged(Place(rooms=item.phrase.rooms()), place)
+            refined = [narrowed(s, rooms) if is_open(s) else s for s in self.statements]
+        if (
+            refined == self.statements
+            and not (self.is_last or item.is_room or item.phrase.refers)
+            and item.phrase.definite
+        ):
+            self.told.append((f"{noun} {number}".strip(), place))
+            self.topic = with_place(item.phrase.things(), place)
+            self.statements.append(Mention(quote=self._quote(reader.words, at, stop)))
+            return True
+        if refined == self.statements:
+            return False
+        self.statements = refined
+        return True
+
+    def _tells_of_person(self, reader: ClauseReader, at: int) -> bool:
+        """Read ``She sleeps in the children's room``, which tells where the bed is; and why something is not right."""
+        words = reader.words
+        first = reader.text(at)
+        whole = self._quote(words, 0, len(words))
+        if first in ("he", "she") and at + 1 < len(words):
+            places, end = reader.places(at + 2)
+            if places and reader.skip(end) >= len(words) and self.statements and places[0].place.rooms is not None:
+                place = places[0].place
+                self.statements = [narrowed(s, place) if is_open(s) else s for s in self.statements]
+                self.statements.append(Mention(quote=whole))
+                return True
+        if first in ("why",):
+            there = next((k for k in range(at, len(words)) if words[k].text == "there"), -1)
+            item = reader.item(there + 1) if there >= 0 else None
+            self.topic = None if item is None else item.things()
+            if self.topic is not None and not self.topic.definite:
+                whole_of_it = Amount(kind="all", number=0)
+                self.topic = msgspec.structs.replace(self.topic, amount=whole_of_it, plural=True, definite=True)
+            self.statements.append(Mention(quote=whole))
+            return True
+        told = words[at].raw in ("is", "are", "looks") and len(words) - at <= 7
+        if told and not reader.item(at + 1):
+            self.statements.append(Mention(quote=whole))
+            return True
+        return self._tells_what_was_left(reader, at)
+
+    def _tells_what_was_left(self, reader: ClauseReader, at: int) -> bool:
+        """Read ``A guest left a suitcase in room 4``, which says what the next sentence is about."""
+        words = reader.words
+        verbs = ("left", "forgot", "lost", "dropped", "has", "have", "uses", "needs", "put")
+        left = next((k for k in range(at, min(at + 8, len(words))) if words[k].raw in verbs), -1)
+        if self.is_last:
+            return False
+        if left < 0 or not {w.text for w in words[at:left]} & PERSONS:
+            return False
+        item = reader.item(left + 1)
+        end = len(words) if item is None else item.end
+        end += 2 if tuple(w.text for w in words[end : end + 2]) == ("any", "more") else 0
+        if item is None or reader.skip(end) < len(words):
+            return False
+        self.topic = item.things()
+        if words[left].raw in ("has", "have", "uses", "needs"):
+            self.topic = msgspec.structs.replace(self.topic, definite=True)
+        self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
+        return True
+
+    def _tells_storeys(self, reader: ClauseReader, at: int) -> bool:
+        """Read ``the top floor is 8``, which asks for nothing."""
+        storeys = read_storeys(reader.words, at, self.floors)
+        if storeys is None or reader.text(storeys[2]) not in ("is", "are"):
+            return False
+        end = storeys[2] + 1
+        if end + 1 != len(reader.words) or reader.words[end].kind not in ("number", "ordinal"):
+            return False
+        self.statements.append(Mention(quote=self._quote(reader.words, at, end + 1)))
+        return True

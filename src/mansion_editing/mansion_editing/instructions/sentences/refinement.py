@@ -1,0 +1,113 @@
+"""Statements that later words tell more of: their places, storeys and numbers."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import msgspec
+
+from mansion_editing.instructions.clauses.reader import ClauseReader
+from mansion_editing.instructions.phrases.places import SAME_FLOOR, merged, with_place
+from mansion_editing.instructions.statements import Add, Amount, Ensure, Move, Place, Replace, Rooms, Statement, Things
+
+__all__ = ["exactly", "in_place_of", "is_open", "narrowed", "so_many", "with_noun_at", "with_storeys"]
+
+
+def exactly(statement: Statement) -> Statement:
+    """Return a statement of exactly the number that it names."""
+    if isinstance(statement, Ensure | Add) and statement.things.amount.kind == "some":
+        amount = Amount(kind="exactly", number=statement.things.amount.number)
+        things = msgspec.structs.replace(statement.things, amount=amount)
+        return Ensure(things=things, place=statement.place, each=statement.each, quote=statement.quote)
+    return statement
+
+
+def in_place_of(reader: ClauseReader, found: list[Statement], end: int) -> tuple[list[Statement], int]:
+    """Return that something new comes for what is there: ``a round table instead of the desk``."""
+    old = reader.item(end + 2)
+    new = found[-1]
+    if old is None or old.is_room or not isinstance(new, Add | Ensure):
+        return found, end
+    things = old.things() if new.place == Place() else with_place(old.things(), Place(rooms=new.place.rooms))
+    return [*found[:-1], Replace(things=things, by=new.things, quote=new.quote)], old.end
+
+
+def so_many(statement: Add | Ensure, topic: Things) -> Statement:
+    """Return that there are so many of what was told before: ``There are three; make it five``."""
+    amount = statement.things.amount
+    kind = amount.kind if amount.kind != "some" else "exactly"
+    counted = Amount(kind=kind, number=amount.number)
+    things = msgspec.structs.replace(topic, amount=counted, definite=False, plural=amount.number > 1, place=None)
+    place = topic.place or statement.place
+    if kind == "more":
+        return Add(things=things, place=place, quote=statement.quote)
+    return Ensure(things=things, place=place, quote=statement.quote)
+
+
+def is_open(statement: Statement) -> bool:
+    """Whether a statement names neither rooms nor storeys."""
+    return '"type":"Rooms"' not in msgspec.json.encode(statement).decode()
+
+
+def with_storeys(statements: Sequence[Statement]) -> list[Statement]:
+    """Return the statements with the storey that was named before in place of ``the same floor``."""
+    last: list[tuple[int, ...]] = [()]
+
+    def filled(value: Any) -> Any:
+        if isinstance(value, Rooms) and value.floors == (SAME_FLOOR,):
+            return msgspec.structs.replace(value, floors=last[0], same=value.same or not last[0])
+        if isinstance(value, Rooms) and value.floors:
+            last[0] = value.floors
+        if not isinstance(value, msgspec.Struct):
+            return tuple(filled(part) for part in value) if isinstance(value, tuple) else value
+        return msgspec.structs.replace(value, **{f: filled(getattr(value, f)) for f in value.__struct_fields__})
+
+    return [filled(statement) for statement in statements]
+
+
+def with_noun_at(value: Any, noun: str, place: Place) -> Any:
+    """Return a statement in which things or rooms of a noun are at a place."""
+    if isinstance(value, Things):
+        changed = _replaced(value, noun, place)
+        if changed.noun == noun and (changed.place is None or changed.place.rooms is None):
+            return with_place(changed, place)
+        return changed
+    if isinstance(value, Rooms):
+        if value.words == noun and place.rooms is not None and not value.floors:
+            return msgspec.structs.replace(
+                value, floors=place.rooms.floors, next_to=place.rooms.next_to or value.next_to
+            )
+        return value
+    if isinstance(value, Place):
+        changed = _replaced(value, noun, place)
+        if value.anchor is not None and value.anchor.noun == noun and value.rooms is None and place.rooms is not None:
+            return msgspec.structs.replace(changed, rooms=place.rooms)
+        return changed
+    if isinstance(value, msgspec.Struct):
+        return _replaced(value, noun, place)
+    return value
+
+
+def _replaced(value: Any, noun: str, place: Place) -> Any:
+    changes = {}
+    for name in value.__struct_fields__:
+        old = getattr(value, name)
+        new = (
+            tuple(with_noun_at(part, noun, place) for part in old)
+            if isinstance(old, tuple)
+            else with_noun_at(old, noun, place)
+        )
+        if new != old:
+            changes[name] = new
+    return msgspec.structs.replace(value, **changes) if changes else value
+
+
+def narrowed(statement: Statement, place: Place) -> Statement:
+    """Return the last statement at a place that the next sentence tells of ("it is on the second floor")."""
+    if isinstance(statement, Ensure | Move) or hasattr(statement, "place"):
+        own = getattr(statement, "place", None)
+        if isinstance(own, Place):
+            return msgspec.structs.replace(statement, place=merged(own, place))
+    things = getattr(statement, "things", None)
+    if isinstance(things, Things):
+        return msgspec.structs.replace(statement, things=with_place(things, place))
+    return statement

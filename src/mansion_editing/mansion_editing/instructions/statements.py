@@ -1,0 +1,409 @@
+"""What an instruction says, before it is looked up in a scene: things, places and statements, all in words.
+
+A rules reader and a language model both answer in these terms; `mansion_editing.instructions` carries them out and
+checks them. Every statement quotes the words that it was read from.
+"""
+
+from typing import Literal, TypeAlias
+
+import msgspec
+
+__all__ = [
+    "Add",
+    "Amount",
+    "AmountKind",
+    "Ask",
+    "Clear",
+    "Ensure",
+    "Finish",
+    "Forbid",
+    "Furnish",
+    "History",
+    "Instruction",
+    "Keep",
+    "Mention",
+    "Move",
+    "Paint",
+    "Place",
+    "Reach",
+    "Relation",
+    "Remove",
+    "Rename",
+    "Replace",
+    "Reshape",
+    "Rooms",
+    "SetState",
+    "Spot",
+    "Statement",
+    "Surface",
+    "Swap",
+    "Things",
+    "Turn",
+]
+
+AmountKind: TypeAlias = Literal["some", "exactly", "at_least", "at_most", "more", "fewer", "all", "all_but", "none"]
+Relation: TypeAlias = Literal[
+    "", "on", "in", "under", "above", "beside", "left", "right", "behind", "front", "between", "around", "near"
+]
+Spot: TypeAlias = Literal["", "wall", "corner", "window", "door", "middle"]
+Surface: TypeAlias = Literal["walls", "floor", "ceiling"]
+
+
+class Amount(msgspec.Struct, frozen=True, kw_only=True):
+    """How many.
+
+    Attributes
+    ----------
+    kind : str
+        ``some``: the number as it stands ("two mugs", "the two mugs", "a mug"); ``exactly``; ``at_least``;
+        ``at_most``; ``more``: besides those that are there ("another", "two more"); ``fewer``: so many of them go
+        ("one sofa less"); ``all``; ``all_but`` the number; ``none``.
+    number : int
+        0 where no number is given ("mugs", "all mugs").
+    of : int
+        Size of the whole, where it is given ("two of the four"); 0 otherwise.
+    """
+
+    kind: AmountKind = "some"
+    number: int = 1
+    of: int = 0
+
+
+class Rooms(msgspec.Struct, frozen=True, kw_only=True, tag=True):
+    """Rooms in words.
+
+    Attributes
+    ----------
+    words : str
+        Name or kind ("meeting room 2"); empty where only storeys are given.
+    floors : tuple of int
+        Storeys, the ground being 1; empty for any.
+    every : bool
+        All of them ("each office", "the bathrooms", "all floors").
+    number : int
+        How many of them there are ("the two bathrooms"); 0 where it is not said.
+    ordinal : int
+        Which of them ("the third gallery"); -1 is the last, 0 none.
+    size : {"", "largest", "smallest"}
+    same : bool
+        The room that was mentioned last ("in the same room", "there").
+    next_to : str
+        Words for a room that it shares a wall or a door with ("the office next to the lobby", "the next room").
+    holding : Things, optional
+        What stands in it ("the room with the piano").
+    """
+
+    words: str = ""
+    floors: tuple[int, ...] = ()
+    every: bool = False
+    number: int = 0
+    ordinal: int = 0
+    size: Literal["", "largest", "smallest"] = ""
+    same: bool = False
+    next_to: str = ""
+    holding: "Things | None" = None
+
+
+class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):
+    """Objects in words.
+
+    Attributes
+    ----------
+    noun : str
+        In the singular ("coffee table"), or an object's id; empty for anything.
+    definite : bool
+        Those that are there ("the mugs"), not new ones.
+    plural : bool
+        The noun stands in the plural.
+    colour, material : str
+        As a palette has them; empty for any.
+    states : dict of str to bool
+        ``open`` and ``on``, where they tell which ("the open window").
+    ordinal : int
+        Which of several ("the second desk"); -1 is the last.
+    size : {"", "largest", "smallest"}
+    refers : str
+        ``last``: what was mentioned last ("it", "them"); ``others``: those of the kind that were not meant
+        ("the others").
+    place : Place, optional
+        Where they are.
+    beside : tuple of Things
+        Exceptions ("everything except the vase").
+    owned : str
+        Words before the noun that tell its room or owner ("the lobby chairs", "the CEO's desk").
+    """
+
+    noun: str = ""
+    amount: Amount = Amount()
+    definite: bool = False
+    plural: bool = False
+    colour: str = ""
+    material: str = ""
+    states: dict[str, bool] = {}
+    ordinal: int = 0
+    size: Literal["", "largest", "smallest"] = ""
+    refers: Literal["", "last", "others"] = ""
+    place: "Place | None" = None
+    beside: "tuple[Things, ...]" = ()
+    owned: str = ""
+
+
+class Place(msgspec.Struct, frozen=True, kw_only=True):
+    """A place in words: a relation to things, a spot, rooms and storeys; each part may be left open.
+
+    Attributes
+    ----------
+    relation : str
+        To `anchor`; ``between`` has `other` too, or an anchor in the plural.
+    within : float
+        Greatest distance to the anchor in metres; 0 where none is given.
+    spot : {"", "wall", "corner", "window", "door", "middle"}
+        Of the room.
+    facing : Things, optional
+        What the front turns to.
+    outside : bool
+        Anywhere but there ("not on the table").
+    """
+
+    relation: Relation = ""
+    anchor: Things | None = None
+    other: Things | None = None
+    within: float = 0.0
+    spot: Spot = ""
+    facing: Things | None = None
+    rooms: Rooms | None = None
+    outside: bool = False
+
+
+class _Said(msgspec.Struct, frozen=True, kw_only=True, tag=True):
+    """Words of the instruction that say it."""
+
+    quote: str = ""
+
+
+class Add(_Said, kw_only=True, frozen=True):
+    """New things at a place, besides those that are there ("add two chairs to the lobby").
+
+    Attributes
+    ----------
+    each : bool
+        So many at each of several places ("on every desk").
+    """
+
+    things: Things
+    place: Place
+    each: bool = False
+
+
+class Ensure(_Said, kw_only=True, frozen=True):
+    """Things are at a place, those that are there counted ("there should be four chairs in the break room")."""
+
+    things: Things
+    place: Place
+    each: bool = False
+
+
+class Remove(_Said, kw_only=True, frozen=True):
+    """Things leave the building; with `Things.amount` ``at_most`` or ``exactly`` the surplus does."""
+
+    things: Things
+
+
+class Forbid(_Said, kw_only=True, frozen=True):
+    """Nothing of the kind is added at a place ("do not put a chair in the lobby"); what is there stays."""
+
+    things: Things
+    place: Place
+
+
+class Keep(_Said, kw_only=True, frozen=True):
+    """Things stay as and where they are ("leave the sofa alone")."""
+
+    things: Things
+
+
+class Clear(_Said, kw_only=True, frozen=True):
+    """Furniture, a room or a part of it is emptied of what is loose; `spare` stays."""
+
+    place: Place
+    spare: tuple[Things, ...] = ()
+
+
+class Move(_Said, kw_only=True, frozen=True):
+    """Things that are there go to a place.
+
+    Attributes
+    ----------
+    or_new : bool
+        Where none is there, a new one may be brought ("put the milk in the fridge").
+    """
+
+    things: Things
+    place: Place
+    or_new: bool = False
+
+
+class Swap(_Said, kw_only=True, frozen=True):
+    """Two things, or two rooms, exchange their places."""
+
+    one: Things | Rooms
+    other: Things | Rooms
+
+
+class Replace(_Said, kw_only=True, frozen=True):
+    """Things go, and new ones stand where they were."""
+
+    things: Things
+    by: Things
+
+
+class SetState(_Said, kw_only=True, frozen=True):
+    """Things open, close or switch."""
+
+    things: Things
+    state: Literal["open", "on"]
+    value: bool
+
+
+class Paint(_Said, kw_only=True, frozen=True):
+    """Things take a colour or a material."""
+
+    things: Things
+    colour: str = ""
+    material: str = ""
+
+
+class Turn(_Said, kw_only=True, frozen=True):
+    """Things turn where they stand: by degrees (counter-clockwise seen from above), or their front to something."""
+
+    things: Things
+    degrees: float = 0.0
+    facing: Things | None = None
+
+
+class Reach(_Said, kw_only=True, frozen=True):
+    """A robot gets from one place to another; without a start from the entrance, without an end to every room."""
+
+    start: Things | Rooms | None = None
+    end: Things | Rooms | None = None
+
+
+class Rename(_Said, kw_only=True, frozen=True):
+    """A room takes a name."""
+
+    room: Rooms
+    name: str
+
+
+class Finish(_Said, kw_only=True, frozen=True):
+    """Walls, floor or ceiling of rooms take a colour or a material."""
+
+    rooms: Rooms
+    part: Surface
+    colour: str = ""
+    material: str = ""
+
+
+class Furnish(_Said, kw_only=True, frozen=True):
+    """Rooms are furnished anew, as another kind of room where `kind` is given."""
+
+    rooms: Rooms
+    kind: str = ""
+
+
+class Reshape(_Said, kw_only=True, frozen=True):
+    """The structure of a storey changes.
+
+    Attributes
+    ----------
+    what : str
+        ``area``: `rooms` grows by `area` m2 (negative: shrinks), or to it where `absolute`; ``door``: a door between
+        `rooms` and `other`; ``stair``, ``elevator``: one more.
+    """
+
+    what: Literal["area", "door", "stair", "elevator"]
+    rooms: Rooms | None = None
+    other: Rooms | None = None
+    area: float = 0.0
+    absolute: bool = False
+
+
+class Ask(_Said, kw_only=True, frozen=True):
+    """A question, which changes nothing.
+
+    Attributes
+    ----------
+    about : str
+        ``count`` (how many), ``exists`` (is there), ``where``, ``what`` (what is on the desk), ``state`` (is it
+        open), ``rooms`` (which rooms, how many rooms), ``reach`` (can one get there), ``area`` (how large is a room),
+        ``colour``.
+    """
+
+    about: Literal["count", "exists", "where", "what", "state", "rooms", "reach", "area", "colour"]
+    things: Things | None = None
+    place: Place | None = None
+    rooms: Rooms | None = None
+    start: Rooms | None = None
+    state: Literal["", "open", "on"] = ""
+    value: bool = True
+
+
+class History(_Said, kw_only=True, frozen=True):
+    """An earlier instruction is taken back or done again.
+
+    Attributes
+    ----------
+    what : str
+        ``undo``, ``redo``; ``restore``: only `things` of it go back; ``repeat``: the same once more, at `place` or
+        with `things` where they are given ("the same for the next room", "one more").
+    """
+
+    what: Literal["undo", "redo", "restore", "repeat"]
+    things: Things | None = None
+    place: Place | None = None
+
+
+class Mention(_Said, kw_only=True, frozen=True):
+    """Background that asks for nothing ("one of our clients is allergic")."""
+
+
+Statement: TypeAlias = (
+    Add
+    | Ensure
+    | Remove
+    | Forbid
+    | Keep
+    | Clear
+    | Move
+    | Swap
+    | Replace
+    | SetState
+    | Paint
+    | Turn
+    | Reach
+    | Rename
+    | Finish
+    | Furnish
+    | Reshape
+    | Ask
+    | History
+    | Mention
+)
+
+
+class Instruction(msgspec.Struct, frozen=True, kw_only=True):
+    """An instruction as it was read.
+
+    Attributes
+    ----------
+    statements : list of Statement
+        In the order in which they are carried out.
+    not_understood : list of str
+        Words that belong to none.
+    ignored : list of str
+        Adjectives that are understood but that no scene describes ("clean").
+    """
+
+    statements: list[Statement]
+    not_understood: list[str] = []
+    ignored: list[str] = []

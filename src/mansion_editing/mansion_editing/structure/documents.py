@@ -1,0 +1,133 @@
+"""Program, room graph and layout of a storey after rooms changed their shape, so that all say the same."""
+
+from collections.abc import Mapping, Sequence
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+from shapely import Polygon, box
+
+from mansion_editing.structure.room_shapes import layout_room, polygon_of
+from mansion_editing.structure.storeys import Storey
+from mansion_geometry.shared_walls import edge_array, longest_wall, shared_walls, total_length
+from mansion_msgs_py.layout import FloorLayout, RealisedEdge, UnmetEdge
+from mansion_msgs_py.program import BuildingProgram, FloorProgram, RoomProgram
+from mansion_msgs_py.topology import Edge, FloorTopology
+
+__all__ = ["added_access", "region_shapes", "with_floor", "with_shapes", "with_topology"]
+
+_ACCESS_WALL = 1.2
+"""Shortest wall of an access edge, metres."""
+
+_ADJACENT_WALL = 0.3
+"""Shortest wall of two neighbours, metres."""
+
+_GAP = 1e-3
+
+
+def region_shapes(storey: Storey, layout: FloorLayout) -> dict[str, Polygon]:
+    """Return the rooms and the cores of a storey by their names in the room graph."""
+    shapes = {room.id: polygon_of(room) for room in layout.rooms}
+    for core in storey.program.vertical_connectivity.cores:
+        shapes[core.id] = box(min(core.x), min(core.y), max(core.x), max(core.y))
+    return shapes
+
+
+def with_shapes(storey: Storey, shapes: Mapping[str, Polygon]) -> Storey:
+    """Return a storey whose documents give some rooms other shapes; its scene is not changed.
+
+    Parameters
+    ----------
+    shapes : mapping of str to Polygon
+        By name in the room graph, only rooms that change.
+    """
+    old = {room.id: polygon_of(room).area for room in storey.layout.rooms}
+    rooms = [layout_room(room.id, shapes[room.id]) if room.id in shapes else room for room in storey.layout.rooms]
+    layout = msgspec.structs.replace(storey.layout, rooms=rooms)
+    scale = storey.layout.area_scale
+    nodes = [
+        msgspec.structs.replace(node, area=round(shapes[node.id].area / scale, 3)) if node.id in shapes else node
+        for node in storey.topology.nodes
+    ]
+    growth = {name: float(shape.area) - old[name] for name, shape in shapes.items()}
+    return with_topology(
+        Storey(
+            program=_program(storey, growth),
+            topology=msgspec.structs.replace(storey.topology, nodes=nodes),
+            layout=layout,
+            scene=storey.scene,
+        )
+    )
+
+
+def _program(storey: Storey, growth: Mapping[str, float]) -> BuildingProgram:
+    floor = storey.floor
+    rooms = [_with_area(room, growth[room.id]) if room.id in growth else room for room in floor.rooms]
+    more = sum(room.area_estimate for room in rooms) - sum(room.area_estimate for room in floor.rooms)
+    summary = msgspec.structs.replace(floor.area_summary, sum_rooms=round(floor.area_summary.sum_rooms + more, 3))
+    changed = msgspec.structs.replace(floor, rooms=rooms, area_summary=summary)
+    return with_floor(storey.program, changed)
+
+
+def with_floor(program: BuildingProgram, floor: FloorProgram) -> BuildingProgram:
+    """Return a program with another part for one storey."""
+    floors = [floor if entry.index == floor.index else entry for entry in program.floors]
+    return msgspec.structs.replace(program, floors=floors)
+
+
+def _with_area(room: RoomProgram, growth: float) -> RoomProgram:
+    return msgspec.structs.replace(room, area_estimate=round(max(room.area_estimate + growth, 0.1), 3))
+
+
+def with_topology(storey: Storey) -> Storey:
+    """Return a storey whose layout states which edges of its room graph hold on its polygons."""
+    shapes = {name: edge_array(shape) for name, shape in region_shapes(storey, storey.layout).items()}
+    known = {(edge.source, edge.target, edge.kind): edge for edge in storey.layout.edges}
+    reasons = {(edge.source, edge.target, edge.kind): edge.reason for edge in storey.layout.unmet_edges}
+    edges = [_realised(edge, shapes) for edge in storey.topology.edges if {edge.source, edge.target} <= shapes.keys()]
+    # What is measured alike keeps the solver's own figures, to the last digit.
+    edges = [_unless_alike(edge, known.get((edge.source, edge.target, edge.kind))) for edge in edges]
+    unmet = [
+        UnmetEdge(
+            source=edge.source,
+            target=edge.target,
+            kind=edge.kind,
+            reason=reasons.get(
+                (edge.source, edge.target, edge.kind), "the rooms were changed after the building was made"
+            ),
+        )
+        for edge in edges
+        if not edge.satisfied
+    ]
+    layout = msgspec.structs.replace(storey.layout, edges=edges, unmet_edges=unmet, topology_satisfied=not unmet)
+    return Storey(storey.program, storey.topology, layout, storey.scene)
+
+
+def _realised(edge: Edge, shapes: Mapping[str, NDArray[np.float64]]) -> RealisedEdge:
+    walls = shared_walls(shapes[edge.source], shapes[edge.target], _GAP)
+    longest = longest_wall(walls)
+    access = edge.kind == "access"
+    length = (longest.length if longest else 0.0) if access else total_length(walls)
+    return RealisedEdge(
+        source=edge.source,
+        target=edge.target,
+        kind=edge.kind,
+        satisfied=length >= (_ACCESS_WALL if access else _ADJACENT_WALL) - _GAP,
+        wall=None if longest is None else (longest.start, longest.end),
+        length=length,
+    )
+
+
+def _unless_alike(edge: RealisedEdge, known: RealisedEdge | None) -> RealisedEdge:
+    if known is not None and known.satisfied == edge.satisfied and abs(known.length - edge.length) < 5e-3:
+        return known
+    return edge
+
+
+def added_access(topology: FloorTopology, source: str, target: str) -> FloorTopology:
+    """Return a room graph with one more access edge, unless it is there."""
+    pair = {source, target}
+    if any({edge.source, edge.target} == pair and edge.kind == "access" for edge in topology.edges):
+        return topology
+    kept: Sequence[Edge] = [edge for edge in topology.edges if {edge.source, edge.target} != pair]
+    return msgspec.structs.replace(topology, edges=[*kept, Edge(source=source, target=target, kind="access")])
