@@ -6,7 +6,7 @@ noun ("a ground-floor cafeteria") to that noun alone.
 """
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.phrase import Phrase
@@ -33,6 +33,10 @@ _JOINTS = frozenset(
     and a an the & one , large small its own as well plus both another two three
     """.split()
 )
+
+
+def _several(place: Place) -> bool:
+    return len(place.refs) > 1 or place.refs[0].kind == "range"
 
 
 @dataclass(frozen=True)
@@ -106,7 +110,7 @@ class _Walk:
                     self._give(number, scope, trailing=False)
                 left.append(number)
                 continue
-            place = self.places[number]
+            place = self._within(self.places[number], scope)
             rest = [n for k, n, _ in items[position + 1 :] if k == "phrase"]
             if place.refs[0].kind == "basement" and self.reading.word(place.last) == "with" and rest:
                 for target in self._joined(rest):
@@ -131,6 +135,12 @@ class _Walk:
             else:
                 scope, opened, left = place, True, []
         return scope if opened else None
+
+    def _within(self, place: Place, scope: Place | None) -> Place:
+        """Read "each floor" as each of the storeys that the clause is about: "floors 3 to 9: nine rooms on each floor"."""
+        if scope is None or place.refs[0].kind != "every" or not _several(scope):
+            return place
+        return replace(place, refs=scope.refs)
 
     def _joined(self, rest: list[int]) -> list[int]:
         """Return the first of some phrases and those joined to it by "and" alone."""

@@ -163,6 +163,8 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
         if cut in before:
             before = before[len(before) - before[::-1].index(cut) :]
     own = before[len(before) - before[::-1].index(",") :] if "," in before else before
+    if _for_each_storey(reading, measure):
+        return True
     if not _TOTALS.isdisjoint(after[:4]) or not _TOTALS.isdisjoint(own):
         return "plate" in after
     if not _PLATE.isdisjoint(after) or not _PLATE.isdisjoint(before):
@@ -190,6 +192,28 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
             each = any(word in ("each", "every", "per", "all") for word in before)
             return (plural or each or apiece) and linked
     return False
+
+
+def _for_each_storey(reading: Reading, measure: Measure) -> bool:
+    """Whether an area is said of each storey: "each floor 560 m2", "one floor is 330 m2", "gross 350 m2 per storey"."""
+    after = _after(reading, measure, 3)
+    if (
+        after[:1] in (["per"], ["by"])
+        and after[1:2]
+        and after[1] in FLOOR_WORDS
+        and not reading.plural(measure.last + 1)
+    ):
+        return True
+    index = measure.first - 1
+    while index > 0 and reading.word(index) in _FILLERS - {"floor", "each", "every", "with"}:
+        index -= 1
+    if reading.word(index) not in FLOOR_WORDS or reading.plural(index):
+        return False
+    index -= 1
+    while reading.word(index) in ("single", "typical", "upper", "full"):
+        index -= 1
+    one = reading.word(index) == "one" and reading.word(index + 2) in ("is", "has", "be", "=", "have")
+    return reading.word(index) in ("each", "every", "per", "any") or one
 
 
 def _many_before(reading: Reading, index: int) -> bool:

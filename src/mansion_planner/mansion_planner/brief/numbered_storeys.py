@@ -5,7 +5,13 @@ from collections.abc import Sequence
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_counts import CLOSERS
-from mansion_planner.brief.storey_numbering import counts_above_ground, counts_from_ground, written_after
+from mansion_planner.brief.storey_forms import ABOVE_GROUND
+from mansion_planner.brief.storey_numbering import (
+    counts_above_ground,
+    counts_from_ground,
+    levels_above_ground,
+    written_after,
+)
 
 __all__ = ["NumberedStoreys"]
 
@@ -31,10 +37,11 @@ class NumberedStoreys:
     def __init__(self, reading: Reading, places: Sequence[Place], *, has_floors: bool) -> None:
         self.reading, self.places, self.has_floors = reading, places, has_floors
         self.british = counts_from_ground(reading)
+        self.levels_above = levels_above_ground(reading)
         self.zero_based = any(
             reading.value(i) == 0
             and (
-                reading.kind(i) == "level"
+                (reading.kind(i) == "level" and reading.word(i) != ABOVE_GROUND)
                 or (reading.kind(i) == "number" and reading.word(i - 1) in ("level", "floor", "storey"))
             )
             for i in range(len(reading.tokens))
@@ -51,20 +58,26 @@ class NumberedStoreys:
         reading = self.reading
         if reading.kind(index) != "level":
             return None
-        shift = int(self.zero_based or (self.british and written_after(reading, index)))
-        numbers, last = [int(reading.value(index)) + shift], index + 1
+        numbers, last = [self._level_number(index)], index + 1
         while reading.word(last) in ("to", "–", "-", ",", "and", "&", "+", "through"):
             step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
-            value = int(reading.value(last + step)) + shift
             if reading.kind(last + step) != "level" and not (
                 reading.word(last) in ("–", "to") and reading.kind(last + step) == "number"
             ):
                 break
+            level = last + step if reading.kind(last + step) == "level" else index
+            value = int(reading.value(last + step)) + self._level_number(level) - int(reading.value(level))
             if reading.word(last) in ("to", "–", "-", "through"):
                 return [FloorRef("range", min(numbers[-1], value), max(numbers[-1], value))], last + step + 1
             numbers.append(value)
             last += step + 1
         return [FloorRef("number", n, n) for n in numbers], last
+
+    def _level_number(self, index: int) -> int:
+        """Return which storey a level is, the ground floor being the first."""
+        above = self.reading.word(index) == ABOVE_GROUND or self.levels_above
+        shift = above or self.zero_based or (self.british and written_after(self.reading, index))
+        return int(self.reading.value(index)) + int(shift)
 
     def _number(self, index: int, kind: str) -> int | None:
         reading = self.reading

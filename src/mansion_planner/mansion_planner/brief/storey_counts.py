@@ -181,6 +181,8 @@ class StoreyCounts:
         ):
             return index
         last += 1
+        if value == 1 and self._measures_one(last):
+            return index
         last += reading.word(last) in ("high", "height", "tall")
         above = reading.word(last) in ("over", "above") and reading.word(last + 1) in ("it", "that", "them", "this")
         ground = reading.word(last) in ("over", "above") and reading.words(last + 1, last + 3) in (
@@ -227,6 +229,14 @@ class StoreyCounts:
             return index
         self._state(value, index, last)
         return last
+
+    def _measures_one(self, last: int) -> bool:
+        """Whether "one floor is 330 m2" says how large each of several storeys is."""
+        reading = self.reading
+        end = last + 1 + (reading.word(last + 1) in ("about", "around", "approximately"))
+        several = any(quantity.value > 1 for quantity in reading.facts.floors)
+        is_of = reading.word(last) in ("is", "has", "have", "be", "=")
+        return several and is_of and reading.kind(end) == "number" and reading.kind(end + 1) == "unit"
 
     def _storeys_of_a_use(self, last: int) -> bool:
         """Whether "of" leads on to a use of the storeys ("three floors of apartments"), not to their size."""

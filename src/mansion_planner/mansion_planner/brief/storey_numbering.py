@@ -3,8 +3,9 @@
 import itertools
 
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.storey_forms import ABOVE_GROUND
 
-__all__ = ["counts_above_ground", "counts_from_ground", "written_after"]
+__all__ = ["counts_above_ground", "counts_from_ground", "levels_above_ground", "written_after"]
 
 
 def counts_from_ground(reading: Reading) -> bool:
@@ -19,6 +20,7 @@ def counts_from_ground(reading: Reading) -> bool:
     ground = any(
         (word, floor) in pairs for word in ("ground", "street", "entrance") for floor in ("floor", "level", "storey")
     )
+    ground = ground or any(token.text == ABOVE_GROUND for token in reading.tokens)
     if not ground or not ({("first", "floor"), ("first", "storey")} & set(pairs)):
         return False
     if ("second", "storey") in pairs:
@@ -59,12 +61,31 @@ def _lists_ground_and_first(reading: Reading) -> bool:
         word, opens = reading.word(index), reading.starts(index)
         after = index + 1 + (reading.word(index + 1) in FLOOR_WORDS)
         listed = reading.word(after) in marks
-        ground = ground or (word in ("ground", "gf", "g", "rdc", "eg") and listed and opens)
+        ground = ground or (opens and _is_ground(reading, index) and listed)
         counts = (reading.kind(index) == "ordinal" and opens) or (
             reading.kind(index) == "level" and written_after(reading, index)
         )
         first = first or (counts and listed and reading.value(index) == 1) or (word == "ff" and listed)
     return ground and first
+
+
+def levels_above_ground(reading: Reading) -> bool:
+    """Whether "L1" is the storey above the ground floor: the brief lists both ("GF: ... L1: ...")."""
+    heads = [i for i in range(len(reading.tokens)) if reading.starts(i)]
+    marks = (":", "=", "-", "–", "\n", "(", "has", "with", "and", "&")
+    ground = any(_is_ground(reading, i) for i in heads)
+    return ground and any(
+        reading.kind(i) == "level"
+        and reading.word(i) != ABOVE_GROUND
+        and reading.value(i) == 1
+        and reading.word(i + 1) in marks
+        for i in heads
+    )
+
+
+def _is_ground(reading: Reading, index: int) -> bool:
+    above = reading.word(index) == ABOVE_GROUND and reading.value(index) == 0
+    return above or reading.word(index) in ("ground", "gf", "g", "rdc", "eg")
 
 
 def written_after(reading: Reading, index: int) -> bool:

@@ -48,7 +48,8 @@ def _is_storey(tokens: list[Token], index: int) -> bool:
     if index and tokens[index - 1].text in ("low", "high"):
         return True
     counted = index > 1 and tokens[index - 1].kind in ("number", "ordinal")
-    return counted and tokens[index].plural and tokens[index - 2].text in ("of", "on", "in", "over")
+    several = tokens[index].plural or (counted and tokens[index - 1].text in ("one", "1"))
+    return counted and several and tokens[index - 2].text in ("of", "on", "in", "over")
 
 
 def open_decks(tokens: list[Token]) -> list[Token]:
