@@ -332,6 +332,9 @@ def choose_massing(wish: MassingWish, generator: np.random.Generator) -> Massing
     generator : numpy.random.Generator
         Varies proportions within what suits the building.
     """
+    if wish.shape == "square":
+        side = max(round(math.sqrt(wish.area)), 9 if wish.stairs else 5, 12 if wish.stairs > 1 else 0)
+        return rectangle_massing(wish, float(side), float(side))
     candidates = _bands(wish.use, wish.area, wish.stairs, wish.room, wish.shape)
     if wish.variant:
         candidates = [candidates[-wish.variant % len(candidates)]]
