@@ -102,6 +102,8 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
     result = list(phrases)
     plots: list[Quantity] = []
     for measure in measures:
+        if measure.first in reading.named_areas:
+            continue
         target = _room_of(reading, measure, result)
         if target is not None:
             result[target] = replace(result[target], areas=result[target].areas + measure.values)

@@ -249,6 +249,9 @@ class _Reader:
                 continue
             if named is None:
                 continue
+            if self.reading.word(named.last) == "for" and 0 < phrase.first - named.last <= 2:
+                self.phrases[number] = replace(phrase, head="unknown")  # "a hostel for an engineering college"
+                continue
             before = {phrase.determiner, self.reading.word(phrase.first - 1), self.reading.word(phrase.first - 2)}
             if phrase.first > named.first and before & {"with", "and", ",", "plus", "containing", "has", "have", "a"}:
                 continue

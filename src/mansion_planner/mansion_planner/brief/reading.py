@@ -59,6 +59,8 @@ class Reading:
         Phrases of the lexicon by their first token.
     modifiers : set of int
         Indices of tokens that stand before the head of a room or a building, and may say of its style.
+    named_areas : set of int
+        Indices of numbers whose area was given to rooms together with their names.
     sentence : list of int
         For each token the number of its sentence; lines, semicolons and full stops end one.
     """
@@ -70,6 +72,7 @@ class Reading:
     facts: BriefFacts = field(default_factory=BriefFacts)
     taken: set[int] = field(default_factory=set)
     mention_at: dict[int, Mention] = field(default_factory=dict)
+    named_areas: set[int] = field(default_factory=set)
     sentence: list[int] = field(default_factory=list)
     modifiers: set[int] = field(default_factory=set)
 

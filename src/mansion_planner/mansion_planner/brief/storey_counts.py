@@ -245,6 +245,21 @@ class StoreyCounts:
 
     def _basement_count(self, index: int) -> int:
         reading = self.reading
+        described = index + 2 + (reading.word(index + 2) not in ("basement", "cellar"))
+        if (
+            reading.word(index) in ("over", "above", "plus", "and", "with")
+            and reading.word(index + 1) in ("a", "one", "full")
+            and described == index + 3
+            and reading.kind(index + 2) == "word"
+            and reading.word(described) in ("basement", "cellar")
+            and reading.word(described + 1) in CLOSERS | {"with", "for", "and"}
+            and reading.word(index + 2) not in ("wine", "beer", "root", "coal")
+        ):
+            self._state(1, index, described + 1, below=True)
+            if reading.word(described + 1) == "with":
+                ref = FloorRef("basement", span=reading.span(described, described + 1))
+                self.places.append(Place(described, described + 1, (ref,), led=False))
+            return described + 1
         if (
             reading.word(index) not in ("over", "above", "on", "with")
             or reading.word(index + 2) not in ("basement", "cellar")

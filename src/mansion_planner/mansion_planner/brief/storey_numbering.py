@@ -21,6 +21,8 @@ def counts_from_ground(reading: Reading) -> bool:
         (word, floor) in pairs for word in ("ground", "street", "entrance") for floor in ("floor", "level", "storey")
     )
     ground = ground or any(token.text == ABOVE_GROUND for token in reading.tokens)
+    if ground and _counts_ground_apart(reading):
+        return True
     if not ground or not ({("first", "floor"), ("first", "storey")} & set(pairs)):
         return False
     if ("second", "storey") in pairs:
@@ -67,6 +69,19 @@ def _lists_ground_and_first(reading: Reading) -> bool:
         )
         first = first or (counts and listed and reading.value(index) == 1) or (word == "ff" and listed)
     return ground and first
+
+
+def _counts_ground_apart(reading: Reading) -> bool:
+    """Whether the highest of eight storeys is the seventh floor: "1st to 7th floor" beside a ground floor."""
+    ordinals = [
+        int(token.value)
+        for token, after, then in zip(reading.tokens, reading.tokens[1:], [*reading.tokens[2:], None], strict=False)
+        if token.kind == "ordinal" and (after.text in FLOOR_WORDS or (after.text in ("to", "–", "-") and then))
+    ]
+    stated = [
+        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
+    ]
+    return bool(stated and ordinals) and min(ordinals) == 1 and max(ordinals) == max(stated) - 1
 
 
 def levels_above_ground(reading: Reading) -> bool:

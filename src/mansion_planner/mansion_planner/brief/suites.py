@@ -14,6 +14,7 @@ _SLEEPING = frozenset(
     apartment studio_apartment
     """.split()
 )
+_SHARED = frozenset({"shared", "common", "communal"})
 _PRIVATE = frozenset(
     {"bathroom", "ensuite_bathroom", "toilet", "walk_in_closet", "dressing_room", "shower_area", "restroom", "pantry"}
 )
@@ -75,8 +76,11 @@ def read_suites(
         owner = same.get(owner, owner)
         several = (phrases[owner].count or 2) > 1 or distributed
         if owner in suites:
+            shared = not _SHARED.isdisjoint(reading.words(phrase.first, phrase.noun_end))
             joined = (
-                _outside_brackets(gap_words) <= {"and", "a", "an", "its", "own", ",", "the", "one"} and "and" in gap
+                not shared
+                and _outside_brackets(gap_words) <= {"and", "a", "an", "its", "own", ",", "the", "one"}
+                and "and" in gap
             )
             if joined:
                 suites[number] = suites[owner]
