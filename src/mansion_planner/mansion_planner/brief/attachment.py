@@ -226,7 +226,8 @@ class _Walk:
         sentence = self.reading.sentence[place.first]
         titled = self.building is not None and self.reading.sentence[self.phrases[self.building].first] == sentence
         if not opened and not titled:
-            return left[-1:] if self._asyndetic(left) and not place.led else left
+            below = place.refs[0].kind == "basement"
+            return left[-1:] if self._asyndetic(left) and (below or not place.led) else left
         chosen = [left[-1]]
         joined = False
         for number in reversed(left[:-1]):

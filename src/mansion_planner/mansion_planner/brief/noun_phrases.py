@@ -4,6 +4,7 @@
 phrase, else a noun that can head a room's name ("honey room"), else a piece of furniture of the asset catalogue.
 """
 
+from collections import Counter
 from dataclasses import replace
 
 from mansion_planner.brief.furniture_words import furniture_of
@@ -76,7 +77,8 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     phrases = _with_own_names(reading, phrases)
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
     phrases += _named_again(reading, chunks, phrases)
-    phrases = [part for phrase in phrases for part in with_users(reading, phrase)]
+    names = Counter(phrase.name for phrase in phrases)
+    phrases = [part for phrase in phrases for part in with_users(reading, phrase, names)]
     return sorted(by_own_name(reading, with_sizes(reading, phrases)), key=lambda phrase: phrase.first)
 
 

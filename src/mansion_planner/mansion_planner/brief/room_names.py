@@ -1,7 +1,7 @@
 """Read what rooms are called beyond their kind: own names, what they are for, and kinds that nobody knows."""
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 from mansion_language import singular
@@ -112,7 +112,7 @@ def _listed_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
             begin = index + 1
             if ends:
                 break
-        elif reading.kind(index) != "word":
+        elif reading.kind(index) != "word" or (index in reading.taken and reading.word(last) == "("):
             return []
         elif index == begin and reading.word(index) in ("the", "a", "an"):
             begin += 1
@@ -377,10 +377,17 @@ def with_sizes(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
     ]
 
 
-def with_users(reading: Reading, phrase: Phrase) -> list[Phrase]:
-    """Read "changing rooms for men and for women", "an ablution room for men and another for women" as two rooms."""
+def with_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> list[Phrase]:
+    """Read "changing rooms for men and for women", "an ablution room for men and another for women" as two rooms.
+
+    Parameters
+    ----------
+    names : mapping of str to int
+        How many phrases have each name: "toilet of boys and toilet of girls" are told apart by their users.
+    """
+    one_of_several = names[phrase.name] > 1 and not phrase.plural
     last = phrase.last
-    if phrase.head == "room" and reading.word(last) in _SEXES and reading.tokens[last].kind == "word":
+    if phrase.head == "room" and reading.word(last) in _SEXES and one_of_several:
         return [_of_users(reading, phrase, last)]  # "vestiary feminine"
     if phrase.head != "room" or reading.word(last) not in ("for", "of") or reading.word(last + 1) not in _PEOPLE_APART:
         return [phrase]
@@ -393,7 +400,7 @@ def with_users(reading: Reading, phrase: Phrase) -> list[Phrase]:
             break
         users.append(index)
         index += 1
-    if len(users) == 1 and reading.word(last + 1) in _SEXES and not phrase.plural:
+    if len(users) == 1 and reading.word(last + 1) in _SEXES and one_of_several:
         return [_of_users(reading, phrase, last + 1)]
     if len(users) < 2 or (phrase.counted and phrase.count not in (1, len(users))):
         return [phrase]

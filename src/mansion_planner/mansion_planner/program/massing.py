@@ -246,7 +246,7 @@ class MassingWish:
     variant: int = 0
 
 
-_LEAST_AREA = {"L": 110.0, "T": 170.0, "U": 300.0, "H": 380.0, "courtyard": 440.0}
+_LEAST_AREA = {"L": 104.0, "T": 170.0, "U": 300.0, "H": 380.0, "courtyard": 440.0}
 _LEAST_WITHOUT_STAIR = {**_LEAST_AREA, "U": 190.0}
 """The least gross area of a storey with an outline of that shape, square metres."""
 
