@@ -125,6 +125,18 @@ def _with_tables(tokens: list[Token]) -> list[Token]:
             result += [Token("word", "each", tokens[last - 1].end, tokens[last - 1].end)] if noun else []
             index = last + closes
             continue
+        if (
+            token.text in _TIMES
+            and _is_area(tokens, index + 1)
+            and index > 0
+            and tokens[index - 1].kind == "word"
+            and tokens[index - 1].plural
+        ):
+            end = tokens[index + 2].end
+            result += [replace(token, kind="word", text="of"), *tokens[index + 1 : index + 3]]
+            result.append(Token("word", "each", end, end))
+            index += 3
+            continue
         row = (
             token.text in _BARS
             and token.spaced

@@ -267,6 +267,10 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     ):
         comma = comma or reading.word(before) == ","
         before -= 1
+    if reading.word(before) in FLOOR_WORDS and reading.word(before - 1) in ("per", "by", "each", "every"):
+        at = before - 1 - (reading.word(before - 2) in ("on", "in", "at"))
+        if at in ends:
+            before = at - 1  # "6 classrooms per level, of 55 m2 each"
     if "total" in reading.words(before, measure.first) and "area" in reading.words(before, measure.first):
         return None
     candidates = [

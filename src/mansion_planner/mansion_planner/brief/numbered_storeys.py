@@ -96,9 +96,11 @@ class NumberedStoreys:
         if first is None or reading.kind(index + 2) == "unit" or reading.word(index + 2) in ("people", "person"):
             return None
         last = index + 2
-        link, second = reading.word(last), self._number(last + 1, "number")
+        link = reading.word(last)
+        again = last + 1 + (reading.word(last + 1) == reading.word(index))  # "floor 2 to floor 4"
+        second = self._number(again, "number")
         if link in ("to", "through", "until", "–", "-", "thru") and second is not None:
-            return [FloorRef("range", min(first, second), max(first, second))], last + 2
+            return [FloorRef("range", min(first, second), max(first, second))], again + 1
         if reading.kind(last) == "word" and not reading.plural(index) and reading.plural(last):
             return None  # "level 2 bedrooms" has no plural room of one level: the number counts the rooms
         numbers = [first]
@@ -154,6 +156,8 @@ class NumberedStoreys:
             return False
         if reading.starts(index):
             return following in (":", "\n", "(", "=", "-") or (following == "is" and reading.word(index - 1) == "the")
+        if reading.word(index - 1) == "on" and reading.starts(index - 1):
+            return following in (":", ",")
         if reading.word(index - 1) != "the":
             return False
         if reading.word(index - 2) in ("on", "to", "and", "in", "at") or reading.starts(index - 1):

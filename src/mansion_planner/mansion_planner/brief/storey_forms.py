@@ -40,6 +40,8 @@ _IN_ENGLISH = {"bis": "to", "und": "and", "et": "and", "y": "and"}
 _LEADS = frozenset({"in", "at", "on", "the", "im", "no", "au", "en", "and", "from", "to", "of"})
 _MARKS = frozenset({":", "-", "=", "(", "\n", "–"})
 
+_SIZED = frozenset({":", "of", "is", "about", "around", "approx", "roughly", "area", "size", "="})
+
 _Found = tuple[list[Token], int]
 
 
@@ -82,6 +84,7 @@ class _Forms:
             self._named,
             self._short,
             self._side,
+            self._letter,
         )
 
     def at(self, index: int) -> _Found | None:
@@ -110,7 +113,9 @@ class _Forms:
         return next((len(name) for name in names if tuple(self.texts[index : index + len(name)]) == name), 0)
 
     def _short_ground(self, index: int) -> bool:
-        named = self._word(index + 1) in _MARKS | {"+", ",", ")"} or self._word(index - 1) in _LEADS
+        named = (
+            self._opens(index) or self._word(index + 1) in _MARKS | {"+", ",", ")"} or self._word(index - 1) in _LEADS
+        )
         return self._word(index) in _GROUND_SHORT and self._capitals(index) and named
 
     def _level(self, first: int, last: int, value: int) -> Token:
@@ -126,7 +131,9 @@ class _Forms:
             return None
         last = index + size + 2
         placed = self._word(index) == "r" and (
-            self._word(last) in _MARKS - {"("} or (self._word(index - 1) in ("the", "at") and index > 1)
+            self._word(last) in _MARKS - {"("}
+            or (self._word(index - 1) in ("the", "at", "au", "du", "from") and index > 1)
+            or (self._word(index - 1) in ("to", "and") and self._word(index - 3) == "+")
         )
         if placed:
             return [self._level(index, last, self._number(last - 1))], last
@@ -239,6 +246,18 @@ class _Forms:
             return None
         return [replace(self.tokens[index], text=side), self.tokens[index + 1]], index + 2
 
+    def _letter(self, index: int) -> _Found | None:
+        """Read "Level G: ..." as level 0, "planta alta" as the upper floor, and "floor plate" as the footprint."""
+        token, following = self.tokens[index], self._word(index + 1)
+        if token.text in ("floor", "level") and following == "g" and self._word(index + 2) in _MARKS:
+            return [token, replace(self.tokens[index + 1], kind="number", text="0", value=0.0)], index + 2
+        sized = self._word(index + 2) in _SIZED or self._number(index + 2) >= 0
+        if token.text == "floor" and following in ("plate", "plan") and sized:
+            return [replace(token, text="footprint", end=self.tokens[index + 1].end)], index + 2
+        if token.text in ("planta", "piso") and following in ("alta", "superior"):
+            return [replace(token, text="upper"), replace(self.tokens[index + 1], text="floor")], index + 2
+        return None
+
 
 def _layers(tokens: list[Token]) -> list[Token]:
     """Read layers as storeys where the brief counts them: "4 layers", "first layer: ...", "every layer"."""
@@ -266,5 +285,7 @@ def _with_ranges(text: str, tokens: list[Token]) -> list[Token]:
             and last.value < token.value
         ):
             result.append(Token("mark", "–", last.end, token.start, spaced=False))
+        if token.kind == "level" and len(result) > 1 and result[-1].text == "au" and result[-2].kind == "level":
+            result[-1] = replace(result[-1], text="to")
         result.append(token)
     return result

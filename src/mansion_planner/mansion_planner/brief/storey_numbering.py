@@ -89,6 +89,12 @@ def levels_above_ground(reading: Reading) -> bool:
     heads = [i for i in range(len(reading.tokens)) if reading.starts(i)]
     marks = (":", "=", "-", "–", "\n", "(", "has", "with", "and", "&")
     ground = any(_is_ground(reading, i) for i in heads)
+    levels = [int(t.value) for t in reading.tokens if t.kind == "level" and t.text != ABOVE_GROUND]
+    stated = [
+        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
+    ]
+    if ground and levels and stated and max(stated) == max(levels) + 1:
+        return True
     return ground and any(
         reading.kind(i) == "level"
         and reading.word(i) != ABOVE_GROUND
