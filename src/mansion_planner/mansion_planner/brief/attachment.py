@@ -112,6 +112,8 @@ class _Walk:
                 continue
             place = self._within(self.places[number], scope)
             rest = [n for k, n, _ in items[position + 1 :] if k == "phrase"]
+            if scope is not None and place.last - place.first < 5 and self.reading.word(place.last - 1) == "roof":
+                continue  # "second floor: a bedroom under the roof"
             if place.refs[0].kind == "basement" and self.reading.word(place.last) == "with" and rest:
                 for target in self._joined(rest):
                     self._give(target, place, trailing=True)

@@ -58,6 +58,10 @@ def _with_classifiers(tokens: list[Token]) -> list[Token]:
             result += [token, replace(tokens[index + 1], text="bedroom", plural=False, spaced=False)]
             index += 2
             continue
+        if _opens_advert(tokens, index):
+            result += [token, replace(tokens[index + 1], text="bedroom")]
+            index += 2
+            continue
         if not _is_count(tokens, index):
             result.append(token)
             index += 1
@@ -89,6 +93,15 @@ def _with_classifiers(tokens: list[Token]) -> list[Token]:
         result.append(token)
         index += 1
     return result
+
+
+def _opens_advert(tokens: list[Token], index: int) -> bool:
+    """Whether "3 beds, 1 bathroom" opens a list, where beds are bedrooms."""
+    beds = _is_count(tokens, index) and _word(tokens, index + 1) == "bed" and tokens[index + 1].plural
+    listed = (
+        beds and _word(tokens, index - 1) in (":", "-", "\n") and _word(tokens, index + 2) in (",", "/", "and", "+")
+    )
+    return listed and _is_count(tokens, index + 3) and _word(tokens, index + 4) in ("bath", "bathroom")
 
 
 _REPEATED = frozenset({"room", "bedroom", "classroom", "apartment", "flat"})

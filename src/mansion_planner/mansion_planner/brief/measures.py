@@ -105,6 +105,10 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
         if measure.first in reading.named_areas:
             continue
         target = _room_of(reading, measure, result)
+        again = _said_of_each(reading, measure, result)
+        if again is not None:
+            number, target = again
+            result[number] = replace(result[number], head="unknown")
         if target is not None:
             result[target] = replace(result[target], areas=result[target].areas + measure.values)
             continue
@@ -299,6 +303,26 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     if comma and phrase.last == before + 1 and not _listed(reading, measure, phrase, after):
         return None
     return number
+
+
+def _said_of_each(reading: Reading, measure: Measure, phrases: list[Phrase]) -> tuple[int, int] | None:
+    """Read "three courtrooms, 110 m2 a courtroom" and "200 m2 each hall"; return who is named again, and the room."""
+    last = measure.last + (reading.word(measure.last) == "." and not reading.breaks(measure.last))
+    if reading.word(last) not in ("a", "an", "per", "each", "every", "/"):
+        return None
+    number = next((n for n, p in enumerate(phrases) if p.begin == last + 1 and p.head in ("room", "building")), None)
+    if number is None or phrases[number].counted or phrases[number].plural:
+        return None
+    name = phrases[number].name
+    before = [
+        n
+        for n, p in enumerate(phrases[:number])
+        if p.head == "room"
+        and not p.areas
+        and (p.name == name or p.name.endswith(f"_{name}"))
+        and reading.sentence[measure.first] - reading.sentence[p.first] <= 1
+    ]
+    return (number, before[-1]) if before else None
 
 
 def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:

@@ -86,6 +86,8 @@ class NamedStoreys:
             and (reading.word(index - 1) in ("the", "on", "at") or reading.starts(index))
         ):
             return ground, index + 1
+        if word == "ground" and following in ("for", "has", "hold") and reading.word(index - 1) in (":", ";"):
+            return ground, index + 1
         if (
             word == "bottom"
             and following in CLOSERS | COPULAS | {"with", "and"}

@@ -135,6 +135,8 @@ class NumberedStoreys:
             ranged = ranged or link in ("to", "through", "–", "floor", "-")
             numbers.append(more)
             last += step + 1
+        above = reading.word(last) == "upper" and reading.word(last + 1) in FLOOR_WORDS
+        last += above  # "from the first to the seventh upper floor"
         following = reading.word(last)
         if following in FLOOR_WORDS:
             last += 1
@@ -142,7 +144,7 @@ class NumberedStoreys:
                 return [FloorRef("below_top", number - 1)], last + 3
         elif not self._bare_ordinal(index, last):
             return None
-        shift = int(self.british)
+        shift = int(self.british or above)
         numbers = [value + shift for value in numbers]
         if ranged and len(numbers) == 2:
             return [FloorRef("range", min(numbers), max(numbers))], last
@@ -154,6 +156,12 @@ class NumberedStoreys:
         following = reading.word(last)
         if not self.has_floors and not self.places:
             return False
+        if (
+            reading.starts(index)
+            and self.has_floors
+            and following in ("for", "identical", "has", "hold", "contain", "with")
+        ):
+            return last > index + 1 or following in ("for", "has", "hold", "contain")
         if reading.starts(index):
             return following in (":", "\n", "(", "=", "-") or (following == "is" and reading.word(index - 1) == "the")
         if reading.word(index - 1) == "on" and reading.starts(index - 1):

@@ -128,6 +128,7 @@ class StoreyCounts:
             word in ("ground", "street")
             and reading.word(index + 1) in FLOOR_WORDS
             and reading.word(index + 2) in ("only", "alone")
+            and (reading.word(index + 3) in CLOSERS - {":"} or reading.word(index + 3) in ("and", "with"))
         ):
             self._state(1, index, index + 3)
             return index + 3

@@ -57,10 +57,10 @@ def counts_above_ground(reading: Reading) -> bool:
 
 def _lists_ground_and_first(reading: Reading) -> bool:
     """Whether "Ground: ... 1st: ..." or "GF: ... 1F: ..." count the storeys of a list from the one above the ground."""
-    marks = (":", "=", "-", "–", "\n", "&", "and", ",")
+    marks = (":", "=", "-", "–", "\n", "&", "and", ",", "for", "has", "hold")
     ground = first = False
     for index in range(len(reading.tokens)):
-        word, opens = reading.word(index), reading.starts(index)
+        word, opens = reading.word(index), reading.starts(index) or reading.word(index - 1) == ":"
         after = index + 1 + (reading.word(index + 1) in FLOOR_WORDS)
         listed = reading.word(after) in marks
         ground = ground or (opens and _is_ground(reading, index) and listed)

@@ -41,9 +41,14 @@ def read_shape(reading: Reading) -> None:
             "shaped",
             "building",
             "tower",
+            "house",
+            "form",
         ):
             reading.facts.shapes.append(("square", reading.span(i, i + 2)))
             reading.take(i, i + 2)
+        elif word == "square" and reading.words(i - 2, i) in (("a", "perfect"), ("an", "exact"), ("is", "a")):
+            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+            reading.take(i - 1, i + 1)
         elif word in ("outline", "footprint", "plan") and "square" in reading.words(i + 1, i + 4):
             reading.facts.shapes.append(("square", reading.span(i, i + 1)))
 
