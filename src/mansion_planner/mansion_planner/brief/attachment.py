@@ -139,7 +139,7 @@ class _Walk:
         return scope if opened else None
 
     def _within(self, place: Place, scope: Place | None) -> Place:
-        """Read "each floor" as each of the storeys that the clause is about: "floors 3 to 9: nine rooms on each floor"."""
+        """Read "each floor" as each of the storeys that the clause is about: "floors 3 to 9: nine on each floor"."""
         if scope is None or place.refs[0].kind != "every" or not _several(scope):
             return place
         return replace(place, refs=scope.refs)

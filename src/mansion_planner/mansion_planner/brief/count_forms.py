@@ -1,4 +1,4 @@
-"""Bring counts that stand after their noun or in a table into one form: "4 nos. of flats", "toilets 2 nos.", "hall - 1 - 80 m2"."""
+"""Bring counts after their noun or in a table into one form: "4 nos. of flats", "lift 2 nos.", "hall - 1 - 80 m2"."""
 
 from dataclasses import replace
 
@@ -48,7 +48,7 @@ _NO_NOUNS = _STOREYS | frozenset(
 
 
 def _with_classifiers(tokens: list[Token]) -> list[Token]:
-    """Read "4 nos. of 2BHK flats" as "4 2BHK flats", and "toilets 2 nos." and "guest room 9 rooms" as "x" the number."""
+    """Read "4 nos. of 2BHK flats" as "4 2BHK flats", and "toilets 2 nos." and "room 9 rooms" as "x" the number."""
     result: list[Token] = []
     index = 0
     while index < len(tokens):
@@ -119,7 +119,7 @@ def _times(number: Token) -> Token:
 
 
 def _with_tables(tokens: list[Token]) -> list[Token]:
-    """Read a row of a schedule, "group rooms - 4 - 55 m2 each", as "group rooms x 4, 55 m2 each", and "4 x 55 m2" so."""
+    """Read a row of a schedule, "rooms - 4 - 55 m2 each", as "rooms x 4 of 55 m2 each", and "4 x 55 m2" so."""
     result: list[Token] = []
     index = 0
     while index < len(tokens):

@@ -11,6 +11,7 @@ from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 
 __all__ = [
+    "CONTRASTS",
     "by_own_name",
     "coordinated",
     "designated_nouns",
@@ -282,7 +283,9 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         if reading.kind(begin - 1) == "number" and reading.word(begin - 2) == "for" and reading.plural(end - 1):
             continue  # "a bay for three engines"
         measured = _has_measure(reading, end)
-        if not measured and sentence not in rooms_in and not headed:
+        divided = before == ";" and sentence - 1 in rooms_in and reading.word(end) in (";", "with", "(", ".", "")
+        divided = divided and end - begin <= 2 and not reading.plural(end - 1)
+        if not measured and not divided and sentence not in rooms_in and not headed:
             continue
         if reading.word(begin - 2) in _HOLDS and reading.plural(end - 1) and reading.kind(begin - 1) == "number":
             continue  # "a hall holding eight steel tanks"
@@ -296,7 +299,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
                 and reading.word(begin - 2) in (",", "and", ":", "a", "|", "with", "has")
             )
         )
-        listed = opens and (joined or begin - 1 in reading.taken) and reading.word(end) in _LIST_ENDS
+        listed = divided or (opens and (joined or begin - 1 in reading.taken) and reading.word(end) in _LIST_ENDS)
         if not listed and not measured:
             continue
         words = reading.words(begin, end)
@@ -355,7 +358,8 @@ _PEOPLE_APART = frozenset(
 )
 
 
-_CONTRASTS = frozenset("big large small little main mini secondary".split())
+CONTRASTS = frozenset("big large small little main mini secondary".split())
+"""Adjectives that tell two rooms of a kind apart."""
 
 
 def with_sizes(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
@@ -363,7 +367,7 @@ def with_sizes(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
 
     def size_of(phrase: Phrase) -> str:
         words = [reading.word(at) for at in range(phrase.begin, phrase.noun_end)]
-        own = [word for word in words if word in _CONTRASTS and word not in phrase.name.split("_")]
+        own = [word for word in words if word in CONTRASTS and word not in phrase.name.split("_")]
         return own[0] if phrase.head in ("room", "building") and phrase.room_type and own else ""
 
     sizes: dict[str, set[str]] = {}

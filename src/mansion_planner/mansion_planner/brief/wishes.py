@@ -101,6 +101,8 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
         if like:
             continue
         near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] and _several(p)]
+        counted = [p for p in near if p.refs[0].kind in ("number", "range") and p.last <= index]
+        near = counted or near  # "from the 2nd to the 9th floor all are the same, each floor has ..."
         if not near and reading.word(index) not in ("same", "equal", "copy", "mirror"):
             near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] - 1 and _several(p)][-1:]
         if near:
@@ -114,8 +116,8 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
                 reading.facts.copies.append(CopyFact(group, words))
         elif FLOOR_WORDS & set(reading.words(index + 1, index + 3)) and token.text in ("identical", "equal"):
             span = reading.span(index, index + 2)
-            counted = reading.kind(index - 1) == "number"
-            reading.facts.copies.append(CopyFact(FloorRef("every" if counted else "upper", span=span), span))
+            whole = reading.kind(index - 1) == "number"
+            reading.facts.copies.append(CopyFact(FloorRef("every" if whole else "upper", span=span), span))
         reading.take(index, index + 1)
 
 
