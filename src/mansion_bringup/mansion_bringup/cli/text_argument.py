@@ -1,8 +1,8 @@
 """Arguments that are text rather than options: a description that begins with a dash, such as a list."""
 
 import re
+from typing import Any
 
-import click
 from typer.core import TyperCommand
 
 __all__ = ["TextCommand"]
@@ -14,7 +14,7 @@ _TEXT = re.compile(r"-+[^-A-Za-z].*\s|-.*\n|-+\s", re.DOTALL)
 class TextCommand(TyperCommand):
     """A command whose argument may begin with a dash: "- two floors", "-3 flats", several lines."""
 
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Parse a command line, after what is no option was put behind all options."""
         end = args.index("--") if "--" in args else len(args)
         options = [arg for arg in args[:end] if not _TEXT.match(arg)]

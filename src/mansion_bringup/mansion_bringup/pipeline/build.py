@@ -288,7 +288,7 @@ def _missed_area(problem: FloorProblem, layout: FloorLayout) -> float:
     """Return by how many square metres rooms miss their areas, those that nearly keep them left out."""
     areas = {room.id: Polygon(room.polygon, room.holes).area for room in layout.rooms if len(room.polygon) > 2}
     wanted = [(node.area, areas[node.id]) for node in problem.nodes if node.area and node.id in areas]
-    return sum(abs(found - area) for area, found in wanted if abs(found - area) > _KEPT * area)
+    return float(sum(abs(found - area) for area, found in wanted if abs(found - area) > _KEPT * area))
 
 
 def furnish(stages: Stages, plan: PlanReply, layout: FloorLayout, index: int) -> FloorScene:

@@ -49,8 +49,16 @@ def read_shape(reading: Reading) -> None:
         elif word == "square" and reading.words(i - 2, i) in (("a", "perfect"), ("an", "exact"), ("is", "a")):
             reading.facts.shapes.append(("square", reading.span(i, i + 1)))
             reading.take(i - 1, i + 1)
+        elif word == "square" and reading.word(i - 1) in ("a", "our") and _names_building(reading, i + 1):
+            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+            reading.take(i, i + 1)
         elif word in ("outline", "footprint", "plan") and "square" in reading.words(i + 1, i + 4):
             reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+
+
+def _names_building(reading: Reading, index: int) -> bool:
+    mention = reading.mention_at.get(index)
+    return mention is not None and bool(mention.building)
 
 
 _COURTS = frozenset({"garth", "quad", "quadrangle", "atrium", "court", "patio"})
