@@ -83,12 +83,9 @@ def _with_classifiers(tokens: list[Token]) -> list[Token]:
                 result.append(token)
                 index = last + (_word(tokens, last) == "of")
                 continue
-        bare = (
-            noun
-            and _word(tokens, index + 1) in _ENDS - {"-", "/"}
-            and (_word(tokens, index - 1) in _CORES and not tokens[index - 1].plural)
-        )
-        if bare:
+        core = _word(tokens, index - 1) in _CORES and not tokens[index - 1].plural
+        listed = tokens[index - 1].plural and not _is_count(tokens, index + 2) and token.text.isdigit()
+        if noun and _word(tokens, index + 1) in _ENDS - {"-", "/", "|"} and (core or listed):
             result.append(_times(token))
         result.append(token)
         index += 1

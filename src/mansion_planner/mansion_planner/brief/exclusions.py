@@ -52,7 +52,18 @@ _AFTER = (
     *[
         (*verb, "not", participle)
         for verb in ((), ("is",), ("are",))
-        for participle in ("contemplated", "foreseen", "planned", "desired", "wished", "asked", "requested", "included")
+        for participle in (
+            "necessary",
+            "required",
+            "contemplated",
+            "foreseen",
+            "planned",
+            "desired",
+            "wished",
+            "asked",
+            "requested",
+            "included",
+        )
     ],
 )
 _ENDS = frozenset(

@@ -130,6 +130,8 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             plots.append(fact)
         elif _of_storey(reading, measure):
             reading.facts.floor_area.append(fact)
+        elif _of_something_else(reading, measure, result):
+            reading.taken.difference_update(range(measure.first, measure.last))
         elif not _of_part(reading, measure):
             reading.facts.area.append(fact)
     if not (reading.facts.floor_area or reading.facts.area):
@@ -224,6 +226,16 @@ def _for_each_storey(reading: Reading, measure: Measure) -> bool:
 
 def _many_before(reading: Reading, index: int) -> bool:
     return any(reading.kind(i) == "number" and reading.value(i) > 1 for i in range(index - 3, index))
+
+
+def _of_something_else(reading: Reading, measure: Measure, phrases: list[Phrase]) -> bool:
+    """Whether "of 65 m2" and "12 m2 each" follow rooms, so that they are not said of the building."""
+    said = reading.word(measure.first - 1) == "of" or _after(reading, measure, 1) == ["each"]
+    sentence = reading.sentence[measure.first]
+    before = [p for p in phrases if p.last <= measure.first and reading.sentence[p.first] == sentence]
+    near = bool(before) and measure.first - before[-1].last <= 4
+    counted = near and before[-1].head == "room" and before[-1].counted and (before[-1].count or 0) > 1
+    return said and counted and _TOTALS.isdisjoint(_after(reading, measure, 3))
 
 
 def _of_part(reading: Reading, measure: Measure) -> bool:

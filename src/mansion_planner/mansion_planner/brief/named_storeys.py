@@ -76,8 +76,8 @@ class NamedStoreys:
             return ground, index + 1
         if word in ("gf", "g/f", "gnd") and following in CLOSERS | {"has", "with"}:
             return ground, index + 1
-        if word == "ff" and following in CLOSERS and self.british:
-            return [FloorRef("number", 2, 2)], index + 1
+        if word in ("ff", "sf") and following in CLOSERS and self.british:
+            return [FloorRef("number", 2 + (word == "sf"), 2 + (word == "sf"))], index + 1
         if word == "at" and following == "grade":
             return ground, index + 2
         if (

@@ -28,11 +28,12 @@ _GROUND = (
 _GROUND_SHORT = frozenset({"eg", "rdc", "pb", "rch", "gf"})
 _BASEMENT = (("sous", "sol"), ("sotano",), ("subsolo",), ("untergeschoss",), ("kellergeschoss",), ("keller",))
 _TOP = (("dachgeschoss",), ("cobertura",))
-_ABOVE = frozenset({"og", "obergeschoss", "andar", "andare", "verdieping", "etage", "stock"})
+_ABOVE = frozenset({"verdiepingen", "og", "obergeschoss", "andar", "andare", "verdieping", "etage", "stock"})
 _FLOOR = frozenset({"piso", "planta", "pavimento"})
 _FIRST = {
     "primer": 1, "primera": 1, "primeiro": 1, "premier": 1, "erste": 1, "erster": 1, "primo": 1, "segundo": 2,
-    "segunda": 2, "deuxieme": 2, "zweite": 2, "tercer": 3, "tercera": 3, "terceiro": 3, "troisieme": 3, "dritte": 3,
+    "segunda": 2, "secondo": 2, "terzo": 3, "deuxieme": 2, "zweite": 2, "tercer": 3, "tercera": 3,
+    "terceiro": 3, "troisieme": 3, "dritte": 3,
 }  # fmt: skip
 _SUFFIXES = frozenset({"er", "ere", "eme", "e", "a", "o", "era", "re"})
 _LINKS = frozenset({"and", "to", "-", "–", ",", "&", "bis", "und", "et", "y"})
@@ -159,7 +160,7 @@ class _Forms:
         if token is None or token.kind not in ("number", "level") or token.spaced:
             return None
         last = index + 2 + 2 * (self.texts[index + 2 : index + 4] == ["/", "f"])
-        if self._word(last) not in _MARKS:
+        if self._word(last) not in _MARKS and last == index + 2 and token.kind != "level":
             return None
         return [replace(self.tokens[index], text="basement", end=self.tokens[last - 1].end)], last
 
@@ -213,7 +214,7 @@ class _Forms:
     def _named(self, index: int) -> _Found | None:
         """Read "primera planta", "premier étage", "OG 1"."""
         value = _FIRST.get(self._word(index), 0)
-        if value and self._word(index + 1) in _ABOVE | _FLOOR:
+        if value and self._word(index + 1) in _ABOVE | _FLOOR | {"piano"}:
             shift = int(self._word(index + 1) in _FLOOR and not self.has_ground)
             return [self._level(index, index + 2, value - shift)], index + 2
         if self._word(index) == "og" and self._number(index + 1) > 0 and not self._opens(index + 1):
@@ -254,6 +255,9 @@ class _Forms:
         sized = self._word(index + 2) in _SIZED or self._number(index + 2) >= 0
         if token.text == "floor" and following in ("plate", "plan") and sized:
             return [replace(token, text="footprint", end=self.tokens[index + 1].end)], index + 2
+        below = self.text[token.end : token.end + 2].strip() in ("-", "–", "−") and self._number(index + 2) > 0
+        if token.text in ("floor", "level") and following in ("-", "–") and below and self._word(index + 3) in _MARKS:
+            return [replace(token, text="basement", end=self.tokens[index + 2].end)], index + 3
         if token.text in ("planta", "piso") and following in ("alta", "superior"):
             return [replace(token, text="upper"), replace(self.tokens[index + 1], text="floor")], index + 2
         return None
