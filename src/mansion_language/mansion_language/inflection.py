@@ -25,6 +25,7 @@ _IRREGULAR = {
     "houses": "house", "warehouses": "warehouse", "greenhouses": "greenhouse", "caches": "cache", "niches": "niche",
     "headaches": "headache", "axles": "axle", "avalanches": "avalanche", "quiches": "quiche", "crèches": "crèche",
     "creches": "creche", "boxes": "box", "quizzes": "quiz", "waltzes": "waltz",
+    "wcs": "wc", "tvs": "tv",
     "delis": "deli", "menus": "menu", "minis": "mini", "semis": "semi", "taxis": "taxi", "focuses": "focus",
     "octopuses": "octopus",
     "apparatuses": "apparatus", "thermoses": "thermos", "solaria": "solarium", "lies": "lie", "bonuses": "bonus",

@@ -75,3 +75,12 @@ def test_plan_prints_the_program_and_its_trace() -> None:
     assert "two-storey" in shown.stdout
     program = json.loads(mansion("plan", "a two-storey library", "--json").stdout)
     assert len(program["floors"]) == 2
+
+
+@pytest.mark.parametrize(
+    "brief", ["- what: a small shop\n- storeys: 2", "-2 storeys, a small shop", "-- a shop of 2 storeys"]
+)
+def test_a_description_may_begin_with_a_dash(brief: str) -> None:
+    shown = mansion("plan", brief, "--json")
+    assert shown.returncode == 0
+    assert len(json.loads(shown.stdout)["floors"]) == 2

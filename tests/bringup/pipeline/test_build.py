@@ -1,10 +1,17 @@
-"""Building tells how far it is, step by step to the last."""
+"""Building tells how far it is, step by step to the last, and takes the better of two layouts."""
 
+import math
 from pathlib import Path
 
-from mansion_bringup.pipeline.build import build_building
+import msgspec
+import pytest
+
+from mansion_bringup.pipeline.build import build_building, solve
+from mansion_bringup.pipeline.stages import LocalStages
+from mansion_msgs_py.layout import FloorLayout, FloorProblem, LayoutRoom
 from mansion_msgs_py.request import BuildRequest
 from mansion_msgs_py.world import Progress
+from mansion_planner.plan import plan_building
 
 
 def test_progress_grows_step_by_step_to_its_total(tmp_path: Path) -> None:
@@ -14,3 +21,27 @@ def test_progress_grows_step_by_step_to_its_total(tmp_path: Path) -> None:
     assert counts == sorted(counts)
     assert set(range(told[-1].total + 1)) == set(counts)
     assert told[-1].stage == "done"
+
+
+class _Solver(LocalStages):
+    """Stages whose solver lays out the rooms of a problem as squares of what share of their area its id says."""
+
+    def solve(self, problem: FloorProblem) -> FloorLayout:
+        sides = {node.id: math.sqrt((node.area or 1.0) * float(problem.plan_id)) for node in problem.nodes}
+        rooms = [
+            LayoutRoom(id=name, polygon=[(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)])
+            for name, side in sides.items()
+        ]
+        return FloorLayout(rooms=rooms, topology_satisfied=True, unmet_edges=[], plan_id=problem.plan_id)
+
+
+@pytest.mark.parametrize(
+    ("loose", "sketched", "taken"), [("0.5", "1.0", "1.0"), ("0.95", "1.0", "0.95"), ("0.5", "0.4", "0.5")]
+)
+def test_the_places_of_the_sketch_are_taken_where_a_layout_misses_the_areas(
+    loose: str, sketched: str, taken: str
+) -> None:
+    plan = plan_building(BuildRequest(description="a shop of one storey"))
+    problem, fallback = (msgspec.structs.replace(plan.problems[0], plan_id=share) for share in (loose, sketched))
+    plan = msgspec.structs.replace(plan, problems=[problem], fallbacks=[fallback])
+    assert solve(_Solver(), plan, 0).plan_id == taken

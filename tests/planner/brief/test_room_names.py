@@ -5,12 +5,16 @@ import pytest
 from mansion_knowledge import default_knowledge
 from mansion_msgs_py.request import BuildRequest
 from mansion_planner.brief import read_brief
-from mansion_planner.brief.facts import RoomFact
+from mansion_planner.brief.facts import BriefFacts, RoomFact
 from mansion_planner.plan import plan_building
 
 
+def read(text: str) -> BriefFacts:
+    return read_brief(text, default_knowledge())
+
+
 def rooms(text: str) -> dict[str, RoomFact]:
-    return {fact.name: fact for fact in read_brief(text, default_knowledge()).rooms}
+    return {fact.name: fact for fact in read(text).rooms}
 
 
 @pytest.mark.parametrize(
@@ -85,3 +89,60 @@ def test_what_a_cell_is_fitted_with_is_furniture() -> None:
     facts = read_brief("A prison with ten cells, every cell fitted with bunk, toilet and desk.", default_knowledge())
     assert [fact.name for fact in facts.rooms] == ["cell"]
     assert {fact.category for fact in facts.objects} >= {"toilet", "desk"}
+
+
+@pytest.mark.parametrize(
+    ("brief", "names"),
+    [
+        ("A school with a library, room of teachers, room of meetings", {"teacher_room", "meeting_room"}),
+        ("A radio with 2 offices of redaction of 25 m2 each", {"redaction_office"}),
+        ("A school of 2 floors. Toilet of boys and toilet of girls are in each floor.", {"boy_toilet", "girl_toilet"}),
+        ("A spa with vestiary masculine and vestiary feminine", {"man_vestiary", "woman_vestiary"}),
+        ("Spa: changing room for women and changing room for men", {"woman_changing_room", "man_changing_room"}),
+        ("A house with a large bathroom and a small bathroom", {"large_bathroom", "small_bathroom"}),
+    ],
+)
+def test_rooms_are_called_by_their_purpose_their_users_and_their_size(brief: str, names: set[str]) -> None:
+    assert names <= {fact.name for fact in read(brief).rooms}
+
+
+def test_names_may_follow_the_area_of_the_rooms() -> None:
+    facts = read(
+        "A school with 2 classrooms of 25 m2 that are called Oslo and Prague. Classroom Oslo is next to the hall."
+    )
+    assert {fact.name: fact.area for fact in facts.rooms if fact.room_type == "classroom"} == {
+        "oslo": 25.0,
+        "prague": 25.0,
+    }
+    assert facts.adjacent[0].first_name == "oslo"
+
+
+def test_names_after_a_dash_may_hold_words_for_other_rooms() -> None:
+    facts = read("An escape room with two game rooms of 35 m2 - the Bank Heist, the Submarine; toilets.")
+    named = {fact.name: fact.area for fact in facts.rooms if fact.room_type == "game_room"}
+    assert named == {"bank_heist_game_room": 35.0, "submarine_game_room": 35.0}
+
+
+def test_a_room_may_be_mentioned_again_by_its_first_words() -> None:
+    facts = read(
+        "A dental practice. Sterilisation room, waiting room. The sterilisation must not adjoin the waiting room."
+    )
+    assert [(a.first_name, a.second_name) for a in facts.apart] == [("sterilisation_room", "waiting_room")]
+
+
+def test_what_a_room_is_for_is_no_room() -> None:
+    facts = read("A fire station with an appliance bay for three engines (150 sqm)")
+    assert {fact.name: fact.area for fact in facts.rooms} == {"appliance_bay": 150.0}
+
+
+def test_shared_rooms_belong_to_no_suite() -> None:
+    facts = read("A hostel. Each floor has 7 studio rooms with own bathroom and one shared kitchen.")
+    assert {fact.name: [child.name for child in fact.suite] for fact in facts.rooms} == {
+        "studio_room": ["bathroom"],
+        "shared_kitchen": [],
+    }
+
+
+def test_each_before_an_area_gives_nobody_a_room() -> None:
+    facts = read("A house with 3 children rooms with each 13 m2, parents bedroom 17 m2, one bathroom")
+    assert {fact.name: fact.count for fact in facts.rooms}["parent_bedroom"] == 1

@@ -54,3 +54,13 @@ def test_a_lobby_that_rooms_are_to_be_apart_from_is_not_what_all_are_reached_thr
     beside = {edge.source if edge.target == "lobby" else edge.target for edge in reply.topologies[0].edges
               if "lobby" in (edge.source, edge.target)}  # fmt: skip
     assert beside and not any(name.startswith("holding_cell") for name in beside)
+
+
+@pytest.mark.parametrize(
+    "brief", ["a square museum building of one floor, 320 m2", "a square office building, 3 floors of 400 m2"]
+)
+def test_a_square_building_is_as_long_as_it_is_deep(brief: str) -> None:
+    ground = plan_building(BuildRequest(description=brief)).program.floors[0]
+    xs, ys = [x for x, _ in ground.outline], [y for _, y in ground.outline]
+    assert len(ground.outline) == 4
+    assert max(xs) - min(xs) == pytest.approx(max(ys) - min(ys))

@@ -120,6 +120,12 @@ def test_traced_rings_run_around_cells_and_holes() -> None:
     assert sorted(len(ring) for ring in rings) == [4, 4]
 
 
+def test_a_room_around_a_corner_that_touches_its_own_outline_is_traced_as_outline_and_hole() -> None:
+    mask = np.array([[True, True, True], [True, False, True], [False, True, True]])
+    assert sorted(len(set(ring)) for ring in trace(mask)) == [4, 6]
+    assert all(len(set(ring)) == len(ring) for ring in trace(mask))
+
+
 def test_cells_that_meet_at_a_corner_are_traced_apart() -> None:
     rings = trace(np.array([[True, False], [False, True]]))
     assert len(rings) == 2

@@ -473,7 +473,8 @@ def _apart(wish: Wish, state: _State) -> _Verdict:
     )
     pairs = [(a, b) for a in firsts for b in seconds if state.near(a, b)]
     ids = [room.full_id for pair in pairs[:1] for room in pair]
-    return _met(not pairs, "they share a wall", rooms=ids)
+    both = f"{_words(wish.value.name)} and {_words(wish.value.other)}"
+    return _met(not pairs, f"{both} share a wall", rooms=ids)
 
 
 def _object(wish: Wish, state: _State) -> _Verdict:

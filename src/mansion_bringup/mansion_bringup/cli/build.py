@@ -8,6 +8,7 @@ import typer
 
 from mansion_bringup.cli.console import EXIT_INTERRUPTED, err, out, progress_bar
 from mansion_bringup.cli.receipt_table import print_receipt, refuse_unmet
+from mansion_bringup.cli.text_argument import TextCommand
 from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import is_building_folder
 from mansion_msgs_py.codec import decode
@@ -24,7 +25,7 @@ __all__ = ["planner_name", "prepare_planner", "read_footprint", "register", "req
 
 def register(app: typer.Typer) -> None:
     """Add the command to `app`."""
-    app.command("build", no_args_is_help=True)(build)
+    app.command("build", cls=TextCommand, no_args_is_help=True)(build)
 
 
 def request_from_options(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from mansion_bringup.cli.console import err, print_json
+from mansion_bringup.cli.text_argument import TextCommand
 from mansion_bringup.extras import ensure_extra
 from mansion_msgs_py.editing import AgentReport
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -28,7 +29,7 @@ _EXTRAS = {"mujoco": "sim", "thor": "thor"}
 
 def register(app: typer.Typer) -> None:
     """Add the command to `app`."""
-    app.command("edit", no_args_is_help=True)(edit)
+    app.command("edit", cls=TextCommand, no_args_is_help=True)(edit)
 
 
 def edit(

@@ -8,6 +8,7 @@ import typer
 
 from mansion_bringup.cli.build import planner_name, prepare_planner, request_from_options
 from mansion_bringup.cli.console import out, print_json
+from mansion_bringup.cli.text_argument import TextCommand
 from mansion_msgs_py.program import BuildingProgram, FloorProgram
 from mansion_msgs_py.request import identified
 from mansion_msgs_py.stages import PlanReply
@@ -17,7 +18,7 @@ __all__ = ["register"]
 
 def register(app: typer.Typer) -> None:
     """Add the command to `app`."""
-    app.command("plan", no_args_is_help=True)(plan)
+    app.command("plan", cls=TextCommand, no_args_is_help=True)(plan)
 
 
 def plan(

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TypeVar
 
 import msgspec
+from shapely.geometry import Polygon
 
 from mansion_bringup.building.files import floor_files
 from mansion_bringup.building.report import building_index, building_report
@@ -20,7 +21,7 @@ from mansion_msgs_py.building import Building, BuildingReport
 from mansion_msgs_py.building_folder import INDEX, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.layout import FloorLayout
+from mansion_msgs_py.layout import FloorLayout, FloorProblem
 from mansion_msgs_py.request import BuildRequest, identified
 from mansion_msgs_py.scene import FloorScene
 from mansion_msgs_py.stages import FurnishRequest, PlanReply
@@ -266,9 +267,28 @@ def solve(stages: Stages, plan: PlanReply, index: int) -> FloorLayout:
     floor = plan.program.floors[index].index
     layout = at_stage(f"solve_floor (floor {floor})", lambda: stages.solve(plan.problems[index]))
     fallback = plan.fallbacks[index] if plan.fallbacks else None
-    if fallback is None or all(edge.kind != "access" for edge in layout.unmet_edges):
+    if fallback is None:
         return layout
-    return at_stage(f"solve_floor (floor {floor})", lambda: stages.solve(fallback))
+    cut_off = any(edge.kind == "access" for edge in layout.unmet_edges)
+    missed = _missed_area(plan.problems[index], layout)
+    if not cut_off and missed < MISSED_SHARE * sum(node.area or 0.0 for node in plan.problems[index].nodes):
+        return layout
+    sketched = at_stage(f"solve_floor (floor {floor})", lambda: stages.solve(fallback))
+    return sketched if cut_off or _missed_area(plan.problems[index], sketched) < missed / 2 else layout
+
+
+MISSED_SHARE = 0.1
+"""Share of a floor that rooms may miss before the places of the sketch are tried: areas come before neighbours."""
+
+_KEPT = 0.15
+"""By what share a room's area may differ from the one that was planned."""
+
+
+def _missed_area(problem: FloorProblem, layout: FloorLayout) -> float:
+    """Return by how many square metres rooms miss their areas, those that nearly keep them left out."""
+    areas = {room.id: Polygon(room.polygon, room.holes).area for room in layout.rooms if len(room.polygon) > 2}
+    wanted = [(node.area, areas[node.id]) for node in problem.nodes if node.area and node.id in areas]
+    return float(sum(abs(found - area) for area, found in wanted if abs(found - area) > _KEPT * area))
 
 
 def furnish(stages: Stages, plan: PlanReply, layout: FloorLayout, index: int) -> FloorScene:

@@ -38,7 +38,9 @@ def read_bedrooms_of_building(reading: Reading, phrase: Phrase) -> None:
 def _follows_bedrooms(reading: Reading, index: int) -> bool:
     """Whether "2 bath" stands right after "3 bed"."""
     before = index - 1 - (reading.word(index - 1) in ("/", ",", "+", "and", "&"))
-    return reading.word(before) in ("bed", "br", "bedroom", "bhk")
+    return reading.word(before) in ("bed", "br", "bedroom", "bhk") and not (
+        reading.word(before) == "bedroom" and reading.word(before - 2) == ":"
+    )
 
 
 def _state(reading: Reading, room_type: str, first: int, *, inside: bool = False) -> None:

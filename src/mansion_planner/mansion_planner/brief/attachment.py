@@ -6,7 +6,7 @@ noun ("a ground-floor cafeteria") to that noun alone.
 """
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.phrase import Phrase
@@ -33,6 +33,10 @@ _JOINTS = frozenset(
     and a an the & one , large small its own as well plus both another two three
     """.split()
 )
+
+
+def _several(place: Place) -> bool:
+    return len(place.refs) > 1 or place.refs[0].kind == "range"
 
 
 @dataclass(frozen=True)
@@ -106,8 +110,10 @@ class _Walk:
                     self._give(number, scope, trailing=False)
                 left.append(number)
                 continue
-            place = self.places[number]
+            place = self._within(self.places[number], scope)
             rest = [n for k, n, _ in items[position + 1 :] if k == "phrase"]
+            if scope is not None and place.last - place.first < 5 and self.reading.word(place.last - 1) == "roof":
+                continue  # "second floor: a bedroom under the roof"
             if place.refs[0].kind == "basement" and self.reading.word(place.last) == "with" and rest:
                 for target in self._joined(rest):
                     self._give(target, place, trailing=True)
@@ -131,6 +137,12 @@ class _Walk:
             else:
                 scope, opened, left = place, True, []
         return scope if opened else None
+
+    def _within(self, place: Place, scope: Place | None) -> Place:
+        """Read "each floor" as each of the storeys that the clause is about: "floors 3 to 9: nine on each floor"."""
+        if scope is None or place.refs[0].kind != "every" or not _several(scope):
+            return place
+        return replace(place, refs=scope.refs)
 
     def _joined(self, rest: list[int]) -> list[int]:
         """Return the first of some phrases and those joined to it by "and" alone."""
@@ -216,7 +228,8 @@ class _Walk:
         sentence = self.reading.sentence[place.first]
         titled = self.building is not None and self.reading.sentence[self.phrases[self.building].first] == sentence
         if not opened and not titled:
-            return left[-1:] if self._asyndetic(left) and not place.led else left
+            below = place.refs[0].kind == "basement"
+            return left[-1:] if self._asyndetic(left) and (below or not place.led) else left
         chosen = [left[-1]]
         joined = False
         for number in reversed(left[:-1]):

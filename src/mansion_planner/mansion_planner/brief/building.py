@@ -3,6 +3,7 @@
 from mansion_planner.brief.lexicon import lexicon_of
 from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
+from mansion_planner.brief.room_names import CONTRASTS
 
 __all__ = ["building_phrase", "own_building_name", "unknown_building"]
 
@@ -61,6 +62,8 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     start = next(i for i, s in enumerate(reading.sentence) if s == sentence)
     before = reading.words(start, phrase.first)
     is_room = phrase.head == "room" or phrase.building == "office"
+    if any(_are_told_apart(phrase, other) for other in phrases):
+        return 0.0  # "big studio ... small studio"
     score = 6.0 - min(sentence, 4) - 0.1 * number
     owner = reading.word(phrase.first - 1) == "of" and any(place.last == phrase.first - 1 for place in places)
     if owner:  # "on the first floor of a library"
@@ -124,6 +127,12 @@ def _score(reading: Reading, phrases: list[Phrase], places: list[Place], phrase:
     return max(score, 0.0)
 
 
+def _are_told_apart(phrase: Phrase, other: Phrase) -> bool:
+    """Whether two phrases name buildings of one kind by their sizes, so that both are rooms."""
+    sizes = {phrase.name.partition("_")[0], other.name.partition("_")[0]}
+    return phrase.building == other.building and len(sizes) == 2 and sizes <= CONTRASTS
+
+
 def _is_perfect(reading: Reading, index: int) -> bool:
     """Whether "has" only forms the perfect: "our town has saved for a theatre"."""
     return reading.word(index) in ("has", "have") and reading.word(index + 1).endswith(("ed", "en"))
@@ -153,7 +162,10 @@ def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
             opens = _opens_brief(reading, first) and (
                 reading.word(index) in _AFTER_NAME and not reading.plural(index - 1)
             )
-            if like or opens:
+            one_of_two = reading.word(first - 1) in CONTRASTS and (
+                [token.text for token in reading.tokens].count(reading.word(index - 1)) > 1
+            )
+            if (like or opens) and not one_of_two:
                 wished = not _WISHES.isdisjoint(reading.words(max(first - 3, 0), first))
                 found.append((wished, ("_".join(reading.words(first, index)), like, first, index)))
         first = -1

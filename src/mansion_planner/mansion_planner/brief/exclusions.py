@@ -42,6 +42,7 @@ _AFTER = (
     ("=", "no"),
     ("=", "none"),
     ("not", "included"),
+    ("not", "foreseen"),
     ("can", "be", "omitted"),
     ("we", "do", "not", "have"),
     ("we", "not", "have"),
@@ -51,7 +52,18 @@ _AFTER = (
     *[
         (*verb, "not", participle)
         for verb in ((), ("is",), ("are",))
-        for participle in ("contemplated", "foreseen", "planned", "desired", "wished", "asked", "requested", "included")
+        for participle in (
+            "necessary",
+            "required",
+            "contemplated",
+            "foreseen",
+            "planned",
+            "desired",
+            "wished",
+            "asked",
+            "requested",
+            "included",
+        )
     ],
 )
 _ENDS = frozenset(
@@ -105,6 +117,12 @@ def negated_phrases(reading: Reading, phrases: list[Phrase]) -> dict[int, tuple[
             and (reading.breaks(phrase.last + 1) or reading.word(phrase.last + 1) == ",")
         ):
             after = ("no",)  # "stairs yes, lift no"
+        if (
+            after is None
+            and reading.words(phrase.last, phrase.last + 2) == (",", "no")
+            and reading.breaks(phrase.last + 2)
+        ):
+            after = (",", "no")  # "lift, yes; cafe, no"
         if after is not None:
             found[number] = (phrase.first, phrase.last + len(after))
             reading.take(phrase.last, phrase.last + len(after))
@@ -201,7 +219,9 @@ def _reached(reading: Reading, phrases: list[Phrase], starts: dict[int, int], in
         if number is not None:
             phrase = phrases[number]
             if phrase.head in ("room", "building", "object", "stair", "elevator") and not (
-                reached and phrase.determiner in ("a", "the")
+                reached
+                and phrase.determiner in ("a", "the")
+                and not (reading.word(phrase.first - 1) in ("and", "or") and reading.breaks(phrase.last))
             ):
                 if phrase.counted and reached:
                     break

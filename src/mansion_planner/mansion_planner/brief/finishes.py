@@ -89,7 +89,7 @@ _SURFACES = {"floor": "floor", "flooring": "floor", "wall": "wall"}
 _STYLE_NOUNS = frozenset(
     """
     style look feel feeling character design interior manner spirit flavour flavor aesthetic vibe taste decor theme
-    furniture fittings touch atmosphere
+    furniture fittings touch atmosphere decoration ambience ambiance mood
     """.split()
 )
 
@@ -114,13 +114,14 @@ def read_style(reading: Reading, *, named: bool) -> None:
         called = reading.word(last) in _STYLE_NOUNS or "style" in reading.words(mention.first - 3, mention.first)
         if named and not called:
             continue
-        last = last + 1 if reading.word(last) in _STYLE_NOUNS else mention.last
+        if reading.word(last) in _STYLE_NOUNS:
+            reading.take(last, last + 1)
         following = reading.mention_at.get(mention.last)
         terrace = following is not None and following.room == "roof_terrace" and reading.word(following.last) != "house"
         if not called and (mention.room or mention.building or terrace):
             continue
         reading.facts.styles.append((mention.style, reading.span(mention.first, mention.last)))
-        reading.take(mention.first, last)
+        reading.take(mention.first, mention.last)
     # A style with a name of its own says more than "plain" or "traditional".
     reading.facts.styles.sort(key=lambda style: reading.knowledge.styles[style[0]].like == "")
 

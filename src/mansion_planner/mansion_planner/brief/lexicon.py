@@ -82,7 +82,8 @@ def lexicon_of(knowledge: KnowledgeBase) -> Lexicon:
 
 @cache
 def _key(phrase: str) -> tuple[str, ...]:
-    return tuple(singular(singular(word)) for word in phrase.replace("_", " ").replace("-", " ").split())
+    words = phrase.replace("_", " ").replace("-", " ").split()
+    return tuple(word if word == "people" else singular(singular(word)) for word in words)
 
 
 def _make(knowledge: KnowledgeBase) -> Lexicon:

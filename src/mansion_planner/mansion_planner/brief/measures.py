@@ -102,7 +102,13 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
     result = list(phrases)
     plots: list[Quantity] = []
     for measure in measures:
+        if measure.first in reading.named_areas:
+            continue
         target = _room_of(reading, measure, result)
+        again = _said_of_each(reading, measure, result)
+        if again is not None:
+            number, target = again
+            result[number] = replace(result[number], head="unknown")
         if target is not None:
             result[target] = replace(result[target], areas=result[target].areas + measure.values)
             continue
@@ -124,6 +130,8 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             plots.append(fact)
         elif _of_storey(reading, measure):
             reading.facts.floor_area.append(fact)
+        elif _of_something_else(reading, measure, result):
+            reading.taken.difference_update(range(measure.first, measure.last))
         elif not _of_part(reading, measure):
             reading.facts.area.append(fact)
     if not (reading.facts.floor_area or reading.facts.area):
@@ -163,6 +171,8 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
         if cut in before:
             before = before[len(before) - before[::-1].index(cut) :]
     own = before[len(before) - before[::-1].index(",") :] if "," in before else before
+    if _for_each_storey(reading, measure):
+        return True
     if not _TOTALS.isdisjoint(after[:4]) or not _TOTALS.isdisjoint(own):
         return "plate" in after
     if not _PLATE.isdisjoint(after) or not _PLATE.isdisjoint(before):
@@ -192,8 +202,40 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
     return False
 
 
+def _for_each_storey(reading: Reading, measure: Measure) -> bool:
+    """Whether an area is said of each storey: "each floor 560 m2", "one floor is 330 m2", "gross 350 m2 per storey"."""
+    after = _after(reading, measure, 3)
+    if (
+        after[:1] in (["per"], ["by"])
+        and after[1:2]
+        and after[1] in FLOOR_WORDS
+        and not reading.plural(measure.last + 1)
+    ):
+        return True
+    index = measure.first - 1
+    while index > 0 and reading.word(index) in _FILLERS - {"floor", "each", "every", "with"}:
+        index -= 1
+    if reading.word(index) not in FLOOR_WORDS or reading.plural(index):
+        return False
+    index -= 1
+    while reading.word(index) in ("single", "typical", "upper", "full"):
+        index -= 1
+    one = reading.word(index) == "one" and reading.word(index + 2) in ("is", "has", "be", "=", "have")
+    return reading.word(index) in ("each", "every", "per", "any") or one
+
+
 def _many_before(reading: Reading, index: int) -> bool:
     return any(reading.kind(i) == "number" and reading.value(i) > 1 for i in range(index - 3, index))
+
+
+def _of_something_else(reading: Reading, measure: Measure, phrases: list[Phrase]) -> bool:
+    """Whether "of 65 m2" and "12 m2 each" follow rooms, so that they are not said of the building."""
+    said = reading.word(measure.first - 1) == "of" or _after(reading, measure, 1) == ["each"]
+    sentence = reading.sentence[measure.first]
+    before = [p for p in phrases if p.last <= measure.first and reading.sentence[p.first] == sentence]
+    near = bool(before) and measure.first - before[-1].last <= 4
+    counted = near and before[-1].head == "room" and before[-1].counted and (before[-1].count or 0) > 1
+    return said and counted and _TOTALS.isdisjoint(_after(reading, measure, 3))
 
 
 def _of_part(reading: Reading, measure: Measure) -> bool:
@@ -241,6 +283,10 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     ):
         comma = comma or reading.word(before) == ","
         before -= 1
+    if reading.word(before) in FLOOR_WORDS and reading.word(before - 1) in ("per", "by", "each", "every"):
+        at = before - 1 - (reading.word(before - 2) in ("on", "in", "at"))
+        if at in ends:
+            before = at - 1  # "6 classrooms per level, of 55 m2 each"
     if "total" in reading.words(before, measure.first) and "area" in reading.words(before, measure.first):
         return None
     candidates = [
@@ -269,6 +315,26 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     if comma and phrase.last == before + 1 and not _listed(reading, measure, phrase, after):
         return None
     return number
+
+
+def _said_of_each(reading: Reading, measure: Measure, phrases: list[Phrase]) -> tuple[int, int] | None:
+    """Read "three courtrooms, 110 m2 a courtroom" and "200 m2 each hall"; return who is named again, and the room."""
+    last = measure.last + (reading.word(measure.last) == "." and not reading.breaks(measure.last))
+    if reading.word(last) not in ("a", "an", "per", "each", "every", "/"):
+        return None
+    number = next((n for n, p in enumerate(phrases) if p.begin == last + 1 and p.head in ("room", "building")), None)
+    if number is None or phrases[number].counted or phrases[number].plural:
+        return None
+    name = phrases[number].name
+    before = [
+        n
+        for n, p in enumerate(phrases[:number])
+        if p.head == "room"
+        and not p.areas
+        and (p.name == name or p.name.endswith(f"_{name}"))
+        and reading.sentence[measure.first] - reading.sentence[p.first] <= 1
+    ]
+    return (number, before[-1]) if before else None
 
 
 def _described(reading: Reading, measure: Measure, phrases: list[Phrase]) -> list[int]:

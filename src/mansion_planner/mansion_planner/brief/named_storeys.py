@@ -64,6 +64,8 @@ class NamedStoreys:
             return ground, index + 4
         if word == "lower" and following in (":", ",") and reading.word(index - 1) == "the":
             return ground, index + 1
+        if word in ("lower", "bottom", "lowest") and following == "one" and self._is_elliptic(index):
+            return ground, index + 2
         if word in ("downstair", "downstairs"):
             return ground, index + 1
         if (
@@ -74,8 +76,8 @@ class NamedStoreys:
             return ground, index + 1
         if word in ("gf", "g/f", "gnd") and following in CLOSERS | {"has", "with"}:
             return ground, index + 1
-        if word == "ff" and following in CLOSERS and self.british:
-            return [FloorRef("number", 2, 2)], index + 1
+        if word in ("ff", "sf") and following in CLOSERS and self.british:
+            return [FloorRef("number", 2 + (word == "sf"), 2 + (word == "sf"))], index + 1
         if word == "at" and following == "grade":
             return ground, index + 2
         if (
@@ -83,6 +85,8 @@ class NamedStoreys:
             and (following in CLOSERS or following in ("and", "there", "has", "is"))
             and (reading.word(index - 1) in ("the", "on", "at") or reading.starts(index))
         ):
+            return ground, index + 1
+        if word == "ground" and following in ("for", "has", "hold") and reading.word(index - 1) in (":", ";"):
             return ground, index + 1
         if (
             word == "bottom"
@@ -168,6 +172,12 @@ class NamedStoreys:
             and (following in COPULAS | {"a", "an", "the", "get", "for", ":"} or reading.kind(index + 1) == "number")
         )
 
+    def _is_elliptic(self, index: int) -> bool:
+        """Whether "on the lower one" speaks of a storey: the brief counts some, and nothing else comes before."""
+        reading = self.reading
+        led = reading.word(index - 1) == "the" and reading.word(index - 2) in ("on", "in", "at")
+        return self.has_floors and led and (reading.starts(index - 2) or reading.word(index - 3) in (",", "and", ";"))
+
     def upper(self, index: int) -> tuple[list[FloorRef], int] | None:
         """Read "upstairs", "the upper floors", "above", and the storeys in the middle."""
         reading = self.reading
@@ -175,6 +185,8 @@ class NamedStoreys:
         upper = [FloorRef("upper")]
         if word in ("upstair", "upstairs"):
             return upper, index + 1
+        if word == "upper" and following == "one" and self._is_elliptic(index):
+            return upper, index + 2
         if word == "upper" and following in (":", ",") and reading.word(index - 1) == "the":
             return upper, index + 1
         if word in ("upper", "higher", "other") and following in FLOOR_WORDS:

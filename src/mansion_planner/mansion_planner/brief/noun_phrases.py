@@ -4,6 +4,9 @@
 phrase, else a noun that can head a room's name ("honey room"), else a piece of furniture of the asset catalogue.
 """
 
+from collections import Counter
+from dataclasses import replace
+
 from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.phrase import (
@@ -18,12 +21,14 @@ from mansion_planner.brief.phrase import (
 )
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.room_names import (
+    by_own_name,
     coordinated,
     designated_nouns,
     listed_unknowns,
     with_designators,
     with_own_names,
     with_purpose,
+    with_sizes,
     with_users,
 )
 from mansion_planner.brief.similarity import HEAD_TYPES, room_of_building, similar_room_type
@@ -69,11 +74,22 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
     numbered = designated_nouns(reading)
     counted = {phrase.name for phrase in phrases if phrase.counted and (phrase.count or 0) > 1}
     phrases = [part for phrase in phrases for part in with_designators(reading, phrase, numbered, counted)]
-    phrases += listed_unknowns(reading, chunks, phrases)
+    phrases = _with_own_names(reading, phrases)
+    phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
     phrases += _named_again(reading, chunks, phrases)
-    phrases = [part for phrase in phrases for part in with_users(reading, phrase)]
-    named = [own for phrase in phrases for own in with_own_names(reading, with_purpose(reading, phrase))]
-    return sorted(named, key=lambda phrase: phrase.first)
+    names = Counter(phrase.name for phrase in phrases)
+    phrases = [part for phrase in phrases for part in with_users(reading, phrase, names)]
+    return sorted(by_own_name(reading, with_sizes(reading, phrases)), key=lambda phrase: phrase.first)
+
+
+def _with_own_names(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
+    """Return the phrases under the names that the brief gives to rooms; what those names hold is no phrase."""
+    found: list[Phrase] = []
+    for phrase in sorted(phrases, key=lambda phrase: phrase.first):
+        if found and phrase.first < found[-1].last:
+            continue
+        found += with_own_names(reading, with_purpose(reading, phrase))
+    return found
 
 
 def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[Phrase]) -> list[Phrase]:
@@ -82,11 +98,28 @@ def _named_again(reading: Reading, chunks: list[tuple[int, int]], phrases: list[
     found = []
     for begin, end in chunks:
         first = unknown.get(reading.words(begin, end))
+        first = first or _by_its_modifier(reading, phrases, begin, end)
         if first is not None and reading.free(begin, end):
-            phrase = finished_phrase(reading, "room", begin, end, room=first.room_type, known=False)
+            phrase = finished_phrase(reading, "room", begin, end, room=first.room_type, known=first.known)
             reading.take(phrase.first, phrase.last)
-            found.append(phrase)
+            found.append(replace(phrase, name=first.name, determiner="the"))
     return found
+
+
+def _by_its_modifier(reading: Reading, phrases: list[Phrase], begin: int, end: int) -> Phrase | None:
+    """Return the one room of an earlier sentence that some words are short for: "the preparation", "sterilisation"."""
+    sentence = reading.sentence[begin]
+    words = reading.words(begin, end)
+    named = [
+        phrase
+        for phrase in phrases
+        if phrase.head == "room"
+        and phrase.count == 1
+        and reading.sentence[phrase.first] < sentence
+        and set(words) < set(phrase.name.split("_"))
+        and words[-1] not in HEAD_TYPES
+    ]
+    return named[0] if len({phrase.name for phrase in named}) == 1 else None
 
 
 def _chunks(reading: Reading) -> list[tuple[int, int]]:
@@ -245,7 +278,7 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     bare = last == "room" and all(word in PLAIN or word in ("guest",) for word in reading.words(begin, end - 1))
     if bare and reading.plural(end - 1) and count_before(reading, begin, end)[2]:
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
-    if last == "room" and end - begin == 1 and reading.word(end) == "for" and not reading.plural(end - 1):
+    if last in ("room", "corner") and end - begin == 1 and _has_purpose(reading, end) and not reading.plural(end - 1):
         return finished_phrase(reading, "room", begin, end, room="study_room", known=False)
     alone = last in _STANDS_ALONE and (reading.plural(end - 1) or count_before(reading, begin, end)[2])
     if alone and end - begin == 1:
@@ -260,6 +293,14 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     if category:
         return finished_phrase(reading, "object", begin, end, category=category)
     return None
+
+
+def _has_purpose(reading: Reading, end: int) -> bool:
+    """Whether a room is called by what it is for: "a room for trainees", "room of meetings"."""
+    if reading.word(end) == "for":
+        return True
+    after = end + 1 + (reading.word(end + 1) in ("the", "our"))
+    return reading.word(end) == "of" and reading.kind(after) == "word" and reading.word(after) not in FUNCTION_WORDS
 
 
 _STANDS_ALONE = frozenset({"surgery", "booth", "cabin", "cell", "ward", "salon", "loft", "kiosk", "chapel", "atelier"})

@@ -5,7 +5,13 @@ from collections.abc import Sequence
 from mansion_planner.brief.facts import FloorRef
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_counts import CLOSERS
-from mansion_planner.brief.storey_numbering import counts_above_ground, counts_from_ground, written_after
+from mansion_planner.brief.storey_forms import ABOVE_GROUND
+from mansion_planner.brief.storey_numbering import (
+    counts_above_ground,
+    counts_from_ground,
+    levels_above_ground,
+    written_after,
+)
 
 __all__ = ["NumberedStoreys"]
 
@@ -31,10 +37,11 @@ class NumberedStoreys:
     def __init__(self, reading: Reading, places: Sequence[Place], *, has_floors: bool) -> None:
         self.reading, self.places, self.has_floors = reading, places, has_floors
         self.british = counts_from_ground(reading)
+        self.levels_above = levels_above_ground(reading)
         self.zero_based = any(
             reading.value(i) == 0
             and (
-                reading.kind(i) == "level"
+                (reading.kind(i) == "level" and reading.word(i) != ABOVE_GROUND)
                 or (reading.kind(i) == "number" and reading.word(i - 1) in ("level", "floor", "storey"))
             )
             for i in range(len(reading.tokens))
@@ -51,20 +58,26 @@ class NumberedStoreys:
         reading = self.reading
         if reading.kind(index) != "level":
             return None
-        shift = int(self.zero_based or (self.british and written_after(reading, index)))
-        numbers, last = [int(reading.value(index)) + shift], index + 1
+        numbers, last = [self._level_number(index)], index + 1
         while reading.word(last) in ("to", "–", "-", ",", "and", "&", "+", "through"):
             step = 2 if reading.word(last) == "," and reading.word(last + 1) == "and" else 1
-            value = int(reading.value(last + step)) + shift
             if reading.kind(last + step) != "level" and not (
                 reading.word(last) in ("–", "to") and reading.kind(last + step) == "number"
             ):
                 break
+            level = last + step if reading.kind(last + step) == "level" else index
+            value = int(reading.value(last + step)) + self._level_number(level) - int(reading.value(level))
             if reading.word(last) in ("to", "–", "-", "through"):
                 return [FloorRef("range", min(numbers[-1], value), max(numbers[-1], value))], last + step + 1
             numbers.append(value)
             last += step + 1
         return [FloorRef("number", n, n) for n in numbers], last
+
+    def _level_number(self, index: int) -> int:
+        """Return which storey a level is, the ground floor being the first."""
+        above = self.reading.word(index) == ABOVE_GROUND or self.levels_above
+        shift = above or self.zero_based or (self.british and written_after(self.reading, index))
+        return int(self.reading.value(index)) + int(shift)
 
     def _number(self, index: int, kind: str) -> int | None:
         reading = self.reading
@@ -83,9 +96,11 @@ class NumberedStoreys:
         if first is None or reading.kind(index + 2) == "unit" or reading.word(index + 2) in ("people", "person"):
             return None
         last = index + 2
-        link, second = reading.word(last), self._number(last + 1, "number")
+        link = reading.word(last)
+        again = last + 1 + (reading.word(last + 1) == reading.word(index))  # "floor 2 to floor 4"
+        second = self._number(again, "number")
         if link in ("to", "through", "until", "–", "-", "thru") and second is not None:
-            return [FloorRef("range", min(first, second), max(first, second))], last + 2
+            return [FloorRef("range", min(first, second), max(first, second))], again + 1
         if reading.kind(last) == "word" and not reading.plural(index) and reading.plural(last):
             return None  # "level 2 bedrooms" has no plural room of one level: the number counts the rooms
         numbers = [first]
@@ -120,6 +135,8 @@ class NumberedStoreys:
             ranged = ranged or link in ("to", "through", "–", "floor", "-")
             numbers.append(more)
             last += step + 1
+        above = reading.word(last) == "upper" and reading.word(last + 1) in FLOOR_WORDS
+        last += above  # "from the first to the seventh upper floor"
         following = reading.word(last)
         if following in FLOOR_WORDS:
             last += 1
@@ -127,7 +144,7 @@ class NumberedStoreys:
                 return [FloorRef("below_top", number - 1)], last + 3
         elif not self._bare_ordinal(index, last):
             return None
-        shift = int(self.british)
+        shift = int(self.british or above)
         numbers = [value + shift for value in numbers]
         if ranged and len(numbers) == 2:
             return [FloorRef("range", min(numbers), max(numbers))], last
@@ -139,8 +156,16 @@ class NumberedStoreys:
         following = reading.word(last)
         if not self.has_floors and not self.places:
             return False
+        if (
+            reading.starts(index)
+            and self.has_floors
+            and following in ("for", "identical", "has", "hold", "contain", "with")
+        ):
+            return last > index + 1 or following in ("for", "has", "hold", "contain")
         if reading.starts(index):
             return following in (":", "\n", "(", "=", "-") or (following == "is" and reading.word(index - 1) == "the")
+        if reading.word(index - 1) == "on" and reading.starts(index - 1):
+            return following in (":", ",")
         if reading.word(index - 1) != "the":
             return False
         if reading.word(index - 2) in ("on", "to", "and", "in", "at") or reading.starts(index - 1):

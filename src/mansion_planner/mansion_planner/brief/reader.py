@@ -111,6 +111,7 @@ class _Reader:
                 self.attached[number] = Attachment(self.attached[number].refs)
         self._other_names_of_building()
         self.same, self.groups = coreferences(reading, self.phrases, self._wanted_rooms(), self.relations)
+        self._said_with_area()
         self._placed_later()
         read_counts_by_group(reading, self.phrases, self.households)
         rooms = [
@@ -242,6 +243,9 @@ class _Reader:
         for number, phrase in enumerate(self.phrases):
             if number == self.building or not phrase.building or phrase.plural or phrase.counted or phrase.areas:
                 continue
+            if named is not None and phrase.head == "building" and self._is_alone(phrase):
+                self.phrases[number] = replace(phrase, head="unknown")  # "Modern farmhouse." is how it looks
+                continue
             if phrase.determiner == "the" and not phrase.areas and phrase.name in _HOMES:
                 self.phrases[number] = replace(phrase, head="unknown")  # "all over the house"
                 continue
@@ -249,12 +253,29 @@ class _Reader:
                 continue
             if named is None:
                 continue
+            if self.reading.word(named.last) == "for" and 0 < phrase.first - named.last <= 2:
+                self.phrases[number] = replace(phrase, head="unknown")  # "a hostel for an engineering college"
+                continue
             before = {phrase.determiner, self.reading.word(phrase.first - 1), self.reading.word(phrase.first - 2)}
             if phrase.first > named.first and before & {"with", "and", ",", "plus", "containing", "has", "have", "a"}:
                 continue
             same_family = buildings[phrase.building].family == buildings[named.building].family
             if same_family or phrase.first < named.first:
                 self.phrases[number] = replace(phrase, head="unknown")
+
+    def _said_with_area(self) -> None:
+        """Give a room the area that another mention of it has: "beside the live room (70 m2) ... The live room"."""
+        for number, named in self.same.items():
+            phrase, room = self.phrases[number], self.phrases[named]
+            if phrase.areas and not room.areas and phrase.name == room.name:
+                self.phrases[named] = replace(room, areas=phrase.areas)
+
+    def _is_alone(self, phrase: Phrase) -> bool:
+        """Whether a phrase of a style and a noun is a sentence of its own."""
+        sentence = self.reading.sentence[phrase.first]
+        others = [i for i, s in enumerate(self.reading.sentence) if s == sentence]
+        styled = any(m.style and m.first == others[0] and m.last == phrase.noun_end - 1 for m in self.reading.mentions)
+        return styled and others[-1] <= phrase.noun_end
 
     def _placed_later(self) -> None:
         """Read "wood shop, metal shop. ... Wood shop and metal shop both on level 1" as of the rooms named before."""

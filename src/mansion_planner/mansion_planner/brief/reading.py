@@ -4,10 +4,12 @@ from dataclasses import dataclass, field
 
 from mansion_knowledge import KnowledgeBase
 from mansion_language import Token, tokenize
+from mansion_planner.brief.count_forms import count_forms
 from mansion_planner.brief.facts import BriefFacts, FloorRef, Span
 from mansion_planner.brief.furniture_words import furniture_vocabulary
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.spelling import corrected
+from mansion_planner.brief.storey_forms import storey_forms
 from mansion_planner.brief.token_forms import compounds, foreign_storeys, open_decks
 
 __all__ = ["FLOOR_WORDS", "Place", "Reading", "start_reading"]
@@ -57,6 +59,8 @@ class Reading:
         Phrases of the lexicon by their first token.
     modifiers : set of int
         Indices of tokens that stand before the head of a room or a building, and may say of its style.
+    named_areas : set of int
+        Indices of numbers whose area was given to rooms together with their names.
     sentence : list of int
         For each token the number of its sentence; lines, semicolons and full stops end one.
     """
@@ -68,6 +72,7 @@ class Reading:
     facts: BriefFacts = field(default_factory=BriefFacts)
     taken: set[int] = field(default_factory=set)
     mention_at: dict[int, Mention] = field(default_factory=dict)
+    named_areas: set[int] = field(default_factory=set)
     sentence: list[int] = field(default_factory=list)
     modifiers: set[int] = field(default_factory=set)
 
@@ -132,7 +137,9 @@ class Reading:
 def start_reading(text: str, knowledge: KnowledgeBase) -> Reading:
     """Tokenise `text`, correct misspelt words and find the phrases of the knowledge base."""
     lexicon = lexicon_of(knowledge)
-    tokens = compounds(corrected(tokenize(text), lexicon.words, furniture_vocabulary()), lexicon.words)
+    tokens = compounds(
+        corrected(count_forms(storey_forms(text, tokenize(text))), lexicon.words, furniture_vocabulary()), lexicon.words
+    )
     tokens = foreign_storeys(open_decks(tokens))
     mentions = lexicon.find(tokens)
     reading = Reading(

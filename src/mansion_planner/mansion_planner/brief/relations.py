@@ -51,7 +51,18 @@ _BESIDE = [
     ("entered", "from"),
     ("visible", "from"),
     ("in", "between"),
-    ("contiguous", "to"),
+    *[
+        (word, to)
+        for word in ("contiguous", "connection", "passage", "neighbour", "neighbor", "beside", "contact", "bordering")
+        for to in ("to", "with", "of")
+    ],
+    ("adjoining", "to"),
+    ("adjoining", "with"),
+    ("touch", "with"),
+    ("next", "of"),
+    ("share", "wall", "with"),
+    ("sharing", "wall", "with"),
+    ("common", "wall", "with"),
     ("opposite",),
     *[
         (verb, to)
@@ -93,6 +104,8 @@ _APART = [
     ("remote", "from"),
     ("distance", "from"),
     ("isolated", "from"),
+    ("separate", "from"),
+    ("distant", "from"),
     ("as", "far", "as", "you", "can", "from"),
 ]
 _MUTUAL = [
@@ -113,6 +126,9 @@ _MUTUAL = [
     ("touch",),
     ("opening", "to", "each", "other"),
     ("share", "a", "wall"),
+    ("share", "wall"),
+    ("share", "one", "wall"),
+    ("share", "any", "wall"),
     ("connected",),
     ("attached",),
     ("alongside",),

@@ -1,15 +1,18 @@
 """Read what rooms are called beyond their kind: own names, what they are for, and kinds that nobody knows."""
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 from mansion_language import singular
+from mansion_language.units import AREA
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase, finished_phrase, name_of
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
 from mansion_planner.brief.similarity import HEAD_TYPES, similar_room_type
 
 __all__ = [
+    "CONTRASTS",
+    "by_own_name",
     "coordinated",
     "designated_nouns",
     "listed_unknowns",
@@ -17,6 +20,7 @@ __all__ = [
     "with_users",
     "with_own_names",
     "with_purpose",
+    "with_sizes",
 ]
 
 
@@ -28,6 +32,7 @@ def with_own_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
     listed = _listed_names(reading, phrase)
     if listed:
         return listed
+    last = _calling(reading, last)
     called = reading.word(last) in ("called", "named") or (reading.word(last) == "(" and reading.word(last + 1) == '"')
     if reading.word(last) == '"' or (called and reading.word(last + 1) == '"'):
         begin = last + 1 + called
@@ -48,15 +53,53 @@ def with_own_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
     if not names:
         return [phrase]
     reading.take(last, names[-1] + 1)
+    phrase = replace(phrase, areas=_areas_between(reading, phrase.last, last))
     named = [_named(phrase, reading.span(n, n + 1).words) for n in names]
     if len(names) == 1:
         return [replace(named[0], count=1, plural=False, last=names[0] + 1)]
     return [_one_of(room, n, n + 1) for n, room in zip(names, named)]
 
 
+def _calling(reading: Reading, last: int) -> int:
+    """Return where rooms are named after their area: "6 classrooms of 25 m2 that are called Oslo and Lisbon"."""
+    index = last
+    while index - last < 9 and (
+        reading.kind(index) in ("number", "unit")
+        or reading.word(index) in ("of", "each", "that", "which", "are", "is", ",")
+    ):
+        index += 1
+    return index if reading.word(index) in ("called", "named") else last
+
+
+def _areas_between(reading: Reading, first: int, last: int) -> tuple[float, ...]:
+    """Return the area that stands between rooms and their names."""
+    for index in range(first, last):
+        if reading.kind(index) == "number" and reading.word(index + 1) in AREA:
+            reading.named_areas.add(index)
+            return (reading.value(index) * AREA[reading.word(index + 1)],)
+    return ()
+
+
+def by_own_name(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
+    """Return the phrases, with "classroom Oslo" read as the room that is called so."""
+    own = {p.name: p for p in phrases if p.label.endswith(")")}
+    found = []
+    for phrase in phrases:
+        named = own.get(reading.word(phrase.last)) if phrase.head in ("room", "building") else None
+        if named is not None and named.room_type == phrase.room_type and reading.free(phrase.last, phrase.last + 1):
+            reading.take(phrase.last, phrase.last + 1)
+            phrase = replace(
+                phrase, name=named.name, label=named.label, determiner="the", head="room", last=phrase.last + 1
+            )
+        found.append(phrase)
+    return found
+
+
 def _listed_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
     """Read "three science labs (physics, chemistry, biology)": as many names as rooms."""
     last, count = phrase.last, phrase.count or 0
+    while reading.word(last) in ("of", "each") or reading.kind(last) in ("number", "unit"):
+        last += 1
     if reading.word(last) not in ("(", "-", ":", "–") or not phrase.counted or not 2 <= count <= 12:
         return []
     closers = (")",) if reading.word(last) == "(" else ("\n", ".", ";")
@@ -70,11 +113,14 @@ def _listed_names(reading: Reading, phrase: Phrase) -> list[Phrase]:
             begin = index + 1
             if ends:
                 break
-        elif reading.kind(index) != "word" or index in reading.taken:
+        elif reading.kind(index) != "word" or (index in reading.taken and reading.word(last) == "("):
             return []
+        elif index == begin and reading.word(index) in ("the", "a", "an"):
+            begin += 1
         index += 1
     if len(items) != count or any(b - a > 3 for a, b in items):
         return []
+    phrase = replace(phrase, areas=_areas_between(reading, phrase.last, last))
     reading.take(last, index + (reading.word(index) == ")"))
     found = []
     for a, b in items:
@@ -234,8 +280,12 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
             start in reading.taken and reading.word(start) not in _LIST_STARTS
         )
         before = reading.word(begin - 1)
+        if reading.kind(begin - 1) == "number" and reading.word(begin - 2) == "for" and reading.plural(end - 1):
+            continue  # "a bay for three engines"
         measured = _has_measure(reading, end)
-        if not measured and sentence not in rooms_in and not headed:
+        divided = before == ";" and sentence - 1 in rooms_in and reading.word(end) in (";", "with", "(", ".", "")
+        divided = divided and end - begin <= 2 and not reading.plural(end - 1)
+        if not measured and not divided and sentence not in rooms_in and not headed:
             continue
         if reading.word(begin - 2) in _HOLDS and reading.plural(end - 1) and reading.kind(begin - 1) == "number":
             continue  # "a hall holding eight steel tanks"
@@ -249,7 +299,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
                 and reading.word(begin - 2) in (",", "and", ":", "a", "|", "with", "has")
             )
         )
-        listed = opens and (joined or begin - 1 in reading.taken) and reading.word(end) in _LIST_ENDS
+        listed = divided or (opens and (joined or begin - 1 in reading.taken) and reading.word(end) in _LIST_ENDS)
         if not listed and not measured:
             continue
         words = reading.words(begin, end)
@@ -298,7 +348,7 @@ _NO_ROOMS = frozenset(
 
 _PURPOSEFUL = frozenset(
     """
-    room store storage workshop hall area space shop studio office lab cellar storeroom
+    room store storage workshop hall area space shop studio office lab cellar storeroom corner atelier
     """.split()
 )
 
@@ -308,10 +358,42 @@ _PEOPLE_APART = frozenset(
 )
 
 
-def with_users(reading: Reading, phrase: Phrase) -> list[Phrase]:
-    """Read "changing rooms for men and for women", "an ablution room for men and another for women" as two rooms."""
+CONTRASTS = frozenset("big large small little main mini secondary".split())
+"""Adjectives that tell two rooms of a kind apart."""
+
+
+def with_sizes(reading: Reading, phrases: list[Phrase]) -> list[Phrase]:
+    """Tell rooms apart by their size where a brief names two of a kind so: "big studio ... small studio"."""
+
+    def size_of(phrase: Phrase) -> str:
+        words = [reading.word(at) for at in range(phrase.begin, phrase.noun_end)]
+        own = [word for word in words if word in CONTRASTS and word not in phrase.name.split("_")]
+        return own[0] if phrase.head in ("room", "building") and phrase.room_type and own else ""
+
+    sizes: dict[str, set[str]] = {}
+    for phrase in phrases:
+        if size_of(phrase):
+            sizes.setdefault(phrase.name, set()).add(size_of(phrase))
+    apart = {name for name, found in sizes.items() if len(found) > 1}
+    return [
+        replace(phrase, name=f"{size_of(phrase)}_{phrase.name}") if phrase.name in apart and size_of(phrase) else phrase
+        for phrase in phrases
+    ]
+
+
+def with_users(reading: Reading, phrase: Phrase, names: Mapping[str, int]) -> list[Phrase]:
+    """Read "changing rooms for men and for women", "an ablution room for men and another for women" as two rooms.
+
+    Parameters
+    ----------
+    names : mapping of str to int
+        How many phrases have each name: "toilet of boys and toilet of girls" are told apart by their users.
+    """
+    one_of_several = names[phrase.name] > 1 and not phrase.plural
     last = phrase.last
-    if phrase.head != "room" or reading.word(last) != "for" or reading.word(last + 1) not in _PEOPLE_APART:
+    if phrase.head == "room" and reading.word(last) in _SEXES and one_of_several:
+        return [_of_users(reading, phrase, last)]  # "vestiary feminine"
+    if phrase.head != "room" or reading.word(last) not in ("for", "of") or reading.word(last + 1) not in _PEOPLE_APART:
         return [phrase]
     users, index = [last + 1], last + 2
     while reading.word(index) in ("and", ",", "&"):
@@ -322,6 +404,8 @@ def with_users(reading: Reading, phrase: Phrase) -> list[Phrase]:
             break
         users.append(index)
         index += 1
+    if len(users) == 1 and reading.word(last + 1) in _SEXES and one_of_several:
+        return [_of_users(reading, phrase, last + 1)]
     if len(users) < 2 or (phrase.counted and phrase.count not in (1, len(users))):
         return [phrase]
     reading.take(last, users[-1] + 1)
@@ -338,6 +422,20 @@ def with_users(reading: Reading, phrase: Phrase) -> list[Phrase]:
     return rooms
 
 
+def _of_users(reading: Reading, phrase: Phrase, user: int) -> Phrase:
+    """Return a room under the name of those who use it: "changing room for women", "toilet of boys"."""
+    who = _SEXES[reading.word(user)]
+    reading.take(phrase.last, user + 1)
+    label = f"{who}'s {singular(phrase.label.lower())}"
+    return replace(phrase, name=f"{who}_{phrase.name}"[:60], label=label, last=user + 1)
+
+
+_SEXES = {
+    "man": "man", "woman": "woman", "boy": "boy", "girl": "girl", "male": "man", "female": "woman", "lady": "lady",
+    "gentleman": "gentleman", "masculine": "man", "feminine": "woman", "gent": "gentleman",
+}  # fmt: skip
+
+
 def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     """Add what a room is for to its name: "a room for the bicycles" is a bicycle room."""
     last = phrase.last
@@ -352,7 +450,7 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     after = reading.word(last + 1 + (reading.word(last + 1) in ("the", "our")))
     if reading.word(last) == "of" and phrase.noun_end - phrase.begin > 1 and after not in _PEOPLE_APART:
         return phrase
-    if reading.word(last + 1) in _PEOPLE_APART:
+    if reading.word(last) == "for" and reading.word(last + 1) in _PEOPLE_APART:
         return phrase
     begin = last + 1 + (reading.word(last + 1) in ("the", "our", "all", "my", "a"))
     end = begin
@@ -365,7 +463,7 @@ def with_purpose(reading: Reading, phrase: Phrase) -> Phrase:
     generic = phrase.name in _PURPOSEFUL
     room = (
         similar_room_type(name, reading.knowledge)
-        if generic and phrase.name in ("room", "space", "area")
+        if generic and phrase.name in ("room", "space", "area", "corner")
         else phrase.room_type
     )
     label = reading.span(phrase.begin, end).words

@@ -117,7 +117,9 @@ def corrected(tokens: list[Token], words: frozenset[str], known: frozenset[str] 
     found: dict[str, str] = {}
     result: list[Token] = []
     for token in tokens:
-        if token.text in _SHORT:
+        if token.text == "kit" and result and result[-1].text in ("drum", "aid", "tool", "repair", "first"):
+            result.append(token)
+        elif token.text in _SHORT:
             result.append(replace(token, text=_SHORT[token.text]))
             continue
         if token.kind != "word" or len(token.text) < 4 or len(token.text) > 20:

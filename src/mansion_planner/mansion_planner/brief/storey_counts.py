@@ -128,6 +128,7 @@ class StoreyCounts:
             word in ("ground", "street")
             and reading.word(index + 1) in FLOOR_WORDS
             and reading.word(index + 2) in ("only", "alone")
+            and (reading.word(index + 3) in CLOSERS - {":"} or reading.word(index + 3) in ("and", "with"))
         ):
             self._state(1, index, index + 3)
             return index + 3
@@ -181,6 +182,8 @@ class StoreyCounts:
         ):
             return index
         last += 1
+        if value == 1 and self._measures_one(last):
+            return index
         last += reading.word(last) in ("high", "height", "tall")
         above = reading.word(last) in ("over", "above") and reading.word(last + 1) in ("it", "that", "them", "this")
         ground = reading.word(last) in ("over", "above") and reading.words(last + 1, last + 3) in (
@@ -228,6 +231,14 @@ class StoreyCounts:
         self._state(value, index, last)
         return last
 
+    def _measures_one(self, last: int) -> bool:
+        """Whether "one floor is 330 m2" says how large each of several storeys is."""
+        reading = self.reading
+        end = last + 1 + (reading.word(last + 1) in ("about", "around", "approximately"))
+        several = any(quantity.value > 1 for quantity in reading.facts.floors)
+        is_of = reading.word(last) in ("is", "has", "have", "be", "=")
+        return several and is_of and reading.kind(end) == "number" and reading.kind(end + 1) == "unit"
+
     def _storeys_of_a_use(self, last: int) -> bool:
         """Whether "of" leads on to a use of the storeys ("three floors of apartments"), not to their size."""
         mention = next((self.reading.mention_at[i] for i in (last + 1, last + 2) if i in self.reading.mention_at), None)
@@ -235,6 +246,21 @@ class StoreyCounts:
 
     def _basement_count(self, index: int) -> int:
         reading = self.reading
+        described = index + 2 + (reading.word(index + 2) not in ("basement", "cellar"))
+        if (
+            reading.word(index) in ("over", "above", "plus", "and", "with")
+            and reading.word(index + 1) in ("a", "one", "full")
+            and described == index + 3
+            and reading.kind(index + 2) == "word"
+            and reading.word(described) in ("basement", "cellar")
+            and reading.word(described + 1) in CLOSERS | {"with", "for", "and"}
+            and reading.word(index + 2) not in ("wine", "beer", "root", "coal")
+        ):
+            self._state(1, index, described + 1, below=True)
+            if reading.word(described + 1) == "with":
+                ref = FloorRef("basement", span=reading.span(described, described + 1))
+                self.places.append(Place(described, described + 1, (ref,), led=False))
+            return described + 1
         if (
             reading.word(index) not in ("over", "above", "on", "with")
             or reading.word(index + 2) not in ("basement", "cellar")

@@ -3,8 +3,9 @@
 import itertools
 
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
+from mansion_planner.brief.storey_forms import ABOVE_GROUND
 
-__all__ = ["counts_above_ground", "counts_from_ground", "written_after"]
+__all__ = ["counts_above_ground", "counts_from_ground", "levels_above_ground", "written_after"]
 
 
 def counts_from_ground(reading: Reading) -> bool:
@@ -19,6 +20,9 @@ def counts_from_ground(reading: Reading) -> bool:
     ground = any(
         (word, floor) in pairs for word in ("ground", "street", "entrance") for floor in ("floor", "level", "storey")
     )
+    ground = ground or any(token.text == ABOVE_GROUND for token in reading.tokens)
+    if ground and _counts_ground_apart(reading):
+        return True
     if not ground or not ({("first", "floor"), ("first", "storey")} & set(pairs)):
         return False
     if ("second", "storey") in pairs:
@@ -53,18 +57,56 @@ def counts_above_ground(reading: Reading) -> bool:
 
 def _lists_ground_and_first(reading: Reading) -> bool:
     """Whether "Ground: ... 1st: ..." or "GF: ... 1F: ..." count the storeys of a list from the one above the ground."""
-    marks = (":", "=", "-", "–", "\n", "&", "and", ",")
+    marks = (":", "=", "-", "–", "\n", "&", "and", ",", "for", "has", "hold")
     ground = first = False
     for index in range(len(reading.tokens)):
-        word, opens = reading.word(index), reading.starts(index)
+        word, opens = reading.word(index), reading.starts(index) or reading.word(index - 1) == ":"
         after = index + 1 + (reading.word(index + 1) in FLOOR_WORDS)
         listed = reading.word(after) in marks
-        ground = ground or (word in ("ground", "gf", "g", "rdc", "eg") and listed and opens)
+        ground = ground or (opens and _is_ground(reading, index) and listed)
         counts = (reading.kind(index) == "ordinal" and opens) or (
             reading.kind(index) == "level" and written_after(reading, index)
         )
         first = first or (counts and listed and reading.value(index) == 1) or (word == "ff" and listed)
     return ground and first
+
+
+def _counts_ground_apart(reading: Reading) -> bool:
+    """Whether the highest of eight storeys is the seventh floor: "1st to 7th floor" beside a ground floor."""
+    ordinals = [
+        int(token.value)
+        for token, after, then in zip(reading.tokens, reading.tokens[1:], [*reading.tokens[2:], None], strict=False)
+        if token.kind == "ordinal" and (after.text in FLOOR_WORDS or (after.text in ("to", "–", "-") and then))
+    ]
+    stated = [
+        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
+    ]
+    return bool(stated and ordinals) and min(ordinals) == 1 and max(ordinals) == max(stated) - 1
+
+
+def levels_above_ground(reading: Reading) -> bool:
+    """Whether "L1" is the storey above the ground floor: the brief lists both ("GF: ... L1: ...")."""
+    heads = [i for i in range(len(reading.tokens)) if reading.starts(i)]
+    marks = (":", "=", "-", "–", "\n", "(", "has", "with", "and", "&")
+    ground = any(_is_ground(reading, i) for i in heads)
+    levels = [int(t.value) for t in reading.tokens if t.kind == "level" and t.text != ABOVE_GROUND]
+    stated = [
+        int(a.value) for a, b in itertools.pairwise(reading.tokens) if a.kind == "number" and b.text in FLOOR_WORDS
+    ]
+    if ground and levels and stated and max(stated) == max(levels) + 1:
+        return True
+    return ground and any(
+        reading.kind(i) == "level"
+        and reading.word(i) != ABOVE_GROUND
+        and reading.value(i) == 1
+        and reading.word(i + 1) in marks
+        for i in heads
+    )
+
+
+def _is_ground(reading: Reading, index: int) -> bool:
+    above = reading.word(index) == ABOVE_GROUND and reading.value(index) == 0
+    return above or reading.word(index) in ("ground", "gf", "g", "rdc", "eg")
 
 
 def written_after(reading: Reading, index: int) -> bool:

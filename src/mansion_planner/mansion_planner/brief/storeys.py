@@ -11,6 +11,7 @@ from mansion_planner.brief.named_storeys import COPULAS, TOPS, NamedStoreys
 from mansion_planner.brief.numbered_storeys import NumberedStoreys
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.storey_counts import CLOSERS, DEFINITE, STOREY_ADJECTIVES, StoreyCounts, settle_counts
+from mansion_planner.brief.storey_forms import ABOVE_GROUND
 from mansion_planner.brief.storey_sequences import StoreySequence, resolve_rest
 
 __all__ = ["read_storeys"]
@@ -210,6 +211,22 @@ class _Scanner:
         goes_on = reading.word(last) in COPULAS | CLOSERS | {"repeat", "all", "with", "each", "get", "take", "for"}
         return bool(lead) and self.has_floors and opens and last == at + 1 and goes_on
 
+    def _typical(self) -> FloorRef:
+        """Return the storeys that "the typical floor" stands for: all but the ground floor, or those not named."""
+        reading = self.reading
+        floors = int(reading.facts.floors[0].value) if reading.facts.floors else 0
+        texts = {token.text for token in reading.tokens}
+        named = {ref.first for place in self.places for ref in place.refs if ref.kind in ("number", "range")}
+        if floors > 1 and named <= {1} and texts & {"ground", "g", ABOVE_GROUND}:
+            return FloorRef("range", 2, floors)
+        return FloorRef("rest" if self.places else "middle")
+
+    def _names_top(self) -> bool:
+        """Whether the brief has words for its top storey, which is then no typical one."""
+        return not {"top", "topmost", "uppermost", "roof", "penthouse", "attic"}.isdisjoint(
+            token.text for token in self.reading.tokens
+        )
+
     def _gathered(self, many: int, index: int) -> list[FloorRef]:
         """Return the storeys that "those five floors" speaks of: that many, named last in the sentence."""
         refs: list[FloorRef] = []
@@ -237,7 +254,10 @@ class _Scanner:
             return (list(named[-1].refs) if several else [FloorRef("every")]), last
         if word == "typical" and reading.word(last) in FLOOR_WORDS:
             numbered = self.numbered.numbered(last)
-            return numbered if numbered is not None else ([FloorRef("middle")], last + 1)
+            if numbered is not None:
+                return numbered
+            alike = not reading.plural(last) and not self._names_top()
+            return ([self._typical()] if alike else [FloorRef("middle")]), last + 1
         if word == "per" and reading.kind(index - 1) == "unit":
             return None
         if word not in ("every", "each", "all", "per", "both", "any", "either", "whole"):

@@ -14,6 +14,7 @@ _SLEEPING = frozenset(
     apartment studio_apartment
     """.split()
 )
+_SHARED = frozenset({"shared", "common", "communal"})
 _PRIVATE = frozenset(
     {"bathroom", "ensuite_bathroom", "toilet", "walk_in_closet", "dressing_room", "shower_area", "restroom", "pantry"}
 )
@@ -69,14 +70,19 @@ def read_suites(
         gap = set(gap_words)
         if "," in gap and owner not in suites and _list_goes_on(phrases, owner, number, gap_words):
             continue
+        if _measures_each(reading, phrases[owner].last, phrase.begin):
+            gap.discard("each")
         tail = reading.words(phrase.last, phrase.last + 1)
         has = bool(gap & {"with", "having", "has", "have", "own", "get", "plus", "its", "contain"})
         distributed = phrases[owner].determiner in ("each", "every", "both", "all")
         owner = same.get(owner, owner)
         several = (phrases[owner].count or 2) > 1 or distributed
         if owner in suites:
+            shared = not _SHARED.isdisjoint(reading.words(phrase.first, phrase.noun_end))
             joined = (
-                _outside_brackets(gap_words) <= {"and", "a", "an", "its", "own", ",", "the", "one"} and "and" in gap
+                not shared
+                and _outside_brackets(gap_words) <= {"and", "a", "an", "its", "own", ",", "the", "one"}
+                and "and" in gap
             )
             if joined:
                 suites[number] = suites[owner]
@@ -110,6 +116,14 @@ def read_suites(
         if (several and distributive) or both or own or plain or (several and tail == ("each",)):
             suites[number] = owner
     return Suites({n: o for n, o in suites.items() if n not in same}, twin_rooms)
+
+
+def _measures_each(reading: Reading, first: int, last: int) -> bool:
+    """Whether "each" only says how large rooms are: "3 rooms with each 13 m2, a bathroom"."""
+    return any(
+        reading.word(at) == "each" and reading.kind(at + 1) == "number" and reading.kind(at + 2) == "unit"
+        for at in range(first, last)
+    )
 
 
 def _list_goes_on(phrases: Sequence[Phrase], owner: int, number: int, gap: tuple[str, ...]) -> bool:

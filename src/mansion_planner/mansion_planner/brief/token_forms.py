@@ -12,7 +12,9 @@ def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
     joined: list[Token] = []
     for token in tokens:
         last = joined[-1] if joined else None
-        if (
+        if token.text == "/" and last is not None and last.text == "living" and not token.spaced:
+            continue  # "living/dining room" is one room
+        if (last is not None and (last.text, token.text) in _APART) or (
             last is not None
             and not token.spaced
             and last.kind == token.kind == "word"
@@ -23,6 +25,11 @@ def compounds(tokens: list[Token], words: frozenset[str]) -> list[Token]:
             joined.append(token)
     return joined
 
+
+_APART = frozenset(
+    {("work", "station"), ("class", "room"), ("bed", "room"), ("bath", "room"), ("book", "shelf"), ("ware", "house")}
+)
+"""Nouns that are one word, and that people write as two."""
 
 _FOREIGN_STOREYS = {"etage": "floor", "niveau": "level", "niveaux": "level", "planta": "floor", "plant": "floor"}
 _FOREIGN_SIDES = {"low": "ground", "high": "upper", "superior": "upper", "principal": "ground", "inferior": "ground"}
@@ -48,7 +55,8 @@ def _is_storey(tokens: list[Token], index: int) -> bool:
     if index and tokens[index - 1].text in ("low", "high"):
         return True
     counted = index > 1 and tokens[index - 1].kind in ("number", "ordinal")
-    return counted and tokens[index].plural and tokens[index - 2].text in ("of", "on", "in", "over")
+    several = tokens[index].plural or (counted and tokens[index - 1].text in ("one", "1"))
+    return counted and several and tokens[index - 2].text in ("of", "on", "in", "over")
 
 
 def open_decks(tokens: list[Token]) -> list[Token]:

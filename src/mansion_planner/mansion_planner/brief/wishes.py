@@ -41,11 +41,24 @@ def read_shape(reading: Reading) -> None:
             "shaped",
             "building",
             "tower",
+            "house",
+            "form",
         ):
             reading.facts.shapes.append(("square", reading.span(i, i + 2)))
             reading.take(i, i + 2)
+        elif word == "square" and reading.words(i - 2, i) in (("a", "perfect"), ("an", "exact"), ("is", "a")):
+            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+            reading.take(i - 1, i + 1)
+        elif word == "square" and reading.word(i - 1) in ("a", "our") and _names_building(reading, i + 1):
+            reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+            reading.take(i, i + 1)
         elif word in ("outline", "footprint", "plan") and "square" in reading.words(i + 1, i + 4):
             reading.facts.shapes.append(("square", reading.span(i, i + 1)))
+
+
+def _names_building(reading: Reading, index: int) -> bool:
+    mention = reading.mention_at.get(index)
+    return mention is not None and bool(mention.building)
 
 
 _COURTS = frozenset({"garth", "quad", "quadrangle", "atrium", "court", "patio"})
@@ -96,6 +109,8 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
         if like:
             continue
         near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] and _several(p)]
+        counted = [p for p in near if p.refs[0].kind in ("number", "range") and p.last <= index]
+        near = counted or near  # "from the 2nd to the 9th floor all are the same, each floor has ..."
         if not near and reading.word(index) not in ("same", "equal", "copy", "mirror"):
             near = [p for p in places if reading.sentence[p.first] == reading.sentence[index] - 1 and _several(p)][-1:]
         if near:
@@ -109,8 +124,8 @@ def read_copies(reading: Reading, places: list[Place]) -> None:
                 reading.facts.copies.append(CopyFact(group, words))
         elif FLOOR_WORDS & set(reading.words(index + 1, index + 3)) and token.text in ("identical", "equal"):
             span = reading.span(index, index + 2)
-            counted = reading.kind(index - 1) == "number"
-            reading.facts.copies.append(CopyFact(FloorRef("every" if counted else "upper", span=span), span))
+            whole = reading.kind(index - 1) == "number"
+            reading.facts.copies.append(CopyFact(FloorRef("every" if whole else "upper", span=span), span))
         reading.take(index, index + 1)
 
 

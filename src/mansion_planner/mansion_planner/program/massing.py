@@ -246,7 +246,7 @@ class MassingWish:
     variant: int = 0
 
 
-_LEAST_AREA = {"L": 110.0, "T": 170.0, "U": 300.0, "H": 380.0, "courtyard": 440.0}
+_LEAST_AREA = {"L": 104.0, "T": 170.0, "U": 300.0, "H": 380.0, "courtyard": 440.0}
 _LEAST_WITHOUT_STAIR = {**_LEAST_AREA, "U": 190.0}
 """The least gross area of a storey with an outline of that shape, square metres."""
 
@@ -332,6 +332,9 @@ def choose_massing(wish: MassingWish, generator: np.random.Generator) -> Massing
     generator : numpy.random.Generator
         Varies proportions within what suits the building.
     """
+    if wish.shape == "square":
+        side = max(round(math.sqrt(wish.area)), 9 if wish.stairs else 5, 12 if wish.stairs > 1 else 0)
+        return rectangle_massing(wish, float(side), float(side))
     candidates = _bands(wish.use, wish.area, wish.stairs, wish.room, wish.shape)
     if wish.variant:
         candidates = [candidates[-wish.variant % len(candidates)]]

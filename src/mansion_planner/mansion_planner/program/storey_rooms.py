@@ -168,14 +168,18 @@ def allocate(decisions: Decisions, knowledge: KnowledgeBase, storeys: Sequence[S
 
 def _settled_types(facts: Iterable[RoomFact], decisions: Decisions, knowledge: KnowledgeBase) -> frozenset[str]:
     """Return the room types whose number the brief settles, or that it excludes and does not ask for by name."""
-    settled = {name for name, _ in decisions.facts.excluded} - {fact.room_type for fact in decisions.facts.rooms}
+    asked = {fact.room_type for fact in decisions.facts.rooms}
+    refused = {name for name, _ in decisions.facts.excluded} - asked
+    settled = refused.union(*(group for group in _REFUSED_TOGETHER if group & refused)) - asked
     for fact in facts:
+        settled.update(*(_LEAVES_OUT.get(child.room_type, ()) for child in fact.suite))
         kind = knowledge.room(fact.room_type)
         if fact.count is not None and not (kind.common and fact.count == 1):
             settled.update(name for name, other in knowledge.rooms.items() if other.counts_as == kind.counts_as)
             settled.update(next((group for group in _SAME_USE if kind.name in group), ()))
             if fact.count > 1:
                 settled.update(_same_head(fact.name, knowledge))
+                settled.update(_LEAVES_OUT.get(kind.name, ()))
     return frozenset(settled)
 
 
@@ -199,6 +203,17 @@ _SAME_USE = (
     frozenset({"dorm_room", "hostel_dorm", "bunk_room", "holding_cell"}),
 )
 """Room types that stand for each other: a stated number of one leaves no room for another."""
+
+_REFUSED_TOGETHER = (frozenset({"cafeteria", "cafe", "restaurant"}),)
+"""Room types of which a brief that refuses one by name wants none of the others."""
+
+_LEAVES_OUT = {
+    "bathroom": frozenset({"restroom", "toilet"}),
+    "bedroom": frozenset({"nap_room"}),
+    "judges_chamber": frozenset({"judges_chamber"}),
+    "living_room": frozenset({"lounge"}),
+}
+"""Room types that a storey adds none of where the brief counts rooms, or gives to units, of another."""
 
 _GENERAL_HEADS = frozenset({"room", "hall", "area", "store", "storage", "space", "centre", "center", "section"})
 

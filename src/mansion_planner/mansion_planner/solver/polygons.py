@@ -55,8 +55,25 @@ def trace(mask: Mask) -> list[list[Vertex]]:
             turn = options[0] if len(options) == 1 else (right if left not in options else left)
             take(here, turn)
             before, here = here, turn
-        rings.append(_straightened(ring))
+        rings += [_straightened(simple) for simple in _simple_rings(ring)]
     return rings
+
+
+def _simple_rings(ring: list[Vertex]) -> list[list[Vertex]]:
+    """Return the rings that a ring consists of where it meets itself at a vertex: a room around another's corner."""
+    rings: list[list[Vertex]] = []
+    path: list[Vertex] = []
+    place: dict[Vertex, int] = {}
+    for vertex in ring:
+        if vertex in place:
+            loop = path[place[vertex] :]
+            rings.append(loop)
+            for passed in loop:
+                del place[passed]
+            del path[len(path) - len(loop) :]
+        place[vertex] = len(path)
+        path.append(vertex)
+    return [*rings, path]
 
 
 def _straightened(ring: list[Vertex]) -> list[Vertex]:
