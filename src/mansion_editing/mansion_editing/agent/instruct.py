@@ -6,7 +6,7 @@ import msgspec
 
 from mansion_editing.agent.facts import Action, Outcome, Policy, Verdict
 from mansion_editing.agent.task_needs import task_policy
-from mansion_editing.editor import ACTION_TOOLS, PERCEPTION_TOOLS, SceneEditor
+from mansion_editing.editor import ACTION_TOOLS, FLOOR_TOOLS, PERCEPTION_TOOLS, SceneEditor
 from mansion_msgs_py.codec import decode, encode, to_builtins
 from mansion_msgs_py.editing import AgentReport, AgentStep, EditResult
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -35,8 +35,8 @@ def undo_or_redo(editor: SceneEditor, tool: str) -> AgentReport:
     )
 
 
-AGENT_TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS}
-"""All that an agent may call; walls, doors and cores have no tool, files and other buildings neither."""
+AGENT_TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **FLOOR_TOOLS}
+"""All that an agent may call; files and other buildings have no tool."""
 
 MOST_STEPS: Final = 400
 MOST_EDITS: Final = 120

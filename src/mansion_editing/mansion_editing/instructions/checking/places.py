@@ -69,9 +69,11 @@ def check_swap(statement: Swap, before: SceneState, after: SceneState, context: 
     if isinstance(statement.one, Rooms) or isinstance(statement.other, Rooms):
         ends = [end for end in (statement.one, statement.other) if isinstance(end, Rooms)]
         rooms = {room for end in ends for room in rooms_of(before, end, context)}
+        storeys = {f"floor {room.split('/', 1)[0].removeprefix('F')}" for room in rooms}
         inside = {name for name, item in {**diff.removed, **diff.added}.items() if item.room in rooms}
         inside |= {name for name, (old, new) in diff.moved.items() if {old.room, new.room} <= rooms}
-        return Finding("", inside | {n for n, (old, _) in diff.changed.items() if old.room in rooms}, rooms)
+        within = inside | {n for n, (old, _) in diff.changed.items() if old.room in rooms}
+        return Finding("", within, rooms | storeys)
     gone_to = diff.relocated()
     firsts = [i for i in things_of(before, statement.one, context) if i.id in gone_to]
     seconds = [i for i in things_of(before, statement.other, context) if i.id in gone_to]

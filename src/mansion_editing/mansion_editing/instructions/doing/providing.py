@@ -272,6 +272,10 @@ def _finished(things: Things, made: Sequence[str], state: SceneState) -> Generat
 def ensure(statement: Ensure, state: SceneState, context: Context) -> Work:
     """Bring what is missing of a number, counting what is there; take away what is more only where words say so."""
     things, place = statement.things, _whole_place(statement.things, statement.place)
+    if things.refers == "last" and not things.noun and context.noun:
+        things = msgspec.structs.replace(things, noun=context.noun, refers="")
+    if not things.noun:
+        raise Unmet("say what shall be there")
     kind, number = things.amount.kind, new_number(things)
     if kind == "more":
         return (yield from add(Add(things=things, place=place, each=statement.each), state, context))

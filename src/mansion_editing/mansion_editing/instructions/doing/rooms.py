@@ -60,13 +60,9 @@ def swap_rooms(one: Rooms, other: Rooms, state: SceneState, context: Context) ->
     first, second = _one(state, one, context), _one(state, other, context)
     if first.id == second.id:
         raise Unmet(f"{first.id} cannot change places with itself")
-    for room, kind in ((first, second), (second, first)):
-        arguments = {"room_id": room.id, "room_type": kind.room_type}
-        yield from ask(f"{room.id} becomes {kind.room_type}.", "FurnishRoom", arguments)
-        if kind.name != room.name and kind.name:
-            yield from ask("It takes the name too.", "RenameRoom", {"room_id": room.id, "name": kind.name})
-    reply = f"{first.id} and {second.id} have changed places"
-    return Done(reply, context.followed((), (first.id, second.id), ""))
+    arguments = {"what": "swap", "room_id": first.id, "other_id": second.id}
+    report = yield from ask("They change places.", "ReshapeFloor", arguments)
+    return Done(str(report.message), context.followed((), (first.id, second.id), ""))
 
 
 def reshape(statement: Reshape, state: SceneState, context: Context) -> Work:

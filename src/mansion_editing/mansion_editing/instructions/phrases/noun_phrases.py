@@ -67,7 +67,8 @@ class NounPhrase:
         noun = self.noun
         words = " ".join((*filter(None, [noun.owned]), *noun.words, *filter(None, [noun.number])))
         words = "" if words == "room" else words
-        several = noun.plural or self.each or self.amount.kind == "all"
+        one = self.amount.kind == "some" and self.amount.number == 1
+        several = (noun.plural and not one) or self.each or self.amount.kind == "all"
         return Rooms(
             words=words,
             floors=noun.floors,
