@@ -1,6 +1,6 @@
-"""Instructions with facts, judged on the scenes before and after: ``python benchmarks/editing/unseen.py LIST.json FOLDER``.
+"""Instructions with facts, judged on the scenes before and after.
 
-    python benchmarks/editing/unseen.py benchmarks/editing/instructions_seen/second_sight.json out/edits --scorer SCORER.py
+    python benchmarks/editing/unseen.py LIST.json FOLDER --scorer SCORER.py
 
 A list holds cases with the brief of a building, an instruction and the facts that must hold afterwards. Buildings are
 made once into FOLDER; each case works on a copy. The scorer is a module with ``load(folder)`` and
