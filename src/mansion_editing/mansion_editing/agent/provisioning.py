@@ -9,24 +9,18 @@ from typing import Any, Final
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
 from mansion_editing.agent.facts import (
-    AbsentFact,
     Action,
     Fact,
-    MoveFact,
     ObjectDescription,
     ObjectFact,
     Outcome,
     PathFact,
     Policy,
     Scope,
-    StateFact,
     Unmet,
     Verdict,
     ask,
-    exactly_named,
-    find_landmarks,
     find_objects,
-    is_next_to,
     list_contents,
     matches,
     receptacles,
@@ -74,16 +68,10 @@ def satisfy(facts: list[Fact], state: SceneState) -> Policy:
 
 
 def _satisfy(fact: Fact, state: SceneState) -> Provisioning:
-    if isinstance(fact, ObjectFact):
-        yield from _provide(fact, state)
-    elif isinstance(fact, PathFact):
+    if isinstance(fact, PathFact):
         yield from _require_path(fact)
-    elif isinstance(fact, AbsentFact):
-        yield from _remove(fact, state)
-    elif isinstance(fact, MoveFact):
-        yield from _move(fact, state)
     else:
-        yield from _switch(fact, state)
+        yield from _provide(fact, state)
 
 
 def _require_path(fact: PathFact) -> Provisioning:
@@ -92,38 +80,12 @@ def _require_path(fact: PathFact) -> Provisioning:
         raise Unmet(report.message)
 
 
-def _switch(fact: StateFact, state: SceneState) -> Provisioning:
-    found = yield from find_objects(fact.object, fact.where, state)
-    if not fact.object.noun and not (fact.where.rooms or fact.where.floor is not None):
-        raise Unmet("say in which room, or on which floor")
-    if not found:
-        raise Unmet(f"there is no {fact.object.noun} {fact.where}")
-    able = [i for i in found if ("openable" if fact.state == "open" else "toggleable") in i.properties]
-    if not able:
-        what = "opens" if fact.state == "open" else "switches"
-        raise Unmet(f"no {fact.object.noun} {fact.where} {what}")
-    several = fact.object.count == 0 and fact.object.every
-    own = set(stems(fact.object.noun))
-    named = [i for i in able if own <= set(stems(i.category.replace("_", " ")))]
-    able = ([] if several else exactly_named(fact.object.noun, able)) or named or able
-    wanted = able if several else able[: max(1, fact.object.count)]
-    as_wished = [i for i in able if bool(i.states.get(fact.state, False)) == fact.value]
-    if not several and len(as_wished) >= max(1, fact.object.count):
-        return
-    for item in wanted:
-        if bool(item.states.get(fact.state, False)) != fact.value:
-            arguments = {"object_id": item.id, fact.state: fact.value}
-            yield from ask(f"{item.id} is not in the requested state.", "SetState", arguments)
-
-
 MOST_CARRIERS: Final = 6
 MOST_ROOMS: Final = 12
 
 
 def _provide(fact: ObjectFact, state: SceneState) -> Provisioning:
-    if fact.where.near:
-        yield from _provide_next_to(fact, state)
-    elif fact.where.receptacle:
+    if fact.where.receptacle:
         yield from _provide_on_receptacle(fact, state)
     else:
         yield from _provide_in_room(fact, state)
@@ -131,34 +93,17 @@ def _provide(fact: ObjectFact, state: SceneState) -> Provisioning:
 
 def _provide_on_receptacle(fact: ObjectFact, state: SceneState) -> Provisioning:
     carriers = yield from receptacles(fact.where, state)
-    if not carriers and fact.most:
-        return
     if not carriers:
         carriers = [(yield from _provide_carrier(fact, state))]
     counted: list[tuple[int, int, ObjectInfo]] = []
-    surplus: list[ObjectInfo] = []
     for order, carrier in enumerate(carriers[:40]):
         there = yield from list_contents(carrier, relation_of(fact.where.relation, carrier, state))
         mine = [item for item in there if matches(fact.object, item, state)]
-        if fact.most:
-            surplus += mine[fact.object.count :]
-            continue
-        if fact.more:
-            mine = []
         if len(mine) >= fact.object.count:
-            yield from _remove_surplus(mine[fact.object.count :] if fact.exact else [])
             return
         counted.append((-len(mine), order, carrier))
-    if fact.most:
-        yield from _remove_surplus(surplus)
-        return
     counted.sort(key=lambda entry: entry[:2])
     yield from _place_missing(fact, [(-n, c) for n, _, c in counted[:MOST_CARRIERS]], state)
-
-
-def _remove_surplus(surplus: list[ObjectInfo]) -> Provisioning:
-    for item in surplus:
-        yield from ask(f"{item.id} is surplus.", "RemoveObject", {"object_id": item.id})
 
 
 def _place_missing(fact: ObjectFact, carriers: list[tuple[int, ObjectInfo]], state: SceneState) -> Provisioning:
@@ -233,9 +178,8 @@ def _rooms(where: Scope, state: SceneState) -> list[SceneRoom]:
 
 def _provide_in_room(fact: ObjectFact, state: SceneState) -> Provisioning:
     found = yield from find_objects(fact.object, fact.where, state)
-    missing = fact.object.count - (0 if fact.more else len(found))
-    if missing <= 0 or fact.most:
-        yield from _remove_surplus(found[fact.object.count :] if fact.exact or fact.most else [])
+    missing = fact.object.count - len(found)
+    if missing <= 0:
         return
     assets = yield from find_assets(fact.object, state)
     if is_furniture(assets, state):
@@ -261,96 +205,6 @@ def is_furniture(assets: list[AssetInfo], state: SceneState) -> bool:
     return first.mount == "floor" and not (first.pickupable and max(first.size) < 0.6)
 
 
-def _provide_next_to(fact: ObjectFact, state: SceneState) -> Provisioning:
-    """Provide objects next to a landmark: on its receptacle, or furniture on the floor beside it."""
-    anchors = yield from find_landmarks(fact.where, state)
-    found = yield from find_objects(fact.object, Scope("room", "", (), fact.where.floor), state)
-    counts = [
-        (sum(item.id != anchor.id and is_next_to(item, anchor, state) for item in found), anchor) for anchor in anchors
-    ]
-    if any(count >= fact.object.count for count, _ in counts):
-        return
-    assets = yield from find_assets(fact.object, state)
-    reason = f"there is no {fact.where.near} to put it next to"
-    for count, anchor in sorted(counts, key=lambda pair: -pair[0])[:MOST_CARRIERS]:
-        added: list[str] = []
-        for _ in range(fact.object.count - count):
-            target = anchor.room if is_furniture(assets, state) else anchor.parent or anchor.id
-            made, fault = yield from place_any(assets, target, "on", colour=fact.object.colour, near=anchor.id)
-            if made:
-                added.append(made)
-            listed: ObjectList = yield from ask("Is it near?", "ListObjects", {"id": made or anchor.id})
-            if not made or not is_next_to(listed.objects[0], anchor, state):
-                reason = fault or f"no free place next to {anchor.id}"
-                break
-        else:
-            return
-        for object_id in reversed(added):
-            yield Action("That is too far away.", "RemoveObject", {"object_id": object_id})
-    raise Unmet(reason)
-
-
-def _remove(fact: AbsentFact, state: SceneState) -> Provisioning:
-    """Remove objects; those fixed to walls or ceilings stay."""
-    if not fact.object.noun:
-        yield from _clear(fact, state)
-        return
-    found = yield from find_objects(fact.object, fact.where, state)
-    loose = [i for i in found if i.mount not in ("ceiling", "wall")]
-    if found and not loose:
-        raise Unmet(f"{found[0].id} is fixed to the building")
-    if fact.object.count and len(loose) < fact.object.count:
-        raise Unmet(f"there are only {len(loose)} {fact.object.noun} {fact.where}")
-    for item in loose[: fact.object.count] if fact.object.count else loose:
-        if state.find(item.id) is not None:
-            yield from ask(f"{item.id} should be removed.", "RemoveObject", {"object_id": item.id})
-
-
-def _clear(fact: AbsentFact, state: SceneState) -> Provisioning:
-    carriers = yield from receptacles(fact.where, state)
-    if not carriers:
-        raise Unmet(f"there is no {fact.where.receptacle} {fact.where}")
-    for carrier in carriers:
-        there: list[ObjectInfo] = []
-        for relation in ("on", "in"):
-            there += yield from list_contents(carrier, relation)
-        spared = [i for i in there if any(matches(thing, i, state) for thing in fact.spare)]
-        if spared:
-            gone = [i.id for i in there if i not in spared]
-            requests = [{"object_id": name} for name in dict.fromkeys(gone)]
-        else:
-            requests = [{"receptacle_id": carrier.id}] if there else []
-        for request in requests:
-            yield from ask(f"{carrier.id} should be empty.", "RemoveObject", request)
-
-
-def _move(fact: MoveFact, state: SceneState) -> Provisioning:
-    """Move objects from one scope to another; those already there count."""
-    found = yield from find_objects(fact.object, fact.source, state)
-    loose = [i for i in found if i.mount not in ("ceiling", "wall")]
-    targets = yield from _targets(fact, state)
-    there: list[str] = []
-    for target in targets:
-        for carrier in (yield from _carrier(target)) if state.find(target) is not None else []:
-            seen = yield from list_contents(carrier, relation_of("in", carrier, state))
-            there += [i.id for i in seen if matches(fact.object, i, state)]
-    if len(there) >= fact.object.count and not fact.source.receptacle and not fact.source.rooms:
-        return
-    movable = [i for i in loose if i.id not in there]
-    if len(movable) < fact.object.count:
-        raise Unmet(f"there are only {len(movable)} {fact.object.noun} {fact.source} to move")
-    for item in movable[: fact.object.count or len(movable)]:
-        reason = "no place for it"
-        for target in targets[:6]:
-            reason = yield from _moved(item, target, f"{item.id} should be on {target}.")
-            if not reason:
-                break
-        if reason and len(targets) == 1:
-            reason = yield from move_after_clearing(item, targets[0], reason, state)
-        if reason:
-            raise Unmet(reason)
-
-
 def _moved(item: ObjectInfo, target: str, thought: str) -> Generator[Action, Outcome, str]:
     """Move an object, and return why it cannot be moved there, empty when it was."""
     answer = yield Action(thought, "MoveObject", {"object_id": item.id, "receptacle_id": target})
@@ -374,20 +228,6 @@ def move_after_clearing(
 def _carrier(object_id: str) -> Generator[Action, Outcome, list[ObjectInfo]]:
     answer = yield Action(f"What is {object_id}?", "ListObjects", {"id": object_id})
     return [] if answer.error is not None else answer.value.objects
-
-
-def _targets(fact: MoveFact, state: SceneState) -> Generator[Action, Outcome, list[str]]:
-    if fact.target.receptacle:
-        carriers = yield from receptacles(fact.target, state)
-        if not carriers:
-            raise Unmet(f"there is no {fact.target.receptacle} {fact.target}")
-        return [carrier.id for carrier in carriers]
-    if not fact.target.rooms:
-        raise Unmet("say where to move it, not only to which floor")
-    surfaces = yield from find_surfaces(fact.target, state)
-    categories = vocabulary_of(state.catalogue).nouns(fact.object.noun)
-    stands = any(asset.mount == "floor" for name in categories for asset in state.catalogue.by_category(name))
-    return [*fact.target.rooms] if stands else surfaces
 
 
 MOST_TARGETS: Final = 6
