@@ -68,6 +68,11 @@ class Lexicon:
         """Whether words name a room that this building has."""
         return words in self._room_names
 
+    def is_room_id(self, text: str) -> bool:
+        """Whether a text is the id of a room, or the end of one (``meeting_room_1``)."""
+        low = text.lower()
+        return any(low in (room.id.lower(), room.id.lower().split("/", 1)[-1]) for _, room in self._state.rooms())
+
     def is_object(self, words: tuple[str, ...]) -> bool:
         """Whether words in the singular name objects, by the catalogue or by the scene."""
         if words not in self._objects:

@@ -93,7 +93,7 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     if text_at(words, at) in ("only", "just") and text_at(words, at + 1) in DETERMINERS:
         at += 1
     if at < len(words) and words[at].kind == "id":
-        noun = Noun((words[at].raw,), "object")
+        noun = Noun((words[at].raw,), "room" if lexicon.is_room_id(words[at].raw) else "object")
         return NounPhrase(noun, Amount(number=1), True, start, at + 1)
     if tuple(w.text for w in words[at : at + 3]) == ("every", "single", "one"):
         return None
