@@ -80,7 +80,7 @@ class Keeping(Wishes, Adding):
         if self.text(place) in ("us", "me"):
             return self.read(place + 1)
         if self.text(place) == "there":
-            found = self._existential(place)
+            found = self._existential(place, asked=True)
             if found is not None:
                 return found
         item = self.item(place)

@@ -26,8 +26,14 @@ __all__ = ["Wishes"]
 class Wishes(Subjects, Negations):
     """Reads ``I want``, ``there should be``, ``can you`` and ``make sure that``."""
 
-    def _existential(self, at: int) -> tuple[list[Statement], int] | None:
-        """Read ``there should be four chairs in the break room``."""
+    def _existential(self, at: int, *, asked: bool = False) -> tuple[list[Statement], int] | None:
+        """Read ``there should be four chairs in the break room``.
+
+        Parameters
+        ----------
+        asked : bool
+            It follows "make sure" or "I want", so that it tells what shall be and not what is.
+        """
         if self.text(at) != "there":
             return None
         place = at + 1
@@ -38,7 +44,7 @@ class Wishes(Subjects, Negations):
             return None
         between = {w.text for w in self.words[at:place]}
         negated = "not" in between or "no" in between
-        told = between <= TOLD_EXISTENCE and (negated or self.text(place) == "no")
+        told = not asked and between <= TOLD_EXISTENCE and (negated or self.text(place) == "no")
         items = self.items(place)
         if self._is_way(items[0].phrase):
             return self._way(at, items[0].phrase.end)
@@ -49,10 +55,10 @@ class Wishes(Subjects, Negations):
         if following is not None:
             return following
         only = {"there", "is", "are", "already", "still", "currently"}
-        affirmed = not negated and len(items) == 1 and (between or {"is"}) <= only
+        affirmed = not asked and not negated and len(items) == 1 and (between or {"is"}) <= only
         if affirmed and items[0].phrase.amount.kind == "some":
             self.affirmed = items[0].things()
-        if told or (items[0].phrase.amount.kind == "none" and between <= {"there", "is", "are"}):
+        if told or (not asked and items[0].phrase.amount.kind == "none" and between <= {"there", "is", "are"}):
             goal, _ = self._shared_goal(items, items[0])
             self.frame = Place(rooms=goal.rooms) if goal.rooms is not None else self.frame
             return [Mention(quote=self.quote(at, end))], end
@@ -192,7 +198,7 @@ class Wishes(Subjects, Negations):
         if self.text(place) == "you" and self.text(place + 1) == "to":
             return self.read(place + 2)
         if self.text(place) == "there":
-            found = self._existential(place)
+            found = self._existential(place, asked=True)
             if found is not None:
                 return found
         item = self.item(place)
@@ -230,7 +236,7 @@ class Wishes(Subjects, Negations):
         way = self._reaching(at, place)
         if way is not None:
             return way
-        existential = self._existential(place)
+        existential = self._existential(place, asked=True)
         if existential is not None:
             return existential
         item = self.item(place)
