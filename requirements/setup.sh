@@ -162,7 +162,10 @@ warm() {
 make_venv() {
     local options=()
     say "[1/4] making a virtual environment of $python (Python $version)"
-    rm -rf -- "$venv"
+    # Aside at once and then away: another set-up that looks meanwhile sees the whole of it with its mark, or nothing.
+    rm -rf -- "$venv".removed.*
+    mv -- "$venv" "$venv.removed.$$" 2>/dev/null || true
+    rm -rf -- "$venv.removed.$$"
     mkdir -- "$venv"
     touch -- "$venv/.mansion-venv"
     if [[ $mode == sourced ]]; then
