@@ -184,8 +184,8 @@ def test_where_space_is_plentiful_all_that_is_asked_for_stands_or_is_reported(
     after = furnished(room_type, 11.0, 8.0, (category, count), seed=seed)
     reported = any(lost.room.endswith(f"{room_type}_1") for lost in after.discarded)
     assert there(after, category) >= count or (category in OTHER and reported)
-    if category in FLOOR:  # what is counted is not exceeded by what is usual, so the usual number gives way to it
-        assert there(after, category) >= min(there(before, category), count)
+    if category in FLOOR:
+        assert there(after, category) >= min(there(before, category), 4)
     standing = [footprint(i) for i in own(after) if i.mount == "floor" and i.size[2] > 0.05]
     tree = shapely.STRtree(standing)
     pairs = tree.query(standing, predicate="intersects").T.tolist()
