@@ -85,6 +85,7 @@ class BuildingStore:
         self._clock = clock
         self._reader = BuildingFolder(folder)
         self.documents = Documents(folder)
+        self._scenes: dict[int, tuple[tuple[int, int, int], FloorScene]] = {}
         self._edits = folder / "edits"
         self.lock_file = self._edits / "lock"
         if (self._edits / "pending.json").exists():
@@ -99,7 +100,16 @@ class BuildingStore:
     def scenes(self) -> dict[int, FloorScene]:
         """Return all floors as they are on disk."""
         self._reader = BuildingFolder(self.folder)
-        return {floor: self._reader.scene(floor) for floor in self._reader.floors}
+        return {floor: self._scene(floor) for floor in self._reader.floors}
+
+    def _scene(self, floor: int) -> FloorScene:
+        """Return a floor, decoded again only where its file is another one: each is replaced whole."""
+        file = (self.folder / floor_directory(floor) / "scene.json").stat()
+        mark = (file.st_ino, file.st_mtime_ns, file.st_size)
+        known = self._scenes.get(floor)
+        if known is None or known[0] != mark:
+            known = self._scenes[floor] = (mark, self._reader.scene(floor))
+        return known[1]
 
     def _topology(self, floor: int) -> FloorTopology | None:
         if not (self.folder / floor_directory(floor) / "topology.json").is_file():

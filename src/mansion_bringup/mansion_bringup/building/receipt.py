@@ -4,12 +4,15 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
+from typing import TypeAlias
 
 import msgspec
 import networkx as nx
-from shapely.geometry import LineString, MultiLineString, Polygon
+import numpy as np
+import shapely
+from shapely.geometry import Polygon
 
 from mansion_assets.catalogue import load_catalogue
 from mansion_assets.catalogue.kinds import pieces
@@ -212,26 +215,42 @@ def _pieces(entry: SceneObject) -> int:
     return pieces(asset.category, asset) if asset is not None else 1
 
 
-def _touching(scene: FloorScene) -> Iterable[tuple[str, str]]:
-    """Yield the rooms that share enough straight wall for a door."""
-    shapes = [(room.id, Polygon(room.polygon, room.holes)) for room in scene.rooms]
-    for number, (first, shape) in enumerate(shapes):
-        for second, other in shapes[number + 1 :]:
-            if shape.distance(other) < 0.05 and _straight(shape, other) > _SHARED:
-                yield first, second
+def _touching(scene: FloorScene) -> tuple[tuple[str, str], ...]:
+    """Return the rooms that share enough straight wall for a door."""
+    return _touching_outlines(tuple((room.id, _ring(room.polygon), _rings(room.holes)) for room in scene.rooms))
+
+
+_Ring: TypeAlias = tuple[tuple[float, float], ...]
+
+
+def _ring(points: Iterable[Sequence[float]]) -> _Ring:
+    return tuple((point[0], point[1]) for point in points)
+
+
+def _rings(holes: Iterable[Iterable[Sequence[float]]]) -> tuple[_Ring, ...]:
+    return tuple(map(_ring, holes))
+
+
+@lru_cache(maxsize=128)
+def _touching_outlines(outlines: tuple[tuple[str, _Ring, tuple[_Ring, ...]], ...]) -> tuple[tuple[str, str], ...]:
+    shapes = [Polygon(ring, holes) for _, ring, holes in outlines]
+    first, second = shapely.STRtree(shapes).query(shapes, predicate="dwithin", distance=0.05)
+    pairs = sorted((int(one), int(other)) for one, other in zip(first, second, strict=True) if one < other)
+    return tuple(
+        (outlines[one][0], outlines[other][0])
+        for one, other in pairs
+        if _straight(shapes[one], shapes[other]) > _SHARED
+    )
 
 
 def _straight(shape: Polygon, other: Polygon) -> float:
     """Return the length of the longest straight piece of a room's boundary that lies on another room."""
     beside = other.buffer(0.02, join_style="mitre")
-    longest = 0.0
-    for ring in (shape.exterior, *shape.interiors):
-        corners = list(ring.simplify(0.001).coords)
-        for edge in pairwise(corners):
-            shared = LineString(edge).intersection(beside)
-            pieces = shared.geoms if isinstance(shared, MultiLineString) else [shared]
-            longest = max(longest, *(piece.length for piece in pieces))
-    return longest
+    edges = [
+        shapely.linestrings(list(pairwise(ring.simplify(0.001).coords))) for ring in (shape.exterior, *shape.interiors)
+    ]
+    pieces = shapely.get_parts(shapely.intersection(np.concatenate(edges), beside))
+    return float(shapely.length(pieces).max(initial=0.0))
 
 
 def _judged(wish: Wish, state: _State) -> Wish:

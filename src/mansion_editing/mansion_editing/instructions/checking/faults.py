@@ -134,6 +134,8 @@ def _aside(diff: Differences, finding: Finding) -> list[str]:
 def moved_aside(step: Step) -> list[str]:
     """Return a sentence for each small thing that was moved to make room."""
     diff = differences(step.before, step.after)
+    if not diff.moved:
+        return []
     finding = _finding(step.statement, step.before, step.after, step.context, diff)
     if not finding.makes_room:
         return []

@@ -11,6 +11,7 @@ from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
 from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.places import merged, read_place, with_place
 from mansion_editing.instructions.phrases.storeys import read_storeys
+from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
 from mansion_editing.instructions.phrases.words import (
     COURTESIES,
@@ -20,6 +21,7 @@ from mansion_editing.instructions.phrases.words import (
     Word,
     split_words,
 )
+from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.background import end_of_background, is_background, split_sentences
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.refinement import (
@@ -107,10 +109,25 @@ class _Reader:
                 for s in self.statements
             ]
         self.statements = [s for one in self.statements for s in [self._told_later(one)]]
+        if not self.unknown:
+            self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
             self.unknown = [self.text.strip()]
         ignored = list(dict.fromkeys(word.raw for word in self.words if word.text in UNRECORDED))
         return Instruction(statements=with_storeys(self.statements), not_understood=self.unknown, ignored=ignored)
+
+    def _asks_in_vain(self) -> list[str]:
+        """Return the last clause with a verb where it was only taken to begin what no other clause goes on with."""
+        last = next((s for s in reversed(self.statements) if not isinstance(s, Mention)), None)
+        after = self.statements if last is None else self.statements[self.statements.index(last) + 1 :]
+        verbs = [s.quote for s in after if isinstance(s, Mention) and self._begins_with_order(s.quote)]
+        return verbs[:1]
+
+    def _begins_with_order(self, quote: str) -> bool:
+        start = self.text.find(quote)
+        at = next((k for k, word in enumerate(self.words) if word.start >= start), len(self.words))
+        verb = verb_at(self.words, at, self.lexicon)
+        return verb is not None and verb[0] not in ("leave", "keep", "make", "want")
 
     def _told_later(self, statement: Statement) -> Statement:
         """Return a statement with the places of things that a sentence before it told."""
