@@ -41,7 +41,9 @@ __all__ = [
     "Turn",
 ]
 
-AmountKind: TypeAlias = Literal["some", "exactly", "at_least", "at_most", "more", "fewer", "all", "all_but", "none"]
+AmountKind: TypeAlias = Literal[
+    "some", "exactly", "at_least", "at_most", "more", "fewer", "all", "all_but", "half", "none"
+]
 Relation: TypeAlias = Literal[
     "", "on", "in", "under", "above", "beside", "left", "right", "behind", "front", "between", "around", "near"
 ]
@@ -57,7 +59,7 @@ class Amount(msgspec.Struct, frozen=True, kw_only=True):
     kind : str
         ``some``: the number as it stands ("two mugs", "the two mugs", "a mug"); ``exactly``; ``at_least``;
         ``at_most``; ``more``: besides those that are there ("another", "two more"); ``fewer``: so many of them go
-        ("one sofa less"); ``all``; ``all_but`` the number; ``none``.
+        ("one sofa less"); ``all``; ``all_but`` the number; ``half`` of them, rounded down; ``none``.
     number : int
         0 where no number is given ("mugs", "all mugs").
     of : int

@@ -177,7 +177,7 @@ def _target(
     if item.mount in ("wall", "ceiling"):
         raise refusal(f"{item.id} hangs on {with_article(item.mount)}")
     asset = state.asset(receptacle)
-    inside = asset is not None and bool(asset.volumes) and not asset.surfaces
+    inside = asset is not None and bool(asset.volumes) and (args.inside or not asset.surfaces)
     try:
         return target, settle_on(state, item, target, receptacle, engine, inside=inside, skip=own, wish=wish)
     except MansionError as error:

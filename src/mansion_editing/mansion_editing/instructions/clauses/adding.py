@@ -17,6 +17,9 @@ class Adding(States):
     def _add(self, at: int, place: int) -> tuple[list[Statement], int]:
         if self.text(place) in ("on", "off") and self.text(at) == "put":
             return self._switch(at, place)
+        laid = self._laid(at, place)
+        if laid is not None:
+            return laid
         door = self._door_between(at, place)
         if door is not None:
             return door
@@ -76,6 +79,8 @@ class Adding(States):
         main = said[-1]
         if self.text(place) != "with" or not isinstance(main, Add | Ensure):
             return said, end
+        if main.place == Place():
+            return self._with_contents(said[:-1], main, at, place + 1)
         try:
             others = self.items(place + 1)
         except NotUnderstood:
@@ -96,6 +101,22 @@ class Adding(States):
                 where = Place(relation="on", anchor=last) if on_it else main.place
             out.append(Add(things=things, place=where, quote=quote))
         return out, stop
+
+    def _with_contents(
+        self, said: list[Statement], main: Add | Ensure, at: int, place: int
+    ) -> tuple[list[Statement], int]:
+        """Read ``a box with bandages on the trolley``: the box goes there, and they into or onto it."""
+        others = self.items(place)
+        end = others[-1].end
+        goal = self._framed(self._shared_goal(others, others[-1]))[0]
+        quote = self.quote(at, end)
+        holder = Things(refers="last", definite=True, amount=Amount(number=0))
+        out: list[Statement] = [*said, msgspec.structs.replace(main, place=goal, quote=quote)]
+        for other in others:
+            if self.lexicon.stands(other.phrase.noun.words):
+                raise NotUnderstood(place, end)
+            out.append(Add(things=other.phrase.things(), place=Place(relation="on", anchor=holder), quote=quote))
+        return out, end
 
     def _give(self, at: int, place: int) -> tuple[list[Statement], int]:
         """Read ``give the lobby two plants``; ``give me a chair`` asks for it."""

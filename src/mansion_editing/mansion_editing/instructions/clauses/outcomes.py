@@ -84,8 +84,12 @@ class Outcomes(Sentence):
         if any(p.relative or p.goal for p in item.places) and (phrase.definite or phrase.refers):
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
+        partitive = self._is_partitive(phrase)
+        if partitive and any(p.relative for p in item.places):
+            source, goal, each = self._source_and_goal(item.places)
         moved = (
             phrase.definite
+            or partitive
             or (phrase.refers and phrase.amount.kind != "more")
             or source != Place()
             or phrase.amount.kind in ("all", "all_but")

@@ -36,6 +36,10 @@ __all__ = ["Sentence"]
 
 _SKIPPED: Final = COURTESIES | BETWEEN_CLAUSES
 
+_LYING: Final = frozenset("lying standing sitting hanging resting leaning".split())
+
+_THOSE: Final = frozenset("the these those my our your them".split())
+
 _EXCEPTIONS: Final = (
     ("except", "for"), ("apart", "from"), ("other", "than"), ("aside", "from"), ("except",), ("but", "not"),
     ("and", "not"), ("not",), ("besides",), ("but",), ("save", "for"), ("excluding",), ("without",),
@@ -95,7 +99,7 @@ class Sentence(ABC):
         found: list[ReadPlace] = []
         while True:
             start = at
-            relative = self.text(at) in ("that", "which", "who")
+            relative = self.text(at) in ("that", "which", "who") or self.words[at : at + 1] and self.words[at].raw in _LYING
             while (
                 self.text(at) in PARTICIPLES_OF_REST
                 and self.text(at) != "there"
@@ -149,6 +153,7 @@ class Sentence(ABC):
         if not places:
             return Item(found, (), found.end)
         following, end = self.places(found.end)
+        following = self._with_ones(following, found)
         counted = self.text(found.end - 1) in ("them", "those") and self.text(found.end) == ","
         if counted and not following:
             following, end = self.places(found.end + 1)
@@ -200,6 +205,11 @@ class Sentence(ABC):
         first = before[-1].phrase
         phrase = replace(item.phrase, amount=first.amount, definite=first.definite)
         return Item(phrase, item.places, item.end)
+
+    def _with_ones(self, places: tuple[ReadPlace, ...], phrase: NounPhrase) -> tuple[ReadPlace, ...]:
+        """Put the noun for ``one`` in places: a second sofa opposite the first one."""
+        noun = phrase.noun if phrase.noun.kind == "object" else self.last_noun
+        return places if noun is None else tuple(replace(p, place=_with_noun(p.place, noun)) for p in places)
 
     def _named(self, item: Item, before: Sequence[Item]) -> Item:
         """Put the noun that came before for ``one``: two red mugs and a blue one."""
@@ -318,6 +328,11 @@ class Sentence(ABC):
             return items[-1].end, tuple(_kind_of_its_own(self._all(item.things())) for item in items)
         return at, ()
 
+    def _is_partitive(self, phrase: NounPhrase) -> bool:
+        """Whether a phrase takes some of those that are there: ``two of the hammers``."""
+        inner = self.words[phrase.start : phrase.end]
+        return any(w.text == "of" and self.text(phrase.start + k + 1) in _THOSE for k, w in enumerate(inner))
+
     def _is_way(self, phrase: NounPhrase) -> bool:
         return bool(phrase.noun.words) and self.lexicon.is_way(phrase.noun.words[-1])
 
@@ -335,6 +350,14 @@ class Sentence(ABC):
         place, each = goal
         each = each or (self.frame.rooms is not None and self.frame.rooms.every and bool(self.frame.rooms.words))
         return (place if self.frame == Place() else merged(place, self.frame) if place != Place() else self.frame), each
+
+
+def _with_noun(place: Place, noun: Noun) -> Place:
+    anchor = place.anchor
+    if anchor is None or anchor.noun.split()[-1:] != ["one"]:
+        return place
+    words = (*anchor.noun.split()[:-1], *noun.words)
+    return msgspec.structs.replace(place, anchor=msgspec.structs.replace(anchor, noun=" ".join(words)))
 
 
 def _kind_of_its_own(things: Things) -> Things:

@@ -1,7 +1,5 @@
 """Clauses with a subject and a predicate: "the lamp should be on"."""
 
-from dataclasses import replace
-
 import msgspec
 
 from mansion_editing.instructions.clauses.items import Item, joined_places
@@ -53,10 +51,7 @@ class Subjects(Predicates):
         out: list[Statement] = []
         end = at
         for subject in subjects:
-            if self.text(at) == "neither":
-                none = Amount(kind="none", number=0)
-                subject = Item(replace(subject.phrase, amount=none), subject.places, subject.end)
-            found = self._predicate(subject, subjects[-1].end, at)
+            found = self._predicate(subject, subjects[-1].end, at, denied=self.text(at) == "neither")
             if found is None:
                 return None
             out += found[0]

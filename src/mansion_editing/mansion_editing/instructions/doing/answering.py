@@ -28,7 +28,7 @@ def answer(question: Ask, state: SceneState, context: Context) -> Done:
     MansionError
         ``NOT_FOUND`` for a question about rooms or things that are not there.
     """
-    if question.about in ("rooms", "area"):
+    if question.about in ("rooms", "area") or (question.about == "where" and question.things is None):
         return _of_rooms(question, state, context)
     if question.about == "reach":
         return _of_ways(question, state, context)
@@ -156,9 +156,16 @@ def _of_rooms(question: Ask, state: SceneState, context: Context) -> Done:
         reply = "; ".join(areas) + "."
     elif not found:
         reply = f"There are no rooms called {wanted.words}." if wanted.words else "There are no such rooms."
+    elif question.about == "where":
+        reply = "; ".join(f"{room_title(state, room)} is on floor {_floor_of(state, room)}" for room in found) + "."
     else:
         reply = f"{counted(len(found), 'room')}: {', '.join(room_title(state, room) for room in found)}."
     return Done(reply, context.followed((), found, ""))
+
+
+def _floor_of(state: SceneState, room: str) -> int:
+    found = state.room(room)
+    return 0 if found is None else found[0]
 
 
 def _of_ways(question: Ask, state: SceneState, context: Context) -> Done:

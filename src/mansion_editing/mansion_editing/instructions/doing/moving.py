@@ -134,7 +134,9 @@ def _ways(
     """Return arguments of MoveObject, the best first."""
     wishes = wishes_of(place, target)
     if target.anchor is not None and place.relation in ("on", "in"):
-        return [{"receptacle_id": target.anchor.id, **wishes}]
+        asset = state.asset(target.anchor)
+        inward = place.relation == "in" and asset is not None and bool(asset.volumes)
+        return [{"receptacle_id": target.anchor.id, **wishes, **({"inside": True} if inward else {})}]
     if target.anchor is not None:
         holder = target.anchor.parent if is_loose(item) else None
         return [{"receptacle_id": holder or target.room, **wishes}]

@@ -63,6 +63,8 @@ def _chosen(things: Things, state: SceneState, context: Context) -> list[SceneOb
     several = amount.kind in ("all", "at_most", "none") or (things.plural and amount.number <= 1)
     found = concerned(state, things, context)
     known = names_many(things.noun) or bool(vocabulary_of(state.catalogue).nouns(things.noun))
+    if not found and things.refers:
+        raise Unmet(f"there is nothing that {thing_words(things)!r} could be")
     if not found and known and (several or (means_one(things) and bool(things.noun))):
         return []
     if amount.kind in ("all_but", "exactly") and len(found) < amount.number:
@@ -106,6 +108,8 @@ def to_clear(statement: Clear, state: SceneState, context: Context) -> list[Scen
         ``NOT_FOUND`` for a place that is not there; see `things_meant`.
     """
     place = statement.place
+    if place == Place():
+        raise Unmet("say which room, storey or piece of furniture is to be emptied; not the whole building at once")
     spared = {item.id for things in statement.spare for item in things_of(state, things, context)} | context.kept
     if place.anchor is not None and place.relation in ("on", "in", ""):
         anchor = place.anchor

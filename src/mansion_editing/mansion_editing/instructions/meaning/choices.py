@@ -11,7 +11,7 @@ from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of
 from mansion_editing.instructions.meaning.numbers import is_one, means_one
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.wording import at_words, bare_words, room_words, thing_words, title_of
-from mansion_editing.instructions.statements import Place, Rooms, Things
+from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
@@ -120,6 +120,8 @@ def things_meant(
         return _any_of(state, found, max(0, count - amount.number))
     if amount.kind == "none":
         return []
+    if amount.kind == "half":
+        return _any_of(state, found, _half(things, found))
     if things.plural and amount.number <= 1:
         return found
     if means_one(things) or (things.refers == "last" and not things.plural and things.noun):
@@ -132,6 +134,12 @@ def things_meant(
     if things.definite and number < count and not amount.of:
         raise ambiguous(thing_words(things), [title_of(state, item) for item in found], [i.id for i in found])
     return _any_of(state, found, number)
+
+
+def _half(things: Things, found: list[SceneObject]) -> int:
+    if len(found) < 2:
+        raise too_few(msgspec.structs.replace(things, amount=Amount(number=2)), found)
+    return len(found) // 2
 
 
 def _the_one(

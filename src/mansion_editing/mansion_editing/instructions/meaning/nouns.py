@@ -70,6 +70,8 @@ def _is_furniture(item: SceneObject) -> bool:
 
 _MANY: Final[dict[str, Callable[[SceneObject], bool]]] = {
     **{word: (lambda item: not is_fixed(item)) for word in _ANYTHING},
+    "switchable": lambda item: item.toggleable,
+    "openable": lambda item: item.openable,
     "furniture": _is_furniture,
     "furnishing": _is_furniture,
     "light": is_light,

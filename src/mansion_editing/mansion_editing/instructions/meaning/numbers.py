@@ -13,7 +13,7 @@ LEAST_PLURAL: Final = 2
 def means_several(things: Things) -> bool:
     """Whether words mean more than one thing: the plural, a number above one, all."""
     amount = things.amount
-    whole = amount.kind in ("all", "all_but", "none")
+    whole = amount.kind in ("all", "all_but", "half", "none")
     return things.plural or whole or amount.number > 1
 
 

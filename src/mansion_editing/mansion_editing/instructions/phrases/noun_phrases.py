@@ -42,13 +42,15 @@ class NounPhrase:
     @property
     def plural(self) -> bool:
         """Whether several are meant."""
-        return self.noun.plural or self.amount.number > 1 or self.amount.kind in ("all", "all_but")
+        return self.noun.plural or self.amount.number > 1 or self.amount.kind in ("all", "all_but", "half")
 
     def things(self) -> Things:
         """Return the phrase as a description of objects."""
         noun = self.noun
         return Things(
-            noun="" if noun.kind == "anything" else " ".join((*noun.words, *filter(None, [noun.number]))),
+            noun="" if noun.kind == "anything" and noun.words[-1:] != ("one",) else " ".join(
+                (*noun.words, *filter(None, [noun.number]))
+            ),
             amount=self.amount,
             definite=self.definite,
             plural=self.noun.plural and not (self.amount.number == 1 and self.amount.kind in ("some", "more")),
@@ -126,6 +128,9 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
     count = _number_after(words, end)
     if count is not None and amount.number in (0, 1) and not definite:
         amount, end = Amount(number=count[0]), count[1]
+    whole = _whole_after(words, end)
+    if whole is not None and (found.plural or amount.kind == "all"):
+        amount, definite, end = whole[0], True, whole[1]
     if amount.number == 0 and amount.kind == "some" and not definite and not found.plural:
         amount = Amount(number=1)
     noun = replace(found, floors=storeys)
@@ -188,6 +193,23 @@ def _number_after(words: Sequence[Word], at: int) -> tuple[int, int] | None:
     ):
         return number, place + 3
     return None
+
+
+def _whole_after(words: Sequence[Word], at: int) -> tuple[Amount, int] | None:
+    """Read ``, all three of them,`` and ``- both`` after a noun in the plural."""
+    place = at + (text_at(words, at) in (",", "-", "("))
+    if place == at or text_at(words, place) not in ("all", "both"):
+        return None
+    number = 2 if words[place].text == "both" else number_at(words, place + 1)
+    end = place + 1 + (number is not None and words[place].text != "both")
+    if text_at(words, end) == "of" and text_at(words, end + 1) in ("them", "these", "those"):
+        end += 2
+    if end < len(words) and words[end].kind != "mark":
+        return None
+    end += text_at(words, end) == ")" or (
+        text_at(words, end) in (",", "-") and text_at(words, end + 1) in ("from", "in", "on", "at", "of", "out", "off")
+    )
+    return Amount(kind="all", number=number or 0, of=number or 0), end
 
 
 def _others(

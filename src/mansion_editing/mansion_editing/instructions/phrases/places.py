@@ -172,6 +172,8 @@ def _after_preposition(
     if storeys is not None and not _goes_on(words, storeys[2], lexicon):
         numbers, every, end = storeys
         rooms = Rooms(floors=numbers, every=every)
+        if phrase == ("off",) and text_at(words, at) in ("upstairs", "downstairs"):
+            return None
         return ReadPlace(Place(rooms=rooms), start, end, goal, source, each=every)
     spot = _spot(words, start, at, phrase, relation, lexicon, floors)
     if spot is not None:

@@ -80,6 +80,8 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
             break
         if end > at and text in ("more", "less", "fewer", "itself", "themselves"):
             break
+        if end > at and text.endswith("ly") and _is_named(words, at, end, lexicon):
+            break
         if end > at and text in ("turn", "switch") and text_at(words, end + 1) in ("on", "off"):
             break
         if end > at and (text,) in BY_WORDS and end + 1 < len(words) and words[end + 1].text in _ARTICLES_AFTER_VERBS:
@@ -92,15 +94,19 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
     return end
 
 
+def _is_named(words: Sequence[Word], at: int, end: int, lexicon: Lexicon) -> bool:
+    """Whether the last of some words name an object or a room."""
+    before = tuple(w.text for w in words[at:end])
+    return any(lexicon.is_object(before[k:]) or lexicon.is_room(before[k:]) for k in range(len(before)))
+
+
 def _is_colour_after(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
     """Whether a colour stands after the noun that takes it: ``make the sofa dark red``."""
     shaded = words[end].text in SHADES and end + 1 < len(words) and words[end + 1].text in COLOUR_WORDS
     if not (shaded or words[end].text in COLOUR_WORDS):
         return False
-    before = tuple(w.text for w in words[at:end])
-    named = any(lexicon.is_object(before[k:]) or lexicon.is_room(before[k:]) for k in range(len(before)))
     last = end + 1 + shaded
-    return named and (last >= len(words) or not lexicon.is_object((words[last].text,)))
+    return _is_named(words, at, end, lexicon) and (last >= len(words) or not lexicon.is_object((words[last].text,)))
 
 
 def _starts_noun(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
@@ -118,9 +124,7 @@ def _starts_noun(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> 
 
 def _is_last_of_run(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
     """Whether ``one`` stands for a noun ("the red one"), and does not begin the next phrase ("the sofa one more")."""
-    before = tuple(w.text for w in words[at:end])
-    named = any(lexicon.is_object(before[k:]) or lexicon.is_room(before[k:]) for k in range(len(before)))
-    return not named and not _starts_noun(words, end + 1, end + 1, lexicon)
+    return not _is_named(words, at, end, lexicon) and not _starts_noun(words, end + 1, end + 1, lexicon)
 
 
 def _names_number(words: Sequence[Word], end: int, lexicon: Lexicon, at: int) -> bool:

@@ -105,7 +105,7 @@ BEFORE_PREDICATES: Final = frozenset(
 WANTING: Final = frozenset("need require lack get want deserve miss missing keep".split())
 BEING_SOMEWHERE: Final = frozenset("belong come sit stand lie live rest hang".split())
 FAILING: Final = frozenset("died broke fell leaks squeaks smells wobbles cracked burst".split())
-BEFORE_COLOURS: Final = frozenset("be is are in get painted have".split())
+BEFORE_COLOURS: Final = frozenset("be is are in get painted have become turn made".split())
 BEFORE_STATES: Final = frozenset("switched turned left kept powered wide fully be always ,".split())
 DISTURBING: Final = frozenset("touch disturb alter bother affect move break mess".split())
 AFTER_NEGATED: Final = frozenset("on off any more either yet at all anymore there away".split())
@@ -129,7 +129,7 @@ EARLIER_STEPS: Final = frozenset(
 # Rooms, surfaces and sizes
 
 PROPERTIES: Final = frozenset("colour color name material type kind use".split())
-BEFORE_COLOUR_WORDS: Final = frozenset("a an the in light dark pale bright deep soft to of as made".split())
+BEFORE_COLOUR_WORDS: Final = frozenset("a an the new in light dark pale bright deep soft to of as made".split())
 BEFORE_SURFACES: Final = frozenset("the all its a whole four every".split())
 BEFORE_NAMES: Final = frozenset('to as into " the be called named :'.split())
 BEFORE_DOORS: Final = frozenset("a an another the new connecting internal one extra".split())

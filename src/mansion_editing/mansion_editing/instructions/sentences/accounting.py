@@ -15,7 +15,7 @@ from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.nouns import MATERIALS
 from mansion_editing.instructions.phrases.runs import SHADES
 from mansion_editing.instructions.phrases.verb_words import VERB_WORDS
-from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, VAGUE, Word
+from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, VAGUE, Word, text_at
 from mansion_editing.instructions.statements import (
     Ask,
     Clear,
@@ -79,11 +79,9 @@ def unaccounted(text: str, words: Sequence[Word], statements: Sequence[Statement
 
 
 def _by_quote(statements: Sequence[Statement]) -> Iterator[tuple[str, list[Statement]]]:
-    groups: dict[str, list[Statement]] = {}
-    for statement in statements:
-        if statement.quote and not isinstance(statement, Mention):
-            groups.setdefault(statement.quote, []).append(statement)
-    yield from groups.items()
+    told = [s for s in statements if s.quote and not isinstance(s, Mention | Ask)]
+    for quote in dict.fromkeys(s.quote for s in told):
+        yield quote, [s for s in told if s.quote in quote or quote in s.quote]
 
 
 def _words_of(text: str, words: Sequence[Word], quote: str) -> list[Word]:
@@ -119,7 +117,9 @@ def _is_left_out(
     if text in COLOUR_WORDS:
         return COLOUR_WORDS[text] not in told.words and text not in SHADES
     if text in ("off", "open", "closed", "shut") and word.kind == "word":
-        return not (told.flags & {"states"} or any(isinstance(s, SetState | Remove | Clear | Move | Ask) for s in group))
+        return not (
+            told.flags & {"states"} or any(isinstance(s, SetState | Remove | Clear | Move | Keep | Forbid) for s in group)
+        )
     return _is_lost_noun(said, at, group, lexicon)
 
 
@@ -136,7 +136,8 @@ def _is_lost_noun(said: Sequence[Word], at: int, group: Sequence[Statement], lex
     text = said[at].text
     if said[at].kind != "word" or text in FUNCTION_WORDS or text in VAGUE or text in MATERIALS or text in VERB_WORDS:
         return False
-    if any(isinstance(s, Finish | Reach) for s in group):
+    held = "of" in (text_at(said, at - 1), text_at(said, at + 1))
+    if held or any(isinstance(s, Finish | Reach) for s in group):
         return False
     return lexicon.is_called((text,)) and not lexicon.is_own_room((text,))
 

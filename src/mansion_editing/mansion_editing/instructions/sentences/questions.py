@@ -171,7 +171,7 @@ def _where(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> tupl
     end = item.end
     while reader.text(end) in BE or reader.text(end) in ("located", "kept"):
         end += 1
-    if item.phrase.noun.kind in ("room",):
+    if item.is_room or reader.lexicon.is_own_room(item.phrase.noun.words):
         return Ask(about="where", rooms=item.rooms()), end
     return Ask(about="where", things=_plain(item), place=_place_of(item)), end
 
@@ -205,7 +205,7 @@ def _which_rooms(reader: ClauseReader, at: int) -> tuple[Ask, int] | None:
     end = item.end
     while reader.text(end) in BE or reader.text(end) in ("located", "in", "on"):
         end += 1
-    if item.is_room:
+    if item.is_room or (noun == "floor" and reader.lexicon.is_own_room(item.phrase.noun.words)):
         return Ask(about="where", rooms=item.rooms()), end
     if noun == "room" or holder is not None:
         wanted = msgspec.structs.replace(_plain(item), definite=False)

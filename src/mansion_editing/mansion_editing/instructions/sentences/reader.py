@@ -390,6 +390,10 @@ class _Reader:
                 spared = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
                 self.statements[-1] = msgspec.structs.replace(last, things=spared)
                 continue
+            if isinstance(last, Ensure) and isinstance(statement, Remove) and statement.things.refers == "others":
+                whole = self.text[self.text.find(last.quote) : self.text.rfind(statement.quote) + len(statement.quote)]
+                self.statements[-1] = msgspec.structs.replace(exactly(last), quote=whole)
+                continue
             self.statements.append(statement)
 
     def _read_tail(self, reader: ClauseReader, words: Sequence[Word], end: int) -> tuple[int, bool]:
