@@ -8,10 +8,11 @@ from mansion_editing.agent.instruct import run_agent, undo_or_redo
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.checking.faults import Step, faults, moved_aside
 from mansion_editing.instructions.conversation import context_of, is_taken_back, repeated
+from mansion_editing.instructions.doing.answering import holds
 from mansion_editing.instructions.doing.carrying_out import carry
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
-from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention
+from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention, When
 from mansion_editing.state import SceneState
 from mansion_msgs_py.editing import AgentReport
 from mansion_msgs_py.errors import MansionError
@@ -74,6 +75,11 @@ def _policy(editor: SceneEditor, instruction: Instruction) -> Policy:
     context = replace(context_of(editor), kept=_kept(instruction, state))
     for statement in instruction.statements:
         try:
+            if isinstance(statement, When):
+                if holds(statement.ask, state, context) != statement.holds:
+                    replies.append(f"{statement.quote}: not so, nothing had to change")
+                    continue
+                statement = statement.then
             done = yield from carry(statement, state, context)
         except (Unmet, MansionError) as error:
             return _refused(error, statement.quote)

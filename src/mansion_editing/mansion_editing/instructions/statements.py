@@ -39,6 +39,7 @@ __all__ = [
     "Swap",
     "Things",
     "Turn",
+    "When",
 ]
 
 AmountKind: TypeAlias = Literal[
@@ -365,6 +366,14 @@ class History(_Said, kw_only=True, frozen=True):
     place: Place | None = None
 
 
+class When(_Said, kw_only=True, frozen=True):
+    """A statement that is carried out only where a question has the answer `holds`."""
+
+    ask: Ask
+    holds: bool
+    then: "Statement"
+
+
 class Mention(_Said, kw_only=True, frozen=True):
     """Background that asks for nothing ("one of our clients is allergic")."""
 
@@ -390,6 +399,7 @@ Statement: TypeAlias = (
     | Ask
     | History
     | Mention
+    | When
 )
 
 

@@ -2,8 +2,9 @@
 
 import msgspec
 
-from mansion_editing.instructions.clauses.items import Item, NotUnderstood
+from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.states import States, state_set
+from mansion_editing.instructions.phrases.places import read_place
 from mansion_editing.instructions.phrases.word_sets import BACK_IN_PLACE
 from mansion_editing.instructions.phrases.words import STATE_WORDS
 from mansion_editing.instructions.statements import Add, Amount, Ensure, History, Mention, Place, Statement, Things
@@ -54,12 +55,34 @@ class Adding(States):
         if any(w.text in ("or", "either") for w in self.words[place:end]):
             raise NotUnderstood(place, end)
         items, further = self._places_after_places(items)
+        joined, end = self._joined_places(end)
         if any(item.is_room for item in items):
             raise NotUnderstood(place, end)
         out = [self._added(items, item, self.quote(at, end)) for item in items]
         for extra in further:
             out += [self._elsewhere(statement, extra) for statement in out[: len(items)]]
+        for place_too in joined:
+            moved = [s for s in out[: len(items)] if not isinstance(s, Add | Ensure)]
+            if moved:
+                raise NotUnderstood(place, end)
+            out += [msgspec.structs.replace(statement, place=place_too) for statement in out[: len(items)]]
+        out = [msgspec.structs.replace(statement, quote=self.quote(at, end)) for statement in out]
         return self._with_companions(items[-1], out, at, end)
+
+    def _joined_places(self, at: int) -> tuple[list[Place], int]:
+        """Read ``and in the bathroom`` after a place: the same there."""
+        out: list[Place] = []
+        while True:
+            after = self.conjunction(at)
+            read = read_place(self.words, after, self.lexicon, self.floors) if after else None
+            if read is None or read.source or self.text(after - 1) not in ("and", ",", "&") or self.starts_clause(after):
+                return out, at
+            places, end = self.places(after)
+            place = joined_places(list(places))[0]
+            if self.phrase(end) is not None or (place.anchor is None and place.rooms is None):
+                return out, at
+            out.append(place)
+            at = end
 
     def _places_after_places(self, items: list[Item]) -> tuple[list[Item], list[Item]]:
         """Tell further places from things: in ``a mug on the table and the desk`` the desk is a place."""

@@ -94,6 +94,14 @@ class Sentence(ABC):
         """Read a noun phrase."""
         return noun_phrase(self.words, at, self.lexicon, self.floors)
 
+    def phrase_of(self, noun: str) -> Noun | None:
+        """Return a noun of the sentence by its words, which ``one`` may mean later."""
+        for at in range(len(self.words)):
+            found = self.phrase(at)
+            if found is not None and " ".join(found.noun.words) == noun:
+                return found.noun
+        return None
+
     def places(self, at: int) -> tuple[tuple[ReadPlace, ...], int]:
         """Read the places from a place in the words on."""
         found: list[ReadPlace] = []

@@ -17,7 +17,7 @@ from mansion_msgs_py.editing import CheckPathArgs
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["answer"]
+__all__ = ["answer", "holds"]
 
 
 def answer(question: Ask, state: SceneState, context: Context) -> Done:
@@ -40,6 +40,31 @@ def answer(question: Ask, state: SceneState, context: Context) -> Done:
     rooms = tuple(dict.fromkeys(item.room for item in found))
     noun = "" if question.things is None else question.things.noun
     return Done(reply, context.followed([item.id for item in found], rooms, noun))
+
+
+def holds(question: Ask, state: SceneState, context: Context) -> bool:
+    """Whether the answer to a question of yes or no is yes.
+
+    Raises
+    ------
+    MansionError
+        ``NOT_FOUND`` for a question about rooms or things that are not there.
+    """
+    if question.place is not None and question.place.anchor is not None and question.about == "exists":
+        things = question.things or Things(plural=True)
+        return len(all_at(state, things_of(state, things, context), question.place, context)) >= _least(things)
+    found = _found(question, state, context)
+    if question.about == "state":
+        name = question.state or "open"
+        ready = [item for item in found if able(item, name)]
+        if not ready:
+            raise MansionError(ErrorCode.NOT_FOUND, f"there is no {_noun(question)}{_said(question)}")
+        return all(bool(item.states.get(name, False)) == question.value for item in ready)
+    return len(found) >= _least(question.things)
+
+
+def _least(things: Things | None) -> int:
+    return 1 if things is None else max(1, things.amount.number)
 
 
 def _found(question: Ask, state: SceneState, context: Context) -> list[SceneObject]:

@@ -142,7 +142,11 @@ _SHORT: Final = {
     "center": "middle", "storey": "floor", "story": "floor", "level": "floor", "upon": "on", "onto": "onto",
     "meter": "metre", "lift": "elevator", "kid": "child", "fl": "floor", "goes": "go",
     "teh": "the", "adn": "and", "taht": "that", "hte": "the",
-    **dict.fromkeys("dont doesnt shouldnt isnt arent cant wont mustnt didnt".split(), "not"),
+    **dict.fromkeys(
+        "dont doesnt shouldnt isnt arent cant wont mustnt didnt hasn hasnt haven havent hadn wouldn couldn needn"
+        " neednt shouldn mustn".split(),
+        "not",
+    ),
 }  # fmt: skip
 _ID: Final = re.compile(r"\b[fF]-?\d+/[A-Za-z0-9_./-]*[A-Za-z0-9_]|\b[a-z]+(?:_[a-z0-9]+)+\b")
 _DOTTED: Final = re.compile(r"\b(fl|flr|rm|no|nr|approx|ca|st|incl)\.(?=\s)", re.IGNORECASE)

@@ -33,6 +33,7 @@ from mansion_editing.instructions.statements import (
     SetState,
     Statement,
     Swap,
+    When,
 )
 from mansion_language.colours import COLOUR_WORDS
 
@@ -71,7 +72,7 @@ def unaccounted(text: str, words: Sequence[Word], statements: Sequence[Statement
         Its words.
     """
     out: list[str] = []
-    for quote, group in _by_quote(statements):
+    for quote, group in _by_quote([s.then if isinstance(s, When) else s for s in statements]):
         said = _words_of(text, words, quote)
         left = [] if any(isinstance(s, Rename | History) for s in group) else _left_out(said, group, lexicon)
         out += [f"{word.raw} (in {quote!r})" for word in left[:1]]
@@ -86,7 +87,14 @@ def _by_quote(statements: Sequence[Statement]) -> Iterator[tuple[str, list[State
 
 def _words_of(text: str, words: Sequence[Word], quote: str) -> list[Word]:
     start = text.find(quote)
-    return [word for word in words if start <= word.start < start + len(quote)]
+    out: list[Word] = []
+    within = False
+    for word in words:
+        if not start <= word.start < start + len(quote):
+            continue
+        within = (within or word.text in ("if", "unless")) and word.text != ","
+        out += [] if within else [word]
+    return out
 
 
 def _left_out(said: Sequence[Word], group: Sequence[Statement], lexicon: Lexicon) -> list[Word]:

@@ -52,7 +52,8 @@ def read_question(reader: ClauseReader, words: Sequence[Word], at: int, *, marke
             if tuple(w.text for w in words[at : at + len(opening)]) == opening:
                 if opening == ("check",) and reader.text(at + 1) not in ("if", "whether", "how", "where", "what"):
                     continue
-                if opening == ("check",) and not marked and reader.text(at + 1) not in ("how", "where", "what"):
+                asked = ("how", "where", "what", "if", "whether")
+                if opening == ("check",) and not marked and reader.text(at + 1) not in asked:
                     return None
                 at += len(opening)
                 moved = True

@@ -23,6 +23,12 @@ from mansion_editing.instructions.phrases.words import (
 )
 from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.background import end_of_background, is_background, split_sentences
+from mansion_editing.instructions.sentences.conditions import (
+    Condition,
+    begins_condition,
+    on_condition,
+    read_condition,
+)
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.refinement import (
     exactly,
@@ -36,6 +42,7 @@ from mansion_editing.instructions.sentences.refinement import (
 from mansion_editing.instructions.statements import (
     Add,
     Amount,
+    Ask,
     Clear,
     Ensure,
     History,
@@ -95,6 +102,7 @@ class _Reader:
         self.frames: tuple[Place, ...] = ()
         self.last_noun: Noun | None = None
         self.told: list[tuple[str, Place]] = []
+        self.clause: list[Statement] = []
         self.is_last = False
 
     def read(self) -> Instruction:
@@ -109,6 +117,7 @@ class _Reader:
                 for s in self.statements
             ]
         self.statements = [s for one in self.statements for s in [self._told_later(one)]]
+        self.unknown += [s.quote for s in self.statements if '"noun":"one"' in msgspec.json.encode(s).decode()]
         if not self.unknown:
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
@@ -176,7 +185,8 @@ class _Reader:
             return
         if self._reads_scope(reader, at) or self._tells_of_person(reader, at):
             return
-        if self._reads_question(reader, words, at, marked=marked):
+        conditional = begins_condition(words, at) and not marked
+        if not conditional and self._reads_question(reader, words, at, marked=marked):
             return
         at = self._read_heading(reader, words, at)
         at = self._read_exception(reader, at)
@@ -187,12 +197,50 @@ class _Reader:
             at = reader.skip(at)
             if at >= len(words):
                 return
+            at, condition = self._read_condition(reader, words, at)
+            first = len(self.statements)
+            if condition is not None:
+                at = self._read_clause(reader, words, reader.skip(at)) if at < len(words) else at
+                self._depend(condition, first, self._quote(words, 0, at))
+                continue
             end = end_of_background(words, at)
             if end > at:
                 self.statements.append(Mention(quote=self._quote(words, at, end)))
                 at = end
                 continue
             at = self._read_clause(reader, words, at)
+
+    def _read_condition(
+        self, reader: ClauseReader, words: Sequence[Word], at: int
+    ) -> tuple[int, Condition | None]:
+        """Read ``if the lamp is off,`` before a clause; of a question before it, ``if not,``."""
+        asked = self.statements[-1] if self.statements else None
+        start = at - 1 if at and words[at - 1].text in ("only", "but", "so") else at
+        if isinstance(asked, Ask) and tuple(w.text for w in words[at : at + 2]) in (("if", "not"), ("if", "so")):
+            end = at + 2 + (reader.text(at + 2) == ",")
+            self.statements[-1] = Mention(quote=asked.quote)
+            self.topic = self._asked_for(asked)
+            return end, Condition(asked, reader.text(at + 1) == "so")
+        found = read_condition(reader, start, None)
+        if found is None or found[0].ask is None or found[1] >= len(words):
+            return at, None
+        condition, end = found
+        things = condition.ask.things if condition.ask is not None else None
+        if things is not None and condition.ask is not None:
+            noun = reader.phrase_of(things.noun)
+            reader.last_noun = noun or reader.last_noun
+            self.topic = msgspec.structs.replace(
+                things, place=condition.ask.place or things.place, amount=Amount(number=1), definite=condition.holds
+            )
+        return end, condition
+
+    def _depend(self, condition: Condition, first: int, quote: str) -> None:
+        """Let the statements from a place on depend on a condition."""
+        for at in range(first, len(self.statements)):
+            statement = self.statements[at]
+            if not isinstance(statement, Mention):
+                told = statement if quote == "" else msgspec.structs.replace(statement, quote=quote)
+                self.statements[at] = on_condition(told, condition)
 
     def _read_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         """Read what a sentence is about: ``The lamp: ...``, ``Too many chairs ...``."""
@@ -297,7 +345,9 @@ class _Reader:
         found = [self._about_topic(statement) for statement in found]
         if topic is not None or any(not isinstance(statement, Mention) for statement in found):
             self.topic = topic
+        self.clause = found
         end, exact = self._read_tail(reader, words, end)
+        found = self.clause
         self._take([exactly(statement) for statement in found] if exact else found)
         return end
 
@@ -354,8 +404,12 @@ class _Reader:
             return so_many(Ensure(things=statement.things, place=Place(), quote=statement.quote), topic)
 
         def named(value: Any) -> Any:
+            there = isinstance(value, Add | Ensure | Move) and value.place == Place(rooms=Rooms(same=True))
+            if there and topic.place is not None:
+                value = msgspec.structs.replace(value, place=topic.place)
             if isinstance(value, Move) and value.things.refers == "last" and not topic.definite:
-                return msgspec.structs.replace(value, things=topic, or_new=True)
+                where = named(value.place)
+                return msgspec.structs.replace(value, things=topic, place=where, or_new=True)
             if isinstance(value, Rooms) and value.same and not value.words and rooms:
                 return rooms
             if isinstance(value, Things) and value.refers == "last" and not value.noun:
@@ -421,7 +475,10 @@ class _Reader:
                 continue
             text = words[end].text
             pair = (text, words[end + 1].text if end + 1 < len(words) else "")
-            if tuple(w.text for w in words[end : end + 3]) == ("from", "now", "on"):
+            depends = self._depends_on(reader, end + (text == ","))
+            if depends:
+                end = depends
+            elif tuple(w.text for w in words[end : end + 3]) == ("from", "now", "on"):
                 end += 3
             elif pair in (("rather", "than"), ("instead", "of")) and self._contrasted(reader, end + 2):
                 end = self._contrasted(reader, end + 2)
@@ -441,6 +498,26 @@ class _Reader:
             return stop, exact
         self.unknown.append(self._quote(words, end, stop))
         return stop, exact
+
+    def _depends_on(self, reader: ClauseReader, at: int) -> int:
+        """Read a condition after a clause, on which its statements then depend; return its end, 0 where it is none."""
+        last = [self._said_before(statement) for statement in self.clause]
+        things = next((s.things for s in last if isinstance(s, Add | Ensure | Move | SetState)), None)
+        found = read_condition(reader, at, things)
+        if found is None or not last:
+            return 0
+        start = self.text.find(last[0].quote)
+        quote = self.text[max(0, start) : reader.words[found[1] - 1].end]
+        self.clause = [on_condition(msgspec.structs.replace(s, quote=quote), found[0]) for s in last]
+        return found[1]
+
+    def _said_before(self, statement: Statement) -> Statement:
+        """Return what the clause before said should be there for ``add one``."""
+        last = self.statements[-1] if self.statements else None
+        bare = isinstance(statement, Add | Ensure | Move) and statement.things.refers == "last"
+        if bare and isinstance(last, Ensure) and not getattr(statement, "things", Things()).noun:
+            return msgspec.structs.replace(last, quote=statement.quote)
+        return statement
 
     def _contrasted(self, reader: ClauseReader, at: int) -> int:
         """Return the end of what is not meant: ``than two``, ``of on the shelf``; 0 where it is a thing."""
@@ -470,9 +547,24 @@ class _Reader:
                 if more is not None and more[1] > end:
                     self.statements.append(more[0])
                     end = reader.skip(more[1])
-            if end < len(words):
+            if end < len(words) and reader.starts_clause(end):
+                self.topic = self._asked_for(ask)
+                while end < len(words):
+                    end = reader.skip(self._read_clause(reader, words, end))
+            elif end < len(words):
                 self.unknown.append(self._quote(words, end, len(words)))
         return True
+
+    def _asked_for(self, ask: Ask) -> Things | None:
+        """Return what a question was about, which ``it`` means in what comes next."""
+        if ask.things is None:
+            return None
+        number = max(1, ask.things.amount.number)
+        one = ask.things.amount.kind != "all" or not ask.things.plural
+        amount = Amount(number=number) if one else Amount(kind="all", number=0)
+        return msgspec.structs.replace(
+            ask.things, place=ask.place or ask.things.place, amount=amount, definite=True, plural=not one
+        )
 
     def _read_frame(self, reader: ClauseReader, at: int) -> int:
         """Read a place that the sentence begins with, up to its comma or the clause."""
