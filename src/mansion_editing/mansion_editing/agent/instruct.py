@@ -192,10 +192,11 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> A
         edits wait to be saved.
     """
     if planner == "rules":
+        from mansion_editing.instructions.conversation import brief_of
         from mansion_editing.instructions.run import carry_out
         from mansion_editing.instructions.sentences.reader import read_instruction
 
-        return carry_out(editor, read_instruction(instruction, editor.state), instruction)
+        return carry_out(editor, read_instruction(instruction, editor.state, brief_of(editor)), instruction)
     return run_agent(editor, _policy(editor, instruction, planner), instruction)
 
 

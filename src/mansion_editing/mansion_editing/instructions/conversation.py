@@ -27,10 +27,16 @@ from mansion_editing.storage import landed_by
 from mansion_msgs_py.editing import Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
-__all__ = ["context_of", "is_taken_back", "repeated"]
+__all__ = ["brief_of", "context_of", "is_taken_back", "repeated"]
 
 MOST_STEPS_BACK = 20
 """How many instructions that only repeat one another are gone back through."""
+
+
+def brief_of(editor: SceneEditor) -> str:
+    """Return the brief that the building was made from."""
+    building = editor.store.building
+    return building.program.description or building.request.description
 
 
 def context_of(editor: SceneEditor) -> Context:
@@ -93,7 +99,7 @@ def repeated(instruction: Instruction, editor: SceneEditor) -> Instruction:
 def _earlier(editor: SceneEditor) -> list[Statement]:
     landed = landed_by(editor.store.log(), editor.who)
     for transaction in reversed(landed[-MOST_STEPS_BACK:]):
-        read = read_instruction(transaction.what, editor.state)
+        read = read_instruction(transaction.what, editor.state, brief_of(editor))
         asked: list[Statement] = [s for s in read.statements if not isinstance(s, Mention)]
         if asked and not read.not_understood and not any(isinstance(s, History) for s in asked):
             return asked

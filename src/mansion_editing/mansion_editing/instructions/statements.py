@@ -94,6 +94,12 @@ class Rooms(msgspec.Struct, frozen=True, kw_only=True, tag=True):
         Words for a room that it shares a wall or a door with ("the office next to the lobby", "the next room").
     holding : Things, optional
         What stands in it ("the room with the piano").
+    up : int
+        Storeys above the one of `base`, or of the room that was mentioned last; below it where negative.
+    base : str
+        Words for the room that `up` counts from.
+    over : bool
+        Right above or below `base` ("the room above the kitchen").
     """
 
     words: str = ""
@@ -105,6 +111,9 @@ class Rooms(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     same: bool = False
     next_to: str = ""
     holding: "Things | None" = None
+    up: int = 0
+    base: str = ""
+    over: bool = False
 
 
 class Things(msgspec.Struct, frozen=True, kw_only=True, tag=True):

@@ -8,7 +8,7 @@ from mansion_editing.instructions.clauses.items import Item, joined_places
 from mansion_editing.instructions.clauses.sentence import Sentence
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
 from mansion_editing.instructions.phrases.word_sets import NO_FRONTED_PLACES
-from mansion_editing.instructions.statements import Add, Amount, Clear, Ensure, Move, Place, Remove, Statement, Things
+from mansion_editing.instructions.statements import Add, Amount, Clear, Ensure, Move, Place, Remove, Rooms, Statement, Things
 
 __all__ = ["Outcomes", "named_as"]
 
@@ -84,6 +84,10 @@ class Outcomes(Sentence):
         if any(p.relative or p.goal for p in item.places) and (phrase.definite or phrase.refers):
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
+        to_them = goal.anchor is not None and goal.anchor.refers == "last" and not goal.anchor.noun
+        if phrase.refers == "last" and not phrase.noun.words and phrase.amount.number and to_them:
+            more = Things(refers="last", amount=Amount(kind="more", number=phrase.amount.number), plural=phrase.plural)
+            return Add(things=more, place=Place(rooms=Rooms(same=True)), quote=quote)
         partitive = self._is_partitive(phrase)
         if partitive and any(p.relative for p in item.places):
             source, goal, each = self._source_and_goal(item.places)

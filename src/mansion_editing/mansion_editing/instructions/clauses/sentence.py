@@ -148,7 +148,8 @@ class Sentence(ABC):
             return read
         if read is None or read.place.rooms is None or read.place.anchor is not None:
             return None
-        if place.rooms is not None and (place.rooms.floors or read.place.rooms.words):
+        unnamed = place.rooms is not None and place.rooms.up and not place.rooms.words
+        if place.rooms is not None and not unnamed and (place.rooms.floors or read.place.rooms.words):
             return None
         ends = read.end >= len(self.words) or self.text(read.end) in (",", ".", "and", ")", "please", ";")
         return read if (ends and verb_at(self.words, read.end + 1, self.lexicon) is None) or ends else None

@@ -11,9 +11,9 @@ from mansion_editing.agent.provisioning import MOST_CARRIERS, find_surfaces, mov
 from mansion_editing.instructions.doing.providing import add, wishes_of
 from mansion_editing.instructions.doing.rooms import swap_rooms
 from mansion_editing.instructions.doing.work import Done, Work, listed, live, whereabouts
-from mansion_editing.instructions.meaning.choices import things_meant
+from mansion_editing.instructions.meaning.choices import from_there, things_meant
 from mansion_editing.instructions.meaning.context import Context
-from mansion_editing.instructions.meaning.descriptions import all_at, things_of
+from mansion_editing.instructions.meaning.descriptions import all_at, rooms_of, things_of
 from mansion_editing.instructions.meaning.nouns import is_loose
 from mansion_editing.instructions.meaning.numbers import means_one
 from mansion_editing.instructions.meaning.targets import Target, places_of
@@ -42,6 +42,7 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
             said = f"{none}, and {listed(arrived)} {_is([i.id for i in arrived])} there already"
             rooms = tuple(dict.fromkeys(item.room for item in arrived))
             return Done(said, context.followed([item.id for item in arrived], rooms, things.noun))
+    place, context = _on_other_storey(state, things, place, context)
     targets = _targets(state, place, context)
     there = {item.id for item in all_at(state, found, place, context)}
     away = [item for item in found if item.id not in there]
@@ -62,6 +63,18 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
         replies.append(f"{name} moved from {where} to {whereabouts(now).removeprefix('in ')}")
     rooms = tuple(dict.fromkeys(item.room for item in live(state, ids)))
     return Done("; ".join(replies), context.followed(ids, rooms, things.noun))
+
+
+def _on_other_storey(state: SceneState, things: Things, place: Place, context: Context) -> tuple[Place, Context]:
+    """Return the place with the room there that is of the kind of the one that things come from: ``up one floor``."""
+    near = from_there(state, things, place, context)
+    if near is context or place.rooms is None or place.rooms.words:
+        return place, near
+    kinds = {found[1].room_type for name in near.rooms if (found := state.room(name)) is not None}
+    there = [name for name in rooms_of(state, place.rooms, near) if state.room(name) is not None]
+    alike = [name for name in there if (found := state.room(name)) is not None and found[1].room_type in kinds]
+    chosen = alike if len(alike) == 1 else there
+    return (msgspec.structs.replace(place, rooms=Rooms(words=chosen[0])) if len(chosen) == 1 else place), near
 
 
 def _is(ids: Sequence[str] | set[str]) -> str:

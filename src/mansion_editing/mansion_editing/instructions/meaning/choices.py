@@ -16,7 +16,7 @@ from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.scene import SceneObject
 
-__all__ = ["Fit", "concerned", "one_room_each", "things_meant", "too_few"]
+__all__ = ["Fit", "concerned", "from_there", "one_room_each", "things_meant", "too_few"]
 
 Fit: TypeAlias = Callable[[str], bool]
 """Whether a room, by its id, fits the rest of a statement."""
@@ -40,7 +40,10 @@ def one_room_each(state: SceneState, rooms: Rooms, context: Context, fits: Fit |
     found = rooms_of(state, rooms, context)
     if not found:
         known = ", ".join(dict.fromkeys(room.name or room.room_type.replace("_", " ") for _, room in state.rooms()))
-        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {room_words(rooms)}; the rooms are {known[:600]}")
+        elsewhere = rooms_of(state, msgspec.structs.replace(rooms, floors=()), context) if rooms.floors else []
+        where = " and ".join(f"{room_title(state, name)} on floor {_floor(state, name)}" for name in elsewhere[:4])
+        hint = f"there is {where}" if where else f"the rooms are {known[:600]}"
+        raise MansionError(ErrorCode.NOT_FOUND, f"there is no {room_words(rooms)}; {hint}")
     if rooms.number > 1 and len(found) != rooms.number:
         if len(found) > rooms.number:
             raise ambiguous(room_words(rooms), [room_title(state, room) for room in found], found)
@@ -53,6 +56,20 @@ def one_room_each(state: SceneState, rooms: Rooms, context: Context, fits: Fit |
             raise ambiguous(f"the {room_words(rooms)}", [room_title(state, r) for r in candidates], candidates)
         return fitting
     return found
+
+
+def _floor(state: SceneState, room: str) -> int:
+    found = state.room(room)
+    return 0 if found is None else found[0]
+
+
+def from_there(state: SceneState, things: Things, place: Place, context: Context) -> Context:
+    """Return the context in which ``up one floor`` is told from where things are."""
+    rooms = place.rooms
+    if rooms is None or not rooms.up or rooms.base:
+        return context
+    found = [item.room for item in things_of(state, things, context)]
+    return context.followed((), tuple(dict.fromkeys(found)), "")
 
 
 def concerned(state: SceneState, things: Things, context: Context) -> list[SceneObject]:
@@ -204,6 +221,9 @@ def _at_one_place(state: SceneState, place: Place, found: list[SceneObject], con
         for anchor in anchors
     }
     having = [anchor for anchor in anchors if near[anchor.id]]
+    here = [anchor for anchor in having if anchor.room in context.rooms]
+    if len(here) == 1:
+        return near[here[0].id]
     if len(having) > 1:
         words = thing_words(place.anchor)
         raise ambiguous(words, [title_of(state, item) for item in having], [item.id for item in having])

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from typing import Final
 
 import msgspec
+from shapely import Polygon
 
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.meaning.context import Context
@@ -43,6 +44,8 @@ def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRo
         if not last and rooms.floors:
             last = tuple(room.id for room in pool)
         pool = [room for room in pool if room.id in last]
+    if rooms.up:
+        pool = _storeys_away(state, rooms, context, pool)
     if rooms.next_to:
         beside = _next_rooms(state, rooms, context)
         pool = [room for room in pool if room.id in beside]
@@ -61,6 +64,30 @@ def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRo
     if rooms.ordinal:
         pool = _nth(pool, rooms.ordinal)
     return pool
+
+
+def _storeys_away(state: SceneState, rooms: Rooms, context: Context, pool: list[SceneRoom]) -> list[SceneRoom]:
+    """Return the rooms so many storeys above or below a room, the last one that was mentioned, or the entrance's."""
+    bases = [found for name in _bases(state, rooms, context) if (found := state.room(name)) is not None]
+    wanted = {floor + rooms.up for floor, _ in bases}
+    there = [room for room in pool if (found := state.room(room.id)) is not None and found[0] in wanted]
+    if not rooms.over:
+        return there
+    shapes = [Polygon(room.polygon) for _, room in bases]
+    shared = {room.id: sum(Polygon(room.polygon).intersection(shape).area for shape in shapes) for room in there}
+    return [room for room in there if shared[room.id] >= _SHARED * max(shared.values(), default=0.0) > 0.0]
+
+
+_SHARED: Final = 0.5
+"""Least share of the greatest overlap from which a room lies above another."""
+
+
+def _bases(state: SceneState, rooms: Rooms, context: Context) -> Sequence[str]:
+    if rooms.base:
+        return rooms_of(state, Rooms(words=rooms.base), context)
+    if context.rooms:
+        return context.rooms[-1:]
+    return [room.id for floor, room in state.rooms() if floor == 1][:1]
 
 
 def _next_rooms(state: SceneState, rooms: Rooms, context: Context) -> set[str]:

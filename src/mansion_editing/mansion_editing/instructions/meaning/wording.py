@@ -46,8 +46,17 @@ def room_words(rooms: Rooms) -> str:
     sized = f"{rooms.size} {words}" if rooms.size else words
     floors = f" on floor {' or '.join(map(str, rooms.floors))}" if rooms.floors else ""
     beside = f" next to {rooms.next_to}" if rooms.next_to else ""
+    if rooms.up:
+        side = "above" if rooms.up > 0 else "below"
+        far = "" if rooms.over else f"{counted_floors(abs(rooms.up))} "
+        beside += f" {far}{side} {f'the {rooms.base}' if rooms.base else 'here'}"
     holding = f" with {thing_words(rooms.holding)}" if rooms.holding is not None else ""
     return f"{sized}{beside}{holding}{floors}"
+
+
+def counted_floors(number: int) -> str:
+    """Return a number of storeys in words."""
+    return "one floor" if number == 1 else f"{number} floors"
 
 
 def bare_words(things: Things) -> str:

@@ -8,6 +8,7 @@ import msgspec
 
 from mansion_editing.instructions.phrases.lexicon import Lexicon
 from mansion_editing.instructions.phrases.noun_phrases import NounPhrase, noun_phrase
+from mansion_editing.instructions.phrases.relative_storeys import read_relative_storey
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import BEFORE_PLACES, BEFORE_SPOTS, NEAR_SPOTS
 from mansion_editing.instructions.phrases.words import BE, MODALS, Word, text_at
@@ -112,7 +113,25 @@ def _between_ends(found: ReadPlace, start: int, end: int) -> ReadPlace:
     return ReadPlace(found.place, start, end, found.goal, found.source, found.each)
 
 
+def _relative(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    """Read ``one flight up``, ``on the floor below the kitchen``, ``right above the cafe``."""
+    found = read_relative_storey(words, at)
+    if found is None:
+        return None
+    up, end = found
+    joint = end + (text_at(words, end) in ("from", "of", "than"))
+    base = noun_phrase(words, joint, lexicon, floors)
+    if base is not None and base.noun.kind in ("room", "both") and not base.noun.unknown and base.definite:
+        rooms = Rooms(up=up, base=base.rooms().words)
+        return ReadPlace(Place(rooms=rooms), at, base.end)
+    goal = text_at(words, at) in ("up", "down")
+    return None if joint > end else ReadPlace(Place(rooms=Rooms(up=up)), at, end, goal=goal)
+
+
 def _unbracketed(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence[int]) -> ReadPlace | None:
+    relative = _relative(words, at, lexicon, floors)
+    if relative is not None:
+        return relative
     if text_at(words, at) in ("up", "over", "down", "in", "right") and text_at(words, at + 1) == "there":
         at += 1
     if text_at(words, at) in ("there", "here"):
@@ -337,8 +356,9 @@ def _at_noun(
         spot: Spot = "wall" if noun.words == ("wall",) else ""
         return ReadPlace(Place(rooms=Rooms(words=noun.owned), spot=spot), start, target.end, goal, source)
     inward = relation in ("in", "") or phrase[0] in ("at", "throughout", "across")
+    inward = inward or (relation in ("above", "under") and text_at(words, start - 1) == "room")
     room = noun.kind == "room" or (noun.kind == "both" and inward and lexicon.is_own_room(noun.words))
-    if noun.kind == "both" and relation in ("on", "under", "beside", "near", "behind", "front") and phrase[0] != "at":
+    if noun.kind == "both" and not inward and relation in ("on", "under", "beside", "near", "behind", "front") and phrase[0] != "at":
         room = False
     if target.refers and relation == "" and noun.kind == "anything":
         room = False
@@ -346,7 +366,10 @@ def _at_noun(
         rooms = target.rooms()
         if target.refers:
             rooms = msgspec.structs.replace(rooms, same=False)
-        if relation in ("beside", "near", "front") and phrase[0] != "at" and phrase[0] != "by":
+        if relation in ("above", "under"):
+            up = 1 if relation == "above" else -1
+            rooms = Rooms(up=up, base=rooms.words, over=True, floors=())
+        elif relation in ("beside", "near", "front") and phrase[0] != "at" and phrase[0] != "by":
             rooms = Rooms(next_to=rooms.words, floors=rooms.floors)
         return ReadPlace(Place(rooms=rooms), start, target.end, goal, source, each=target.each or rooms.every)
     own: Relation = relation or "on"
@@ -388,6 +411,9 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
         same=one.same or (other.same and not here and not (one.words and other.every)),
         number=one.number or other.number,
         next_to=one.next_to or other.next_to or (other.words if one.words else ""),
+        up=one.up or other.up,
+        base=one.base or other.base,
+        over=one.over or other.over,
     )
 
 

@@ -10,6 +10,7 @@ from mansion_editing.instructions.clauses.reader import ClauseReader
 from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
 from mansion_editing.instructions.phrases.nouns import Noun
 from mansion_editing.instructions.phrases.places import merged, read_place, with_place
+from mansion_editing.instructions.phrases.storey_counts import counted_from_ground, counts_above_ground
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
@@ -71,11 +72,13 @@ _PAIRS_AFTER_CLAUSES: Final = (
 )  # fmt: skip
 
 
-def read_instruction(text: str, state: SceneState) -> Instruction:
+def read_instruction(text: str, state: SceneState, brief: str = "") -> Instruction:
     """Read what an instruction says.
 
     Parameters
     ----------
+    brief : str
+        The building's own, which may count its storeys from the one above the ground floor.
     state : SceneState
         Gives the names of rooms and objects; nothing is looked up in it.
 
@@ -84,17 +87,19 @@ def read_instruction(text: str, state: SceneState) -> Instruction:
     Instruction
         With the words that belong to no statement, none where it was understood whole.
     """
-    return _Reader(text, state).read()
+    return _Reader(text, state, brief).read()
 
 
 class _Reader:
     """Reads one instruction."""
 
-    def __init__(self, text: str, state: SceneState) -> None:
+    def __init__(self, text: str, state: SceneState, brief: str = "") -> None:
         self.text = text
         self.lexicon = Lexicon(state)
         self.floors = state.floors
         self.words = split_words(text, self.lexicon.speller, self.lexicon.kept)
+        if counts_above_ground(text, brief):
+            self.words = counted_from_ground(self.words)
         self.statements: list[Statement] = []
         self.unknown: list[str] = []
         self.topic: Things | None = None
