@@ -8,6 +8,7 @@ import msgspec
 from mansion_assets.catalogue import Catalogue
 from mansion_assets.retrieval.retriever import Retriever
 from mansion_editing.change_words import in_words
+from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.passages import passages_of
 from mansion_editing.physics.engine import PhysicsEngine
 from mansion_editing.state import Change, SceneState
@@ -116,6 +117,11 @@ class SceneEditor:
         What SearchAssets asks; text search when absent.
     furnisher : Furnisher, optional
         The placer, which FurnishRoom asks.
+
+    Attributes
+    ----------
+    answered : (int, Context), optional
+        What the last question was about, with the number of edits that had landed then.
     """
 
     def __init__(
@@ -135,6 +141,7 @@ class SceneEditor:
         self._what: list[str] = []
         self._marks: list[int] = []
         self._redo: list[tuple[str, list[Change]]] = []
+        self.answered: tuple[int, Context] | None = None
         self.reload()
 
     def reload(self) -> None:

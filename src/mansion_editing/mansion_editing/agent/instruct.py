@@ -178,12 +178,16 @@ def _checked(action: Action) -> Any:
     return decode(kind, encode(action.arguments))
 
 
-def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> AgentReport:
+def instruct(
+    editor: SceneEditor, instruction: str, planner: str = "rules", *, partly: bool = False
+) -> AgentReport:
     """Carry out an instruction; its edits land together or not at all.
 
     Parameters
     ----------
     planner : {"rules", "llm"}
+    partly : bool
+        The rules do what they can of it and say what they did not; all or nothing otherwise.
 
     Raises
     ------
@@ -196,7 +200,7 @@ def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> A
         from mansion_editing.instructions.run import carry_out
         from mansion_editing.instructions.sentences.reader import read_instruction
 
-        return carry_out(editor, read_instruction(instruction, editor.state, brief_of(editor)), instruction)
+        return carry_out(editor, read_instruction(instruction, editor.state, brief_of(editor)), instruction, partly=partly)
     return run_agent(editor, _policy(editor, instruction, planner), instruction)
 
 

@@ -33,6 +33,7 @@ __all__ = [
     "Reshape",
     "Rooms",
     "SetState",
+    "Shift",
     "Spot",
     "Statement",
     "Surface",
@@ -255,6 +256,23 @@ class Move(_Said, kw_only=True, frozen=True):
     or_new: bool = False
 
 
+class Shift(_Said, kw_only=True, frozen=True):
+    """Things move so many metres where they stand.
+
+    Attributes
+    ----------
+    way : str
+        ``left``, ``right``, ``front`` and ``behind`` of the thing itself, a point of the compass, or ``towards`` and
+        ``away`` from `mark` or the nearest `spot` of the room.
+    """
+
+    things: Things
+    metres: float
+    way: Literal["left", "right", "front", "behind", "north", "south", "east", "west", "towards", "away"]
+    mark: Things | None = None
+    spot: Spot = ""
+
+
 class Swap(_Said, kw_only=True, frozen=True):
     """Two things, or two rooms, exchange their places."""
 
@@ -367,12 +385,16 @@ class History(_Said, kw_only=True, frozen=True):
     ----------
     what : str
         ``undo``, ``redo``; ``restore``: only `things` of it go back; ``repeat``: the same once more, at `place` or
-        with `things` where they are given ("the same for the next room", "one more").
+        with `things` where they are given ("the same for the next room", "one more"); ``amend``: the last one is
+        taken back, and done at `place` or with `things` instead ("I meant the archive").
+    times : int
+        How many edits are taken back or done again.
     """
 
-    what: Literal["undo", "redo", "restore", "repeat"]
+    what: Literal["undo", "redo", "restore", "repeat", "amend"]
     things: Things | None = None
     place: Place | None = None
+    times: int = 1
 
 
 class When(_Said, kw_only=True, frozen=True):
@@ -395,6 +417,7 @@ Statement: TypeAlias = (
     | Keep
     | Clear
     | Move
+    | Shift
     | Swap
     | Replace
     | SetState

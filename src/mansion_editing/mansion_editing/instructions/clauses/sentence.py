@@ -151,7 +151,7 @@ class Sentence(ABC):
         unnamed = place.rooms is not None and place.rooms.up and not place.rooms.words
         if place.rooms is not None and not unnamed and (place.rooms.floors or read.place.rooms.words):
             return None
-        ends = read.end >= len(self.words) or self.text(read.end) in (",", ".", "and", ")", "please", ";")
+        ends = read.end >= len(self.words) or self.text(read.end) in (",", ".", "and", ")", "please", ";", "there")
         return read if (ends and verb_at(self.words, read.end + 1, self.lexicon) is None) or ends else None
 
     def item(self, at: int, *, places: bool = True) -> Item | None:

@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+import msgspec
+
 from mansion_editing.instructions.doing.changing import able, state_word
 from mansion_editing.instructions.doing.work import Done, counted, listed, whereabouts
 from mansion_editing.instructions.meaning.choices import one_room_each
@@ -9,7 +11,7 @@ from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
 from mansion_editing.instructions.meaning.room_words import room_title
 from mansion_editing.instructions.meaning.wording import place_words
-from mansion_editing.instructions.statements import Ask, Place, Rooms, Things
+from mansion_editing.instructions.statements import Amount, Ask, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.paths import check_path
 from mansion_language.colours import colour_of
@@ -28,6 +30,11 @@ def answer(question: Ask, state: SceneState, context: Context) -> Done:
     MansionError
         ``NOT_FOUND`` for a question about rooms or things that are not there.
     """
+    them = question.things is not None and question.things.refers == "last" and not question.things.noun
+    if question.about == "count" and them and context.noun:
+        here = question.place or (Place(rooms=Rooms(same=True, every=True)) if context.rooms else None)
+        counted_things = Things(noun=context.noun, plural=True, amount=Amount(kind="all", number=0))
+        question = msgspec.structs.replace(question, things=counted_things, place=here)
     if question.about in ("rooms", "area") or (question.about == "where" and question.things is None):
         return _of_rooms(question, state, context)
     if question.about == "reach":

@@ -11,6 +11,7 @@ from mansion_editing.instructions.doing.moving import move, swap, turn
 from mansion_editing.instructions.doing.providing import add, ensure, replace_things
 from mansion_editing.instructions.doing.removing import clear, remove
 from mansion_editing.instructions.doing.rooms import finish, furnish_rooms, rename, reshape
+from mansion_editing.instructions.doing.shifting import shift
 from mansion_editing.instructions.doing.work import Done, Work, listed
 from mansion_editing.instructions.meaning.choices import things_meant
 from mansion_editing.instructions.meaning.context import Context
@@ -33,6 +34,7 @@ from mansion_editing.instructions.statements import (
     Replace,
     Reshape,
     SetState,
+    Shift,
     Statement,
     Swap,
     Turn,
@@ -47,6 +49,7 @@ _WORK: Final[dict[type[Any], Callable[[Any, SceneState, Context], Work]]] = {
     Remove: remove,
     Clear: clear,
     Move: move,
+    Shift: shift,
     Swap: swap,
     Replace: replace_things,
     SetState: set_state,

@@ -403,12 +403,12 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
         return one or other
     if other.words and not one.words:
         one, other = other, one
-    here = (SAME_FLOOR,) if other.same and not other.every and one.words and not one.floors else ()
+    here = (SAME_FLOOR,) if other.same and not other.every and one.words and not (one.floors or one.up) else ()
     return msgspec.structs.replace(
         one,
         floors=one.floors or other.floors or here,
         every=one.every or (other.every and not other.words),
-        same=one.same or (other.same and not here and not (one.words and other.every)),
+        same=one.same or (other.same and not here and not one.up and not (one.words and other.every)),
         number=one.number or other.number,
         next_to=one.next_to or other.next_to or (other.words if one.words else ""),
         up=one.up or other.up,

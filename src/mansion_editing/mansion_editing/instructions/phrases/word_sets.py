@@ -123,7 +123,7 @@ BACK_IN_PLACE: Final = frozenset("where it they was were to its place there agai
 AWAY: Final = frozenset("away out off completely altogether entirely too".split())
 EARLIER_STEPS: Final = frozenset(
     "the that it this last latest previous my your edit change step one instruction thing what you did just again "
-    "recent most action have done".split()
+    "recent most action have done both two three all step".split()
 )
 
 # Rooms, surfaces and sizes

@@ -102,6 +102,12 @@ def _how_many(reader: ClauseReader, at: int, *, marked: bool, opened: bool) -> t
     if (reader.text(at), reader.text(at + 1)) not in (("how", "many"), ("how", "much"), ("number", "of")):
         return None
     item = reader.item(at + 2)
+    if item is None and (reader.text(at + 2) in BE or reader.text(at + 2) in ("do", "does", "remain")):
+        where, end = _rest(reader, at + 2)
+        while reader.text(end) in ("left", "remain", "still", "it", "we", "have", "over", "now"):
+            end += 1
+        them = Things(refers="last", definite=True, plural=True, amount=Amount(kind="all", number=0))
+        return Ask(about="count", things=them, place=where), end
     if item is None:
         raise NotUnderstood(at, reader.boundary(at))
     subject_end = item.end

@@ -186,6 +186,8 @@ class _Reader:
 
     def _read_words(self, reader: ClauseReader, words: Sequence[Word], *, marked: bool) -> None:
         at = reader.skip(0)
+        if reader.text(at) in ("no", "nope") and (reader.text(at + 1) in (",", "wait", "-") or at + 1 >= len(words)):
+            at = reader.skip(at + 1 + (reader.text(at + 1) == "wait"))
         if at >= len(words):
             return
         if self._reads_scope(reader, at) or self._tells_of_person(reader, at):
