@@ -1,7 +1,7 @@
 """Changes in words, as Diff tells them."""
 
 from mansion_editing.state import Change
-from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomParts
+from mansion_msgs_py.editing.changes import DocumentChange, ObjectChange, RoomParts
 
 __all__ = ["in_words"]
 

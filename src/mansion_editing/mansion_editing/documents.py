@@ -13,7 +13,7 @@ import msgspec
 
 from mansion_msgs_py.building_folder import INDEX
 from mansion_msgs_py.codec import encode_bytes
-from mansion_msgs_py.editing import DocumentChange
+from mansion_msgs_py.editing.changes import DocumentChange
 from mansion_msgs_py.errors import ErrorCode, MansionError
 from mansion_msgs_py.files import read_bytes, write_atomic
 

@@ -11,7 +11,7 @@ from mansion_editing.state import SceneState, net_changes, net_rooms
 from mansion_msgs_py.building import Building
 from mansion_msgs_py.building_folder import INDEX, floor_directory
 from mansion_msgs_py.codec import decode, encode_bytes
-from mansion_msgs_py.editing import DocumentChange, ObjectChange, RoomChange
+from mansion_msgs_py.editing.changes import DocumentChange, ObjectChange, RoomChange
 from mansion_msgs_py.program import RoomProgram
 from mansion_msgs_py.topology import FloorTopology, TopologyNode
 

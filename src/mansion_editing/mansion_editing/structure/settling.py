@@ -15,6 +15,7 @@ from mansion_assets.catalogue import Catalogue
 from mansion_editing.state import SceneState
 from mansion_editing.structure.standing import LOW, RoomSpace, collides, shifted, turned_about
 from mansion_editing.structure.wall_moves import MovedWall
+from mansion_editing.tools.destinations import InRoom
 from mansion_editing.tools.floor_places import free_floor_places
 from mansion_geometry.object_footprints import footprint
 from mansion_msgs_py.scene import FloorScene, SceneObject
@@ -180,7 +181,7 @@ class _Room:
         elif item.mount == "floor" and item.size[2] > LOW:
             scene = msgspec.structs.replace(self.scene, objects=self.standing)
             state = SceneState([scene], self.catalogue)
-            for x, y, rotation in free_floor_places(state, scene.floor, self.space.room, item):
+            for x, y, rotation in free_floor_places(state, item, InRoom(scene.floor, self.space.room)):
                 yield _at(item, (x, y), rotation)
         else:
             yield from self._under_or_over(item)

@@ -1,49 +1,26 @@
-"""Carry out an instruction or provision a task: the ReAct loop (supplement, D.1) over the editor's tools."""
+"""Let a policy work in an editor: its calls of tools are checked and bounded, and land together or not at all."""
 
 from typing import Any, Final
 
 import msgspec
 
-from mansion_editing.agent.facts import Action, Outcome, Policy, Verdict
-from mansion_editing.agent.task_needs import task_policy
 from mansion_editing.editor import ACTION_TOOLS, FLOOR_TOOLS, PERCEPTION_TOOLS, SceneEditor
+from mansion_editing.runs.policies import Action, Outcome, Policy, Verdict
 from mansion_msgs_py.codec import decode, encode, to_builtins
-from mansion_msgs_py.editing import AgentReport, AgentStep, EditResult
+from mansion_msgs_py.editing.instructions import AgentReport, AgentStep
 from mansion_msgs_py.errors import ErrorCode, MansionError
-from mansion_msgs_py.task import Task
 
-__all__ = ["AGENT_TOOLS", "MOST_EDITS", "MOST_STEPS", "instruct", "provision", "run_agent", "undo_or_redo"]
+__all__ = ["MOST_EDITS", "MOST_STEPS", "RUN_TOOLS", "run_policy"]
 
-
-def undo_or_redo(editor: SceneEditor, tool: str) -> AgentReport:
-    """Undo or redo this user's last edit, an instruction as a whole."""
-    thought = f"{tool} the last edit."
-    try:
-        done: EditResult = editor.call(tool)
-    except MansionError as error:
-        step = AgentStep(thought=thought, tool=tool, observation=to_builtins(error.reply()))
-        return AgentReport(message=str(error), done=False, steps=[step], failed=[str(error)])
-    return AgentReport(
-        message=done.message,
-        done=True,
-        steps=[AgentStep(thought=thought, tool=tool, observation=to_builtins(done))],
-        facts=[f"the last edit {'undone' if tool == 'Undo' else 'redone'}"],
-        edits=1,
-        saved=done.saved,
-        transaction=done.transaction,
-        object_ids=done.object_ids,
-    )
-
-
-AGENT_TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **FLOOR_TOOLS}
-"""All that an agent may call; files and other buildings have no tool."""
+RUN_TOOLS: Final[dict[str, type[Any]]] = {**PERCEPTION_TOOLS, **ACTION_TOOLS, **FLOOR_TOOLS}
+"""All that a policy may call; files and other buildings have no tool."""
 
 MOST_STEPS: Final = 400
 MOST_EDITS: Final = 120
 MOST_REFUSED: Final = 8
 
 
-def run_agent(
+def run_policy(
     editor: SceneEditor, policy: Policy, what: str, *, most_steps: int = MOST_STEPS, most_edits: int = MOST_EDITS
 ) -> AgentReport:
     """Let a policy work until it ends or a bound is reached.
@@ -166,54 +143,13 @@ def _stopped(reason: str) -> Verdict:
 
 
 def _checked(action: Action) -> Any:
-    kind = AGENT_TOOLS.get(action.tool)
+    kind = RUN_TOOLS.get(action.tool)
     if kind is None:
         raise MansionError(
             ErrorCode.NOT_FOUND,
-            f"there is no tool {str(action.tool)[:80]!r}; tools are {', '.join(AGENT_TOOLS)}",
+            f"there is no tool {str(action.tool)[:80]!r}; tools are {', '.join(RUN_TOOLS)}",
             path="$.tool",
         )
     if "editor" in action.arguments:
         raise MansionError(ErrorCode.INVALID_PAYLOAD, "an agent edits only its own building", path="$.editor")
     return decode(kind, encode(action.arguments))
-
-
-def instruct(editor: SceneEditor, instruction: str, planner: str = "rules") -> AgentReport:
-    """Carry out an instruction; its edits land together or not at all.
-
-    Parameters
-    ----------
-    planner : {"rules", "llm"}
-
-    Raises
-    ------
-    MansionError
-        ``INVALID_PAYLOAD`` for another planner, ``UNAVAILABLE`` for a model that is not configured, ``CONFLICT`` when
-        edits wait to be saved.
-    """
-    if planner == "rules":
-        from mansion_editing.instructions.run import carry_out
-        from mansion_editing.instructions.sentences.reader import read_instruction
-
-        return carry_out(editor, read_instruction(instruction, editor.state), instruction)
-    return run_agent(editor, _policy(editor, instruction, planner), instruction)
-
-
-def provision(editor: SceneEditor, task: Task) -> AgentReport:
-    """Make a task possible with the fewest edits; they land together or not at all.
-
-    Raises
-    ------
-    MansionError
-        ``CONFLICT`` when edits wait to be saved.
-    """
-    return run_agent(editor, task_policy(editor, task), f"task {task.id}: {task.instruction}")
-
-
-def _policy(editor: SceneEditor, instruction: str, planner: str) -> Policy:
-    if planner == "llm":
-        from mansion_editing.agent.model_policy import model_policy
-        from mansion_llm import LlmClient
-
-        return model_policy(LlmClient.from_environment(), editor, instruction)
-    raise MansionError(ErrorCode.INVALID_PAYLOAD, f"no planner {planner!r}; use rules or llm", path="$.planner")

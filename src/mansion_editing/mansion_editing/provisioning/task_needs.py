@@ -3,22 +3,11 @@
 from collections.abc import Generator, Iterable
 
 from mansion_assets.catalogue.vocabulary import stems, vocabulary_of
-from mansion_editing.agent.facts import (
-    Action,
-    Fact,
-    ObjectDescription,
-    ObjectFact,
-    Outcome,
-    PathFact,
-    Policy,
-    Scope,
-    Unmet,
-    Verdict,
-    find_objects,
-    rooms_of,
-)
-from mansion_editing.agent.provisioning import satisfy
 from mansion_editing.editor import SceneEditor
+from mansion_editing.provisioning.facts import Fact, ObjectDescription, ObjectFact, PathFact, Scope
+from mansion_editing.provisioning.finding import find_objects, rooms_of
+from mansion_editing.provisioning.satisfying import satisfy
+from mansion_editing.runs.policies import Action, Outcome, Policy, Unmet, Verdict
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import find_rooms
 from mansion_language.colours import COLOUR_WORDS

@@ -5,9 +5,9 @@ from typing import Any, Final
 
 import msgspec
 
-from mansion_editing.agent.facts import Action, Outcome, Policy, Verdict
-from mansion_editing.agent.instruct import AGENT_TOOLS
 from mansion_editing.editor import SceneEditor
+from mansion_editing.runs.policies import Action, Outcome, Policy, Verdict
+from mansion_editing.runs.run import RUN_TOOLS
 from mansion_llm import Fault, LlmClient, Prompt, quoted_data
 from mansion_msgs_py.codec import schema, to_builtins
 
@@ -48,7 +48,7 @@ def model_policy(client: LlmClient, editor: SceneEditor, instruction: str) -> Po
     editor : SceneEditor
         Says which floors and rooms there are.
     """
-    system = _SYSTEM + "\n".join(_card(name, kind) for name, kind in AGENT_TOOLS.items())
+    system = _SYSTEM + "\n".join(_card(name, kind) for name, kind in RUN_TOOLS.items())
     opening = f"{quoted_data('instruction', instruction)}\n{_building(editor)}"
     talk: list[str] = []
     while True:
@@ -66,8 +66,8 @@ def model_policy(client: LlmClient, editor: SceneEditor, instruction: str) -> Po
 def _faults(turn: Turn) -> list[Fault]:
     if turn.finished and turn.tool:
         return [Fault("`finished` is true and a tool is named; do one of the two")]
-    if not turn.finished and turn.tool not in AGENT_TOOLS:
-        return [Fault(f"`tool` must be one of {', '.join(AGENT_TOOLS)}, or `finished` true")]
+    if not turn.finished and turn.tool not in RUN_TOOLS:
+        return [Fault(f"`tool` must be one of {', '.join(RUN_TOOLS)}, or `finished` true")]
     return []
 
 

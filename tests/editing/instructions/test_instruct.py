@@ -1,13 +1,12 @@
-"""The agent makes an instruction's facts true with the fewest edits, and does nothing else."""
+"""An instruction is carried out with the fewest edits, and nothing else is done."""
 
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from mansion_editing.agent.facts import Action, Policy
-from mansion_editing.agent.instruct import MOST_REFUSED, instruct, run_agent
 from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.instruct import instruct
 from mansion_msgs_py.errors import MansionError
 
 EditorFactory = Callable[..., SceneEditor]
@@ -93,38 +92,7 @@ def test_what_is_no_edit_changes_nothing(open_editor: EditorFactory, text: str) 
     assert editor.store.log() == []
 
 
-def _calls(*actions: tuple[str, dict[str, object]]) -> Policy:
-    from mansion_editing.agent.facts import Verdict
-
-    for tool, arguments in actions:
-        yield Action("", tool, arguments)
-    return Verdict("done")
-
-
-@pytest.mark.parametrize(
-    ("tool", "arguments"),
-    [
-        ("Save", {}),
-        ("Undo", {}),
-        ("os.system", {"command": "ls"}),
-        ("SetState", {"object_id": "F1/kitchen/fridge_1", "wall": True}),
-        ("RemoveObject", {"object_id": "F1/kitchen/mug_1", "editor": "other"}),
-        ("SearchAssets", {"query": "mug", "top_k": 10_000}),
-    ],
-)
-def test_actions_outside_the_tools_are_refused(
-    open_editor: EditorFactory, tool: str, arguments: dict[str, object]
-) -> None:
-    report = run_agent(open_editor(), _calls((tool, arguments)), "test")
-    assert [step.refused for step in report.steps] == [True] and report.edits == 0
-
-
-def test_a_policy_that_only_misbehaves_is_stopped(open_editor: EditorFactory) -> None:
-    report = run_agent(open_editor(), _calls(*[("Nothing", {})] * 100), "test")
-    assert not report.done and len(report.steps) == MOST_REFUSED
-
-
-def test_waiting_edits_are_not_mixed_with_the_agents(open_editor: EditorFactory) -> None:
+def test_waiting_edits_are_not_mixed_with_those_of_an_instruction(open_editor: EditorFactory) -> None:
     editor = open_editor(autosave=False)
     editor.call("SetState", {"object_id": "F1/kitchen/fridge_1", "open": True})
     with pytest.raises(MansionError) as error:

@@ -4,9 +4,9 @@ import json
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from mansion_editing.agent.instruct import run_agent
-from mansion_editing.agent.model_policy import model_policy
 from mansion_editing.editor import SceneEditor
+from mansion_editing.instructions.model_turns import model_policy
+from mansion_editing.runs.run import run_policy
 from mansion_llm import LlmClient, LlmSettings
 from mansion_llm.prompt import Message
 from mansion_llm.transport import ChatReply
@@ -31,7 +31,7 @@ class Script:
 def _run(editor: SceneEditor, script: Script, text: str) -> Any:
     settings = LlmSettings(base_url="http://127.0.0.1:9/v1", model="scripted")
     client = LlmClient(settings, transport=script)  # type: ignore[arg-type]
-    return run_agent(editor, model_policy(client, editor, text), text)
+    return run_policy(editor, model_policy(client, editor, text), text)
 
 
 def test_a_model_checks_places_and_finishes(open_editor: EditorFactory) -> None:

@@ -8,8 +8,8 @@ import msgspec
 import pytest
 
 from mansion_assets.catalogue.palette import COLOURS
-from mansion_editing.agent.instruct import provision
 from mansion_editing.editor import SceneEditor
+from mansion_editing.provisioning.provision import provision
 from mansion_msgs_py.task import Need, Task, TaskKind
 
 EditorFactory = Callable[..., SceneEditor]
