@@ -15,7 +15,7 @@ from pathlib import Path
 
 import msgspec
 
-from mansion_editing.documents import Documents, floor_of, is_scene
+from mansion_editing.document_copies import Documents, floor_of, is_scene
 from mansion_editing.room_parts import parts_of, program_with, records_of, topology_with
 from mansion_editing.state import SceneChange, changed, inverse, rebase
 from mansion_msgs_py.building import Building

@@ -11,7 +11,7 @@ import networkx as nx
 from shapely.geometry import LineString, MultiLineString, Polygon
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_assets.catalogue.kinds import pieces
+from mansion_assets.catalogue.piece_counts import pieces
 from mansion_msgs_py.program import BuildingProgram
 from mansion_msgs_py.scene import FloorScene, SceneObject, SceneRoom
 from mansion_msgs_py.topology import FloorTopology

@@ -5,8 +5,8 @@ import pytest
 
 from mansion_assets.catalogue import Catalogue
 from mansion_editing.structure import Storey
-from mansion_editing.structure.settling import Settled, settle
-from mansion_editing.structure.standing import RoomSpace
+from mansion_editing.structure.displaced_objects import Settled, settle
+from mansion_editing.structure.standing_checks import RoomSpace
 from mansion_editing.structure.wall_moves import MovedWall
 from mansion_msgs_py.scene import Door, FloorScene, SceneObject, SceneRoom
 

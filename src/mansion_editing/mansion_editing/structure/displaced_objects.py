@@ -13,7 +13,7 @@ from shapely import LineString
 
 from mansion_assets.catalogue import Catalogue
 from mansion_editing.state import SceneState
-from mansion_editing.structure.standing import LOW, RoomSpace, collides, shifted, turned_about
+from mansion_editing.structure.standing_checks import LOW, RoomSpace, collides, shifted, turned_about
 from mansion_editing.structure.wall_moves import MovedWall
 from mansion_editing.tools.destinations import InRoom
 from mansion_editing.tools.floor_places import free_floor_places

@@ -8,7 +8,7 @@ import msgspec
 
 from mansion_assets.catalogue.asset import Asset
 from mansion_assets.catalogue.catalogue import Catalogue, RoomProgramCard
-from mansion_assets.catalogue.kinds import pair_of_seats, pieces
+from mansion_assets.catalogue.piece_counts import pair_of_seats, pieces
 from mansion_assets.catalogue.quantities import sits_around
 from mansion_assets.catalogue.records import Arrangement, Count, HangItem, Item, RugItem, Scatter, Slot
 from mansion_knowledge.object_kinds import added_for, answers, idle_without, stand_ins

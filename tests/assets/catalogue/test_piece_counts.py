@@ -3,7 +3,7 @@
 import pytest
 
 from mansion_assets.catalogue import load_catalogue
-from mansion_assets.catalogue.kinds import pieces
+from mansion_assets.catalogue.piece_counts import pieces
 from mansion_knowledge.object_kinds import added_for, answers, stand_ins
 
 CATALOGUE = load_catalogue()

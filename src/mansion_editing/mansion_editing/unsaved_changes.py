@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import msgspec
 
-from mansion_editing.documents import Documents, floor_of, is_scene
+from mansion_editing.document_copies import Documents, floor_of, is_scene
 from mansion_editing.room_parts import program_with, records_of, topology_with
 from mansion_editing.state import SceneState, net_changes, net_rooms
 from mansion_msgs_py.building import Building
