@@ -5,7 +5,7 @@ from typing import Any
 
 import msgspec
 
-from mansion_editing.editor import SceneEditor
+from mansion_editing.editor import Answered, SceneEditor
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of
 from mansion_editing.instructions.meaning.room_words import room_order
@@ -24,7 +24,7 @@ from mansion_editing.instructions.statements import (
 )
 from mansion_editing.state import SceneState
 from mansion_editing.storage import landed_by
-from mansion_msgs_py.editing import Transaction
+from mansion_msgs_py.editing.changes import Transaction
 from mansion_msgs_py.errors import ErrorCode, MansionError
 
 __all__ = ["amended", "brief_of", "context_of", "is_taken_back", "remember", "repeated"]
@@ -42,8 +42,9 @@ def brief_of(editor: SceneEditor) -> str:
 def context_of(editor: SceneEditor) -> Context:
     """Return what the user's last edit was about, which "it" and "there" may mean; empty before the first."""
     landed = landed_by(editor.store.log(), editor.who)
-    if editor.answered is not None and editor.answered[0] == len(landed):
-        return editor.answered[1]
+    asked = editor.answered
+    if asked is not None and asked.edits == len(landed):
+        return Context(asked.things, asked.rooms, asked.noun)
     last = landed[-1] if landed else None
     if last is None:
         return Context()
@@ -58,7 +59,8 @@ def context_of(editor: SceneEditor) -> Context:
 
 def remember(editor: SceneEditor, context: Context) -> None:
     """Keep what a question was about, which the next instruction may refer to; an edit is told by the log."""
-    editor.answered = (len(landed_by(editor.store.log(), editor.who)), context)
+    edits = len(landed_by(editor.store.log(), editor.who))
+    editor.answered = Answered(edits, context.things, context.rooms, context.noun)
 
 
 def _last(editor: SceneEditor) -> Transaction | None:
@@ -135,7 +137,7 @@ def _with_things(statement: Statement, things: Things) -> Statement:
         place=things.place or own.place,
         ordinal=things.ordinal or own.ordinal,
     )
-    return msgspec.structs.replace(statement, things=changed)  # type: ignore[call-arg]
+    return msgspec.structs.replace(statement, things=changed)
 
 
 def _earlier(editor: SceneEditor) -> list[Statement]:

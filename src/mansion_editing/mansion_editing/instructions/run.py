@@ -5,8 +5,6 @@ from typing import Final
 
 import msgspec
 
-from mansion_editing.agent.facts import Policy, Unmet, Verdict
-from mansion_editing.agent.instruct import run_agent, undo_or_redo
 from mansion_editing.editor import SceneEditor
 from mansion_editing.instructions.checking.faults import Step, faults, moved_aside
 from mansion_editing.instructions.conversation import amended, context_of, is_taken_back, remember, repeated
@@ -15,8 +13,12 @@ from mansion_editing.instructions.doing.carrying_out import carry
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import things_of
 from mansion_editing.instructions.statements import Ask, History, Instruction, Keep, Mention, When
+from mansion_editing.runs.policies import Policy, Unmet, Verdict
+from mansion_editing.runs.run import run_policy
 from mansion_editing.state import SceneState
-from mansion_msgs_py.editing import AgentReport
+from mansion_msgs_py.codec import to_builtins
+from mansion_msgs_py.editing.changes import EditResult
+from mansion_msgs_py.editing.instructions import AgentReport, AgentStep
 from mansion_msgs_py.errors import MansionError
 
 __all__ = ["carry_out"]
@@ -25,9 +27,7 @@ MOST_STEPS, MOST_EDITS = 12_000, 3_000
 """What is enough for a statement about all things of a large building."""
 
 
-def carry_out(
-    editor: SceneEditor, instruction: Instruction, text: str, *, partly: bool = False
-) -> AgentReport:
+def carry_out(editor: SceneEditor, instruction: Instruction, text: str, *, partly: bool = False) -> AgentReport:
     """Carry out an instruction and check the scene; its edits land together or not at all.
 
     Parameters
@@ -50,23 +50,23 @@ def carry_out(
     (first, *more) = instruction.statements or [Mention()]
     if isinstance(first, History) and not more and not instruction.not_understood:
         if first.what == "redo":
-            return _steps(editor, "Redo", first.times)
+            return _undone_or_redone(editor, "Redo", first.times)
         if first.what == "amend":
             return _amended(editor, first, text)
         if is_taken_back(first, editor):
-            return _steps(editor, "Undo", first.times)
+            return _undone_or_redone(editor, "Undo", first.times)
     policy = _policy(editor, instruction, partly=partly)
-    return run_agent(editor, policy, text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
+    return run_policy(editor, policy, text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
 
 
-def _steps(editor: SceneEditor, tool: str, times: int) -> AgentReport:
+def _undone_or_redone(editor: SceneEditor, tool: str, times: int) -> AgentReport:
     """Undo or redo so many edits, or none of them."""
     reports: list[AgentReport] = []
     for _ in range(times):
-        report = undo_or_redo(editor, tool)
+        report = _undo_or_redo(editor, tool)
         if not report.done:
             for _ in reports:
-                undo_or_redo(editor, "Redo" if tool == "Undo" else "Undo")
+                _undo_or_redo(editor, "Redo" if tool == "Undo" else "Undo")
             return report
         reports.append(report)
     message = "; ".join(report.message for report in reports)
@@ -78,13 +78,13 @@ def _amended(editor: SceneEditor, statement: History, text: str) -> AgentReport:
     try:
         instruction = Instruction(statements=amended(statement, editor))
     except MansionError as error:
-        return run_agent(editor, _refused_policy(error), text)
-    taken_back = undo_or_redo(editor, "Undo")
+        return run_policy(editor, _refused_policy(error), text)
+    taken_back = _undo_or_redo(editor, "Undo")
     if not taken_back.done:
         return taken_back
-    report = run_agent(editor, _policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
+    report = run_policy(editor, _policy(editor, instruction), text, most_steps=MOST_STEPS, most_edits=MOST_EDITS)
     if not report.done:
-        undo_or_redo(editor, "Redo")
+        _undo_or_redo(editor, "Redo")
         return report
     return msgspec.structs.replace(report, message=f"{taken_back.message}; {report.message}")
 
@@ -175,3 +175,23 @@ def _refused(error: Unmet | MansionError, quote: str) -> Verdict:
     candidates = error.info.details.get("candidates", []) if isinstance(error, MansionError) else []
     message = f"{quote}: {reason}" if quote else reason
     return Verdict(message, failed=[message], candidates=[str(name) for name in candidates])
+
+
+def _undo_or_redo(editor: SceneEditor, tool: str) -> AgentReport:
+    """Undo or redo this user's last edit, an instruction as a whole."""
+    thought = f"{tool} the last edit."
+    try:
+        done: EditResult = editor.call(tool)
+    except MansionError as error:
+        step = AgentStep(thought=thought, tool=tool, observation=to_builtins(error.reply()))
+        return AgentReport(message=str(error), done=False, steps=[step], failed=[str(error)])
+    return AgentReport(
+        message=done.message,
+        done=True,
+        steps=[AgentStep(thought=thought, tool=tool, observation=to_builtins(done))],
+        facts=[f"the last edit {'undone' if tool == 'Undo' else 'redone'}"],
+        edits=1,
+        saved=done.saved,
+        transaction=done.transaction,
+        object_ids=done.object_ids,
+    )

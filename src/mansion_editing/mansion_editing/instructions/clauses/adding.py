@@ -2,6 +2,7 @@
 
 import msgspec
 
+from mansion_editing.instructions.clauses.colours import Colours
 from mansion_editing.instructions.clauses.items import Item, NotUnderstood, joined_places
 from mansion_editing.instructions.clauses.states import States, state_set
 from mansion_editing.instructions.phrases.places import read_place
@@ -12,7 +13,7 @@ from mansion_editing.instructions.statements import Add, Amount, Ensure, History
 __all__ = ["Adding"]
 
 
-class Adding(States):
+class Adding(States, Colours):
     """Reads ``put``, ``add``, ``bring``, ``give`` and ``set``."""
 
     def _add(self, at: int, place: int) -> tuple[list[Statement], int]:
@@ -75,7 +76,12 @@ class Adding(States):
         while True:
             after = self.conjunction(at)
             read = read_place(self.words, after, self.lexicon, self.floors) if after else None
-            if read is None or read.source or self.text(after - 1) not in ("and", ",", "&") or self.starts_clause(after):
+            if (
+                read is None
+                or read.source
+                or self.text(after - 1) not in ("and", ",", "&")
+                or self.starts_clause(after)
+            ):
                 return out, at
             places, end = self.places(after)
             place = joined_places(list(places))[0]

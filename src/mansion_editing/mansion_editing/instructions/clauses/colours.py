@@ -75,9 +75,7 @@ class Colours(Outcomes):
         rooms = joined_places(places)[0].rooms if places else self.frame.rooms
         if rooms is None or any(p.place.anchor is not None for p in places):
             return None
-        finish = Finish(
-            rooms=rooms, part="floor", colour=covering[0], material=covering[1], quote=self.quote(at, end)
-        )
+        finish = Finish(rooms=rooms, part="floor", colour=covering[0], material=covering[1], quote=self.quote(at, end))
         return [finish], end
 
     def _paint(self, at: int, place: int) -> tuple[list[Statement], int]:

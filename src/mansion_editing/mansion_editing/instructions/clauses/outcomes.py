@@ -8,7 +8,18 @@ from mansion_editing.instructions.clauses.items import Item, joined_places
 from mansion_editing.instructions.clauses.sentence import Sentence
 from mansion_editing.instructions.phrases.places import ReadPlace, merged, read_place, with_place
 from mansion_editing.instructions.phrases.word_sets import NO_FRONTED_PLACES
-from mansion_editing.instructions.statements import Add, Amount, Clear, Ensure, Move, Place, Remove, Rooms, Statement, Things
+from mansion_editing.instructions.statements import (
+    Add,
+    Amount,
+    Clear,
+    Ensure,
+    Move,
+    Place,
+    Remove,
+    Rooms,
+    Statement,
+    Things,
+)
 
 __all__ = ["Outcomes", "named_as"]
 

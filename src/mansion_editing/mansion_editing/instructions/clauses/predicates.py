@@ -42,9 +42,7 @@ __all__ = ["Predicates"]
 class Predicates(States, Colours, Ways):
     """Reads predicates."""
 
-    def _predicate(
-        self, item: Item, end: int, at: int, *, denied: bool = False
-    ) -> tuple[list[Statement], int] | None:
+    def _predicate(self, item: Item, end: int, at: int, *, denied: bool = False) -> tuple[list[Statement], int] | None:
         """Read what is said of a subject, or denied of it ("neither the lamp nor the radio should be on")."""
         place = end
         while self._is_before_predicate(place, end):

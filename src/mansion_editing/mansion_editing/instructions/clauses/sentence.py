@@ -107,7 +107,9 @@ class Sentence(ABC):
         found: list[ReadPlace] = []
         while True:
             start = at
-            relative = self.text(at) in ("that", "which", "who") or self.words[at : at + 1] and self.words[at].raw in _LYING
+            relative = self.text(at) in ("that", "which", "who") or (
+                self.words[at : at + 1] and self.words[at].raw in _LYING
+            )
             while (
                 self.text(at) in PARTICIPLES_OF_REST
                 and self.text(at) != "there"

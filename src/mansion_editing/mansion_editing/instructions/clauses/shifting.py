@@ -42,7 +42,9 @@ class Shifting(Outcomes):
         metres, (way, mark, spot, stop) = found
         things = Item(item.phrase, tuple(places), end).things()
         quote = self.quote(at, stop)
-        return [Shift(things=self._all_if_plural(things), metres=metres, way=way, mark=mark, spot=spot, quote=quote)], stop
+        return [
+            Shift(things=self._all_if_plural(things), metres=metres, way=way, mark=mark, spot=spot, quote=quote)
+        ], stop
 
     def _length_and_way(self, at: int) -> tuple[float, _Goal] | None:
         """Read a length and a direction, in either order."""

@@ -60,7 +60,12 @@ class Taking(Adding, Removing):
         """Read ``find the wardrobe and open it``: the thing is only what the next clause is about."""
         items = self.items(place)
         end = items[-1].end
-        if not (self._goes_on_with_it(end) or self._goes_on_there(end) or end >= len(self.words) or self.text(end) in (":", ".")):
+        if not (
+            self._goes_on_with_it(end)
+            or self._goes_on_there(end)
+            or end >= len(self.words)
+            or self.text(end) in (":", ".")
+        ):
             raise NotUnderstood(at, self.boundary(at))
         room = items[0].is_room
         self.topic = Things(place=Place(rooms=items[0].rooms())) if room else items[0].things()

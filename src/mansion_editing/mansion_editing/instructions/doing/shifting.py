@@ -2,12 +2,12 @@
 
 import math
 
-from mansion_editing.agent.facts import Action, Unmet
 from mansion_editing.instructions.doing.work import Done, Work, live
 from mansion_editing.instructions.meaning.choices import things_meant
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.directions import direction_of
 from mansion_editing.instructions.statements import Shift
+from mansion_editing.runs.policies import Action, Unmet
 from mansion_editing.state import SceneState
 
 __all__ = ["shift"]

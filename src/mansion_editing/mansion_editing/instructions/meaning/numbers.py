@@ -37,6 +37,8 @@ def means_one(things: Things) -> bool:
 
 
 def is_one(rooms: Rooms) -> bool:
-    return not rooms.every and rooms.number < 2 and bool(
-        rooms.words or rooms.next_to or rooms.holding or rooms.same or rooms.over
+    return (
+        not rooms.every
+        and rooms.number < 2
+        and bool(rooms.words or rooms.next_to or rooms.holding or rooms.same or rooms.over)
     )

@@ -48,9 +48,9 @@ class NounPhrase:
         """Return the phrase as a description of objects."""
         noun = self.noun
         return Things(
-            noun="" if noun.kind == "anything" and noun.words[-1:] != ("one",) else " ".join(
-                (*noun.words, *filter(None, [noun.number]))
-            ),
+            noun=""
+            if noun.kind == "anything" and noun.words[-1:] != ("one",)
+            else " ".join((*noun.words, *filter(None, [noun.number]))),
             amount=self.amount,
             definite=self.definite,
             plural=self.noun.plural and not (self.amount.number == 1 and self.amount.kind in ("some", "more")),

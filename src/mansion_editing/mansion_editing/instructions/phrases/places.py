@@ -358,7 +358,12 @@ def _at_noun(
     inward = relation in ("in", "") or phrase[0] in ("at", "throughout", "across")
     inward = inward or (relation in ("above", "under") and text_at(words, start - 1) == "room")
     room = noun.kind == "room" or (noun.kind == "both" and inward and lexicon.is_own_room(noun.words))
-    if noun.kind == "both" and not inward and relation in ("on", "under", "beside", "near", "behind", "front") and phrase[0] != "at":
+    if (
+        noun.kind == "both"
+        and not inward
+        and relation in ("on", "under", "beside", "near", "behind", "front")
+        and phrase[0] != "at"
+    ):
         room = False
     if target.refers and relation == "" and noun.kind == "anything":
         room = False

@@ -1,4 +1,4 @@
-"""Words of an instruction that no statement accounts for: numbers, negations, alternatives, quantifiers, nouns, colours.
+"""Words of an instruction that no statement accounts for: numbers, negations, quantifiers, nouns, colours.
 
 A reader that takes a clause for another one leaves words out. What was read is compared with the words that it was read
 from, so that such a clause is named to the user rather than carried out as something else.
@@ -102,9 +102,7 @@ def _left_out(said: Sequence[Word], group: Sequence[Statement], lexicon: Lexicon
     return [word for at, word in enumerate(said) if _is_left_out(said, at, group, told, lexicon)]
 
 
-def _is_left_out(
-    said: Sequence[Word], at: int, group: Sequence[Statement], told: _Told, lexicon: Lexicon
-) -> bool:
+def _is_left_out(said: Sequence[Word], at: int, group: Sequence[Statement], told: _Told, lexicon: Lexicon) -> bool:
     word = said[at]
     text = word.text
     if text in told.words or word.raw in told.words:
@@ -126,7 +124,8 @@ def _is_left_out(
         return COLOUR_WORDS[text] not in told.words and text not in SHADES
     if text in ("off", "open", "closed", "shut") and word.kind == "word":
         return not (
-            told.flags & {"states"} or any(isinstance(s, SetState | Remove | Clear | Move | Keep | Forbid) for s in group)
+            told.flags & {"states"}
+            or any(isinstance(s, SetState | Remove | Clear | Move | Keep | Forbid) for s in group)
         )
     return _is_lost_noun(said, at, group, lexicon)
 

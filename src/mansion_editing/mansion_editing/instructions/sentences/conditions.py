@@ -1,6 +1,7 @@
-"""Conditions in instructions: ``if there is no plant in the kitchen``, ``unless it is on``, ``only if it is closed``."""
+"""Conditions: ``if there is no plant in the kitchen``, ``unless it is on``, ``only if it is closed``."""
 
 from collections.abc import Sequence
+from typing import Final
 
 import msgspec
 
@@ -12,9 +13,9 @@ from mansion_editing.instructions.statements import Add, Amount, Ask, Ensure, Pl
 
 __all__ = ["Condition", "begins_condition", "on_condition", "read_condition"]
 
-_BEFORE: frozenset[str] = frozenset("only but and just".split())
-_BETWEEN: frozenset[str] = frozenset("already still currently yet really now switched turned".split())
-_AFTER: frozenset[str] = frozenset("yet there already so far still , then at all right now in it inside".split())
+_BEFORE: Final = frozenset("only but and just".split())
+_BETWEEN: Final = frozenset("already still currently yet really now switched turned".split())
+_AFTER: Final = frozenset("yet there already so far still , then at all right now in it inside".split())
 
 
 class Condition(msgspec.Struct, frozen=True):
@@ -89,14 +90,18 @@ def _elliptic(reader: ClauseReader, at: int) -> tuple[Condition, int] | None:
     return None
 
 
-_SHORT: tuple[tuple[tuple[str, ...], bool], ...] = (
-    (("not",), False), (("missing",), False), (("needed",), False), (("necessary",), False), (("required",), False),
-    (("not", "there"), False), (("not", "already", "there"), False), (("it", "is", "missing"), False),
-    (("it", "has", "not"), False), (("it", "not"), False), (("they", "not"), False), (("it", "have", "not"), False), (("it", "is", "not", "there"), False),
-    (("it", "is", "not", "already", "there"), False), (("it", "has"), True), (("it", "is", "already", "there"), True),
-    (("they", "are", "not", "there"), False), (("not", "there", "yet"), False), (("it", "do", "not"), False),
-    (("it", "does", "not"), False), (("not", "already", "present"), False), (("not", "yet", "there"), False),
-)  # fmt: skip
+_LACKING = (
+    "not|missing|needed|necessary|required|not there|not already there|it is missing|it has not|it have not|it not|"
+    "they not|it is not there|it is not already there|they are not there|not there yet|it do not|it does not|"
+    "not already present|not yet there"
+)
+_PRESENT = "it has|it is already there"
+_SHORT: Final = tuple(
+    (tuple(words.split()), holds)
+    for group, holds in ((_LACKING, False), (_PRESENT, True))
+    for words in group.split("|")
+)
+"""Conditions without a noun, and whether what is meant is there then."""
 
 
 def _existing(reader: ClauseReader, at: int, last: Things | None) -> tuple[Condition, int] | None:
@@ -130,7 +135,17 @@ def _of_subject(reader: ClauseReader, at: int, last: Things | None) -> tuple[Con
     place = item.end
     denied = False
     verb = ""
-    while reader.text(place) in BE or reader.text(place) in (*_BETWEEN, "not", "do", "does", "has", "have", "contain", "got", "hold"):
+    while reader.text(place) in BE or reader.text(place) in (
+        *_BETWEEN,
+        "not",
+        "do",
+        "does",
+        "has",
+        "have",
+        "contain",
+        "got",
+        "hold",
+    ):
         denied = denied or reader.text(place) == "not"
         verb = "have" if reader.text(place) in ("has", "have", "contain", "got", "hold") else verb or "be"
         place += 1

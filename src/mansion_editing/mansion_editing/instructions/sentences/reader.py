@@ -24,12 +24,7 @@ from mansion_editing.instructions.phrases.words import (
 )
 from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.background import end_of_background, is_background, split_sentences
-from mansion_editing.instructions.sentences.conditions import (
-    Condition,
-    begins_condition,
-    on_condition,
-    read_condition,
-)
+from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, on_condition, read_condition
 from mansion_editing.instructions.sentences.questions import read_question
 from mansion_editing.instructions.sentences.refinement import (
     exactly,
@@ -217,9 +212,7 @@ class _Reader:
                 continue
             at = self._read_clause(reader, words, at)
 
-    def _read_condition(
-        self, reader: ClauseReader, words: Sequence[Word], at: int
-    ) -> tuple[int, Condition | None]:
+    def _read_condition(self, reader: ClauseReader, words: Sequence[Word], at: int) -> tuple[int, Condition | None]:
         """Read ``if the lamp is off,`` before a clause; of a question before it, ``if not,``."""
         asked = self.statements[-1] if self.statements else None
         start = at - 1 if at and words[at - 1].text in ("only", "but", "so") else at
