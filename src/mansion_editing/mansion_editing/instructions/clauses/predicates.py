@@ -48,8 +48,8 @@ class Predicates(States, Colours, Ways):
         while self._is_before_predicate(place, end):
             place += 1
         negated = denied or any(word.text in ("not", "never", "no") for word in self.words[end:place])
-        for reader in (self._said_become, self._said_state, self._said_participle, self._said_having, self._said_gone, self._said_where,
-                       self._said_colour, self._said_good):  # fmt: skip
+        for reader in (self._said_become, self._said_state, self._said_participle, self._said_having, self._said_gone,
+                       self._said_where, self._said_colour, self._said_good):  # fmt: skip
             found = reader(item, place, at, negated)
             if found is not None:
                 return found

@@ -5,12 +5,12 @@ from collections.abc import Sequence
 import msgspec
 
 from mansion_editing.instructions.doing.changing import able, state_word
-from mansion_editing.instructions.doing.work import Done, counted, listed, whereabouts
+from mansion_editing.instructions.doing.work import Done, listed, whereabouts
 from mansion_editing.instructions.meaning.choices import one_room_each
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
 from mansion_editing.instructions.meaning.room_words import room_title
-from mansion_editing.instructions.meaning.wording import place_words
+from mansion_editing.instructions.meaning.wording import counted, place_words
 from mansion_editing.instructions.statements import Amount, Ask, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.paths import check_path
@@ -115,8 +115,10 @@ def _noun(question: Ask) -> str:
 def _count(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:
     verb = "is" if len(found) == 1 else "are"
     if not found:
-        return f"There are no {counted(0, _noun(question))[2:]}{said or ' in the building'}."
+        return f"There are {counted(0, _noun(question))}{said or ' in the building'}."
     by_room = {room: sum(item.room == room for item in found) for room in dict.fromkeys(i.room for i in found)}
+    if len(by_room) == 1 and said:
+        return f"There {verb} {counted(len(found), _noun(question))}{said}."
     spread = ", ".join(f"{number} in {room_title(state, room)}" for room, number in by_room.items())
     return f"There {verb} {counted(len(found), _noun(question))}{said or ' in the building'}: {spread}."
 
@@ -149,7 +151,8 @@ def _what(question: Ask, found: Sequence[SceneObject], said: str, state: SceneSt
     for item in found:
         kinds[item.name or item.category] = kinds.get(item.name or item.category, 0) + 1
     verb = "is" if len(found) == 1 else "are"
-    return f"There {verb}{said} {', '.join(counted(number, kind) for kind, number in kinds.items())}: {listed(found)}."
+    where = f"{said.strip()[:1].upper()}{said.strip()[1:]} there" if said else "There"
+    return f"{where} {verb} {', '.join(counted(number, kind) for kind, number in kinds.items())}: {listed(found)}."
 
 
 def _states(question: Ask, found: Sequence[SceneObject], said: str, state: SceneState) -> str:

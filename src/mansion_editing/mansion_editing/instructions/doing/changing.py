@@ -44,7 +44,8 @@ def set_state(statement: SetState, state: SceneState, context: Context) -> Work:
         return Done(f"there was nothing to do: there is no {thing_words(things)}", context)
     ready = {item.id for item in found if able(item, name)}
     if found and not ready:
-        raise Unmet(f"no {thing_words(things)} {'opens or closes' if name == 'open' else 'switches'}: {listed(found)}")
+        what = "open or close" if name == "open" else "switch on or off"
+        raise Unmet(f"{listed(found)} {'does' if len(found) == 1 else 'do'} not {what}")
     other = {item.id for item in found if item.id in ready and bool(item.states.get(name, False)) != value}
     preferred = other if len(other) == 1 else ready
     chosen = things_meant(state, things, context, lambda item: item.id in preferred)

@@ -10,7 +10,14 @@ from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, rooms_of, things_of
 from mansion_editing.instructions.meaning.numbers import is_one, means_one
 from mansion_editing.instructions.meaning.room_words import room_title
-from mansion_editing.instructions.meaning.wording import at_words, bare_words, room_words, thing_words, title_of
+from mansion_editing.instructions.meaning.wording import (
+    at_words,
+    bare_words,
+    counted,
+    room_words,
+    thing_words,
+    title_of,
+)
 from mansion_editing.instructions.statements import Amount, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_msgs_py.errors import ErrorCode, MansionError
@@ -125,7 +132,9 @@ def things_meant(
         found = _at_one_place(state, things.place, found, context)
     amount, count = things.amount, len(found)
     if amount.of and amount.of != count:
-        message = f"there are {count} {bare_words(things)}{at_words(things.place)}, not {amount.of}: {_ids(found)}"
+        are = "is" if count == 1 else "are"
+        kind = counted(count, bare_words(things))
+        message = f"there {are} {kind}{at_words(things.place)}, not {amount.of}: {_ids(found)}"
         raise MansionError(ErrorCode.INFEASIBLE, message)
     if amount.kind == "all":
         if amount.number > 1 and amount.number != count:
@@ -143,7 +152,7 @@ def things_meant(
         return found
     if means_one(things) or (things.refers == "last" and not things.plural and things.noun):
         return _the_one(things, found, context, prefer)
-    if things.refers == "last":
+    if things.refers == "last" and (not amount.number or amount.number >= count):
         return found
     number = max(1, amount.number)
     if number > count:
@@ -182,7 +191,8 @@ def too_few(things: Things, found: list[SceneObject]) -> MansionError:
     only = "only " if things.amount.number >= len(found) else ""
     verb = "is" if len(found) == 1 else "are"
     message = (
-        f"there {verb} {only}{len(found)} {bare_words(things)}{at_words(things.place)}, not {things.amount.number}: "
+        f"there {verb} {only}{counted(len(found), bare_words(things))}{at_words(things.place)},"
+        f" not {things.amount.number}: "
     )
     return MansionError(ErrorCode.INFEASIBLE, message + _ids(found))
 
