@@ -1,5 +1,6 @@
 """Carry out an instruction that was read: each statement with tools, the whole checked, and landed or dropped."""
 
+import re
 from dataclasses import replace
 from typing import Final
 
@@ -100,13 +101,21 @@ _EXAMPLES: Final = (
 )
 
 
+_OPENINGS: Final = re.compile(r"\b(door|window)s?\b", re.IGNORECASE)
+_OF_OPENINGS: Final = (
+    "doors and windows are part of the structure: an instruction neither opens nor closes them; a door can be added"
+    ' between two rooms ("add a door between the kitchen and the dining room")'
+)
+
+
 def _policy(editor: SceneEditor, instruction: Instruction, *, partly: bool = False) -> Policy:
     asked = [statement for statement in instruction.statements if not isinstance(statement, Mention)]
     missed: list[str] = []
     if instruction.not_understood:
         words = "; ".join(repr(part[:80]) for part in instruction.not_understood)
         if not (partly and asked):
-            reason = f"not understood: {words}; {_EXAMPLES}"
+            openings = any(_OPENINGS.search(part) for part in instruction.not_understood)
+            reason = f"not understood: {words}; {_OF_OPENINGS if openings else _EXAMPLES}"
             return Verdict(reason, failed=[reason])
         missed.append(f"not understood: {words}")
     if not asked:

@@ -4,11 +4,12 @@ A rules reader and a language model both answer in these terms; `mansion_editing
 checks them. Every statement quotes the words that it was read from.
 """
 
-from typing import Literal, TypeAlias
+from typing import Final, Literal, TypeAlias
 
 import msgspec
 
 __all__ = [
+    "JOINED",
     "Add",
     "Amount",
     "AmountKind",
@@ -42,6 +43,9 @@ __all__ = [
     "Turn",
     "When",
 ]
+
+JOINED: Final = " / "
+"""Between the names of several rooms in `Rooms.words`."""
 
 AmountKind: TypeAlias = Literal[
     "some", "exactly", "at_least", "at_most", "more", "fewer", "all", "all_but", "half", "none"
@@ -79,7 +83,7 @@ class Rooms(msgspec.Struct, frozen=True, kw_only=True, tag=True):
     Attributes
     ----------
     words : str
-        Name or kind ("meeting room 2"); empty where only storeys are given.
+        Name or kind ("meeting room 2"), or several of them; empty where only storeys are given.
     floors : tuple of int
         Storeys, the ground being 1; empty for any.
     every : bool
@@ -406,7 +410,15 @@ class When(_Said, kw_only=True, frozen=True):
 
 
 class Mention(_Said, kw_only=True, frozen=True):
-    """Background that asks for nothing ("one of our clients is allergic")."""
+    """Background that asks for nothing ("one of our clients is allergic").
+
+    Attributes
+    ----------
+    rooms : Rooms, optional
+        What it tells of, which the next statement may be about ("the dining room is too dark").
+    """
+
+    rooms: Rooms | None = None
 
 
 Statement: TypeAlias = (

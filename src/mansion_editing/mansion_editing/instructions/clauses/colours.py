@@ -24,7 +24,7 @@ _COVERINGS: Final = frozenset(
 class Colours(Outcomes):
     """Reads what is painted, and its colour."""
 
-    def _colour_at(self, at: int) -> tuple[str, str, int] | None:
+    def colour_at(self, at: int) -> tuple[str, str, int] | None:
         """Read a colour or a material: ``dark red``, ``oak parquet``."""
         place = at
         while self.text(place) in BEFORE_COLOUR_WORDS:
@@ -45,7 +45,7 @@ class Colours(Outcomes):
 
     def _covering_at(self, at: int) -> tuple[str, str, int] | None:
         """Read what a floor is covered with: ``oak parquet``, ``grey carpet``, ``new tiles``."""
-        colour = self._colour_at(at)
+        colour = self.colour_at(at)
         if colour is None or not colour[1] or self.words[colour[2] - 1].text not in _COVERINGS:
             return None
         return colour
@@ -83,7 +83,7 @@ class Colours(Outcomes):
         if items is None:
             raise NotUnderstood(at, self.boundary(at))
         subject, end = items
-        colour = self._colour_at(end)
+        colour = self.colour_at(end)
         if colour is None:
             raise NotUnderstood(at, self.boundary(at))
         stop = colour[2]
@@ -91,7 +91,7 @@ class Colours(Outcomes):
 
     def items_or_surfaces(self, at: int) -> tuple[tuple[Surface, Rooms] | list[Item], int] | None:
         """Read ``the walls of the lobby``, ``the kitchen floor``, or objects."""
-        surface = self._surface(at)
+        surface = self.surface(at)
         if surface is not None:
             return surface
         try:
@@ -100,7 +100,7 @@ class Colours(Outcomes):
             return None
         return items, items[-1].end
 
-    def _surface(self, at: int) -> tuple[tuple[Surface, Rooms], int] | None:
+    def surface(self, at: int) -> tuple[tuple[Surface, Rooms], int] | None:
         place = at
         while self.text(place) in BEFORE_SURFACES:
             place += 1

@@ -8,6 +8,7 @@ from mansion_editing.instructions.clauses.states import States
 from mansion_editing.instructions.clauses.ways import Ways
 from mansion_editing.instructions.phrases.places import merged, with_place
 from mansion_editing.instructions.phrases.word_sets import (
+    ANY_LONGER,
     BEFORE_PREDICATES,
     BEING_SOMEWHERE,
     FAILING,
@@ -73,7 +74,7 @@ class Predicates(States, Colours, Ways):
         if negated or not (self.text(place) == "become" or turned):
             return None
         place += 1 + turned
-        colour = self._colour_at(place)
+        colour = self.colour_at(place)
         if colour is not None and self.phrase(place) is None:
             return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         new = self.phrase(place)
@@ -135,7 +136,7 @@ class Predicates(States, Colours, Ways):
                 -1
             ].end
         if deed == "paint":
-            colour = self._colour_at(after)
+            colour = self.colour_at(after)
             if colour is not None:
                 return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         if deed == "equip" and self.text(after) == "with":
@@ -211,6 +212,16 @@ class Predicates(States, Colours, Ways):
                 end += 1
             kept = Item(item.phrase, (*item.places, *(places if end == after else ())), end)
             return [Keep(things=self._all(kept.things()), quote=self.quote(at, end))], end
+        if word in ("needed", "required", "wanted", "necessary"):
+            end = place + 1
+            while self.text(end) in ANY_LONGER:
+                end += 1
+            if negated:
+                return [Remove(things=self._all_if_plural(item.things()), quote=self.quote(at, end))], end
+            places, end = self.places(end + (self.text(end) == ","))
+            if places and not item.phrase.definite:
+                whole = Item(item.phrase, (*item.places, *places), end)
+                return self._there(whole, whole.goal(), self.quote(at, end)), end
         if word in ("go", "disappear", "vanish", "leave") and not negated:
             places, end = self.places(place + 1)
             if not places:
@@ -289,14 +300,14 @@ class Predicates(States, Colours, Ways):
             return None
         if item.is_room:
             self.frame = Place(rooms=item.rooms())
-        else:
-            self.topic = item.things()
+            return [Mention(rooms=item.rooms(), quote=self.quote(at, stop))], stop
+        self.topic = item.things()
         return [Mention(quote=self.quote(at, stop))], stop
 
     def _said_colour(self, item: Item, place: int, at: int, negated: bool) -> tuple[list[Statement], int] | None:
         if negated or place == item.end:
             return None
-        colour = self._colour_at(place)
+        colour = self.colour_at(place)
         if colour is None:
             return None
         return self._painted([item], colour[0], colour[1], self.quote(at, colour[2])), colour[2]

@@ -307,7 +307,7 @@ class Sentence(ABC):
                 while self.text(at + 1) in AFTER_THANKS:
                     at += 1
             if self.text(at) == "there" and (self.text(at + 1) in BE or self.text(at + 1) in MODALS
-                                             or self.text(at + 1) in ("need", "has", "have")):  # fmt: skip
+                                             or self.text(at + 1) in ("need", "has", "have", "not")):  # fmt: skip
                 break
             if self.text(at) == "for" and self.text(at + 1) not in ("now", "me", "us"):
                 break

@@ -21,12 +21,12 @@ class Subjects(Predicates):
         number = self._number_should_be(at) or self._only_thing(at)
         if number is not None:
             return number
-        surface = self._surface(at)
+        surface = self.surface(at)
         if surface is not None:
             end = surface[1]
             while self.text(end) in MODALS or self.text(end) in BEFORE_COLOURS:
                 end += 1
-            colour = self._colour_at(end)
+            colour = self.colour_at(end)
             if colour is not None and end > surface[1] - 1:
                 return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         return self._of_subjects(at)

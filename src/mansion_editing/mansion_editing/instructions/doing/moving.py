@@ -50,6 +50,10 @@ def move(statement: Move, state: SceneState, context: Context) -> Work:
     there = {item.id for item in all_at(state, found, place, context)}
     away = [item for item in found if item.id not in there]
     single = not things.plural and things.amount.number <= 1 and things.amount.kind in ("some", "all")
+    reached = {target.room for target in targets}
+    elsewhere = bool(targets) and not any(item.room in reached for item in away)
+    if means_one(things) and there and elsewhere:
+        away = []
     if (found and not away) or (there and single and not means_one(things) and not statement.or_new):
         said = f"{listed(sorted(there))} {_is(there)} there already; nothing had to move"
         rooms = tuple(dict.fromkeys(item.room for item in found if item.id in there))

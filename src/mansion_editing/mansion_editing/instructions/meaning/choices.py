@@ -71,8 +71,11 @@ def _floor(state: SceneState, room: str) -> int:
 
 
 def from_there(state: SceneState, things: Things, place: Place, context: Context) -> Context:
-    """Return the context in which ``up one floor`` is told from where things are."""
+    """Return the context in which ``up one floor`` and ``under the bed`` are told from where things are."""
     rooms = place.rooms
+    if rooms is None and place.anchor is not None and place.anchor.definite and not place.anchor.refers:
+        own = {item.room for item in things_of(state, things, context)}
+        return context.followed((), tuple(own), "") if len(own) == 1 else context
     if rooms is None or not rooms.up or rooms.base:
         return context
     found = [item.room for item in things_of(state, things, context)]

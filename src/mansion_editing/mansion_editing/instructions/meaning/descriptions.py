@@ -12,7 +12,7 @@ from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.nouns import called, has_colour, has_material, id_order
 from mansion_editing.instructions.meaning.numbers import means_several
 from mansion_editing.instructions.meaning.room_words import adjoining, best_named, room_order
-from mansion_editing.instructions.statements import Place, Rooms, Things
+from mansion_editing.instructions.statements import JOINED, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.perception import contents, on_top
 from mansion_editing.tools.relations import relation_holds
@@ -35,6 +35,10 @@ def rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[str]:
 
 
 def _rooms_of(state: SceneState, rooms: Rooms, context: Context) -> list[SceneRoom]:
+    if JOINED in rooms.words:
+        names = rooms.words.split(JOINED)
+        each = [msgspec.structs.replace(rooms, words=words, every=False, number=0) for words in names]
+        return list({room.id: room for one in each for room in _rooms_of(state, one, context)}.values())
     pool = sorted((room for floor, room in state.rooms() if not rooms.floors or floor in rooms.floors), key=room_order)
     if rooms.same and rooms.words:
         storeys = {name.split("/", 1)[0] for name in context.rooms}

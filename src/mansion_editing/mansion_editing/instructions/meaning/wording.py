@@ -7,7 +7,7 @@ import msgspec
 from mansion_editing.instructions.meaning.context import Context
 from mansion_editing.instructions.meaning.descriptions import rooms_of
 from mansion_editing.instructions.meaning.numbers import means_several
-from mansion_editing.instructions.statements import Place, Rooms, Things
+from mansion_editing.instructions.statements import JOINED, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_language import plural
 from mansion_msgs_py.scene import SceneObject
@@ -104,7 +104,10 @@ def _in_rooms(rooms: Rooms) -> str:
 
 def room_words(rooms: Rooms) -> str:
     """Return words for rooms ("kitchen on floor 2")."""
-    words = (plural(rooms.words) if rooms.every else rooms.words) or ("rooms" if rooms.every else "room")
+    named = " and ".join(rooms.words.split(JOINED))
+    words = (plural(named) if rooms.every and named and JOINED not in rooms.words else named) or (
+        "rooms" if rooms.every else "room"
+    )
     sized = f"{rooms.size} {words}" if rooms.size else words
     floors = f" on floor {' or '.join(map(str, rooms.floors))}" if rooms.floors else ""
     beside = f" next to {rooms.next_to}" if rooms.next_to else ""

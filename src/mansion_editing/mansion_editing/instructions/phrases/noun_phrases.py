@@ -11,7 +11,7 @@ from mansion_editing.instructions.phrases.runs import ENDS_RUN, end_of_run
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import BARE_PRONOUNS
 from mansion_editing.instructions.phrases.words import ADVERBS, DETERMINERS, STATE_WORDS, Word, text_at
-from mansion_editing.instructions.statements import Amount, AmountKind, Place, Rooms, Things
+from mansion_editing.instructions.statements import JOINED, Amount, AmountKind, Place, Rooms, Things
 
 __all__ = ["NounPhrase", "noun_phrase"]
 
@@ -69,6 +69,10 @@ class NounPhrase:
         noun = self.noun
         words = " ".join((*filter(None, [noun.owned]), *noun.words, *filter(None, [noun.number])))
         words = "" if words == "room" else words
+        if noun.numbers:
+            base = words.removesuffix(noun.number)
+            words = JOINED.join([words, *(f"{base}{number}" for number in noun.numbers)])
+            return Rooms(words=words, floors=noun.floors, every=True, number=1 + len(noun.numbers))
         one = self.amount.kind == "some" and self.amount.number == 1
         several = (noun.plural and not one) or self.each or self.amount.kind == "all"
         return Rooms(
@@ -133,8 +137,25 @@ def noun_phrase(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequen
         amount, definite, end = whole[0], True, whole[1]
     if amount.number == 0 and amount.kind == "some" and not definite and not found.plural:
         amount = Amount(number=1)
-    noun = replace(found, floors=storeys)
+    more, end = _further_numbers(words, found, end, lexicon)
+    noun = replace(found, floors=storeys, numbers=more)
     return NounPhrase(noun, amount, definite, start, end, each=each)
+
+
+def _further_numbers(words: Sequence[Word], noun: Noun, at: int, lexicon: Lexicon) -> tuple[tuple[str, ...], int]:
+    """Read ``2 and 3`` of ``classrooms 1, 2 and 3``."""
+    out: list[str] = []
+    while noun.number and noun.plural and noun.kind in ("room", "both"):
+        place = at + (text_at(words, at) == ",")
+        place += text_at(words, place) in ("and", "&")
+        if place == at or place >= len(words) or not (words[place].kind == "code" or words[place].raw.isdecimal()):
+            break
+        following = words[place + 1] if place + 1 < len(words) else None
+        if following is not None and (following.kind == "unit" or lexicon.is_object((following.text,))):
+            break
+        out.append(words[place].raw)
+        at = place + 1
+    return tuple(out), at
 
 
 def _pronoun(words: Sequence[Word], start: int, at: int, place: int, amount: Amount) -> NounPhrase | None:

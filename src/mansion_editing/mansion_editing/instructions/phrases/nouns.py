@@ -56,6 +56,7 @@ class Noun:
     states: dict[str, bool] = field(default_factory=dict)
     unknown: tuple[str, ...] = ()
     floors: tuple[int, ...] = ()
+    numbers: tuple[str, ...] = ()
 
 
 def read_noun(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> tuple[Noun | None, int]:

@@ -12,7 +12,7 @@ from mansion_editing.instructions.phrases.relative_storeys import read_relative_
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import BEFORE_PLACES, BEFORE_SPOTS, NEAR_SPOTS
 from mansion_editing.instructions.phrases.words import BE, MODALS, Word, text_at
-from mansion_editing.instructions.statements import Place, Relation, Rooms, Spot, Things
+from mansion_editing.instructions.statements import JOINED, Place, Relation, Rooms, Spot, Things
 
 __all__ = ["SAME_FLOOR", "ReadPlace", "merged", "read_place", "with_place"]
 
@@ -307,7 +307,7 @@ def _spot(
         return None
     if spot in ("window", "door") and phrase[0] not in NEAR_SPOTS:
         return None
-    if spot == "door" and text_at(words, place + 1) in ("of", "to"):
+    if spot == "door" and text_at(words, place + 1) == "to":
         return None
     if spot == "wall" and not ceiling_or_wall and phrase[0] not in ("against", "along", "at", "by", "to", "next"):
         return None
@@ -369,6 +369,8 @@ def _at_noun(
         room = False
     if room:
         rooms = target.rooms()
+        if relation in ("in", "") and not rooms.every and noun.kind == "room":
+            rooms, target = _and_rooms(words, rooms, target, lexicon, floors)
         if target.refers:
             rooms = msgspec.structs.replace(rooms, same=False)
         if relation in ("above", "under"):
@@ -381,6 +383,24 @@ def _at_noun(
     outside = phrase == ("away", "from")
     place = Place(relation=own, anchor=target.things(), outside=outside)
     return ReadPlace(place, start, target.end, goal, source, each=target.each)
+
+
+def _and_rooms(
+    words: Sequence[Word], rooms: Rooms, target: NounPhrase, lexicon: Lexicon, floors: Sequence[int]
+) -> tuple[Rooms, NounPhrase]:
+    """Read ``and the bathroom`` after a room, where the clause ends with it."""
+    names, last = [rooms.words], target
+    while text_at(words, last.end) in ("and", ",", "&"):
+        at = last.end + 1 + (text_at(words, last.end) == "," and text_at(words, last.end + 1) == "and")
+        more = noun_phrase(words, at, lexicon, floors)
+        if more is None or more.noun.kind != "room" or more.noun.unknown or more.refers or more.noun.plural:
+            break
+        names.append(more.rooms().words)
+        last = more
+    ends = last.end >= len(words) or words[last.end].kind == "mark" or text_at(words, last.end) in ("please", "too")
+    if len(names) < 2 or not ends or not all(names):
+        return rooms, target
+    return Rooms(words=JOINED.join(names), floors=rooms.floors, every=True, number=len(names)), last
 
 
 def merged(outer: Place, inner: Place) -> Place:

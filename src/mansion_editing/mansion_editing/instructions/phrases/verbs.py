@@ -49,6 +49,9 @@ def _is_noun_here(words: Sequence[Word], at: int, lexicon: Lexicon) -> bool:
         return False
     if following is None:
         return True
+    after = words[at + 2] if at + 2 < len(words) else None
+    if following.text in PREPOSITIONS and after is not None and after.text in DETERMINERS:
+        return True
     if following.kind in ("number", "ordinal") or following.text in _AFTER_A_VERB:
         return False
     if following.text in PREPOSITIONS or following.kind == "mark":

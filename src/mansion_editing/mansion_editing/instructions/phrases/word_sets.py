@@ -198,7 +198,7 @@ HAVING: Final = frozenset("have has got contain hold already still include get n
 AFTER_COUNTED: Final = frozenset(
     "there do does we have has i got you find it exist in total altogether currently now right at moment the".split()
 )
-AFTER_WHERE: Final = frozenset("can i find do we have does one".split())
+AFTER_WHERE: Final = frozenset("can i find do we have does one did leave put my you keep see".split())
 AFTER_WHICH_ROOMS: Final = frozenset("have has contain hold there do can i find with that".split())
 AFTER_WHAT: Final = frozenset(
     "object thing item furniture there kind of else stand lie sit all can i see do we have".split()

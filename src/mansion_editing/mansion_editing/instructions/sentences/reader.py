@@ -41,6 +41,7 @@ from mansion_editing.instructions.statements import (
     Ask,
     Clear,
     Ensure,
+    Finish,
     History,
     Instruction,
     Keep,
@@ -183,6 +184,8 @@ class _Reader:
         at = reader.skip(0)
         if reader.text(at) in ("no", "nope") and (reader.text(at + 1) in (",", "wait", "-") or at + 1 >= len(words)):
             at = reader.skip(at + 1 + (reader.text(at + 1) == "wait"))
+        if tuple(w.text for w in words[at : at + 3]) == ("from", "now", "on"):
+            at = reader.skip(at + 3)
         if at >= len(words):
             return
         if self._reads_scope(reader, at) or self._tells_of_person(reader, at):
@@ -245,8 +248,9 @@ class _Reader:
     def _read_heading(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         """Read what a sentence is about: ``The lamp: ...``, ``Too many chairs ...``."""
         heading = reader.item(at)
-        if heading is not None and heading.phrase.definite and not heading.is_room and reader.text(heading.end) == ":":
-            self.topic = heading.things()
+        told = heading is not None and (heading.phrase.definite or bool(heading.places))
+        if heading is not None and told and not heading.is_room and reader.text(heading.end) == ":":
+            self.topic = msgspec.structs.replace(heading.things(), definite=True)
             self.statements.append(Mention(quote=self._quote(words, at, heading.end)))
             at = heading.end + 1
         if reader.text(at) == "many" and at > 0 and words[at - 1].text == "too":
@@ -354,6 +358,10 @@ class _Reader:
     def _same_of_others(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb after a state, a removal or the like: ``turn the TV on and the beer tap too``."""
         last = self.statements[-1] if self.statements else None
+        if isinstance(last, Finish) and at and words[at - 1].text in ("and", ","):
+            covered = self._surface_too(reader, words, at, last)
+            if covered is not None:
+                return covered
         if not isinstance(last, SetState | Remove | Paint | Turn) or at == 0 or reader.starts_clause(at):
             return None
         if words[at - 1].text not in ("and", "also", ",", "plus"):
@@ -372,6 +380,19 @@ class _Reader:
             things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0))
         self.statements.append(msgspec.structs.replace(last, things=things, quote=self._quote(words, at, end)))
         return end
+
+    def _surface_too(self, reader: ClauseReader, words: Sequence[Word], at: int, last: Finish) -> int | None:
+        """Read ``and the walls green`` after the ceiling of a room was painted."""
+        frame, reader.frame = reader.frame, Place(rooms=last.rooms)
+        surface = reader.surface(at)
+        reader.frame = frame
+        colour = None if surface is None else reader.colour_at(surface[1])
+        if surface is None or colour is None:
+            return None
+        (part, rooms), _ = surface
+        quote = self._quote(words, at, colour[2])
+        self.statements.append(Finish(rooms=rooms, part=part, colour=colour[0], material=colour[1], quote=quote))
+        return colour[2]
 
     def _more_of_the_same(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int | None:
         """Read things without a verb, which go where the things before them went: ``and a pen too``."""
@@ -662,7 +683,7 @@ class _Reader:
             self.statements.append(Mention(quote=whole))
             return True
         told = words[at].raw in ("is", "are", "looks") and len(words) - at <= 7
-        if told and not reader.item(at + 1):
+        if told and not reader.item(at + 1) and reader.text(at + 1) != "there":
             self.statements.append(Mention(quote=whole))
             return True
         return self._tells_what_was_left(reader, at)
