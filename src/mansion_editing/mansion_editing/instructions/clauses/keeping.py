@@ -91,6 +91,10 @@ class Keeping(Wishes, Adding, Removing):
             found = self._existential(place, asked=True)
             if found is not None:
                 return found
+        surface = self.surface(place)
+        colour = self.colour_at(surface[1] + 1) if surface is not None and self.text(surface[1]) == "be" else None
+        if surface is not None and colour is not None:
+            return self._painted(surface[0], colour[0], colour[1], self.quote(at, colour[2])), colour[2]
         item = self.item(place)
         if item is not None:
             found = self._predicate(item, item.end, at)

@@ -92,7 +92,8 @@ class Outcomes(Sentence):
         phrase = item.phrase
         shared = item.places or not any(other.places for other in items)
         source = joined_places([p for p in item.places if p.source])[0] if shared else Place()
-        if any(p.relative or p.goal for p in item.places) and (phrase.definite or phrase.refers):
+        whence = phrase.definite or phrase.refers or source != Place()
+        if any(p.relative or p.goal for p in item.places) and whence:
             source, goal, each = self._source_and_goal(item.places)
             goal, each = self._framed((goal, each))
         to_them = goal.anchor is not None and goal.anchor.refers == "last" and not goal.anchor.noun

@@ -173,6 +173,9 @@ class Predicates(States, Colours, Ways):
             return None
         if self.text(place + 1) == "to":
             return None
+        wanted = self.item(place + 1) if word in ("want", "need") else None
+        if wanted is not None and self._participle(wanted.end) is not None:
+            return self._predicate(wanted, wanted.end, at)
         covered = self._covered(item, place, at)
         if covered is not None and not negated:
             return covered

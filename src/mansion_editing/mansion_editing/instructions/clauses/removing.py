@@ -82,7 +82,8 @@ class Removing(Moving):
         if staying is not None:
             quote = self.quote(at, staying[1])
             return [Clear(place=self._emptied(each), spare=staying[0], quote=quote) for each in items], staying[1]
-        return [Mention(quote=self.quote(at, end))], end
+        rooms = items[0].rooms() if items[0].is_room else None
+        return [Mention(rooms=rooms, quote=self.quote(at, end))], end
 
     def _cleared_of(self, at: int, item: Item) -> tuple[list[Statement], int]:
         """Read ``clear the lobby of chairs``."""

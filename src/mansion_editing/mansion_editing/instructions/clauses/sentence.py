@@ -150,7 +150,7 @@ class Sentence(ABC):
             return read
         if read is None or read.place.rooms is None or read.place.anchor is not None:
             return None
-        unnamed = place.rooms is not None and place.rooms.up and not place.rooms.words
+        unnamed = place.rooms is not None and not place.rooms.words and not place.rooms.same
         if place.rooms is not None and not unnamed and (place.rooms.floors or read.place.rooms.words):
             return None
         ends = read.end >= len(self.words) or self.text(read.end) in (",", ".", "and", ")", "please", ";", "there")

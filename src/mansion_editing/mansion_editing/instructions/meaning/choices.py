@@ -160,7 +160,7 @@ def things_meant(
     number = max(1, amount.number)
     if number > count:
         raise too_few(things, found)
-    if things.definite and number < count and not amount.of:
+    if things.definite and not things.refers and number < count and not amount.of:
         raise ambiguous(thing_words(things), [title_of(state, item) for item in found], [i.id for i in found])
     return _any_of(state, found, number)
 

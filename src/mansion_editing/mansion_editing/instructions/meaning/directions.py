@@ -47,7 +47,9 @@ def _mark(statement: Shift, item: SceneObject, state: SceneState, context: Conte
     if statement.mark is not None:
         here = Place(rooms=Rooms(words=item.room))
         mark = msgspec.structs.replace(statement.mark, place=statement.mark.place or here)
-        found = things_meant(state, mark, context)[0]
+        found = min(
+            things_meant(state, mark, context), key=lambda other: (math.dist(other.position, item.position), other.id)
+        )
         return found.position[0], found.position[1]
     found_room = state.room(item.room)
     assert found_room is not None

@@ -72,6 +72,7 @@ _MANY: Final[dict[str, Callable[[SceneObject], bool]]] = {
     **{word: (lambda item: not is_fixed(item)) for word in _ANYTHING},
     "switchable": lambda item: item.toggleable,
     "openable": lambda item: item.openable,
+    "counter": _ending(("counter", "counter_top")),
     "furniture": _is_furniture,
     "furnishing": _is_furniture,
     "light": is_light,

@@ -146,13 +146,16 @@ def _further_numbers(words: Sequence[Word], noun: Noun, at: int, lexicon: Lexico
     """Read ``2 and 3`` of ``classrooms 1, 2 and 3``."""
     out: list[str] = []
     while noun.number and noun.plural and noun.kind in ("room", "both"):
-        place = at + (text_at(words, at) == ",")
+        through = text_at(words, at) in ("to", "-", "through")
+        place = at + (text_at(words, at) == "," or through)
         place += text_at(words, place) in ("and", "&")
         if place == at or place >= len(words) or not (words[place].kind == "code" or words[place].raw.isdecimal()):
             break
         following = words[place + 1] if place + 1 < len(words) else None
         if following is not None and (following.kind == "unit" or lexicon.is_object((following.text,))):
             break
+        if through and noun.number.isdecimal() and words[place].raw.isdecimal():
+            out += [str(number) for number in range(int((out or [noun.number])[-1]) + 1, int(words[place].raw))][:40]
         out.append(words[place].raw)
         at = place + 1
     return tuple(out), at
@@ -196,6 +199,8 @@ def _bare_amount(words: Sequence[Word], start: int, place: int, amount: Amount) 
     counted = place > start and (amount.kind == "more" or words[place - 1].kind == "number")
     if not counted:
         return None
+    if text_at(words, place - 1) == "one" and text_at(words, place - 2) in ("the", "that", "this"):
+        return NounPhrase(Noun(("one",), "anything"), Amount(number=0), True, start, place)
     return NounPhrase(Noun((), "anything"), amount, amount.of > 0, start, place, refers="last")
 
 

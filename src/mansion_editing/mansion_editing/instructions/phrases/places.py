@@ -12,7 +12,7 @@ from mansion_editing.instructions.phrases.relative_storeys import read_relative_
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.word_sets import BEFORE_PLACES, BEFORE_SPOTS, NEAR_SPOTS
 from mansion_editing.instructions.phrases.words import BE, MODALS, Word, text_at
-from mansion_editing.instructions.statements import JOINED, Place, Relation, Rooms, Spot, Things
+from mansion_editing.instructions.statements import JOINED, Amount, Place, Relation, Rooms, Spot, Things
 
 __all__ = ["SAME_FLOOR", "ReadPlace", "merged", "read_place", "with_place"]
 
@@ -124,7 +124,10 @@ def _relative(words: Sequence[Word], at: int, lexicon: Lexicon, floors: Sequence
     if base is not None and base.noun.kind in ("room", "both") and not base.noun.unknown and base.definite:
         rooms = Rooms(up=up, base=base.rooms().words)
         return ReadPlace(Place(rooms=rooms), at, base.end)
-    goal = text_at(words, at) in ("up", "down")
+    goal = "up" in (text_at(words, at), text_at(words, end - 1)) or "down" in (
+        text_at(words, at),
+        text_at(words, end - 1),
+    )
     return None if joint > end else ReadPlace(Place(rooms=Rooms(up=up)), at, end, goal=goal)
 
 
@@ -443,5 +446,8 @@ def _merged_rooms(one: Rooms | None, other: Rooms | None) -> Rooms | None:
 
 
 def with_place(things: Things, place: Place) -> Things:
-    """Return things that are at a place."""
+    """Return things that are at a place; one of several rooms is one in each of them."""
+    one = things.definite and not things.plural and things.amount.kind == "some" and things.amount.number <= 1
+    if one and not things.refers and place.rooms is not None and JOINED in place.rooms.words:
+        things = msgspec.structs.replace(things, amount=Amount(kind="all", number=0), plural=True)
     return msgspec.structs.replace(things, place=place if things.place is None else merged(things.place, place))

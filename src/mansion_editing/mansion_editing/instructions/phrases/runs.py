@@ -67,7 +67,7 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
         if text == "can" and end > at and lexicon.is_object((words[end - 1].text, "can")):
             end += 1
             continue
-        bare = end == at and text in ("empty", "free", "clear", "closed")
+        bare = end == at and text in ("empty", "free", "clear", "closed", "round")
         if bare and _starts_noun(words, end + 1, end + 1, lexicon):
             end += 1
             continue
@@ -111,6 +111,8 @@ def _is_colour_after(words: Sequence[Word], end: int, at: int, lexicon: Lexicon)
 
 def _starts_noun(words: Sequence[Word], end: int, at: int, lexicon: Lexicon) -> bool:
     """Whether a word that often ends a phrase belongs to it: a ceiling light, a front door, an open office."""
+    if end >= len(words):
+        return False
     text = words[end].text
     for first in range(max(at, end - 2), end + 1):
         for last in range(end + 1, min(len(words), end + 3) + 1):

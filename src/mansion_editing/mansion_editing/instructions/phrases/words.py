@@ -112,7 +112,8 @@ ADVERBS: Final = frozenset(
 )
 UNRECORDED: Final = frozenset(
     "nice new small large big clean fresh cosy cozy comfortable modern old fancy simple pretty beautiful lovely little "
-    "tiny huge tall long wide low high dirty tasty warm cute elegant cheap sturdy soft heavy stylish ripe".split()
+    "tiny huge tall long wide low high round rectangular dirty tasty warm cute elegant cheap sturdy soft heavy "
+    "stylish ripe".split()
 )
 """Adjectives that are understood but that no scene describes."""
 
@@ -123,7 +124,7 @@ VAGUE: Final = frozenset(
     "single individual separate loose dirty tasty hot warm tidy cute elegant cheap sturdy soft heavy light dark "
     "bright stylish random correct appropriate several whole entire more other further free available ripe "
     "unused used broken cold chilled cool iced refrigerated favourite favorite old-fashioned possible actual "
-    "particular required necessary freestanding stray second-hand visible "
+    "round rectangular particular required necessary freestanding stray second-hand visible "
     "matching useless unneeded unnecessary remaining respective".split()
 )
 BREAKS: Final = frozenset([",", ";", ".", ":", "!", "?", "\n", "-", "(", ")", '"', "*", "/", "=", "#", "|", "[", "]"])

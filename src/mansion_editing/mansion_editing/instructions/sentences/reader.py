@@ -1,40 +1,25 @@
 """Instructions in English to statements: sentences, their clauses in order, and what one sentence tells of another."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 import msgspec
 
 from mansion_editing.instructions.clauses.items import NotUnderstood
 from mansion_editing.instructions.clauses.reader import ClauseReader
-from mansion_editing.instructions.phrases.lexicon import HYPERNYMS, Lexicon
-from mansion_editing.instructions.phrases.nouns import Noun
+from mansion_editing.instructions.phrases.lexicon import HYPERNYMS
 from mansion_editing.instructions.phrases.places import merged, read_place, with_place
-from mansion_editing.instructions.phrases.storey_counts import counted_from_ground, counts_above_ground
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verbs import verb_at
 from mansion_editing.instructions.phrases.word_sets import AFTER_CLAUSES, HEADINGS, JOINING
-from mansion_editing.instructions.phrases.words import (
-    COURTESIES,
-    FUNCTION_WORDS,
-    PERSONS,
-    UNRECORDED,
-    Word,
-    split_words,
-)
+from mansion_editing.instructions.phrases.words import COURTESIES, FUNCTION_WORDS, STATE_WORDS, UNRECORDED, Word
 from mansion_editing.instructions.sentences.accounting import unaccounted
 from mansion_editing.instructions.sentences.background import end_of_background, is_background, split_sentences
 from mansion_editing.instructions.sentences.conditions import Condition, begins_condition, on_condition, read_condition
 from mansion_editing.instructions.sentences.questions import read_question
-from mansion_editing.instructions.sentences.refinement import (
-    exactly,
-    in_place_of,
-    is_open,
-    narrowed,
-    so_many,
-    with_noun_at,
-    with_storeys,
-)
+from mansion_editing.instructions.sentences.refinement import exactly, in_place_of, so_many, with_noun_at, with_storeys
+from mansion_editing.instructions.sentences.repeating import Repeating
+from mansion_editing.instructions.sentences.telling import Telling
 from mansion_editing.instructions.statements import (
     Add,
     Amount,
@@ -42,7 +27,6 @@ from mansion_editing.instructions.statements import (
     Clear,
     Ensure,
     Finish,
-    History,
     Instruction,
     Keep,
     Mention,
@@ -86,25 +70,8 @@ def read_instruction(text: str, state: SceneState, brief: str = "") -> Instructi
     return _Reader(text, state, brief).read()
 
 
-class _Reader:
+class _Reader(Telling, Repeating):
     """Reads one instruction."""
-
-    def __init__(self, text: str, state: SceneState, brief: str = "") -> None:
-        self.text = text
-        self.lexicon = Lexicon(state)
-        self.floors = state.floors
-        self.words = split_words(text, self.lexicon.speller, self.lexicon.kept)
-        if counts_above_ground(text, brief):
-            self.words = counted_from_ground(self.words)
-        self.statements: list[Statement] = []
-        self.unknown: list[str] = []
-        self.topic: Things | None = None
-        self.spared: tuple[Things, ...] = ()
-        self.frames: tuple[Place, ...] = ()
-        self.last_noun: Noun | None = None
-        self.told: list[tuple[str, Place]] = []
-        self.clause: list[Statement] = []
-        self.is_last = False
 
     def read(self) -> Instruction:
         """Read all sentences in order."""
@@ -168,11 +135,6 @@ class _Reader:
         thing = self.lexicon.is_object(pair) and not self.lexicon.is_own_room((owner.text,))
         return thing or self.lexicon.is_own_room(pair)
 
-    def _quote(self, words: Sequence[Word], start: int, end: int) -> str:
-        if start >= end:
-            return ""
-        return self.text[words[start].start : words[min(end, len(words)) - 1].end]
-
     def _read_sentence(self, words: Sequence[Word], *, marked: bool) -> None:
         reader = ClauseReader(words, self.lexicon, self.floors, lambda a, b: self._quote(words, a, b))
         self.frames = ()
@@ -197,6 +159,8 @@ class _Reader:
         at = self._read_exception(reader, at)
         at = self._read_frame(reader, at)
         if self._repeats(reader, words, at):
+            return
+        if self._reads_state_of_topic(words, at):
             return
         while at < len(words):
             at = reader.skip(at)
@@ -260,6 +224,16 @@ class _Reader:
                 at = reader.skip(much.end)
         return at
 
+    def _reads_state_of_topic(self, words: Sequence[Word], at: int) -> bool:
+        """Read ``off`` after ``The table lamp in the dining area:``."""
+        if self.topic is None or at + 1 != len(words) or words[at].text not in STATE_WORDS or words[at - 1].text != ":":
+            return False
+        name, value = STATE_WORDS[words[at].text]
+        state: Literal["open", "on"] = "open" if name == "open" else "on"
+        quote = self._quote(words, 0, len(words))
+        self.statements[-1:] = [SetState(things=self.topic, state=state, value=value, quote=quote)]
+        return True
+
     def _read_exception(self, reader: ClauseReader, at: int) -> int:
         """Read ``Apart from the vase, ...``, an exception to what comes next."""
         end, things = reader.exceptions(at)
@@ -267,54 +241,6 @@ class _Reader:
             return at
         self.spared = things
         return end + 1
-
-    def _repeats(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
-        """Read what only repeats an earlier instruction: ``and in the bedroom too``, ``the same upstairs``."""
-        if self.statements:
-            return False
-        if reader.text(at) in ("same", "likewise", "ditto") or (
-            reader.text(at) == "the" and reader.text(at + 1) == "same"
-        ):
-            at += 1 + (reader.text(at) == "the")
-            at += reader.text(at) in ("thing", "again")
-            if reader.text(at) == "for":
-                return self._repeats_for(reader, words, at + 1)
-        elif not (
-            words[0].text in ("and", "also", "now", "then") or "too" in (words[-1].text, reader.text(len(words) - 2))
-        ):
-            return self._one_more(reader, words, at)
-        places, end = reader.places(at)
-        if not places or reader.skip(end) < len(words):
-            return self._one_more(reader, words, at)
-        place = places[0].place
-        for read in places[1:]:
-            place = merged(place, read.place)
-        self.statements.append(History(what="repeat", place=place, quote=self._quote(words, 0, len(words))))
-        return True
-
-    def _repeats_for(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
-        quote = self._quote(words, 0, len(words))
-        if tuple(w.text for w in words[at : at + 3]) in (("the", "next", "room"), ("the", "next", "one")):
-            place = Place(rooms=Rooms(next_to="room", same=True))
-            self.statements.append(History(what="repeat", place=place, quote=quote))
-            return True
-        item = reader.item(at)
-        if item is None or reader.skip(item.end) < len(words):
-            return False
-        if item.phrase.noun.kind in ("room", "both"):
-            self.statements.append(History(what="repeat", place=Place(rooms=item.rooms()), quote=quote))
-        else:
-            self.statements.append(History(what="repeat", things=item.things(), quote=quote))
-        return True
-
-    def _one_more(self, reader: ClauseReader, words: Sequence[Word], at: int) -> bool:
-        phrase = reader.phrase(at)
-        bare = phrase is not None and phrase.refers == "last" and phrase.amount.kind == "more"
-        if phrase is None or not bare or reader.skip(phrase.end) < len(words):
-            return False
-        quote = self._quote(words, 0, len(words))
-        self.statements.append(History(what="repeat", things=phrase.things(), quote=quote))
-        return True
 
     def _read_clause(self, reader: ClauseReader, words: Sequence[Word], at: int) -> int:
         same = self._same_of_others(reader, words, at)
@@ -465,11 +391,18 @@ class _Reader:
                 spared = msgspec.structs.replace(last.things, beside=(*last.things.beside, statement.things))
                 self.statements[-1] = msgspec.structs.replace(last, things=spared)
                 continue
+            if isinstance(last, Remove) and isinstance(statement, Move) and last.things.noun and _is_it(statement):
+                moved = Move(things=last.things, place=statement.place, quote=self._from_to(last, statement))
+                self.statements[-1] = moved
+                continue
             if isinstance(last, Ensure) and isinstance(statement, Remove) and statement.things.refers == "others":
-                whole = self.text[self.text.find(last.quote) : self.text.rfind(statement.quote) + len(statement.quote)]
-                self.statements[-1] = msgspec.structs.replace(exactly(last), quote=whole)
+                self.statements[-1] = msgspec.structs.replace(exactly(last), quote=self._from_to(last, statement))
                 continue
             self.statements.append(statement)
+
+    def _from_to(self, first: Statement, last: Statement) -> str:
+        """Return the words from one statement's to another's."""
+        return self.text[self.text.find(first.quote) : self.text.rfind(last.quote) + len(last.quote)]
 
     def _read_tail(self, reader: ClauseReader, words: Sequence[Word], end: int) -> tuple[int, bool]:
         """Read what may follow a clause: ``please``, ``if possible``; the rest must begin a new clause.
@@ -620,101 +553,7 @@ class _Reader:
         reader.frame = place
         return after if not comma else end + 1
 
-    def _reads_scope(self, reader: ClauseReader, at: int) -> bool:
-        """Read a sentence that only tells where something mentioned is: ``The desk is in the lobby.``."""
-        if self._tells_storeys(reader, at):
-            return True
-        item = reader.item(at)
-        if item is None:
-            return False
-        end = item.end
-        indicative = reader.text(end) in ("is", "are")
-        contracted = reader.words[item.phrase.end - 1].genitive and item.end > item.phrase.end
-        pronoun = item.phrase.refers == "last" and reader.words[at].raw in ("it's", "they're")
-        if not (indicative or contracted or pronoun):
-            return False
-        places, stop = reader.places(end + indicative) if indicative or not item.places else (item.places, item.end)
-        if not places or reader.skip(stop) < len(reader.words):
-            return False
-        place = Place()
-        for read in places:
-            place = read.place if place == Place() else merged(place, read.place)
-        noun = " ".join(item.phrase.noun.words)
-        number = item.phrase.noun.number
-        refined = [with_noun_at(s, f"{noun} {number}".strip(), place) for s in self.statements]
-        if item.phrase.refers == "last" and self.statements:
-            refined = [*self.statements[:-1], narrowed(self.statements[-1], place)]
-        if refined == self.statements and item.is_room and place.rooms is not None and self.statements:
-            rooms = merged(Place(rooms=item.phrase.rooms()), place)
-            refined = [narrowed(s, rooms) if is_open(s) else s for s in self.statements]
-        if (
-            refined == self.statements
-            and not (self.is_last or item.is_room or item.phrase.refers)
-            and item.phrase.definite
-        ):
-            self.told.append((f"{noun} {number}".strip(), place))
-            self.topic = with_place(item.phrase.things(), place)
-            self.statements.append(Mention(quote=self._quote(reader.words, at, stop)))
-            return True
-        if refined == self.statements:
-            return False
-        self.statements = refined
-        return True
 
-    def _tells_of_person(self, reader: ClauseReader, at: int) -> bool:
-        """Read ``She sleeps in the children's room``, which tells where the bed is; and why something is not right."""
-        words = reader.words
-        first = reader.text(at)
-        whole = self._quote(words, 0, len(words))
-        if first in ("he", "she") and at + 1 < len(words):
-            places, end = reader.places(at + 2)
-            if places and reader.skip(end) >= len(words) and self.statements and places[0].place.rooms is not None:
-                place = places[0].place
-                self.statements = [narrowed(s, place) if is_open(s) else s for s in self.statements]
-                self.statements.append(Mention(quote=whole))
-                return True
-        if first in ("why",):
-            there = next((k for k in range(at, len(words)) if words[k].text == "there"), -1)
-            item = reader.item(there + 1) if there >= 0 else None
-            self.topic = None if item is None else item.things()
-            if self.topic is not None and not self.topic.definite:
-                whole_of_it = Amount(kind="all", number=0)
-                self.topic = msgspec.structs.replace(self.topic, amount=whole_of_it, plural=True, definite=True)
-            self.statements.append(Mention(quote=whole))
-            return True
-        told = words[at].raw in ("is", "are", "looks") and len(words) - at <= 7
-        if told and not reader.item(at + 1) and reader.text(at + 1) != "there":
-            self.statements.append(Mention(quote=whole))
-            return True
-        return self._tells_what_was_left(reader, at)
-
-    def _tells_what_was_left(self, reader: ClauseReader, at: int) -> bool:
-        """Read ``A guest left a suitcase in room 4``, which says what the next sentence is about."""
-        words = reader.words
-        verbs = ("left", "forgot", "lost", "dropped", "has", "have", "uses", "needs", "put")
-        left = next((k for k in range(at, min(at + 8, len(words))) if words[k].raw in verbs), -1)
-        if self.is_last:
-            return False
-        if left < 0 or not {w.text for w in words[at:left]} & PERSONS:
-            return False
-        item = reader.item(left + 1)
-        end = len(words) if item is None else item.end
-        end += 2 if tuple(w.text for w in words[end : end + 2]) == ("any", "more") else 0
-        if item is None or reader.skip(end) < len(words):
-            return False
-        self.topic = item.things()
-        if words[left].raw in ("has", "have", "uses", "needs"):
-            self.topic = msgspec.structs.replace(self.topic, definite=True)
-        self.statements.append(Mention(quote=self._quote(words, 0, len(words))))
-        return True
-
-    def _tells_storeys(self, reader: ClauseReader, at: int) -> bool:
-        """Read ``the top floor is 8``, which asks for nothing."""
-        storeys = read_storeys(reader.words, at, self.floors)
-        if storeys is None or reader.text(storeys[2]) not in ("is", "are"):
-            return False
-        end = storeys[2] + 1
-        if end + 1 != len(reader.words) or reader.words[end].kind not in ("number", "ordinal"):
-            return False
-        self.statements.append(Mention(quote=self._quote(reader.words, at, end + 1)))
-        return True
+def _is_it(statement: Move) -> bool:
+    """Whether a statement moves only what was mentioned last."""
+    return statement.things.refers == "last" and not statement.things.noun
