@@ -7,10 +7,10 @@ import msgspec
 from mansion_editing.instructions.doing.changing import able, state_word
 from mansion_editing.instructions.doing.work import Done, listed, whereabouts
 from mansion_editing.instructions.meaning.choices import one_room_each
-from mansion_editing.instructions.meaning.context import Context
+from mansion_editing.instructions.meaning.context import Context, ambiguous
 from mansion_editing.instructions.meaning.descriptions import all_at, anchors_of, carried_by, rooms_of, things_of
 from mansion_editing.instructions.meaning.room_words import room_title
-from mansion_editing.instructions.meaning.wording import counted, place_words
+from mansion_editing.instructions.meaning.wording import counted, place_words, title_of
 from mansion_editing.instructions.statements import Amount, Ask, Place, Rooms, Things
 from mansion_editing.state import SceneState
 from mansion_editing.tools.paths import check_path
@@ -66,7 +66,11 @@ def holds(question: Ask, state: SceneState, context: Context) -> bool:
         ready = [item for item in found if able(item, name)]
         if not ready:
             raise MansionError(ErrorCode.NOT_FOUND, f"there is no {_noun(question)}{_said(question)}")
-        return all(bool(item.states.get(name, False)) == question.value for item in ready)
+        values = [bool(item.states.get(name, False)) == question.value for item in ready]
+        one = question.things is not None and not question.things.plural
+        if one and len(set(values)) > 1:
+            raise ambiguous(_noun(question), [title_of(state, item) for item in ready], [item.id for item in ready])
+        return all(values)
     return len(found) >= _least(question.things)
 
 

@@ -88,7 +88,8 @@ def place_words(place: Place) -> str:
     if place.spot:
         parts.append({"middle": "in the middle", "corner": "in a corner"}.get(place.spot, f"at the {place.spot}"))
     if place.rooms is not None:
-        parts.append(_in_rooms(place.rooms))
+        where = _in_rooms(place.rooms)
+        parts.append(f"of{where.removeprefix('in')}" if place.spot and where.startswith("in ") else where)
     if place.facing is not None:
         parts.append(f"facing {thing_words(place.facing)}")
     return " ".join(parts)

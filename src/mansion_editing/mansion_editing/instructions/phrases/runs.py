@@ -68,7 +68,8 @@ def end_of_run(words: Sequence[Word], at: int, lexicon: Lexicon) -> int:
             end += 1
             continue
         bare = end == at and text in ("empty", "free", "clear", "closed", "round")
-        if bare and _starts_noun(words, end + 1, end + 1, lexicon):
+        thing = bare and text == "round" and lexicon.is_object((text_at(words, end + 1),))
+        if thing or (bare and _starts_noun(words, end + 1, end + 1, lexicon)):
             end += 1
             continue
         ending = text in ENDS_RUN and not (end > at and word.genitive)

@@ -1,5 +1,6 @@
 """Instructions in English to statements: sentences, their clauses in order, and what one sentence tells of another."""
 
+import re
 from collections.abc import Iterable, Sequence
 from typing import Any, Final, Literal
 
@@ -90,7 +91,9 @@ class _Reader(Telling, Repeating):
             self.unknown = unaccounted(self.text, self.words, self.statements, self.lexicon) or self._asks_in_vain()
         if not self.unknown and all(isinstance(statement, Mention) for statement in self.statements):
             self.unknown = [self.text.strip()]
-        ignored = list(dict.fromkeys(word.raw for word in self.words if word.text in UNRECORDED))
+        told = msgspec.json.encode(self.statements).decode()
+        plain = [word for word in self.words if word.text in UNRECORDED]
+        ignored = list(dict.fromkeys(w.raw for w in plain if not re.search(rf'"noun":"[^"]*\b{w.text}\b', told)))
         return Instruction(statements=with_storeys(self.statements), not_understood=self.unknown, ignored=ignored)
 
     def _asks_in_vain(self) -> list[str]:
