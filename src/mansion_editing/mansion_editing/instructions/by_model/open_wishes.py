@@ -8,7 +8,7 @@ every difference between the two must be one of theirs; nothing is removed that 
 import json
 from typing import Any, Final
 
-from mansion_editing.editor import SceneEditor
+from mansion_editing.editor import FLOOR_TOOLS, SceneEditor
 from mansion_editing.instructions.by_model.answers import StatementAnswer, TurnAnswer
 from mansion_editing.instructions.by_model.conversion import KINDS, OTHER, UnusableError, statement_of
 from mansion_editing.instructions.by_model.question import FORMS, building_data
@@ -16,7 +16,7 @@ from mansion_editing.instructions.by_model.said_words import SaidWords
 from mansion_editing.instructions.checking.differences import differences
 from mansion_editing.instructions.checking.faults import faults_together
 from mansion_editing.instructions.meaning.context import Context
-from mansion_editing.instructions.statements import Ask, Forbid, History, Keep, Mention, Reach, Statement
+from mansion_editing.instructions.statements import Ask, Forbid, History, Keep, Mention, Reach, Reshape, Statement
 from mansion_editing.runs.policies import Action, Outcome, Policy, Verdict
 from mansion_editing.runs.run import RUN_TOOLS
 from mansion_llm import Fault, LlmClient, Prompt, quoted_data
@@ -30,6 +30,9 @@ RECENT: Final = 24
 
 MOST_TURNS: Final = 60
 LONGEST_OBSERVATION: Final = 3000
+
+_TOOLS: Final = {name: kind for name, kind in RUN_TOOLS.items() if name not in FLOOR_TOOLS}
+"""What a model may call for an open wish: nothing that changes the structure."""
 
 _SYSTEM: Final = f"""\
 You edit a furnished building so that a wish comes true in it, which leaves open what is to be done.
@@ -62,7 +65,7 @@ def open_wish_policy(client: LlmClient, editor: SceneEditor, wish: str) -> Polic
     """
     before = editor.state.copied()
     words = SaidWords(wish, before)
-    system = _SYSTEM + "\n".join(_card(name, kind) for name, kind in RUN_TOOLS.items())
+    system = _SYSTEM + "\n".join(_card(name, kind) for name, kind in _TOOLS.items())
     opening = f"{quoted_data('wish', wish)}\n{building_data(before)}"
     talk: list[str] = []
     failure = ""
@@ -108,8 +111,8 @@ def _judged(turn: TurnAnswer, wish: str, before: Any, editor: SceneEditor) -> Ve
 def _faults(turn: TurnAnswer, words: SaidWords) -> list[Fault]:
     if turn.finished and turn.tool:
         return [Fault("`finished` is true and a tool is named; do one of the two")]
-    if not turn.finished and turn.tool not in RUN_TOOLS:
-        return [Fault(f"`tool` must be one of {', '.join(RUN_TOOLS)}, or `finished` true")]
+    if not turn.finished and turn.tool not in _TOOLS:
+        return [Fault(f"`tool` must be one of {', '.join(_TOOLS)}, or `finished` true")]
     return [fault for number, entry in enumerate(turn.statements, 1) for fault in _unusable(number, entry, words)]
 
 
@@ -122,6 +125,8 @@ def _unusable(number: int, entry: StatementAnswer, words: SaidWords) -> list[Fau
     except UnusableError as error:
         return [Fault(f"statement {number}: {error}")]
     reason = words.wrong_sense(statement, span)
+    if isinstance(statement, Reshape | History | Mention):
+        reason = "an open wish changes neither the structure nor earlier edits"
     return [Fault(f"statement {number}: {reason}")] if reason else []
 
 

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
+from mansion_editing.instructions.by_model.accounted_words import AccountedWords
 from mansion_editing.instructions.by_model.agreement import agree
 from mansion_editing.instructions.by_model.answers import ReadingAnswer, StatementAnswer
 from mansion_editing.instructions.by_model.conversion import OTHER, UnusableError, statement_of
@@ -127,12 +128,24 @@ def _taken(answer: ReadingAnswer, words: SaidWords, known: Sequence[_Placed]) ->
             taken.faults.append(Fault(f"{shown}: {error}", str(number)))
         else:
             taken.good.append(placed)
+    accounted = AccountedWords(words, _with_statements(taken.good))
+    for placed in list(taken.good):
+        left = accounted.left(placed.span) if placed.statement is not None else []
+        if left:
+            quote = words.text[slice(*placed.span)]
+            said = f"the statement does not say {', '.join(map(repr, left))} of its quote {quote[:60]!r}"
+            taken.faults.append(Fault(said))
+            taken.good.remove(placed)
     if len(answer.statements) > MOST_STATEMENTS:
         taken.faults.append(Fault(f"{len(answer.statements)} statements are too many; at most {MOST_STATEMENTS}"))
     for reason in _contradictions(taken.good, known, words):
         taken.contradictions.append(reason)
         taken.faults.append(Fault(reason))
     return taken
+
+
+def _with_statements(placed: Sequence[_Placed]) -> list[tuple[Statement, Span]]:
+    return [(one.statement, one.span) for one in placed if one.statement is not None]
 
 
 def _placed(entry: StatementAnswer, words: SaidWords, places: set[Span]) -> _Placed:
@@ -201,10 +214,10 @@ def _joined(taken: _Taken, rules: Instruction, known: Sequence[_Placed], words: 
     mine = [(one.span, one.statement, "model") for one in taken.good if one.statement is not None]
     theirs = [(one.span, one.statement, "rules") for one in filled if one.statement is not None]
     ordered = sorted([*mine, *theirs], key=lambda entry: entry[0])
-    spans = [*(span for span, _, _ in ordered), *open_wishes]
+    accounted = AccountedWords(words, [(statement, span) for span, statement, _ in ordered])
     instruction = Instruction(
         statements=[statement for _, statement, _ in ordered],
-        not_understood=words.uncovered(spans),
+        not_understood=accounted.uncovered(open_wishes),
         ignored=rules.ignored,
     )
     return ModelReading(

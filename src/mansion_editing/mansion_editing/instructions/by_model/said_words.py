@@ -4,7 +4,7 @@ Only English is compared. A model that reads another language translates, which 
 too a deletion needs a word of deletion, as far as these are known.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import Final
 
@@ -14,8 +14,8 @@ from mansion_editing.instructions.meaning.nouns import names_many
 from mansion_editing.instructions.meaning.room_words import best_named
 from mansion_editing.instructions.phrases.lexicon import ANYTHING, Lexicon
 from mansion_editing.instructions.phrases.storeys import read_storeys
-from mansion_editing.instructions.phrases.verb_words import BY_WORDS, GERUNDS, PARTICIPLES, VERB_WORDS
-from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, STATE_WORDS, UNRECORDED, VAGUE, Word, split_words
+from mansion_editing.instructions.phrases.verb_words import BY_WORDS, PARTICIPLES, VERB_WORDS
+from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, PRONOUNS, UNRECORDED, Word, split_words
 from mansion_editing.instructions.statements import (
     Ask,
     Clear,
@@ -35,7 +35,7 @@ from mansion_language.colours import COLOUR_WORDS
 from mansion_llm.quotes import find_quote
 from mansion_msgs_py.scene import SceneRoom
 
-__all__ = ["SaidWords", "Span"]
+__all__ = ["NEGATIONS", "SaidWords", "Span", "is_content"]
 
 Span = tuple[int, int]
 """Characters of the text, the end exclusive."""
@@ -43,7 +43,7 @@ Span = tuple[int, int]
 ENGLISH: Final = 0.3
 """Least share of words that are function words or verbs of instructions in an English text."""
 
-_NEGATIONS: Final = frozenset("not never no without nothing nobody neither nor none except".split())
+NEGATIONS: Final = frozenset("not never no without nothing nobody neither nor none except".split())
 _REMOVING: Final = frozenset(["remove", "clear", "tidy", "take", "replace", "swap", "furnish", "change"])
 _LOWERING: Final = frozenset(
     "no none not never without only exactly just precisely most maximum fewer less limit nothing reduce cut".split()
@@ -57,9 +57,6 @@ _AMOUNT_WORDS: Final[dict[str, frozenset[str]]] = {
     "all_but": frozenset("but except one only just save".split()),
     "none": _LOWERING,
 }
-_UNITS: Final = frozenset(
-    "metre m m2 square cm degree floor level storey ground basement upstairs downstairs room side time per".split()
-)
 _REMOVING_ABROAD: Final = tuple(
     "entfern lösch weg raus räum nimm nehm leer ersetz tausch "  # German
     "supprim enlev enlèv retir ôte ote vide débarrass remplac "  # French
@@ -71,6 +68,8 @@ _REMOVING_ABROAD: Final = tuple(
 )
 """Beginnings of words of deletion in other languages."""
 
+_ANYBODY: Final = frozenset("someone somebody anyone anybody everyone everybody".split())
+_PRONOUNS: Final = PRONOUNS | frozenset("its their there one ones each other same both her his".split())
 _LONGEST: Final = 4
 """Words of a name at most."""
 
@@ -92,9 +91,9 @@ class SaidWords:
 
     @cached_property
     def is_english(self) -> bool:
-        """Whether the text is English, by its function words and verbs."""
+        """Whether the text is English, by its function words, its verbs and the names of things and rooms."""
         plain = [word for word in self.words if word.kind == "word"]
-        known = sum(word.text in FUNCTION_WORDS or word.text in VERB_WORDS for word in plain)
+        known = sum(word.text in FUNCTION_WORDS or word.text in VERB_WORDS or self._is_noun(word) for word in plain)
         return known >= ENGLISH * len(plain)
 
     def within(self, span: Span) -> list[Word]:
@@ -112,8 +111,7 @@ class SaidWords:
         wrong = self.wrong_sense(statement, span)
         if wrong or isinstance(statement, Mention) or not self.is_english:
             return wrong
-        quoted = self.within(span)
-        return self._unsaid(statement, quoted) or self._left(statement, quoted)
+        return self._unsaid(statement, span)
 
     # The sense --------------------------------------------------------------------------------------------------------
 
@@ -128,7 +126,7 @@ class SaidWords:
         if _removes(statement) and not _asks_to_remove(quoted):
             return "no word of the quote asks for anything to be removed"
         clause = [*self._before(span), *quoted]
-        negated = sorted({word.text for word in clause if word.text in _NEGATIONS})
+        negated = sorted({word.text for word in clause if word.text in NEGATIONS})
         if negated and not _is_negative(statement):
             return f"the words around the quote say {negated[0]!r}, the statement does not"
         return ""
@@ -145,16 +143,27 @@ class SaidWords:
 
     # From the statement to the text -----------------------------------------------------------------------------------
 
-    def _unsaid(self, statement: Statement, quoted: Sequence[Word]) -> str:
+    def _unsaid(self, statement: Statement, span: Span) -> str:
+        quoted = self.within(span)
+        told = [word for word in self.words if word.start < span[0]] if self._refers_back(quoted) else []
         for leaf in leaves_of(statement):
-            if not self._is_said(leaf, quoted):
+            if leaf.part in ("noun", "anchor") and self._is_named(str(leaf.value), [*told, *quoted]):
+                continue
+            if leaf.part == "amount" and isinstance(statement, Keep):
+                continue
+            if not self._is_said(leaf, [*told, *quoted] if leaf.part in ("number", "amount") else quoted):
                 return f"the quote does not say {leaf.part} {_shown(leaf)}"
         return ""
+
+    @staticmethod
+    def _refers_back(quoted: Sequence[Word]) -> bool:
+        """Whether a pronoun stands for what was named before."""
+        return any(word.text in _PRONOUNS for word in quoted)
 
     def _is_said(self, leaf: Leaf, quoted: Sequence[Word]) -> bool:
         part, value = leaf
         if part in ("noun", "anchor"):
-            return self._is_named(str(value), quoted)
+            return False
         if part == "room":
             return self._is_room_said(str(value))
         if part == "number":
@@ -195,12 +204,13 @@ class SaidWords:
         said = {stem for word in self.words for stem in (word.text, *stems(word.raw))}
         if set(stems(words.replace("_", " "))) <= said:
             return True
-        rooms = self._rooms
+        rooms = self.rooms
         meant = {room.id for room in best_named(rooms, words)}
         return any(meant and meant == {room.id for room in best_named(rooms, " ".join(n))} for n in _names(self.words))
 
     @cached_property
-    def _rooms(self) -> list[SceneRoom]:
+    def rooms(self) -> list[SceneRoom]:
+        """The rooms of the building."""
         return [room for _, room in self._state.rooms()]
 
     @cached_property
@@ -209,76 +219,20 @@ class SaidWords:
         read = (read_storeys(self.words, at, floors) for at in range(len(self.words)))
         return frozenset(float(floor) for found in read if found is not None for floor in found[0])
 
-    # From the text to the statement -----------------------------------------------------------------------------------
-
-    def _left(self, statement: Statement, quoted: Sequence[Word]) -> str:
-        """Return which words of a quote its statement does not say."""
-        leaves = leaves_of(statement)
-        said = {stem for leaf in leaves if isinstance(leaf.value, str) for stem in _all_stems(leaf.value)}
-        numbers = {float(leaf.value) for leaf in leaves if isinstance(leaf.value, float)} | {1.0}
-        nouns = [stems(str(leaf.value)) for leaf in leaves if leaf.part in ("noun", "anchor")]
-        covered = {
-            number
-            for first in range(len(quoted))
-            for last in range(first + 1, min(first + _LONGEST, len(quoted)) + 1)
-            if any(self.same_kind(noun, [w.text for w in quoted[first:last]]) for noun in nouns)
-            for number in range(first, last)
-        }
-        verb = next((number for number, word in enumerate(quoted) if is_content(word)), -1)
-        left = [
-            word.raw
-            for number, word in enumerate(quoted)
-            if number not in covered
-            and is_content(word)
-            and not self._is_expressed(word, said, numbers)
-            and not (number == verb and self._may_be_verb(word))
-        ]
-        return f"the statement does not say {', '.join(map(repr, left))} of its quote" if left else ""
-
-    def _may_be_verb(self, word: Word) -> bool:
+    def may_be_verb(self, word: Word) -> bool:
         """Whether a word is one that the rules do not know, as a verb of the model's may be."""
-        named = self._lexicon.is_object((word.text,)) or self._lexicon.is_room((word.text,))
-        return word.kind == "word" and not named and not word.plural and word.text not in COLOUR_WORDS
+        return word.kind == "word" and not (self._is_noun(word) or word.plural or word.text in COLOUR_WORDS)
 
-    def _is_expressed(self, word: Word, said: set[str], numbers: set[float]) -> bool:
-        if word.kind in ("number", "ordinal", "level", "code"):
-            return word.value in numbers or word.raw in said
-        if word.text in _UNITS or word.text in VERB_WORDS or word.text in STATE_WORDS or word.text in VAGUE:
-            return True
-        if word.text in COLOUR_WORDS and COLOUR_WORDS[word.text] in said:
-            return True
-        if {word.text, *stems(word.raw)} & said or word.text in GERUNDS or (word.raw,) in PARTICIPLES:
-            return True
-        rooms = self._rooms
-        spoken = [one for one in said if best_named(rooms, one)]
-        meant = {room.id for room in best_named(rooms, word.text)}
-        return bool(meant) and any(meant == {room.id for room in best_named(rooms, one)} for one in spoken)
-
-    def uncovered(self, spans: Iterable[Span]) -> list[str]:
-        """Return the pieces of the text with words of content that none of some parts of it has."""
-        held = list(spans)
-        pieces: list[list[Word]] = [[]]
-        for word in self.words:
-            inside = any(start < word.end and word.start < end for start, end in held)
-            if inside or word.kind == "mark":
-                pieces.append([])
-            else:
-                pieces[-1].append(word)
-        telling = [piece for piece in pieces if any(is_content(word) or word.text in _OPEN for word in piece)]
-        if not self.is_english:
-            telling = [piece for piece in telling if len(piece) > 2 or sum(len(word.raw) for word in piece) > 11]
-        return [self.text[piece[0].start : piece[-1].end] for piece in telling]
-
-
-_OPEN: Final = (_NEGATIONS | frozenset(["remove", "everything", "want"])) - {"except"}
-"""Function words that ask for something where no statement has them."""
+    def _is_noun(self, word: Word) -> bool:
+        return self._lexicon.is_object((word.text,)) or self._lexicon.is_room((word.text,))
 
 
 def is_content(word: Word) -> bool:
     """Whether a word says something of its own."""
     if word.kind in ("mark", "unit"):
         return False
-    return word.kind != "word" or (word.text not in FUNCTION_WORDS and word.text not in UNRECORDED)
+    plain = word.text in FUNCTION_WORDS or word.text in UNRECORDED or word.text in _ANYBODY
+    return word.kind != "word" or not plain
 
 
 def _names(words: Sequence[Word]) -> Iterator[tuple[str, ...]]:
@@ -287,11 +241,6 @@ def _names(words: Sequence[Word]) -> Iterator[tuple[str, ...]]:
             run = words[first:last]
             if all(word.kind in ("word", "number", "id") for word in run) and is_content(run[-1]):
                 yield tuple(word.text for word in run)
-
-
-def _all_stems(text: str) -> set[str]:
-    words = text.lower().replace("_", " ")
-    return {*words.split(), *stems(words), *(COLOUR_WORDS.get(word, word) for word in words.split())}
 
 
 def _numbers(words: Sequence[Word]) -> set[float]:
@@ -329,7 +278,7 @@ def _asks_to_remove(words: Sequence[Word]) -> bool:
 
 def _is_negative(statement: Statement) -> bool:
     """Whether a statement may stand for words with a negation."""
-    if isinstance(statement, Forbid | Keep | Ask | Reach | Reshape):
+    if isinstance(statement, Clear | Forbid | Keep | Ask | Reach | Reshape):
         return True
     leaves = leaves_of(statement)
     if any(leaf.part == "outside" or (leaf.part == "amount" and leaf.value != "all") for leaf in leaves):
