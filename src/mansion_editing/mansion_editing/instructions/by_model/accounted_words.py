@@ -9,7 +9,7 @@ from mansion_editing.instructions.by_model.leaves import leaves_of
 from mansion_editing.instructions.by_model.said_words import NEGATIONS, SaidWords, Span, is_content
 from mansion_editing.instructions.meaning.room_words import best_named
 from mansion_editing.instructions.phrases.verb_words import GERUNDS, PARTICIPLES, VERB_WORDS
-from mansion_editing.instructions.phrases.word_sets import AFTER_THANKS, BEING_SOMEWHERE, OPINIONS
+from mansion_editing.instructions.phrases.word_sets import AFTER_THANKS, BEING_SOMEWHERE, LEFT_ALONE, OPINIONS
 from mansion_editing.instructions.phrases.words import COURTESIES, PARTICIPLES_OF_REST, STATE_WORDS, VAGUE, Word
 from mansion_editing.instructions.statements import Mention, Statement
 from mansion_language.colours import COLOUR_WORDS
@@ -23,7 +23,9 @@ _STOREYS: Final = frozenset(
 _OPEN: Final = (NEGATIONS | frozenset(["remove", "everything", "want"])) - {"except"}
 """Function words that ask for something where no statement has them."""
 
-_BESIDE: Final = VERB_WORDS | STATE_WORDS.keys() | VAGUE | BEING_SOMEWHERE | OPINIONS | PARTICIPLES_OF_REST | _UNITS
+_BESIDE: Final = (
+    VERB_WORDS | STATE_WORDS.keys() | VAGUE | BEING_SOMEWHERE | LEFT_ALONE | OPINIONS | PARTICIPLES_OF_REST | _UNITS
+)
 """Words that say how things are put, which no field of a statement repeats."""
 
 _LONGEST: Final = 4

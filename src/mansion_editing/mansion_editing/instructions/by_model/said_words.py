@@ -149,7 +149,7 @@ class SaidWords:
         for leaf in leaves_of(statement):
             if leaf.part in ("noun", "anchor") and self._is_named(str(leaf.value), [*told, *quoted]):
                 continue
-            if leaf.part == "amount" and isinstance(statement, Keep):
+            if leaf.part == "amount" and isinstance(statement, Keep | Ask):
                 continue
             if not self._is_said(leaf, [*told, *quoted] if leaf.part in ("number", "amount") else quoted):
                 return f"the quote does not say {leaf.part} {_shown(leaf)}"
