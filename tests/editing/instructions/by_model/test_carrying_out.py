@@ -121,6 +121,23 @@ def test_a_statement_that_says_other_than_its_quote_is_not_carried_out(model: An
 
 
 @pytest.mark.parametrize(
+    "things",
+    [
+        {"noun": "chair", "amount": "all"},
+        {"noun": "chair", "amount": "all", "number": 2},
+        {"noun": "chair", "amount": "all", "plural": True, "definite": True},
+        {"noun": "chair", "amount": "all_but", "number": 2},
+        {"noun": "chair", "plural": True, "definite": True},
+    ],
+)
+def test_a_number_never_becomes_all_of_them(model: Any, things: dict[str, Any]) -> None:
+    text = "Take two chairs out of the hall"
+    lie = {"kind": "remove", "quote": text, "things": {**things, "place": {"rooms": {"words": "hall"}}}}
+    model.does(text, said(lie))
+    assert sum(item.category == "chair" for _, item in model.editor.state.objects()) >= 1
+
+
+@pytest.mark.parametrize(
     "lie", [{**FRIDGE, "value": False}, {"kind": "aside", "quote": "open the fridge"}, {**FRIDGE, "state": "on"}]
 )
 def test_a_contradiction_with_the_rules_is_refused_with_both_readings(model: Any, lie: dict[str, Any]) -> None:

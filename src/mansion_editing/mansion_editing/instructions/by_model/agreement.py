@@ -5,7 +5,7 @@ from typing import Final
 
 from mansion_assets.catalogue.vocabulary import stems
 from mansion_editing.instructions.by_model.leaves import Leaf, leaves_of
-from mansion_editing.instructions.statements import Clear, Forbid, Keep, Remove, Statement
+from mansion_editing.instructions.statements import Ask, Clear, Forbid, Keep, Remove, Statement, Things
 
 __all__ = ["agree"]
 
@@ -50,12 +50,21 @@ def agree(rules: Statement, model: Statement, same: Same) -> bool:
             return False
         if known and any(not any(_alike(part, one, other, same) for other in known) for one in read):
             return False
-    return all(_values(ours, part) == _values(theirs, part) for part in _STRICT)
+    return _mean_all(rules) == _mean_all(model) and all(_values(ours, p) == _values(theirs, p) for p in _STRICT)
+
+
+def _mean_all(statement: Statement) -> bool:
+    """Whether a statement is about all that its words fit, said so or by a bare plural."""
+    things = getattr(statement, "things", None)
+    if not isinstance(things, Things) or isinstance(statement, Ask | Keep | Forbid):
+        return False
+    amount = things.amount
+    return amount.number < 2 and (amount.kind == "all" or (things.plural and amount.kind == "some"))
 
 
 def _values(leaves: Sequence[Leaf], part: str) -> list[str | float | bool]:
     values = [leaf.value for leaf in leaves if leaf.part == part]
-    # All that is there is also what a bare plural means.
+    # Whether all are meant is looked at apart: a bare plural says so too.
     return [value for value in values if value != "all"] if part == "amount" else values
 
 

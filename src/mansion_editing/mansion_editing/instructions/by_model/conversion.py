@@ -85,6 +85,8 @@ def _things(answer: ThingsAnswer | None, *, open_noun: bool = False) -> dict[str
     none_given = 0 if answer.plural or answer.amount in ("all", "none") else 1
     number = none_given if answer.number is None else answer.number
     states = {name: value for name, value in (("open", answer.open), ("on", answer.on)) if value is not None}
+    if answer.amount == "all" and number > 1 and answer.of != number:
+        raise UnusableError("amount all with a number means so many of as many: give the same number for of")
     parts: dict[str, Any] = {
         "type": "Things",
         "noun": answer.noun.strip().lower() if "/" not in answer.noun else answer.noun.strip(),

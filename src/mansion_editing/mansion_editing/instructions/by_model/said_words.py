@@ -167,9 +167,9 @@ class SaidWords:
         if part == "room":
             return self._is_room_said(str(value))
         if part == "number":
-            return float(value) in _numbers(quoted)
+            return float(value) in _numbers(quoted, "number")
         if part == "ordinal":
-            return float(value) in _numbers(quoted) or float(value) in (1.0, -1.0)
+            return float(value) in (1.0, -1.0) or float(value) in _numbers(quoted, "ordinal", "number")
         if part == "floor":
             return value in self._floors
         if part == "colour":
@@ -243,18 +243,18 @@ def _names(words: Sequence[Word]) -> Iterator[tuple[str, ...]]:
                 yield tuple(word.text for word in run)
 
 
-def _numbers(words: Sequence[Word]) -> set[float]:
-    values = {word.value for word in words if word.kind in ("number", "ordinal", "level")}
-    more = {"both": 2.0, "pair": 2.0, "couple": 2.0, "dozen": 12.0, "second": 2.0, "half": 0.5, "around": 180.0}
+def _numbers(words: Sequence[Word], *kinds: str) -> set[float]:
+    values = {word.value for word in words if word.kind in kinds}
+    more = {"both": 2.0, "pair": 2.0, "couple": 2.0, "dozen": 12.0, "half": 0.5, "around": 180.0}
     return values | {-value for value in values} | {more[word.text] for word in words if word.text in more}
 
 
 def _is_amount_said(kind: str, words: Sequence[Word]) -> bool:
     if kind == "all":
         wholes = frozenset("all every each everything any both whole anything no nothing them rest".split())
-        return any(
-            word.plural or word.text in wholes or word.text in ANYTHING or names_many(word.text) for word in words
-        )
+        whole = any(word.text in wholes or word.text in ANYTHING or names_many(word.text) for word in words)
+        counted = any(word.kind == "number" and word.value > 1.0 for word in words)
+        return whole or (any(word.plural for word in words) and not counted)
     return any(word.text in _AMOUNT_WORDS.get(kind, frozenset()) for word in words)
 
 
