@@ -182,6 +182,14 @@ def test_what_fails_is_never_done_whatever_the_model_says(model: Any) -> None:
     assert not report.done and report.failed and model.editor.store.log() == []
 
 
+def test_an_aside_does_not_hide_what_was_left_out(model: Any) -> None:
+    text = "Our guests are hungry, so frobnicate two apples"
+    aside = {"kind": "aside", "quote": text}
+    wrong = {"kind": "add", "quote": "frobnicate two apples", "things": {"noun": "pear", "number": 2}}
+    report = model.does(text, said(aside, wrong))
+    assert not report.done and "frobnicate two apples" in report.failed[0]
+
+
 def test_questions_are_answered_from_the_scene(model: Any) -> None:
     text = "How many chairs are in the hall?"
     chairs = {"noun": "chair", "plural": True}

@@ -67,6 +67,7 @@ class _Taken:
     """What of a model's answer can be used, and what is wrong with the rest."""
 
     good: list[_Placed] = field(default_factory=list)
+    dropped: list[Span] = field(default_factory=list)
     contradictions: list[str] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
 
@@ -126,6 +127,7 @@ def _taken(answer: ReadingAnswer, words: SaidWords, known: Sequence[_Placed]) ->
         except UnusableError as error:
             shown = f"statement {number} ({entry.kind[:20]}, {entry.quote[:60]!r})"
             taken.faults.append(Fault(f"{shown}: {error}", str(number)))
+            taken.dropped.extend(span for span in [find_quote(words.text, entry.quote)] if span is not None)
         else:
             taken.good.append(placed)
     accounted = AccountedWords(words, _with_statements(taken.good))
@@ -136,6 +138,7 @@ def _taken(answer: ReadingAnswer, words: SaidWords, known: Sequence[_Placed]) ->
             said = f"the statement does not say {', '.join(map(repr, left))} of its quote {quote[:60]!r}"
             taken.faults.append(Fault(said))
             taken.good.remove(placed)
+            taken.dropped.append(placed.span)
     if len(answer.statements) > MOST_STATEMENTS:
         taken.faults.append(Fault(f"{len(answer.statements)} statements are too many; at most {MOST_STATEMENTS}"))
     for reason in _contradictions(taken.good, known, words):
@@ -217,7 +220,7 @@ def _joined(taken: _Taken, rules: Instruction, known: Sequence[_Placed], words: 
     accounted = AccountedWords(words, [(statement, span) for span, statement, _ in ordered])
     instruction = Instruction(
         statements=[statement for _, statement, _ in ordered],
-        not_understood=accounted.uncovered(open_wishes),
+        not_understood=list(dict.fromkeys([*_lost(taken, ordered, words), *accounted.uncovered(open_wishes)])),
         ignored=rules.ignored,
     )
     return ModelReading(
@@ -227,6 +230,12 @@ def _joined(taken: _Taken, rules: Instruction, known: Sequence[_Placed], words: 
         "; ".join(taken.contradictions),
         reason,
     )
+
+
+def _lost(taken: _Taken, ordered: Sequence[tuple[Span, Statement, str]], words: SaidWords) -> list[str]:
+    """Return the words of statements that were left out and that no other one is about: an aside may cover them."""
+    told = [span for span, statement, _ in ordered if not isinstance(statement, Mention)]
+    return [words.text[slice(*lost)] for lost in taken.dropped if not any(_touch(lost, span) for span in told)]
 
 
 def _told(statement: Statement, reader: str) -> ReadStatement:
