@@ -137,9 +137,7 @@ def test_a_number_never_becomes_all_of_them(model: Any, things: dict[str, Any]) 
     assert sum(item.category == "chair" for _, item in model.editor.state.objects()) >= 1
 
 
-@pytest.mark.parametrize(
-    "lie", [{**FRIDGE, "value": False}, {"kind": "aside", "quote": "open the fridge"}, {**FRIDGE, "state": "on"}]
-)
+@pytest.mark.parametrize("lie", [{**FRIDGE, "value": False}, {**FRIDGE, "state": "on"}])
 def test_a_contradiction_with_the_rules_is_refused_with_both_readings(model: Any, lie: dict[str, Any]) -> None:
     report = model.does(TEXT, said(APPLES, lie))
     assert not report.done and "two ways" in report.failed[0]
@@ -180,6 +178,11 @@ def test_what_fails_is_never_done_whatever_the_model_says(model: Any) -> None:
     pianos = {**APPLES, "quote": text, "things": {"noun": "piano", "number": 2, "plural": True}}
     report = model.does(text, {"statements": [pianos], "done": True, "message": "all done"})
     assert not report.done and report.failed and model.editor.store.log() == []
+
+
+def test_a_request_is_no_aside(model: Any) -> None:
+    report = model.does(TEXT, said(APPLES, {"kind": "aside", "quote": "open the fridge"}))
+    assert report.done and is_open(model.editor) and ("SetState", "rules") in readers(report)
 
 
 def test_an_aside_does_not_hide_what_was_left_out(model: Any) -> None:

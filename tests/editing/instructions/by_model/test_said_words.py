@@ -8,7 +8,18 @@ import pytest
 from mansion_editing.instructions.by_model.accounted_words import AccountedWords
 from mansion_editing.instructions.by_model.said_words import SaidWords, Span
 from mansion_editing.instructions.sentences.reader import read_instruction
-from mansion_editing.instructions.statements import Amount, Place, Rooms, Statement, Things
+from mansion_editing.instructions.statements import (
+    Amount,
+    Ensure,
+    Forbid,
+    Keep,
+    Mention,
+    Place,
+    Remove,
+    Rooms,
+    Statement,
+    Things,
+)
 from mansion_editing.state import SceneState
 from mansion_llm.quotes import find_quote
 
@@ -107,3 +118,22 @@ def test_words_beside_the_quotes_that_ask_for_something_are_named(
     ((statement, _),) = placed(quote, furnished_state)
     span = (text.index(quote), text.index(quote) + len(quote))
     assert AccountedWords(SaidWords(text, furnished_state), [(statement, span)]).uncovered([]) == pieces
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("put two mugs on the sideboardish thing", Forbid),
+        ("put two mugs on the sideboardish thing", Keep),
+        ("put two mugs on the sideboardish thing", Mention),
+        ("please remove the mugs", Keep),
+        ("could you take away the mugs", Mention),
+        ("switch the floor lamp on", Ensure),
+        ("is there a mug on the dining table", Ensure),
+        ("move the mug to the hall", Remove),
+    ],
+)
+def test_a_deed_that_the_verb_does_not_ask_for_is_told(text: str, kind: type[Any], furnished_state: SceneState) -> None:
+    parts = {"things": {"type": "Things", "noun": "mug"}, "place": {}}
+    statement = msgspec.convert({name: parts[name] for name in kind.__struct_fields__ if name in parts}, kind)
+    assert SaidWords(text, furnished_state).wrong_sense(statement, (0, len(text)))

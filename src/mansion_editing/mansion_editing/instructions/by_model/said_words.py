@@ -15,20 +15,38 @@ from mansion_editing.instructions.meaning.room_words import best_named
 from mansion_editing.instructions.phrases.lexicon import ANYTHING, Lexicon
 from mansion_editing.instructions.phrases.storeys import read_storeys
 from mansion_editing.instructions.phrases.verb_words import BY_WORDS, PARTICIPLES, VERB_WORDS
-from mansion_editing.instructions.phrases.words import FUNCTION_WORDS, PRONOUNS, UNRECORDED, Word, split_words
+from mansion_editing.instructions.phrases.words import (
+    COURTESIES,
+    FUNCTION_WORDS,
+    MODALS,
+    PERSONS,
+    PRONOUNS,
+    UNRECORDED,
+    Word,
+    split_words,
+)
 from mansion_editing.instructions.statements import (
+    Add,
     Ask,
     Clear,
     Ensure,
+    Finish,
     Forbid,
     Furnish,
+    History,
     Keep,
     Mention,
+    Move,
+    Paint,
     Reach,
     Remove,
+    Rename,
     Replace,
     Reshape,
+    SetState,
     Statement,
+    Swap,
+    Turn,
 )
 from mansion_editing.state import SceneState
 from mansion_language.colours import COLOUR_WORDS
@@ -69,6 +87,26 @@ _REMOVING_ABROAD: Final = tuple(
 """Beginnings of words of deletion in other languages."""
 
 _ANYBODY: Final = frozenset("someone somebody anyone anybody everyone everybody".split())
+_QUESTIONS: Final = frozenset("is are how where which does has".split())
+_STAYING: Final = NEGATIONS | frozenset(
+    "keep leave stay remain untouched alone preserve spare save maintain hold let avoid refrain stop still".split()
+)
+_KINDS_OF_DEEDS: Final[dict[str, tuple[type, ...]]] = {
+    "remove": (Remove, Clear, Replace, Move, Ensure),
+    "switch": (SetState, Turn),
+    "open": (SetState,),
+    "close": (SetState,),
+    "paint": (Paint, Finish),
+    "rename": (Rename,),
+    "swap": (Swap, Replace, Reshape),
+    "move": (Move, Swap),
+    "add": (Add, Ensure, Move, Reshape),
+}
+"""What a clause that begins with a verb for a deed can be, where the verb leaves no doubt."""
+
+_BEFORE_NOUN: Final = 3
+"""Words before a noun among which its number is: two of the hammers."""
+
 _PRONOUNS: Final = PRONOUNS | frozenset("its their there one ones each other same both her his".split())
 _LONGEST: Final = 4
 """Words of a name at most."""
@@ -117,15 +155,24 @@ class SaidWords:
 
     def wrong_sense(self, statement: Statement, span: Span) -> str:
         """Return why a statement removes what no word removes, or does what a word forbids; empty for neither."""
-        if isinstance(statement, Mention):
-            return ""
         quoted = self.within(span)
+        if isinstance(statement, Mention) and not self.is_english:
+            return ""
         if not self.is_english:
             removing = any(word.raw.startswith(_REMOVING_ABROAD) for word in quoted)
             return "no known word of the quote asks for a removal" if _removes(statement) and not removing else ""
         if _removes(statement) and not _asks_to_remove(quoted):
             return "no word of the quote asks for anything to be removed"
+        deed = _leading_deed(quoted)
+        if deed and not isinstance(statement, (*_KINDS_OF_DEEDS.get(deed, (object,)), History)):
+            return f"the quote asks to {deed}, the statement does not"
+        if isinstance(statement, Mention):
+            return ""
+        if quoted and quoted[0].text in _QUESTIONS and not isinstance(statement, Ask | Reach):
+            return "the quote is a question, the statement is none"
         clause = [*self._before(span), *quoted]
+        if isinstance(statement, Forbid | Keep) and not any(word.text in _STAYING for word in clause):
+            return "no word of the quote forbids anything, or lets anything stay"
         negated = sorted({word.text for word in clause if word.text in NEGATIONS})
         if negated and not _is_negative(statement):
             return f"the words around the quote say {negated[0]!r}, the statement does not"
@@ -151,9 +198,23 @@ class SaidWords:
                 continue
             if leaf.part == "amount" and isinstance(statement, Keep | Ask):
                 continue
+            if leaf == Leaf("amount", "all") and self._are_several(statement, [*told, *quoted]):
+                continue
             if not self._is_said(leaf, [*told, *quoted] if leaf.part in ("number", "amount") else quoted):
                 return f"the quote does not say {leaf.part} {_shown(leaf)}"
         return ""
+
+    def _are_several(self, statement: Statement, quoted: Sequence[Word]) -> bool:
+        """Whether a noun of the statement stands in the plural, without a number."""
+        nouns = {
+            stem for leaf in leaves_of(statement) if leaf.part in ("noun", "anchor") for stem in stems(str(leaf.value))
+        }
+        return any(
+            word.plural
+            and (word.text in nouns or not nouns)
+            and not any(one.kind == "number" or one.text == "one" for one in quoted[max(0, at - _BEFORE_NOUN) : at])
+            for at, word in enumerate(quoted)
+        )
 
     @staticmethod
     def _refers_back(quoted: Sequence[Word]) -> bool:
@@ -252,9 +313,7 @@ def _numbers(words: Sequence[Word], *kinds: str) -> set[float]:
 def _is_amount_said(kind: str, words: Sequence[Word]) -> bool:
     if kind == "all":
         wholes = frozenset("all every each everything any both whole anything no nothing them rest".split())
-        whole = any(word.text in wholes or word.text in ANYTHING or names_many(word.text) for word in words)
-        counted = any(word.kind == "number" and word.value > 1.0 for word in words)
-        return whole or (any(word.plural for word in words) and not counted)
+        return any(word.text in wholes or word.text in ANYTHING or names_many(word.text) for word in words)
     return any(word.text in _AMOUNT_WORDS.get(kind, frozenset()) for word in words)
 
 
@@ -274,6 +333,19 @@ def _asks_to_remove(words: Sequence[Word]) -> bool:
             if deed in _REMOVING and (found or raw):
                 return True
     return any(text in _LOWERING or text in ("away", "out", "instead", "gone") for text in texts)
+
+
+def _leading_deed(words: Sequence[Word]) -> str:
+    """Return what the verb asks for that a clause begins with, empty for none or for one of several meanings."""
+    at = 0
+    opening = COURTESIES | MODALS | PERSONS | frozenset(["you", "and", "then", "also", "just", "to"])
+    while at < len(words) and (words[at].text in opening or words[at].kind == "mark"):
+        at += 1
+    for size in (3, 2, 1):
+        deed = BY_WORDS.get(tuple(word.text for word in words[at : at + size]))
+        if deed is not None:
+            return deed
+    return ""
 
 
 def _is_negative(statement: Statement) -> bool:
