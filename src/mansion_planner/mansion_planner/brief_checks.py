@@ -50,7 +50,7 @@ def _stated(facts: BriefFacts) -> list[str]:
     return [
         name
         for name, value in vars(facts).items()
-        if value and name not in ("unread", "building_name", "building_like", "building_span", "size")
+        if value and name not in ("unread", "unheeded", "building_name", "building_like", "building_span", "size")
     ]
 
 

@@ -242,6 +242,9 @@ def _judged(wish: Wish, state: _State) -> Wish:
     if verdict.status == "met" and wish.reason and wish.kind in ("room", "building_type"):
         verdict = _Verdict("partly", wish.reason, verdict.rooms, verdict.objects)
         reason = wish.reason
+    elif verdict.status == "met" and wish.value.unheeded:
+        reason = f"nothing was made of {_listed([repr(word) for word in wish.value.unheeded])}"
+        verdict = _Verdict("partly", reason, verdict.rooms, verdict.objects)
     return msgspec.structs.replace(
         wish, status=verdict.status, reason=reason, rooms=list(verdict.rooms), objects=list(verdict.objects)
     )

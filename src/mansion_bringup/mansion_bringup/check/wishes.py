@@ -188,7 +188,9 @@ def _status(wish: Wish, finished: _Finished) -> Iterator[Fault]:
 
 
 def _taken_for(wish: Wish, finished: _Finished) -> str:
-    """Say that something known stands for what is not: such a wish is met in part at best."""
+    """Say that something known stands for what is not, or which words are not heeded: it is met in part at best."""
+    if wish.value.unheeded:
+        return f"it is not {' and '.join(wish.value.unheeded)}"
     stands_in = any(entry.id == wish.id and entry.reason for entry in finished.ledger)
     return "something else stands for it" if stands_in and wish.kind in ("room", "building_type") else ""
 

@@ -245,6 +245,8 @@ class BriefFacts:
         Its words, where the knowledge base does not have them.
     unread : list of Span
         Words that no fact was read from.
+    unheeded : list of Span
+        Words within other facts' that say how something is to be, and that nothing is made of.
     """
 
     floors: list[Quantity] = field(default_factory=list)
@@ -277,3 +279,4 @@ class BriefFacts:
     size: list[tuple[str, Span]] = field(default_factory=list)
     only: list[Span] = field(default_factory=list)
     unread: list[Span] = field(default_factory=list)
+    unheeded: list[Span] = field(default_factory=list)

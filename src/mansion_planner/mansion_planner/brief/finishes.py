@@ -1,6 +1,7 @@
 """Read what a brief says of style and materials."""
 
 from mansion_planner.brief.facts import MaterialFact
+from mansion_planner.brief.qualifiers import is_property
 from mansion_planner.brief.reading import Reading
 from mansion_planner.brief.similarity import room_of_building
 
@@ -106,6 +107,8 @@ def read_style(reading: Reading, *, named: bool) -> None:
         modifies = not named and reading.modifiers.issuperset(range(mention.first, mention.last))
         if not mention.style or not (modifies or reading.free(mention.first, mention.last)):
             continue
+        if modifies and is_property(reading.word(mention.first)):
+            continue  # "two bright bedrooms" says nothing of the building
         if reading.word(mention.last) in ("rectangle", "rectangular", "box", "outline"):
             continue
         last = mention.last

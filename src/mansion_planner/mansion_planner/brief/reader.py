@@ -31,6 +31,7 @@ from mansion_planner.brief.measures import Measure, find_measures, give_measures
 from mansion_planner.brief.named_rooms import desks_as_places, rooms_by_name
 from mansion_planner.brief.noun_phrases import noun_phrases
 from mansion_planner.brief.phrase import FUNCTION_WORDS, PLAIN, Phrase
+from mansion_planner.brief.qualifiers import is_property, unheeded_words
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading, start_reading
 from mansion_planner.brief.relations import Relation, read_relations
 from mansion_planner.brief.room_facts import RoomStatements, identifier
@@ -138,6 +139,7 @@ class _Reader:
         read_desk_areas(self.facts)
         self._relations()
         read_completeness(reading)
+        self.facts.unheeded += unheeded_words(reading, self.phrases, self.facts)
         self.facts.excluded.sort(key=lambda entry: entry[1].end)
         for index, token in enumerate(reading.tokens):
             if (
@@ -437,7 +439,7 @@ def _is_content(reading: Reading, index: int) -> bool:
     return (
         token.kind == "word"
         and token.text not in FUNCTION_WORDS
-        and token.text not in PLAIN
+        and (token.text not in PLAIN or is_property(token.text))
         and token.text not in FLOOR_WORDS
         and token.text not in _REQUESTS
         and len(token.text) > 1

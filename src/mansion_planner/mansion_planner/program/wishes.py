@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+import msgspec
+
 from mansion_knowledge import KnowledgeBase
 from mansion_language import singular
 from mansion_msgs_py.program import RequestedObject
@@ -123,6 +125,10 @@ def wishes_of(decisions: Decisions, knowledge: KnowledgeBase) -> list[Wish]:
     ]
 
 
+_QUALIFIED = frozenset({"room", "object", "stair", "elevator", "building_type"})
+"""Kinds of wishes for things that can have properties."""
+
+
 class _Ledger:
     def __init__(self, decisions: Decisions, knowledge: KnowledgeBase) -> None:
         self.decisions, self.facts, self.knowledge = decisions, decisions.facts, knowledge
@@ -134,6 +140,9 @@ class _Ledger:
         """Add a statement, unless the same words say the same already."""
         text = " ".join(span.words.split()[:12])
         unread = kind == "unread"
+        unheeded = [w.words for w in self.facts.unheeded if span.start <= w.start and w.end <= span.end]
+        if unheeded and kind in _QUALIFIED:
+            value = msgspec.structs.replace(value, unheeded=unheeded)
         wish = Wish(
             id="wish",
             text=text,
