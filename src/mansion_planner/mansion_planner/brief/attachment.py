@@ -207,6 +207,8 @@ class _Walk:
             return False
         if phrase.head == "people" and self.reading.word(place.last) in ("with", ":", "has", "have", "get"):
             return False  # "the family upstairs with three bedrooms"
+        if gap[:1] == ("(",) and ")" in gap:
+            gap = gap[gap.index(")") + 1 :]  # "two toilets (m/f) on each level"
         if len(gap) > 6:
             return False
         measures = all(

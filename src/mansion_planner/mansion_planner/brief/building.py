@@ -1,9 +1,11 @@
 """Find which noun phrase of a brief names the building itself."""
 
+from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.lexicon import lexicon_of
-from mansion_planner.brief.phrase import FUNCTION_WORDS, Phrase
+from mansion_planner.brief.phrase import FUNCTION_WORDS, PEOPLE, Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Place, Reading
 from mansion_planner.brief.room_names import CONTRASTS
+from mansion_planner.brief.similarity import HEAD_TYPES
 
 __all__ = ["building_phrase", "own_building_name", "unknown_building"]
 
@@ -159,6 +161,9 @@ def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
             continue
         if first >= 0 and _stands_as_building(reading, first) and index - first <= 5:
             like = "" if reading.plural(index - 1) else heads.get(reading.word(index - 1), "")
+            if not like and _names_part(reading, first, index):
+                first = -1
+                continue
             opens = _opens_brief(reading, first) and (
                 reading.word(index) in _AFTER_NAME and not reading.plural(index - 1)
             )
@@ -170,6 +175,22 @@ def unknown_building(reading: Reading) -> tuple[str, str, int, int] | None:
                 found.append((wished, ("_".join(reading.words(first, index)), like, first, index)))
         first = -1
     return max(found, key=lambda entry: (entry[0], -entry[1][2]))[1] if found else None
+
+
+def _names_part(reading: Reading, first: int, last: int) -> bool:
+    """Whether words name a room, a thing or people rather than a building: "Ward with 12 beds", "Half of the offices"."""
+    word = reading.word(last - 1)
+    if word in _PARTS or word in PEOPLE or word in HEAD_TYPES or furniture_of(reading.words(first, last))[0]:
+        return True
+    return any(mention.room and not mention.building and mention.last == last for mention in reading.mentions)
+
+
+_PARTS = frozenset(
+    """
+    half third quarter part list everything everywhere room entrance lift elevator stair staircase wall floor roof
+    door window requirement wish programme program schedule note
+    """.split()
+)
 
 
 def _heads(reading: Reading) -> dict[str, str]:

@@ -93,7 +93,9 @@ _ENDS = frozenset(
         "for",
     }
 )
-_REFUSALS = frozenset("veto vetoe reject refuse dislike hate".split())
+_SUBJECTS = frozenset("do does would i we you they he she it people".split())
+_CONTRASTS = frozenset("to in on at from into onto near next beside by towards toward inside of for like as under".split())
+_REFUSALS = frozenset("veto vetoe reject refuse dislike hate replace".split())
 _TIGHT = frozenset("narrow small low tight short slim steep little cramped poor".split())
 _COMPARISONS = frozenset(
     """
@@ -188,10 +190,12 @@ def _negation(reading: Reading, index: int) -> int:
         return 3
     if reading.word(index) == "too" and reading.word(index + 2) == "for" and reading.word(index + 1) in _TIGHT:
         return 3
-    if reading.words(index, index + 2) == ("not", "need") and reading.word(index - 1) in ("do", "does", "would"):
-        return 2  # "we do not need private offices"
+    if reading.words(index, index + 2) == ("not", "need") and reading.word(index - 1) in _SUBJECTS:
+        return 2  # "we do not need private offices", "I don't need a gym"
     if reading.word(index) not in _BEFORE or reading.word(index + 1) in _COMPARISONS:
         return 0
+    if reading.word(index) == "not" and reading.word(index + 1) in _CONTRASTS:
+        return 0  # "open to the dining room, not to the hall" is about the relation
     if reading.word(index) == "not" and reading.word(index + 1) in (
         "only",
         "just",

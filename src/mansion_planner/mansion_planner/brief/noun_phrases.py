@@ -11,6 +11,7 @@ from mansion_planner.brief.furniture_words import furniture_of
 from mansion_planner.brief.lexicon import Mention, lexicon_of
 from mansion_planner.brief.phrase import (
     FUNCTION_WORDS,
+    PEOPLE,
     PLAIN,
     UNITS_OF_ROOMS,
     Head,
@@ -35,17 +36,6 @@ from mansion_planner.brief.similarity import HEAD_TYPES, room_of_building, simil
 
 __all__ = ["noun_phrases"]
 
-_PEOPLE = frozenset(
-    """
-    people person resident occupant pupil student child employee worker guest patient adult inhabitant staff teacher
-    kid user visitor elderly tenant inmate firefighter officer diner roommate friend colleague developer lodger
-    brother sister member player nun monk soldier crew engineer worshipper customer client artist family household
-    passenger traveller commuter donor drummer dancer musician nurse doctor consultant lawyer architect agent
-    analyst programmer designer journalist trader operator researcher scientist professor lecturer cleaner waiter
-    midwife therapist pilot driver clerk trainee apprentice intern volunteer swimmer climber viewer spectator
-    delegate
-    """.split()
-)
 _STAIRS = frozenset({"stair", "staircase", "stairwell", "stairway", "stairs"})
 _LIFTS = frozenset({"lift", "elevator"})
 _FURNITURE_TOO = frozenset({"locker", "stall"})
@@ -72,7 +62,7 @@ def noun_phrases(reading: Reading) -> list[Phrase]:
         phrases += _phrases_of(reading, begin, end)
     phrases = [part for phrase in phrases for part in coordinated(reading, chunks, phrase)]
     numbered = designated_nouns(reading)
-    counted = {phrase.name for phrase in phrases if phrase.counted and (phrase.count or 0) > 1}
+    counted = {phrase.name: phrase.first for phrase in phrases[::-1] if phrase.counted and (phrase.count or 0) > 1}
     phrases = [part for phrase in phrases for part in with_designators(reading, phrase, numbered, counted)]
     phrases = _with_own_names(reading, phrases)
     phrases += _with_own_names(reading, listed_unknowns(reading, chunks, phrases))
@@ -247,6 +237,8 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
     last = reading.word(end - 1)
     if not whole and reading.word(end) in _PARTS:
         return None
+    if not whole and reading.word(end) in ("style", "styled"):
+        return None  # "chalet style" is how the building looks
     category, size = furniture_of(reading.words(begin, end))
     if last in _STAIRS | _LIFTS and size < 2:
         return finished_phrase(reading, "stair" if last in _STAIRS else "elevator", begin, end)
@@ -288,7 +280,7 @@ def _headed(reading: Reading, begin: int, end: int, *, whole: bool) -> Phrase | 
         if name != last:
             kind = similar_room_type(name, reading.knowledge)
             return finished_phrase(reading, "room", begin, end, room=kind, known=False)
-    if last in _PEOPLE:
+    if last in PEOPLE:
         return finished_phrase(reading, "people", begin, end)
     if category:
         return finished_phrase(reading, "object", begin, end, category=category)

@@ -7,7 +7,7 @@ from mansion_language import Token
 from mansion_planner.brief.lexicon import Mention
 from mansion_planner.brief.reading import Reading
 
-__all__ = ["FUNCTION_WORDS", "PLAIN", "UNITS_OF_ROOMS", "Head", "Phrase", "count_before", "finished_phrase", "name_of"]
+__all__ = ["FUNCTION_WORDS", "PEOPLE", "PLAIN", "UNITS_OF_ROOMS", "Head", "Phrase", "count_before", "finished_phrase", "name_of"]
 
 Head: TypeAlias = Literal["room", "building", "stair", "elevator", "object", "people", "unknown"]
 
@@ -34,7 +34,7 @@ FUNCTION_WORDS = frozenset(
     named known planned needed wanted required preferred desired expected apiece respectively etc ie eg namely such
     measure measuring occupy occupying span spanning
     well however therefore moreover nevertheless obviously yes ok pls hello hi dear thanks thank upstairs downstairs
-    upstair downstair
+    upstair downstair throughout everywhere anywhere elsewhere
     """.split()
 )
 """Words that no noun phrase of a room goes across."""
@@ -51,6 +51,19 @@ PLAIN = frozenset(
     """.split()
 )
 """Adjectives that say how a room is, and are no part of its name."""
+
+PEOPLE = frozenset(
+    """
+    people person resident occupant pupil student child employee worker guest patient adult inhabitant staff teacher
+    kid user visitor elderly tenant inmate firefighter officer diner roommate friend colleague developer lodger
+    brother sister member player nun monk soldier crew engineer worshipper customer client artist family household
+    passenger traveller commuter donor drummer dancer musician nurse doctor consultant lawyer architect agent
+    analyst programmer designer journalist trader operator researcher scientist professor lecturer cleaner waiter
+    midwife therapist pilot driver clerk trainee apprentice intern volunteer swimmer climber viewer spectator
+    delegate
+    """.split()
+)
+"""Nouns for those who live, work or stay in a building."""
 
 _JOINTS = frozenset("a an the of for and in on at to with or per each every".split())
 _SOFT_PLURAL = frozenset(

@@ -5,7 +5,7 @@ stay with the wish that they qualify, which is met in part at best. Words of pra
 that anybody could look up, and words of a kind's own name ("cold room", "shared kitchen") are met by the kind.
 """
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 
 from mansion_planner.brief.facts import BriefFacts, Span
 from mansion_planner.brief.furniture_words import furniture_of
@@ -17,29 +17,31 @@ __all__ = ["is_property", "unheeded_words"]
 _PROPERTIES = frozenset(
     """
     bright dark sunny sunlit sunlight airy daylight panoramic quiet silent noisy acoustic secure bulletproof safe secret
-    hidden accessible barrier wheelchair sterile hygienic hermetic humid dry dust waterproof watertight airtight
-    climate cool warm gated movable moveable mobile modular flexible foldable sliding rotating revolving retractable
-    narrow long tall high low wide spiral winding straight curved circular round oval octagonal hexagonal triangular
-    domed arched corner north south east west northern southern eastern western northeast northwest
-    southeast southwest passive sustainable solar ecological green airlock glass marble oak walnut brick concrete
-    timber wooden wood stone bamboo leather steel metal velvet red blue yellow orange purple pink brown black white grey
-    gray beige turquoise golden silver automatic electric electronic smart antique vintage freestanding floating
-    shallow deep steep raised kosher halal antistatic
+    hidden accessible barrier wheelchair sterile hygienic hermetic humid waterproof watertight airtight cool warm gated
+    movable mobile modular flexible foldable sliding rotating revolving retractable narrow long tall high low wide
+    spiral winding straight curved circular round oval octagonal hexagonal triangular domed arched corner north south
+    east west northern southern eastern western northeast northwest southeast southwest passive sustainable solar
+    ecological marble oak walnut wooden red blue yellow orange purple pink brown black white grey gray beige turquoise
+    golden automatic electric smart antique floating shallow deep steep kosher halal antistatic
     """.split()
 )
+_SUBSTANCES = frozenset(
+    "glass brick concrete timber wood stone bamboo leather steel metal velvet silver square rectangular green".split()
+)
+"""Words for how a thing is that before a room rather say what is done or kept there: a wood shop, a green bean store."""
 _ENDINGS = ("proof", "proofed", "less", "able", "ible", "resistant", "friendly", "facing", "lit", "ceilinged", "walled")
 _JOINED = frozenset("proof free friendly resistant facing lit height ceilinged walled shaped conditioned".split())
 """Words that make a property of the word that a hyphen joins to them: "sound-proof", "barrier-free", "L-shaped"."""
+_FREE = frozenset({"barrier", "smoke", "dust", "allergy", "column", "step", "noise", "draught"})
+"""What "-free" says of a room itself, rather than of what is sold there."""
 _NO_PROPERTIES = frozenset(
     """
     table stable cable vegetable bed shed seed feed speed reed shared combined dedicated detached attached mixed terraced
-    semidetached led integrated enclosed fitted built sized need red wed used furnished equipped needed wanted required
-    separated united limited advanced embedded hundred kindred sacred naked crooked united listed raised-bed
-    unlimited assisted supervised gifted disabled injured retired homeless wireless united related
-    stepped protruding recessed double-loaded medium-sized mid-sized fully-fledged
+    semidetached integrated enclosed fitted built sized need used furnished equipped needed wanted required separated
+    united limited advanced embedded hundred kindred sacred listed unlimited assisted supervised gifted disabled injured
+    retired homeless wireless related stepped recessed closed mirrored covered
     """.split()
 )
-_OF_THINGS = _PROPERTIES | frozenset("square rectangular".split())
 _KINDS = frozenset({"room", "building", "object", "stair", "elevator"})
 
 
@@ -70,14 +72,21 @@ def _properties(reading: Reading, phrase: Phrase) -> list[tuple[int, int]]:
     index = phrase.first
     while index < core:
         last = index + 1
-        if reading.kind(index) == "word" and _joined(reading, last) and reading.word(last) in _JOINED and last < core:
+        glued = _joined(reading, last) and last < core
+        if glued and reading.word(last) in _JOINED and (reading.word(last) != "free" or reading.word(index) in _FREE):
             found.append((index, last + 1))
-            index = last + 1
-            continue
-        if reading.kind(index) == "word" and is_property(reading.word(index), things=phrase.head == "object"):
+            last += 1
+        elif not glued and _is_own(reading, phrase, index):
             found.append((index, last))
         index = last
     return found
+
+
+def _is_own(reading: Reading, phrase: Phrase, index: int) -> bool:
+    """Whether a word is a property of what its phrase names: not "corner" in "children's corner room"."""
+    if reading.kind(index) != "word" or (reading.word(index) == "corner" and index > phrase.begin):
+        return False
+    return is_property(reading.word(index), things=phrase.head == "object")
 
 
 def _core(reading: Reading, phrase: Phrase) -> int:
@@ -93,20 +102,20 @@ def _joined(reading: Reading, index: int) -> bool:
     return index < len(reading.tokens) and not reading.tokens[index].spaced
 
 
-def is_property(word: str, *, things: bool = False, known: Collection[str] = _PROPERTIES) -> bool:
+def is_property(word: str, *, things: bool = False) -> bool:
     """Whether a word says how something is, in a way that could be looked up.
 
     Parameters
     ----------
     things : bool
-        Of furniture, whose form counts too.
+        Of furniture, of which form and substance are properties too.
 
     Examples
     --------
     >>> [is_property(word) for word in ("soundproof", "windowless", "locked", "guest", "nice")]
     [True, True, True, False, False]
     """
-    if word in known or (things and word in _OF_THINGS):
+    if word in _PROPERTIES or (things and word in _SUBSTANCES):
         return True
     if word in _NO_PROPERTIES or len(word) < 5:
         return False

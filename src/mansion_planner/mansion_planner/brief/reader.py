@@ -434,7 +434,7 @@ _REQUESTS = frozenset(
 
 def _is_content(reading: Reading, index: int) -> bool:
     token = reading.tokens[index]
-    if token.kind == "number":
+    if token.kind == "number" or token.text in ("except", "unless"):
         return True
     return (
         token.kind == "word"

@@ -372,8 +372,9 @@ def _right(reading: Reading, phrases: list[Phrase], rooms: list[int], last: int)
 
 
 def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int) -> tuple[Relation, int] | None:
-    if reading.word(index + 1) == "them" or reading.words(index + 1, index + 3) == ("the", "two"):
-        return _between_them(phrases, [n for n in rooms if phrases[n].last <= index], index)
+    alone = reading.word(index - 1) == "in" and (reading.breaks(index + 1) or reading.word(index + 1) in (",", ")"))
+    if alone or reading.word(index + 1) == "them" or reading.words(index + 1, index + 3) == ("the", "two"):
+        return _between_them(phrases, [n for n in rooms if phrases[n].last <= index], index, index + 2 - alone)
     following = _in_sentence(reading, phrases, rooms, index, before=False)[:2]
     before = _in_sentence(reading, phrases, rooms, index, before=True)
     if not following or not before or (reading.kind(index + 1) == "number" and not phrases[following[0]].plural):
@@ -389,16 +390,16 @@ def _between(reading: Reading, phrases: list[Phrase], rooms: list[int], index: i
     return Relation(lefts * len(following), tuple(following), False, index, index + 1), phrases[following[-1]].last
 
 
-def _between_them(phrases: list[Phrase], before: list[int], index: int) -> tuple[Relation, int] | None:
+def _between_them(phrases: list[Phrase], before: list[int], index: int, last: int) -> tuple[Relation, int] | None:
     """Read "two bedrooms, the bathroom is between them" and "a bedroom, a bathroom, a cupboard between them"."""
     if len(before) < 2:
         return None
     subject, others = before[-1], before[:-1]
     several = [n for n in others if (phrases[n].count or 2) > 1]
     if phrases[others[-1]].count == 1 and len(others) > 1 and not (several and several[-1] == others[-1]):
-        return Relation((subject, subject), tuple(others[-2:]), False, index, index + 2), index + 2
+        return Relation((subject, subject), tuple(others[-2:]), False, index, last), last
     owner = several[-1] if several else others[-1]
-    return Relation((subject,), (owner,), False, index, index + 2), index + 2
+    return Relation((subject,), (owner,), False, index, last), last
 
 
 def _postposed(reading: Reading, phrases: list[Phrase], rooms: list[int], index: int, last: int) -> Relation | None:

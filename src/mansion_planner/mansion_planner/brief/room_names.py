@@ -180,9 +180,28 @@ def designated_nouns(reading: Reading) -> frozenset[str]:
         noun = reading.tokens[index - 1]
         if length and noun.kind == "word" and noun.text not in FUNCTION_WORDS and noun.text not in FLOOR_WORDS:
             found.setdefault(noun.text, set()).add("".join(reading.words(index, index + length)))
-            if _next_designator(reading, index + length):
+            if _next_designator(reading, index + length) or _lettered(reading, index, length):
                 found[noun.text].add("more")
     return frozenset(noun for noun, names in found.items() if len(names) > 1)
+
+
+def _lettered(reading: Reading, index: int, length: int) -> bool:
+    """Whether "2B" or a final "A" is a name by itself, and "1 to 6" are several."""
+    return length == 2 or bool(_range_end(reading, index)) or (reading.kind(index) == "word" and _ends(reading, index))
+
+
+def _ends(reading: Reading, index: int) -> bool:
+    following = reading.tokens[index + 1] if index + 1 < len(reading.tokens) else None
+    return following is None or following.kind == "mark" or following.text in _AFTER_DESIGNATOR
+
+
+def _range_end(reading: Reading, index: int) -> int:
+    """Return the last number of the designators "1 to 6" that begin at a token, or 0."""
+    if reading.word(index + 1) not in ("to", "–", "through") or not reading.plural(index - 1):
+        return 0
+    first, last = reading.value(index), reading.value(index + 2)
+    numbers = reading.kind(index) == reading.kind(index + 2) == "number" and 0 < first < last <= first + 40
+    return int(last) if numbers and last == int(last) and _ends(reading, index + 2) else 0
 
 
 def _designator(reading: Reading, index: int) -> int:
@@ -196,6 +215,8 @@ def _designator(reading: Reading, index: int) -> int:
         following = reading.tokens[index + 1] if index + 1 < len(reading.tokens) else None
         if following is not None and following.kind == "word" and not following.spaced:
             return 2 if len(following.text) == 1 else 0
+        if following is not None and following.text in ("to", "through"):
+            return int(bool(_range_end(reading, index)))
         ends = following is None or following.kind == "mark" or index + 1 in reading.taken
         return int(ends or (following is not None and following.text in _AFTER_DESIGNATOR))
     written = reading.text[token.start : token.end]
@@ -211,7 +232,7 @@ def _next_designator(reading: Reading, index: int) -> int:
 
 
 def with_designators(
-    reading: Reading, phrase: Phrase, nouns: frozenset[str], counted: Collection[str] = ()
+    reading: Reading, phrase: Phrase, nouns: frozenset[str], counted: Mapping[str, int]
 ) -> list[Phrase]:
     """Read "Bedroom 1" and "class 1A and 1B" as rooms of these names, or as one of those that are `counted` before."""
     noun = reading.word(phrase.noun_end - 1)
@@ -219,12 +240,16 @@ def with_designators(
         return [phrase]
     if phrase.building and noun in HEAD_TYPES:
         phrase = replace(phrase, head="room", building="", room_type=HEAD_TYPES[noun])
-    if phrase.name in counted:
+    if counted.get(phrase.name, len(reading.tokens)) < phrase.first:
         length = _designator(reading, phrase.noun_end)
         reading.take(phrase.noun_end, phrase.noun_end + length)
         return [replace(phrase, determiner="the", last=phrase.noun_end + length)]
     found, index = [], phrase.noun_end
     first = phrase.first
+    final = _range_end(reading, index)
+    if final and not phrase.counted:
+        reading.take(index, index + 3)
+        return [replace(phrase, count=final - int(reading.value(index)) + 1, counted=True, last=index + 3)]
     while index:
         length = _designator(reading, index)
         if not length:

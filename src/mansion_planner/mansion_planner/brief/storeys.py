@@ -227,6 +227,11 @@ class _Scanner:
             token.text for token in self.reading.tokens
         )
 
+    def _counts(self, index: int) -> bool:
+        """Whether a plural with a number stands before a token: "three small apartments"."""
+        reading = self.reading
+        return reading.plural(index - 1) and any(reading.kind(i) == "number" for i in range(index - 3, index - 1))
+
     def _gathered(self, many: int, index: int) -> list[FloorRef]:
         """Return the storeys that "those five floors" speaks of: that many, named last in the sentence."""
         refs: list[FloorRef] = []
@@ -260,6 +265,8 @@ class _Scanner:
             return ([self._typical()] if alike else [FloorRef("middle")]), last + 1
         if word == "per" and reading.kind(index - 1) == "unit":
             return None
+        if word == "by" and reading.word(last) in FLOOR_WORDS and not reading.plural(last) and self._counts(index):
+            return [FloorRef("every")], last + 1  # "three apartments by floor"
         if word not in ("every", "each", "all", "per", "both", "any", "either", "whole"):
             return None
         if reading.word(last) == "of":
