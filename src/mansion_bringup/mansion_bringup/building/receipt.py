@@ -281,14 +281,28 @@ def _total_area(wish: Wish, state: _State) -> _Verdict:
     wanted = wish.value.area or 0.0
     above = sum(floor.gross_floor_area for floor in state.program.floors if floor.index >= 1)
     whole = sum(floor.gross_floor_area for floor in state.program.floors)
+    if wish.value.limit:
+        return _met(_within(wish, above) or _within(wish, whole), f"the building has {whole:.0f} m2")
     off = min(abs(above - wanted), abs(whole - wanted)) / max(wanted, 1.0)
     return _met(off <= _AREA, f"the building has {whole:.0f} m2", partly=off <= 2 * _AREA)
+
+
+def _within(wish: Wish, area: float) -> bool:
+    """Whether an area keeps to a wish's bound, but for a hundredth."""
+    wanted = wish.value.area or 0.0
+    return area <= 1.01 * wanted if wish.value.limit == "most" else area >= 0.99 * wanted
+
+
+def _bound(wish: Wish) -> str:
+    return {"most": "at most ", "least": "at least ", "": ""}[wish.value.limit]
 
 
 def _floor_area(wish: Wish, state: _State) -> _Verdict:
     wanted = wish.value.area or 0.0
     areas = sorted(floor.gross_floor_area for floor in state.program.floors if floor.index >= 1)
     have = areas[len(areas) // 2]
+    if wish.value.limit:
+        return _met(_within(wish, have), f"a storey has {have:.0f} m2")
     off = abs(have - wanted) / max(wanted, 1.0)
     return _met(off <= _AREA, f"a storey has {have:.0f} m2", partly=off <= 2 * _AREA)
 
@@ -363,6 +377,7 @@ def _room(wish: Wish, state: _State) -> _Verdict:
         return _held(wish, state)
     rooms = state.called(value.name, value.type, floors)
     rooms = [room for room in rooms if room.full_id not in state.private] or rooms
+    rooms = [room for room in rooms if not _meant_elsewhere(wish, room, state)] or rooms
     if value.whole:
         rooms = [replace(room, area=room.area + sum(other.area for other in state.behind(room))) for room in rooms]
     ids = [room.full_id for room in rooms]
@@ -387,11 +402,18 @@ def _room(wish: Wish, state: _State) -> _Verdict:
     if bare:
         return _Verdict("partly", f"{_listed(bare[:3])} has none beside it", ids)
     if value.area is not None:
-        close = [room for room in rooms if _close(room.area, value.area)]
+        close = [room for room in rooms if (_within(wish, room.area) if value.limit else _close(room.area, value.area))]
         if len(close) < min(_of_that_area(wish, state, len(rooms)), len(rooms)):
             sizes = ", ".join(f"{room.area:.0f}" for room in rooms[:4])
-            return _Verdict("partly", f"{sizes} m2 instead of {value.area:.0f} m2", ids)
+            return _Verdict("partly", f"{sizes} m2 instead of {_bound(wish)}{value.area:.0f} m2", ids)
     return _Verdict("met", "", ids)
+
+
+def _meant_elsewhere(wish: Wish, room: _Room, state: _State) -> bool:
+    """Whether another wish calls a room by its own name: "classroom 2B" is none of "four classrooms"."""
+    stem, _, number = room.id.rpartition("_")
+    own = {room.id, stem if number.isdigit() else room.id} - {wish.value.name}
+    return any(other.kind == "room" and other.value.name in own for other in state.program.wishes)
 
 
 def _held(wish: Wish, state: _State) -> _Verdict:

@@ -4,6 +4,7 @@ import itertools
 from dataclasses import dataclass, replace
 
 from mansion_language.units import AREA, LENGTH
+from mansion_planner.brief.bounds import limit_of
 from mansion_planner.brief.facts import HeightFact, Quantity
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -15,7 +16,7 @@ _FILLERS = frozenset(
     of with ( about around at least measuring is has approximately be should covering roughly an area size sized
     each : having = a must will exactly occupying minimum than more floor something like the region in circa ca
     approx some apiece over for maybe nearly almost are being up to each one - – every max maximum no less not under
-    total below every measure have has some shall
+    total below every measure have has some shall larger bigger smaller greater exceed exceeding within limited capped min
     """.split()
 )
 _TOTALS = frozenset(
@@ -74,7 +75,7 @@ def _measure_at(reading: Reading, index: int) -> Measure | None:
             break
         values.append(reading.value(last + step))
         last += step + 1
-        if ranged:
+        if ranged or reading.word(index - 1) == "between":
             values = [sum(values) / 2]
             break
     if reading.kind(last) != "unit" or reading.word(last) not in AREA:
@@ -110,7 +111,8 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             number, target = again
             result[number] = replace(result[number], head="unknown")
         if target is not None:
-            result[target] = replace(result[target], areas=result[target].areas + measure.values)
+            limit = limit_of(reading, measure.first, measure.last)
+            result[target] = replace(result[target], areas=result[target].areas + measure.values, limit=limit)
             continue
         if len(measure.values) > 1:
             several = [
@@ -125,7 +127,11 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             if several:
                 result[several[-1]] = replace(result[several[-1]], areas=measure.values)
             continue
-        fact = Quantity(measure.values[0], reading.span(measure.first, measure.last))
+        fact = Quantity(
+            measure.values[0],
+            reading.span(measure.first, measure.last),
+            limit_of(reading, measure.first, measure.last),
+        )
         if measure.sides and not _PLOT.isdisjoint(reading.words(max(measure.first - 6, 0), measure.first)):
             plots.append(fact)
         elif _of_storey(reading, measure):

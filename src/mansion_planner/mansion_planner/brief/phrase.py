@@ -104,6 +104,8 @@ class Phrase:
         The lexicon has the head.
     areas : tuple of float
         Square metres; of each room, or one for each.
+    limit : {"", "most", "least"}
+        What the areas bound.
     """
 
     head: Head
@@ -122,6 +124,7 @@ class Phrase:
     determiner: str = ""
     known: bool = True
     areas: tuple[float, ...] = ()
+    limit: Literal["", "most", "least"] = ""
 
 
 def finished_phrase(

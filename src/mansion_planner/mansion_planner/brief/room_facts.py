@@ -134,6 +134,7 @@ class RoomStatements:
                 child.areas[0] if child.areas else None,
                 label=child.label,
                 known=child.known,
+                limit=child.limit,
             )
             for child in (*held, *children)
             if child.room_type
@@ -149,6 +150,7 @@ class RoomStatements:
             label=phrase.label,
             suite=suite,
             known=phrase.known,
+            limit=phrase.limit,
             unit=bool(held) or (self.reading.knowledge.room(phrase.room_type).unit and are_dwellings(phrase)),
         )
         if self._said_before(fact, phrase):

@@ -175,9 +175,9 @@ class _Ledger:
         for quantity in facts.basements:
             self.add("basements", quantity.span, WishValue(count=int(quantity.value)))
         for quantity in facts.area:
-            self.add("total_area", quantity.span, WishValue(area=quantity.value))
+            self.add("total_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
         for quantity in facts.floor_area:
-            self.add("floor_area", quantity.span, WishValue(area=quantity.value))
+            self.add("floor_area", quantity.span, WishValue(area=quantity.value, limit=quantity.limit))
         for shape, span in facts.shapes:
             self.add("outline", span, WishValue(name=shape))
         for style, span in facts.styles:
@@ -231,7 +231,7 @@ class _Ledger:
         if not room.known:
             reason = f"no such room is known; planned and furnished like {room.room_type.replace('_', ' ')}"
         whole = room.area is not None and is_whole(room, self.knowledge)
-        value = WishValue(name=room.name, type=room.room_type, count=room.count, area=room.area, whole=whole)
+        value = WishValue(name=room.name, type=room.room_type, count=room.count, area=room.area, whole=whole, limit=room.limit)
         self.add("room", room.span, value, Scope(floors=self.floors(room.floors), each=room.each), reason=reason)
         if room.unit:
             self._unit(room)
@@ -241,7 +241,7 @@ class _Ledger:
             many = None if owners is None else owners * (child.count or 1)
             scope = Scope(floors=self.floors(room.floors), each=room.each, room=room.name, room_type=room.room_type)
             self.add(
-                "room", child.span, WishValue(name=child.name, type=child.room_type, count=many, area=child.area), scope
+                "room", child.span, WishValue(name=child.name, type=child.room_type, count=many, area=child.area, limit=child.limit), scope
             )
 
     def _unit(self, room: RoomFact) -> None:
@@ -251,7 +251,7 @@ class _Ledger:
             reason = ""
             if not child.known:
                 reason = f"no such room is known; planned and furnished like {child.room_type.replace('_', ' ')}"
-            value = WishValue(name=child.name, type=child.room_type, count=child.count, area=child.area)
+            value = WishValue(name=child.name, type=child.room_type, count=child.count, area=child.area, limit=child.limit)
             self.add("room", child.span, value, scope, reason=reason)
 
     def _relation(self, kind: WishKind, fact: AdjacencyFact) -> None:

@@ -1,0 +1,86 @@
+"""Tell areas that are bounds: "no more than 60 m2", "keep it under 60 m2", "12 m2 at least"."""
+
+from typing import Literal, TypeAlias
+
+from mansion_planner.brief.reading import Reading
+
+__all__ = ["Limit", "limit_of", "within_bound"]
+
+Limit: TypeAlias = Literal["", "most", "least"]
+"""What an area bounds: no more of it, or no less, is wanted."""
+
+_BEFORE: dict[tuple[str, ...], Limit] = {
+    ("more", "than"): "least",
+    ("larger", "than"): "least",
+    ("bigger", "than"): "least",
+    ("greater", "than"): "least",
+    ("over",): "least",
+    ("above",): "least",
+    ("at", "least"): "least",
+    ("minimum",): "least",
+    ("min",): "least",
+    ("upwards", "of"): "least",
+    ("less", "than"): "most",
+    ("smaller", "than"): "most",
+    ("fewer", "than"): "most",
+    ("under",): "most",
+    ("below",): "most",
+    ("within",): "most",
+    ("up", "to"): "most",
+    ("at", "most"): "most",
+    ("at", "the", "most"): "most",
+    ("maximum",): "most",
+    ("max",): "most",
+    ("exceed",): "least",
+    ("exceeding",): "least",
+    ("limited", "to"): "most",
+    ("capped", "at"): "most",
+}
+"""Words right before an area; a negation before them turns them round."""
+_AFTER: dict[tuple[str, ...], Limit] = {
+    ("or", "less"): "most",
+    ("or", "smaller"): "most",
+    ("at", "most"): "most",
+    ("maximum",): "most",
+    ("max",): "most",
+    ("tops",): "most",
+    ("or", "more"): "least",
+    ("or", "larger"): "least",
+    ("or", "bigger"): "least",
+    ("at", "least"): "least",
+    ("minimum",): "least",
+    ("min",): "least",
+}
+_BETWEEN = frozenset("of a an the total area size about floor be".split())
+_NEGATIONS = frozenset({"no", "not", "never"})
+_MARGIN = 0.08
+"""Share by which a room is planned within its bound, so that the walls that are found for it keep to it."""
+
+
+def limit_of(reading: Reading, first: int, last: int) -> Limit:
+    """Return what the area of tokens `first` to `last` (exclusive) bounds; empty where it is the area that is wanted."""
+    index = first
+    while reading.word(index - 1) in _BETWEEN and first - index < 4:
+        index -= 1
+    for end in dict.fromkeys((first, index)):
+        for words, limit in _BEFORE.items():
+            begin = end - len(words)
+            if begin >= 0 and reading.words(begin, end) == words:
+                return _turned(limit) if _NEGATIONS & {reading.word(begin - 1), reading.word(begin - 2)} else limit
+    last += reading.word(last) in ("each", "apiece", ",", "(", "total", "overall", "altogether")
+    return next((limit for words, limit in _AFTER.items() if reading.words(last, last + len(words)) == words), "")
+
+
+def _turned(limit: Limit) -> Limit:
+    return "most" if limit == "least" else "least"
+
+
+def within_bound(area: float, limit: Limit) -> float:
+    """Return the area that a room is planned with to keep to a bound.
+
+    Examples
+    --------
+    >>> within_bound(20.0, "least") > 20.0, within_bound(20.0, "most") < 20.0, within_bound(20.0, "")
+    (True, True, 20.0)
+    """
+    return area * {"most": 1.0 - _MARGIN, "least": 1.0 + _MARGIN, "": 1.0}[limit]
