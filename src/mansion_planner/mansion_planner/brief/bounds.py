@@ -32,6 +32,11 @@ _BEFORE: dict[tuple[str, ...], Limit] = {
     ("maximum",): "most",
     ("max",): "most",
     ("exceed",): "least",
+    ("pass",): "least",
+    ("surpass",): "least",
+    ("go", "over"): "least",
+    ("go", "beyond"): "least",
+    ("go", "above"): "least",
     ("exceeding",): "least",
     ("limited", "to"): "most",
     ("capped", "at"): "most",
@@ -58,17 +63,27 @@ _MARGIN = 0.08
 
 
 def limit_of(reading: Reading, first: int, last: int) -> Limit:
-    """Return what the area of tokens `first` to `last` (exclusive) bounds; empty where it is the area that is wanted."""
+    """Return what the area of tokens `first` to `last` (exclusive) bounds; empty where it is the area that is wanted.
+
+    The words that say so are taken.
+    """
     index = first
     while reading.word(index - 1) in _BETWEEN and first - index < 4:
         index -= 1
     for end in dict.fromkeys((first, index)):
         for words, limit in _BEFORE.items():
             begin = end - len(words)
-            if begin >= 0 and reading.words(begin, end) == words:
-                return _turned(limit) if _NEGATIONS & {reading.word(begin - 1), reading.word(begin - 2)} else limit
+            if begin < 0 or reading.words(begin, end) != words:
+                continue
+            negation = next((i for i in (begin - 1, begin - 2) if reading.word(i) in _NEGATIONS), begin)
+            reading.take(negation, end)
+            return _turned(limit) if negation < begin else limit
     last += reading.word(last) in ("each", "apiece", ",", "(", "total", "overall", "altogether")
-    return next((limit for words, limit in _AFTER.items() if reading.words(last, last + len(words)) == words), "")
+    for words, limit in _AFTER.items():
+        if reading.words(last, last + len(words)) == words:
+            reading.take(last, last + len(words))
+            return limit
+    return ""
 
 
 def _turned(limit: Limit) -> Limit:

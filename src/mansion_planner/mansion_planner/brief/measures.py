@@ -4,7 +4,7 @@ import itertools
 from dataclasses import dataclass, replace
 
 from mansion_language.units import AREA, LENGTH
-from mansion_planner.brief.bounds import limit_of
+from mansion_planner.brief.bounds import Limit, limit_of
 from mansion_planner.brief.facts import HeightFact, Quantity
 from mansion_planner.brief.phrase import Phrase
 from mansion_planner.brief.reading import FLOOR_WORDS, Reading
@@ -17,6 +17,7 @@ _FILLERS = frozenset(
     each : having = a must will exactly occupying minimum than more floor something like the region in circa ca
     approx some apiece over for maybe nearly almost are being up to each one - – every max maximum no less not under
     total below every measure have has some shall larger bigger smaller greater exceed exceeding within limited capped min
+    pass surpass
     """.split()
 )
 _TOTALS = frozenset(
@@ -42,6 +43,7 @@ class Measure:
     last: int
     values: tuple[float, ...]
     sides: bool = False
+    limit: Limit = ""
 
 
 def find_measures(reading: Reading) -> list[Measure]:
@@ -53,8 +55,8 @@ def find_measures(reading: Reading) -> list[Measure]:
         if measure is None:
             index += 1
             continue
-        found.append(measure)
         reading.take(measure.first, measure.last)
+        found.append(replace(measure, limit=limit_of(reading, measure.first, measure.last)))
         index = measure.last
     return found
 
@@ -111,8 +113,8 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             number, target = again
             result[number] = replace(result[number], head="unknown")
         if target is not None:
-            limit = limit_of(reading, measure.first, measure.last)
-            result[target] = replace(result[target], areas=result[target].areas + measure.values, limit=limit)
+            areas = result[target].areas + measure.values
+            result[target] = replace(result[target], areas=areas, limit=measure.limit)
             continue
         if len(measure.values) > 1:
             several = [
@@ -127,11 +129,7 @@ def give_measures(reading: Reading, measures: list[Measure], phrases: list[Phras
             if several:
                 result[several[-1]] = replace(result[several[-1]], areas=measure.values)
             continue
-        fact = Quantity(
-            measure.values[0],
-            reading.span(measure.first, measure.last),
-            limit_of(reading, measure.first, measure.last),
-        )
+        fact = Quantity(measure.values[0], reading.span(measure.first, measure.last), measure.limit)
         if measure.sides and not _PLOT.isdisjoint(reading.words(max(measure.first - 6, 0), measure.first)):
             plots.append(fact)
         elif _of_storey(reading, measure):
@@ -179,6 +177,9 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
     own = before[len(before) - before[::-1].index(",") :] if "," in before else before
     if _for_each_storey(reading, measure):
         return True
+    counted = bool(reading.facts.floors) and reading.facts.floors[0].value > 1
+    if counted and tuple(after[:2]) in (("the", "floor"), ("the", "storey"), ("the", "level")):
+        return True
     if not _TOTALS.isdisjoint(after[:4]) or not _TOTALS.isdisjoint(own):
         return "plate" in after
     if not _PLATE.isdisjoint(after) or not _PLATE.isdisjoint(before):
@@ -198,6 +199,8 @@ def _of_storey(reading: Reading, measure: Measure) -> bool:
             index -= 1
         apiece = bool({"each", "apiece"} & set(after[:2])) or reading.word(index) == "each"
         index -= reading.word(index) == "each"
+        while apiece and reading.word(index) in ("of", "with", "at", "having"):
+            index -= 1  # "two floors of each 110 m2"
         if reading.word(index) == "," and apiece:
             index -= 1
         if reading.word(index) in FLOOR_WORDS:
@@ -302,7 +305,10 @@ def _room_of(reading: Reading, measure: Measure, phrases: list[Phrase]) -> int |
     ]
     if not candidates:
         candidates = _described(reading, measure, phrases)
-    if not candidates and reading.word(measure.first - 1) in ("(", "of"):  # "the bay for three engines (180 m2)"
+    lead = measure.first - 1
+    while reading.word(lead) in ("about", "around", "approx", "roughly", "ca", "circa", "some"):
+        lead -= 1
+    if not candidates and reading.word(lead) in ("(", "of"):  # "the bay for three engines (180 m2)"
         sentence = reading.sentence[measure.first]
         candidates = [
             n

@@ -218,6 +218,10 @@ class _Reader:
         for number, phrase in enumerate(self.phrases):
             if phrase.head != "room" or phrase.areas:
                 continue
+            held = number > 0 and self.phrases[number - 1].head == "room"
+            if held and phrase.name == "locker" and reading.words(self.phrases[number - 1].last, phrase.first) == ("with",):
+                self.phrases[number] = replace(phrase, head="object", category="locker", room_type="")
+                continue
             start = phrase.first
             while start > 0 and reading.sentence[start - 1] == reading.sentence[phrase.first]:
                 start -= 1

@@ -296,6 +296,7 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
     rooms_in = {reading.sentence[phrase.first] for phrase in phrases if phrase.head == "room"}
     found: list[Phrase] = []
     ends = {phrase.last - 1 for phrase in phrases if phrase.head == "room"}
+    things = {phrase.last for phrase in phrases if phrase.head == "object"}
     for begin, end in chunks:
         if not reading.free(begin, end) or end - begin > 3:
             continue
@@ -312,6 +313,8 @@ def listed_unknowns(reading: Reading, chunks: list[tuple[int, int]], phrases: li
         divided = divided and end - begin <= 2 and not reading.plural(end - 1)
         if not measured and not divided and sentence not in rooms_in and not headed:
             continue
+        if before in ("a", "an") and reading.word(begin - 2) == "and" and begin - 2 in things:
+            continue  # "each with a bed and a chest"
         if reading.word(begin - 2) in _HOLDS and reading.plural(end - 1) and reading.kind(begin - 1) == "number":
             continue  # "a hall holding eight steel tanks"
         counted = reading.kind(begin - 1) == "number" and begin - 1 not in reading.taken

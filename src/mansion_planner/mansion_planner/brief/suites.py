@@ -83,12 +83,16 @@ def read_suites(
                 not shared
                 and _outside_brackets(gap_words) <= {"and", "a", "an", "its", "own", ",", "the", "one"}
                 and "and" in gap
+                and not (phrase.determiner == "the" and "," in gap_words)
             )
             if joined:
                 suites[number] = suites[owner]
             continue
         distributive = has and (
-            bool(gap & {"each", "every", "apiece"}) or tail in (("each",), ("apiece",)) or distributed
+            bool(gap & {"each", "every", "apiece"})
+            or tail in (("each",), ("apiece",))
+            or reading.words(phrase.last, phrase.last + 2) == ("for", "each")
+            or distributed
         )
         both = phrase.determiner in ("both", "all", "each") and phrase.room_type == "ensuite_bathroom"
         mine = "own" in gap or phrase.determiner == "own" or reading.word(phrase.begin) in ("own", "private")

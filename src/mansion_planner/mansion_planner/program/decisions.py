@@ -225,18 +225,23 @@ def _settle_area(request: BuildRequest, decisions: Decisions, generator: np.rand
         decisions.downgrades.append(conflict(floor.span.words, f"{total.value / storeys:.0f} m2 a storey", reason))
         floor = None
     if request.floor_area is not None or floor is not None:
-        decisions.area = request.floor_area if request.floor_area is not None else floor.value  # type: ignore[union-attr]
+        decisions.area = request.floor_area if request.floor_area is not None else _kept(floor)  # type: ignore[arg-type]
         decisions.area_span = quoted(floor.span) if floor else f"$.floor_area = {decisions.area:g}"
         note(trace, floor.span if floor else None, f"{decisions.area:.0f} m2 a storey, as stated")
         decisions.area_stated = True
     elif request.area is not None or total is not None:
-        whole = request.area if request.area is not None else total.value  # type: ignore[union-attr]
+        whole = request.area if request.area is not None else _kept(total)  # type: ignore[arg-type]
         decisions.area = whole / storeys
         decisions.area_span = quoted(total.span) if total else f"$.area = {whole:g}"
         note(trace, total.span if total else None, f"{whole:.0f} m2 over {storeys} storeys, as stated")
         decisions.area_stated = True
     else:
         _infer_area(decisions, generator)
+
+
+def _kept(area: Quantity) -> float:
+    """Return the area that is planned for a stated one: a little less or more where that is a bound."""
+    return area.value * {"most": 0.95, "least": 1.05, "": 1.0}[area.limit]
 
 
 def _agree(total: float, floor: float, decisions: Decisions) -> bool:
